@@ -1,0 +1,91 @@
+//! From inductance to length: the fit of eq. (13).
+//!
+//! Next door: the theory that can stand in for measured points (`inductance`), the sensor that uses the fit (`sensors`).
+
+use crate::error::{Error, all_finite, check, count};
+use crate::inductance::MaxwellSum;
+use crate::spring::Spring;
+
+/// α and β of `1/l = αL + β`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Calibration {
+    alpha: f64,
+    beta: f64,
+}
+
+/// Lengths at which [`Calibration::theoretical`] samples the operating range; both ends are among them.
+pub const CALIBRATION_LENGTHS: usize = 101;
+
+impl Calibration {
+    /// Least squares over pairs of length and inductance, constrained to pass through one of them, the preload.
+    ///
+    /// α = Σ (L − L_p)(1/l − 1/l_p) / Σ (L − L_p)², β = 1/l_p − αL_p
+    ///
+    /// - `preload`: (l_p \[m\], L_p \[H\]); `lengths`: l \[m\], shape `points`; `inductances`: L \[H\], shape `points`
+    ///
+    /// Source:   `[Weijde2017]` eq. 13 and section III-C ("a constraint to have the model match the static preload").
+    /// Valid:    lengths above zero.
+    /// Accuracy: 1e-12 relative in α against 40 digits.
+    /// Differs:  the paper does not say in which quantity it takes squares; here it is 1/l, in which eq. 13 is linear.
+    ///
+    /// # Errors
+    /// [`Error::Count`] where the series differ in length; [`Error::Value`] for a value that is not finite, a length not above zero,
+    /// or inductances that all equal the preload's.
+    pub fn through(preload: (f64, f64), lengths: &[f64], inductances: &[f64]) -> Result<Self, Error> {
+        count("inductances", inductances.len(), lengths.len())?;
+        all_finite("inductances", inductances, "H")?;
+        let (length, inductance) = preload;
+        for &value in lengths.iter().chain([&length]) {
+            let holds = value.is_finite() && value > 0.0;
+            check(holds, "calibration length", value, "m", "above zero and finite")?;
+        }
+        let (mut product, mut square) = (0.0, 0.0);
+        for (l, henry) in lengths.iter().zip(inductances) {
+            let step = henry - inductance;
+            product += step * (1.0 / l - 1.0 / length);
+            square += step * step;
+        }
+        check(
+            square > 0.0,
+            "spread of the inductances",
+            square.sqrt(),
+            "H",
+            "above zero",
+        )?;
+        let alpha = product / square;
+        Ok(Self {
+            alpha,
+            beta: 1.0 / length - alpha * inductance,
+        })
+    }
+
+    /// The fit to a coil's own theory: [`CALIBRATION_LENGTHS`] uniform windings over the operating range, through `preload_length` \[m\].
+    ///
+    /// # Errors
+    /// As [`Self::through`].
+    pub fn theoretical(spring: &Spring, coil: &MaxwellSum, preload_length: f64) -> Result<Self, Error> {
+        let (shortest, longest) = spring.operating_range();
+        let step = (longest - shortest) / (CALIBRATION_LENGTHS - 1) as f64;
+        let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS)
+            .map(|index| shortest + index as f64 * step)
+            .collect();
+        let inductances: Vec<f64> = lengths.iter().map(|&l| coil.at_length(l)).collect();
+        let preload = (preload_length, coil.at_length(preload_length));
+        Self::through(preload, &lengths, &inductances)
+    }
+
+    /// α \[1/(H m)\].
+    pub fn alpha(&self) -> f64 {
+        self.alpha
+    }
+
+    /// β \[1/m\].
+    pub fn beta(&self) -> f64 {
+        self.beta
+    }
+
+    /// Length \[m\] that the fit reads from an inductance L \[H\]: 1 / (αL + β).
+    pub fn length(&self, inductance: f64) -> f64 {
+        1.0 / (self.alpha * inductance + self.beta)
+    }
+}

@@ -1,0 +1,105 @@
+//! What can be wrong with what a user sends: one error type for the whole science.
+//!
+//! Next door: `coilsense-lab` adds the file, the line and the key.
+
+use std::borrow::Cow;
+
+/// An input that the science cannot take. Each text names the quantity, the value, the unit and what is allowed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A value outside of what its quantity allows.
+    #[error("{quantity} must be {allowed}, got {}", number(*.value, .unit))]
+    Value {
+        /// The quantity in words, an index in brackets where it is one of a series.
+        quantity: Cow<'static, str>,
+        /// The value that was sent.
+        value: f64,
+        /// Its SI unit, empty for a pure number.
+        unit: &'static str,
+        /// What is allowed, in words.
+        allowed: Cow<'static, str>,
+    },
+    /// A series of the wrong length.
+    #[error("{quantity} must hold {allowed} values, got {found}")]
+    Count {
+        /// The quantity in words.
+        quantity: Cow<'static, str>,
+        /// How many values it holds.
+        found: usize,
+        /// How many are allowed, in words.
+        allowed: Cow<'static, str>,
+    },
+    /// A signal that is not there.
+    #[error("signal {0} is missing")]
+    MissingSignal(&'static str),
+}
+
+/// `value unit`, without a trailing blank where there is no unit.
+fn number(value: f64, unit: &str) -> String {
+    if unit.is_empty() {
+        format!("{value}")
+    } else {
+        format!("{value} {unit}")
+    }
+}
+
+/// Lets through a finite value above zero.
+pub(crate) fn above_zero(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    check(
+        value.is_finite() && value > 0.0,
+        quantity,
+        value,
+        unit,
+        "above zero and finite",
+    )
+}
+
+/// Lets through a finite value.
+pub(crate) fn finite(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    check(value.is_finite(), quantity, value, unit, "finite")
+}
+
+/// Lets `value` through where `holds`, else says what is `allowed`.
+pub(crate) fn check(
+    holds: bool,
+    quantity: impl Into<Cow<'static, str>>,
+    value: f64,
+    unit: &'static str,
+    allowed: impl Into<Cow<'static, str>>,
+) -> Result<f64, Error> {
+    if holds {
+        return Ok(value);
+    }
+    Err(Error::Value {
+        quantity: quantity.into(),
+        value,
+        unit,
+        allowed: allowed.into(),
+    })
+}
+
+/// Lets through a series of finite values; the error names the first that is not, by its index from zero.
+pub(crate) fn all_finite(quantity: &'static str, values: &[f64], unit: &'static str) -> Result<(), Error> {
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Error::Value {
+            quantity: format!("{quantity}[{index}]").into(),
+            value: values[index],
+            unit,
+            allowed: "finite".into(),
+        }),
+    }
+}
+
+/// Lets through a series of exactly `expected` values.
+pub(crate) fn count(quantity: &'static str, found: usize, expected: usize) -> Result<(), Error> {
+    if found == expected {
+        return Ok(());
+    }
+    Err(Error::Count {
+        quantity: quantity.into(),
+        found,
+        allowed: expected.to_string().into(),
+    })
+}

@@ -1,0 +1,221 @@
+//! What is done to the spring: how its ends move and how its windings start. The conditions of use of the paper's section III-B, and any like them.
+//!
+//! Next door: what the spring does then (`motion`).
+
+use std::f64::consts::TAU;
+
+use crate::error::{Error, above_zero, all_finite, count, finite};
+use crate::spring::Spring;
+
+/// One of the two ends of the spring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// End 1: position u1, force F_i.
+    One,
+    /// End 2: position u2, force F_o; positions grow from end 1 to end 2.
+    Two,
+}
+
+/// How an end moves about its mean position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EndInput {
+    /// It stays where it is.
+    Held,
+    /// It moves by a sin(2πft + phase).
+    Harmonic {
+        /// a \[m\].
+        amplitude: f64,
+        /// f \[Hz\], above zero.
+        frequency: f64,
+        /// Phase at t = 0 \[rad\].
+        phase: f64,
+    },
+}
+
+impl EndInput {
+    /// Displacement from the mean position at time `time` \[s\], in \[m\].
+    pub fn displacement(&self, time: f64) -> f64 {
+        match *self {
+            Self::Held => 0.0,
+            Self::Harmonic {
+                amplitude,
+                frequency,
+                phase,
+            } => amplitude * (TAU * frequency * time + phase).sin(),
+        }
+    }
+
+    /// Velocity at time `time` \[s\], in \[m/s\].
+    pub fn velocity(&self, time: f64) -> f64 {
+        match *self {
+            Self::Held => 0.0,
+            Self::Harmonic {
+                amplitude,
+                frequency,
+                phase,
+            } => amplitude * TAU * frequency * (TAU * frequency * time + phase).cos(),
+        }
+    }
+
+    fn checked(self) -> Result<Self, Error> {
+        if let Self::Harmonic {
+            amplitude,
+            frequency,
+            phase,
+        } = self
+        {
+            finite("amplitude", amplitude, "m")?;
+            above_zero("frequency", frequency, "Hz")?;
+            finite("phase", phase, "rad")?;
+        }
+        Ok(self)
+    }
+}
+
+/// Where the windings are, and how fast, at t = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Start {
+    /// Uniform for the mean length, velocity zero, wherever the ends are.
+    Rest,
+    /// As a spring without mass: uniform between the ends' positions, velocities linear between the ends' velocities.
+    Massless,
+    /// Uniform for the mean length, winding i at the velocity `profile` gives it.
+    Moving {
+        /// v \[m/s\], positive from end 1 to end 2.
+        velocity: f64,
+        /// How v is shared out.
+        profile: VelocityProfile,
+    },
+    /// Given winding by winding, winding 1 first.
+    Windings {
+        /// Positions \[m\] measured from the mean position of end 1; shape `N`.
+        positions: Vec<f64>,
+        /// Velocities \[m/s\]; shape `N`.
+        velocities: Vec<f64>,
+    },
+}
+
+/// How the velocity of an impact is shared out over the windings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VelocityProfile {
+    /// v for every winding.
+    Uniform,
+    /// v (i−½)/N for winding i: zero at end 1, v at end 2.
+    Linear,
+}
+
+/// How the ends move and how the windings start, checked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Excitation {
+    mean_length: f64,
+    ends: [EndInput; 2],
+    start: Start,
+}
+
+impl Excitation {
+    /// Any mean length \[m\], input at each end, and start.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a length or frequency that is not above zero, or any value that is not finite;
+    /// [`Error::Count`] where a start by windings has unlike numbers of positions and velocities.
+    pub fn new(mean_length: f64, end1: EndInput, end2: EndInput, start: Start) -> Result<Self, Error> {
+        above_zero("mean length", mean_length, "m")?;
+        match &start {
+            Start::Rest | Start::Massless => {}
+            Start::Moving { velocity, .. } => {
+                finite("velocity", *velocity, "m/s")?;
+            }
+            Start::Windings { positions, velocities } => {
+                all_finite("start positions", positions, "m")?;
+                all_finite("start velocities", velocities, "m/s")?;
+                count("start velocities", velocities.len(), positions.len())?;
+            }
+        }
+        Ok(Self {
+            mean_length,
+            ends: [end1.checked()?, end2.checked()?],
+            start,
+        })
+    }
+
+    /// Impact ("heel strike"): both ends stop dead at t = 0 while every winding still moves at `velocity`.
+    ///
+    /// - `length`: l \[m\]; `velocity`: v \[m/s\], positive from end 1 to end 2
+    ///
+    /// Source: `[Weijde2017]` section III-B, first condition (0.25 m/s at mid range).
+    ///
+    /// # Errors
+    /// [`Error::Value`] as for [`Self::new`].
+    pub fn impact(length: f64, velocity: f64) -> Result<Self, Error> {
+        let profile = VelocityProfile::Uniform;
+        let start = Start::Moving { velocity, profile };
+        Self::new(length, EndInput::Held, EndInput::Held, start)
+    }
+
+    /// End stop: end 2, moving at `velocity` until t = 0, stops dead; the windings still move.
+    ///
+    /// - `length`: l \[m\]; `velocity`: v \[m/s\], positive when the spring was getting longer; `profile`: linear if end 1 stood still
+    ///
+    /// Source:  `[Weijde2017]` section III-B, second condition, v by [`traverse_velocity`].
+    /// Differs: the paper says linear for both; its rows "end stop collision min" are those of a uniform −v.
+    ///
+    /// # Errors
+    /// [`Error::Value`] as for [`Self::new`].
+    pub fn end_stop(length: f64, velocity: f64, profile: VelocityProfile) -> Result<Self, Error> {
+        let start = Start::Moving { velocity, profile };
+        Self::new(length, EndInput::Held, EndInput::Held, start)
+    }
+
+    /// Harmonic position input on one end, the other held.
+    ///
+    /// Source: `[Weijde2017]` section III-B, third condition.
+    ///
+    /// # Errors
+    /// [`Error::Value`] as for [`Self::new`].
+    pub fn harmonic(mean_length: f64, end: End, input: EndInput, start: Start) -> Result<Self, Error> {
+        match end {
+            End::One => Self::new(mean_length, input, EndInput::Held, start),
+            End::Two => Self::new(mean_length, EndInput::Held, input, start),
+        }
+    }
+
+    /// Length about which the ends move \[m\].
+    pub fn mean_length(&self) -> f64 {
+        self.mean_length
+    }
+
+    /// The input of an end.
+    pub fn input(&self, end: End) -> &EndInput {
+        &self.ends[end as usize]
+    }
+
+    /// How the windings start.
+    pub fn start(&self) -> &Start {
+        &self.start
+    }
+
+    /// The shortest and longest length \[m\] that the ends can reach, each at its own worst moment.
+    pub fn length_bounds(&self) -> (f64, f64) {
+        let reach: f64 = self
+            .ends
+            .iter()
+            .map(|input| match input {
+                EndInput::Held => 0.0,
+                EndInput::Harmonic { amplitude, .. } => amplitude.abs(),
+            })
+            .sum();
+        (self.mean_length - reach, self.mean_length + reach)
+    }
+}
+
+/// Velocity of the paper's end stops \[m/s\]: the operating range traversed in a step time of one second.
+///
+/// v = (l_max − l_min) / 1 s
+///
+/// Source:   `[Weijde2017]` eq. 12.
+/// Valid:    walking robots with a step time near 1 s.
+/// Accuracy: rounding of the difference.
+pub fn traverse_velocity(spring: &Spring) -> f64 {
+    let (shortest, longest) = spring.operating_range();
+    longest - shortest
+}

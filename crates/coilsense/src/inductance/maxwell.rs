@@ -1,0 +1,127 @@
+//! Maxwell's summation: the inductance of windings wherever they are.
+//!
+//! Next door: the mutual inductance of one pair (`mutual`), the distance of a winding from itself (`self_term`).
+
+use super::mutual::mutual_inductance;
+use super::self_term::SelfDistance;
+use crate::motion::Windings;
+use crate::spring::Spring;
+
+/// The inductance of a spring by Maxwell's sum over its windings.
+///
+/// L = Σ_i Σ_j M(|x_i − x_j|) = N M(h_self) + 2 Σ_{i<j} M(|x_i − x_j|)
+///
+/// Fractional windings: N_L of them stand for round(N_L) turns at pitch l/N_L, centred on the coil and carried by the chain's
+/// piecewise-linear displacement; the self term counts N_L times.
+///
+/// Source:   `[Weijde2017]` eqs. 8–11, `[Maxwell1873]` arts. 693 and 701; fractions as in the processing of `[Vlasblom2015]`.
+/// Valid:    one layer of circular rings of one radius, direct current, no core.
+/// Accuracy: 2e-15 relative, against 40 digits.
+///
+/// ```
+/// use coilsense::inductance::{MaxwellSum, SelfDistance};
+/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
+/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
+/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
+/// let microhenry = 1e6 * coil.at_length(0.23);
+/// assert!((3.0..4.0).contains(&microhenry));
+/// # Ok::<(), coilsense::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaxwellSum {
+    coil_radius: f64,
+    windings: f64,
+    /// N_L M(h_self) \[H\].
+    self_part: f64,
+    /// Where the turns sit along the coil, 0 at end 1 and 1 at end 2.
+    places: Vec<f64>,
+    chain_masses: usize,
+}
+
+impl MaxwellSum {
+    /// The sum for a spring.
+    pub fn new(spring: &Spring, self_distance: SelfDistance) -> Self {
+        let windings = spring.inductance_windings();
+        let turns = windings.round().max(1.0);
+        let own = self_distance.of_wire(spring.wire_radius());
+        Self {
+            coil_radius: spring.coil_radius(),
+            windings,
+            self_part: windings * mutual_inductance(spring.coil_radius(), own),
+            places: (0..turns as usize)
+                .map(|index| 0.5 + (index as f64 - 0.5 * (turns - 1.0)) / windings)
+                .collect(),
+            chain_masses: spring.chain_masses(),
+        }
+    }
+
+    /// L \[H\] of windings spread uniformly over a length \[m\].
+    pub fn at_length(&self, length: f64) -> f64 {
+        let pitch = length / self.windings;
+        // Uniform windings repeat each distance: Σ_{i<j} is a sum over N − 1 distances.
+        let turns = self.places.len();
+        let pairs: f64 = (1..turns)
+            .rev()
+            .map(|apart| (turns - apart) as f64 * mutual_inductance(self.coil_radius, apart as f64 * pitch))
+            .sum();
+        self.self_part + 2.0 * pairs
+    }
+
+    /// L \[H\] of every sample of a motion, shape `samples`.
+    pub fn series(&self, windings: &Windings) -> Vec<f64> {
+        let mut turns = vec![0.0; self.places.len()];
+        (0..windings.samples())
+            .map(|sample| {
+                let row = windings.row(sample);
+                if self.turns_are_masses() {
+                    return self.of_turns(row);
+                }
+                self.carry(&mut turns, windings.ends(sample), row);
+                self.of_turns(&turns)
+            })
+            .collect()
+    }
+
+    /// L \[H\] of turns at given positions \[m\], in any order, one per turn of the coil (round(N_L)).
+    ///
+    /// # Errors
+    /// [`crate::Error::Count`] for another number of turns; [`crate::Error::Value`] for the first position that is not finite.
+    pub fn at_positions(&self, positions: &[f64]) -> Result<f64, crate::Error> {
+        crate::error::count("positions", positions.len(), self.places.len())?;
+        crate::error::all_finite("positions", positions, "m")?;
+        Ok(self.of_turns(positions))
+    }
+
+    fn turns_are_masses(&self) -> bool {
+        self.windings == self.chain_masses as f64
+    }
+
+    fn of_turns(&self, turns: &[f64]) -> f64 {
+        let mut pairs = 0.0;
+        for (index, first) in turns.iter().enumerate() {
+            pairs += turns[index + 1..]
+                .iter()
+                .map(|second| mutual_inductance(self.coil_radius, (second - first).abs()))
+                .sum::<f64>();
+        }
+        self.self_part + 2.0 * pairs
+    }
+
+    /// Carries the turns along with the chain: linear between the ends and the masses around them.
+    fn carry(&self, turns: &mut [f64], [u1, u2]: [f64; 2], masses: &[f64]) {
+        let count = masses.len();
+        // Nodes of the chain in units of its pitch: end 1 at 0, mass i at i − ½, end 2 at N.
+        let place_of = |node: usize| match node {
+            0 => (0.0, u1),
+            node if node > count => (count as f64, u2),
+            node => (node as f64 - 0.5, masses[node - 1]),
+        };
+        for (turn, place) in turns.iter_mut().zip(&self.places) {
+            let along = place * count as f64;
+            let node = ((along + 0.5).floor() as usize).min(count);
+            let ((from, left), (to, right)) = (place_of(node), place_of(node + 1));
+            *turn = left + (right - left) * (along - from) / (to - from);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! How far one can trust a force measured through a coil spring.
+//!
+//! Robots measure force through springs: a load cell at one end, a deflection sensor, the spring's own inductance. All assume a
+//! spring without mass. A real coil rings inside ("surge") after an impact or near a resonance, and then its two ends disagree.
+//! This crate holds the science of that: no files, no printing, no clock. Read the modules in their order and you walk the corridor
+//!
+//! ```text
+//! Spring + Excitation ─► Motion ─► Signals ─► Estimate ─► Measures
+//! ```
+//!
+//! The model is that of van der Weijde, van Ostayen and Vallery, *Influence of Internal Oscillations on Force Sensing in Coil
+//! Springs*: a chain of N winding masses, Maxwell's summation for the inductance. It ends where windings touch (see
+//! [`measures::Clash`]), and it moves along the spring's axis only: no lateral or torsional motion, no initial tension.
+//!
+//! SI units at every door. Positions grow from end 1 to end 2; force is tension-positive.
+//!
+//! ```
+//! use coilsense::inductance::{MaxwellSum, SelfDistance};
+//! use coilsense::{Calibration, Channel, Deviation, Excitation, InductanceSensor, Motion, Spring, SpringParameters};
+//!
+//! // S_T of the paper, hit at mid range: how far off is each force?
+//! let spring = Spring::new(SpringParameters {
+//!     rest_length: 0.104, windings: 52.0, coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0,
+//!     min_length: 0.196, max_length: 0.264, nominal_force: None, inductance_windings: None,
+//! })?;
+//! let motion = Motion::new(&spring, &Excitation::impact(spring.mid_length(), 0.25)?)?;
+//! let times = coilsense::signals::sampled_window(10_000.0, 0.75, 1.0)?;
+//! let mut signals = motion.signals(&times)?;
+//!
+//! let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
+//! let inductance = coil.series(&motion.windings(&times)?);
+//! let sensor = InductanceSensor::new(&spring, Calibration::theoretical(&spring, &coil, spring.mid_length())?);
+//! signals.insert(Channel::InductanceForce, sensor.force(&inductance))?;
+//!
+//! let reference = signals.channel(Channel::DeflectionForce)?;
+//! for (force, percent) in [(Channel::OutputForce, 1.44), (Channel::InductanceForce, 0.01)] {
+//!     let deviation = Deviation::between(signals.channel(force)?, reference)?.relative_to(spring.nominal_force())?;
+//!     assert!((100.0 * deviation.rmsd - percent).abs() < 0.01); // Table II of the paper
+//! }
+//! # Ok::<(), coilsense::Error>(())
+//! ```
+
+pub mod spring;
+
+pub mod modes;
+
+pub mod transmittance;
+
+pub mod excitation;
+
+pub mod motion;
+
+pub mod inductance;
+
+pub mod calibrate;
+
+pub mod sensors;
+
+pub mod signals;
+
+pub mod measures;
+
+pub mod error;
+
+pub use calibrate::Calibration;
+pub use error::Error;
+pub use excitation::{End, EndInput, Excitation, Start, VelocityProfile};
+pub use measures::{Clash, Deviation};
+pub use motion::Motion;
+pub use sensors::InductanceSensor;
+pub use signals::{Channel, Signals};
+pub use spring::{Spring, SpringParameters};
+
+/// The README's code, run as a doctest.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -1,0 +1,271 @@
+//! The spring: what Table I of the paper gives, checked, and what follows from it alone.
+//!
+//! Next door: its vibration modes (`modes`), its inductance (`inductance`), what is done to it (`excitation`).
+
+use crate::error::{Error, above_zero, check, finite};
+
+/// What describes a spring, by name and in SI units; [`Spring::new`] checks it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpringParameters {
+    /// l0: length without force \[m\]; catalogues call it the free length.
+    pub rest_length: f64,
+    /// N: active windings \[1\], may be fractional.
+    pub windings: f64,
+    /// r: radius of the coil, from its axis to the centre of the wire \[m\].
+    pub coil_radius: f64,
+    /// ρ: radius of the wire \[m\].
+    pub wire_radius: f64,
+    /// m: mass of the active coil \[kg\].
+    pub mass: f64,
+    /// k: stiffness \[N/m\].
+    pub stiffness: f64,
+    /// Shortest length in use \[m\].
+    pub min_length: f64,
+    /// Longest length in use \[m\].
+    pub max_length: f64,
+    /// F_nom \[N\] where it is known otherwise; `None` takes eq. (14), see [`Spring::nominal_force`].
+    pub nominal_force: Option<f64>,
+    /// Windings that carry the current \[1\]; `None` takes `windings`. See [`crate::inductance::MaxwellSum`] for the rule of fractions.
+    pub inductance_windings: Option<f64>,
+}
+
+/// A spring whose every value has been checked.
+///
+/// ```
+/// use coilsense::{Spring, SpringParameters};
+///
+/// // S_T of the paper: the ankle spring of the humanoid TUlip.
+/// let spring = Spring::new(SpringParameters {
+///     rest_length: 0.104,
+///     windings: 52.0,
+///     coil_radius: 0.008,
+///     wire_radius: 0.001,
+///     mass: 0.065,
+///     stiffness: 760.0,
+///     min_length: 0.196,
+///     max_length: 0.264,
+///     nominal_force: None,
+///     inductance_windings: None,
+/// })?;
+/// assert!((spring.transit_time() - 9.248e-3).abs() < 1e-6);
+/// assert!((spring.surge_frequency() - 54.065).abs() < 1e-3);
+/// assert!((spring.nominal_force() - 121.6).abs() < 1e-9);
+/// assert!((spring.wave_impedance() - 7.0285).abs() < 1e-4);
+/// # Ok::<(), coilsense::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spring {
+    parameters: SpringParameters,
+    nominal_force: f64,
+}
+
+impl Spring {
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for the first value that is not finite, not above zero, a wire that is not thinner than the coil,
+    /// or an operating range that is empty or reversed.
+    pub fn new(parameters: SpringParameters) -> Result<Self, Error> {
+        let p = &parameters;
+        above_zero("rest length", p.rest_length, "m")?;
+        check(
+            p.windings.is_finite() && p.windings > 0.0 && p.windings <= MAX_WINDINGS,
+            "windings",
+            p.windings,
+            "",
+            format!("above zero and at most {MAX_WINDINGS}"),
+        )?;
+        above_zero("coil radius", p.coil_radius, "m")?;
+        above_zero("wire radius", p.wire_radius, "m")?;
+        check(
+            p.wire_radius < p.coil_radius,
+            "wire radius",
+            p.wire_radius,
+            "m",
+            format!("below the coil radius of {} m", p.coil_radius),
+        )?;
+        above_zero("mass", p.mass, "kg")?;
+        above_zero("stiffness", p.stiffness, "N/m")?;
+        above_zero("min length", p.min_length, "m")?;
+        finite("max length", p.max_length, "m")?;
+        check(
+            p.max_length > p.min_length,
+            "max length",
+            p.max_length,
+            "m",
+            format!("above the min length of {} m", p.min_length),
+        )?;
+        if let Some(windings) = p.inductance_windings {
+            check(
+                windings.is_finite() && (0.5..=MAX_WINDINGS).contains(&windings),
+                "inductance windings",
+                windings,
+                "",
+                format!("from 0.5 to {MAX_WINDINGS}"),
+            )?;
+        }
+        let nominal_force = match p.nominal_force {
+            Some(force) => above_zero("nominal force", force, "N")?,
+            None => {
+                let longest = (p.max_length - p.rest_length).abs();
+                p.stiffness * longest.max((p.min_length - p.rest_length).abs())
+            }
+        };
+        Ok(Self {
+            parameters,
+            nominal_force,
+        })
+    }
+
+    /// The parameters it was made from.
+    pub fn parameters(&self) -> &SpringParameters {
+        &self.parameters
+    }
+
+    /// l0: length without force \[m\].
+    pub fn rest_length(&self) -> f64 {
+        self.parameters.rest_length
+    }
+
+    /// k: stiffness \[N/m\].
+    pub fn stiffness(&self) -> f64 {
+        self.parameters.stiffness
+    }
+
+    /// m: mass of the active coil \[kg\].
+    pub fn mass(&self) -> f64 {
+        self.parameters.mass
+    }
+
+    /// r: radius of the coil to the centre of the wire \[m\].
+    pub fn coil_radius(&self) -> f64 {
+        self.parameters.coil_radius
+    }
+
+    /// ρ: radius of the wire \[m\].
+    pub fn wire_radius(&self) -> f64 {
+        self.parameters.wire_radius
+    }
+
+    /// 2ρ: diameter of the wire \[m\].
+    pub fn wire_diameter(&self) -> f64 {
+        2.0 * self.parameters.wire_radius
+    }
+
+    /// N: active windings \[1\], may be fractional.
+    pub fn windings(&self) -> f64 {
+        self.parameters.windings
+    }
+
+    /// Windings that carry the current \[1\].
+    pub fn inductance_windings(&self) -> f64 {
+        self.parameters.inductance_windings.unwrap_or(self.parameters.windings)
+    }
+
+    /// Masses of the chain that stands for the spring: the active windings rounded, at least 1.
+    pub fn chain_masses(&self) -> usize {
+        (self.parameters.windings.round() as usize).max(1)
+    }
+
+    /// Shortest and longest length in use \[m\].
+    pub fn operating_range(&self) -> (f64, f64) {
+        (self.parameters.min_length, self.parameters.max_length)
+    }
+
+    /// Half way through the operating range \[m\].
+    pub fn mid_length(&self) -> f64 {
+        0.5 * (self.parameters.min_length + self.parameters.max_length)
+    }
+
+    /// Whether a length \[m\] lies in the operating range, its ends included.
+    pub fn in_operating_range(&self, length: f64) -> bool {
+        (self.parameters.min_length..=self.parameters.max_length).contains(&length)
+    }
+
+    /// Dynamic spring characteristic \[s\]: the time in which a surge wave runs through the coil once.
+    ///
+    /// τ = √(m/k)
+    ///
+    /// Source:   `[Weijde2017]` eq. 2.
+    /// Valid:    a uniform coil.
+    /// Accuracy: 2e-16 relative (one division, one root).
+    ///
+    pub fn transit_time(&self) -> f64 {
+        (self.parameters.mass / self.parameters.stiffness).sqrt()
+    }
+
+    /// f1: first surge frequency of the continuous coil with both ends held \[Hz\], everywhere in coilsense.
+    ///
+    /// f1 = ω_1 / 2π = 1 / (2τ)
+    ///
+    /// Source:   `[Weijde2017]` eq. 3 with n = 1.
+    /// Valid:    a uniform undamped coil, windings that never touch.
+    /// Accuracy: 3e-16 relative.
+    /// Differs:  the chain's own first mode ([`crate::modes::ChainModes::frequencies`]) lies lower, 0.015 % for S_T.
+    pub fn surge_frequency(&self) -> f64 {
+        0.5 / self.transit_time()
+    }
+
+    /// F_nom: largest static force in use \[N\].
+    ///
+    /// F_nom = k max(|l_min − l0|, |l_max − l0|), or the parameter `nominal_force` where it is given.
+    ///
+    /// Source:   `[Weijde2017]` eq. 14.
+    /// Valid:    a linear spring.
+    /// Accuracy: rounding of the difference of lengths.
+    /// Differs:  eq. 14 takes l_max only; the absolute value makes compression springs work and is the same for S_T and S_A.
+    pub fn nominal_force(&self) -> f64 {
+        self.nominal_force
+    }
+
+    /// Wave impedance \[N s/m\]: what an impact adds to an end force, per m/s.
+    ///
+    /// Z = √(k m)
+    ///
+    /// Source:   d'Alembert's solution of the one-dimensional wave equation: an impact at v changes an end force by ±v Z.
+    /// Valid:    a uniform coil, times below τ, N → ∞.
+    /// Accuracy: 2e-16 relative.
+    pub fn wave_impedance(&self) -> f64 {
+        (self.parameters.stiffness * self.parameters.mass).sqrt()
+    }
+
+    /// Length with all active windings touching \[m\].
+    ///
+    /// l_s = N · 2ρ
+    ///
+    /// Source:   geometry.
+    /// Valid:    active windings only; closed end turns add their own wire diameters.
+    /// Accuracy: exact but for rounding.
+    pub fn solid_length(&self) -> f64 {
+        self.parameters.windings * self.wire_diameter()
+    }
+
+    /// Distance from winding to winding when they are spread uniformly over a length \[m\].
+    ///
+    /// p = l / N
+    ///
+    /// - `length`: l \[m\]
+    ///
+    /// Source:   geometry.
+    /// Valid:    uniform windings.
+    /// Accuracy: exact but for rounding.
+    pub fn pitch_at(&self, length: f64) -> f64 {
+        length / self.parameters.windings
+    }
+
+    /// Force of a spring without mass \[N\], tension positive.
+    ///
+    /// F = k (l − l0)
+    ///
+    /// - `length`: l \[m\]
+    ///
+    /// Source:   Hooke's law; the paper's F_x.
+    /// Valid:    no initial tension, no clash.
+    /// Accuracy: rounding of the difference of lengths.
+    pub fn static_force(&self, length: f64) -> f64 {
+        self.parameters.stiffness * (length - self.parameters.rest_length)
+    }
+}
+
+/// Most windings that are taken: a bound on memory, far above any coil.
+const MAX_WINDINGS: f64 = 1e6;
