@@ -207,9 +207,14 @@ impl Motion {
 fn place(row: &mut [f64], shapes: &[f64], coordinates: &[f64], ends: [f64; 2]) {
     let masses = row.len();
     let spacing = (ends[1] - ends[0]) / masses as f64;
-    for (index, (position, shape)) in row.iter_mut().zip(shapes.chunks_exact(masses)).enumerate() {
-        let pattern: f64 = shape.iter().zip(coordinates).map(|(s, q)| s * q).sum();
-        *position = ends[0] + (index as f64 + 0.5) * spacing + pattern;
+    row.fill(0.0);
+    for (shape, coordinate) in shapes.chunks_exact(masses).zip(coordinates) {
+        for (position, shape) in row.iter_mut().zip(shape) {
+            *position += shape * coordinate;
+        }
+    }
+    for (index, position) in row.iter_mut().enumerate() {
+        *position += ends[0] + (index as f64 + 0.5) * spacing;
     }
 }
 

@@ -163,10 +163,10 @@ impl Drive {
     }
 }
 
-/// φ_j(i) as a matrix, one row per winding: shape `N × N`, row-major.
+/// φ_j(i) as a matrix, one row per mode: shape `N × N`, row-major.
 pub(super) fn shape_rows(modes: &ChainModes) -> Vec<f64> {
     let count = modes.count();
     (1..=count)
-        .flat_map(|winding| (1..=count).map(move |mode| modes.shape_at(mode, winding)))
+        .flat_map(|mode| (1..=count).map(move |winding| modes.shape_at(mode, winding)))
         .collect()
 }

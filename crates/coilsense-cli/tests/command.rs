@@ -1,0 +1,164 @@
+//! The command as a person meets it.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn coilsense(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_coilsense"))
+        .args(arguments)
+        .output()
+        .expect("the command starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// Runs the command, which must refuse: exit code 2, one line on standard error, nothing on standard output.
+fn refused(arguments: &[&str]) -> String {
+    let output = coilsense(arguments);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert!(output.stdout.is_empty());
+    message
+}
+
+fn path(path: &Path) -> &str {
+    path.to_str().expect("UTF-8 path")
+}
+
+/// The built-in springs in a folder, S_T's file changed.
+fn springs(change: impl Fn(String) -> String) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let s_t = change(include_str!("../../../data/springs/S_T.toml").to_owned());
+    fs::write(folder.path().join("S_T.toml"), s_t).expect("written");
+    fs::write(
+        folder.path().join("S_A.toml"),
+        include_str!("../../../data/springs/S_A.toml"),
+    )
+    .expect("written");
+    folder
+}
+
+#[test]
+fn reproduce_prints_the_answer_first_and_writes_the_folder() {
+    let place = tempfile::tempdir().unwrap();
+    let out = place.path().join("deep/paper");
+    let output = coilsense(&["reproduce", "--out", path(&out)]);
+    let printed = text(&output.stdout);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(printed.lines().next().unwrap().contains("30 of 30 cells"), "{printed}");
+    assert!(printed.contains("S_A, resonance (tables): windings touch from t = 0.529 s on"));
+    assert!(printed.contains("24 files in"));
+    assert!(!printed.contains('\u{1b}'), "colour although it is no terminal");
+    assert!(out.join("report.html").is_file());
+    assert_eq!(
+        fs::read_dir(place.path()).unwrap().count(),
+        1,
+        "something was left beside the folder"
+    );
+}
+
+#[test]
+fn one_protocol_alone_prints_only_its_tables() {
+    let place = tempfile::tempdir().unwrap();
+    let output = coilsense(&["reproduce", "--protocol", "text", "--out", path(place.path())]);
+    let printed = text(&output.stdout);
+    assert!(
+        printed.contains("Table III, text protocol") && !printed.contains("tables protocol"),
+        "{printed}"
+    );
+    let json = fs::read_to_string(place.path().join("tables.json")).unwrap();
+    assert_eq!(json.matches("\"tables_percent\":null").count(), 60);
+}
+
+#[test]
+fn the_springs_of_a_folder_are_used_and_said_to_be_others() {
+    let folder = springs(|text| text.replace("65 g", "130 g"));
+    let place = tempfile::tempdir().unwrap();
+    let output = coilsense(&[
+        "reproduce",
+        "--springs",
+        path(folder.path()),
+        "--out",
+        path(place.path()),
+    ]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("The springs are not those of Table I"));
+    let page = fs::read_to_string(place.path().join("report.html")).unwrap();
+    assert!(page.contains("not those of the paper"));
+}
+
+#[test]
+fn a_spring_that_cannot_be_is_refused_and_nothing_is_written() {
+    let cases: [(&str, &str, &[&str]); 5] = [
+        (
+            "\"65 g\"",
+            "\"-65 g\"",
+            &["S_T.toml:10", "mass", "-65 g", "above zero", "kg"],
+        ),
+        ("\"65 g\"", "\"nan g\"", &["S_T.toml:10", "mass", "NaN", "kg"]),
+        (
+            "\"264 mm\"",
+            "\"100 mm\"",
+            &["S_T.toml:13", "max_length", "100 mm", "above the min length of 0.196 m"],
+        ),
+        ("mass = \"65 g\"", "", &["S_T.toml:4", "lacks the key \"mass\"", "unit"]),
+        ("mass =", "mas =", &["S_T.toml:10", "unknown key \"mas\"", "mass"]),
+    ];
+    for (old, new, words) in cases {
+        let folder = springs(|text| text.replace(old, new));
+        let place = tempfile::tempdir().unwrap();
+        let out = place.path().join("out");
+        let message = refused(&["reproduce", "--springs", path(folder.path()), "--out", path(&out)]);
+        for word in words {
+            assert!(message.contains(word), "{word} in {message}");
+        }
+        assert!(message.contains(path(folder.path())), "the file's folder in {message}");
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0, "something was written");
+    }
+}
+
+#[test]
+fn a_folder_without_the_springs_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let message = refused(&["reproduce", "--springs", path(folder.path())]);
+    assert!(
+        message.contains("S_T.toml") && message.contains("cannot be read"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_refused() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("file");
+    fs::write(&file, "mine").unwrap();
+    for out in [file.clone(), file.join("below"), "/proc/coilsense".into()] {
+        let message = refused(&["reproduce", "--out", path(&out)]);
+        assert!(message.contains(path(&out)), "{message}");
+    }
+    assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+}
+
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    let place = tempfile::tempdir().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_coilsense"))
+        .args(["reproduce", "--out", path(place.path())])
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    assert!(child.wait().unwrap().success());
+    assert!(place.path().join("report.html").is_file());
+}
+
+#[test]
+fn a_wrong_option_is_refused_with_a_hint() {
+    let output = coilsense(&["reproduce", "--protocl", "text"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("--protocol"));
+}

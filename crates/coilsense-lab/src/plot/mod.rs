@@ -1,0 +1,151 @@
+//! Line figures for reports and papers: panels of curves, drawn as SVG or PNG.
+//!
+//! This file holds what a caller fills in: [`Figure`], [`Panel`], [`Axis`], [`Curve`], [`Mark`].
+//! Next door: `stroke` (colours and dashes), `ruler` and `ticks` (ranges and what stands along
+//! them), `trace` (samples to a short polyline), `lettering` (sub- and superscripts), `layout`
+//! (what goes where: `grid`, `legend`, `panel` and its `head`), and the two writers `svg` and
+//! `raster`, which draw the same `drawing`.
+//!
+//! One pixel is 1/96 inch: 672 px fill a page of 7 inch, 336 px one column of a journal, and the
+//! smallest letters then print at 8 pt (sub- and superscripts apart).
+//!
+//! Labels take `_` and `^` as in TeX (`F_o`, `10^{-3}`); `\_` is a plain underscore.
+
+mod drawing;
+mod error;
+mod grid;
+mod head;
+mod layout;
+mod legend;
+mod lettering;
+mod panel;
+mod raster;
+mod ruler;
+mod stroke;
+mod svg;
+#[cfg(test)]
+mod tests;
+mod ticks;
+mod trace;
+
+pub use error::PlotError;
+pub use raster::PNG_SCALE;
+pub use stroke::{Colour, Dash, Stroke, Theme};
+
+/// A figure: panels in rows of `columns`, and one legend above them all.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The panels, row by row.
+    pub panels: Vec<Panel>,
+    /// Panels side by side, at least 1.
+    pub columns: usize,
+    /// Width of one panel with its labels \[px\]; the figure is `columns` times as wide.
+    pub panel_width: f64,
+    /// Height of one panel with its labels \[px\]; the legend comes on top.
+    pub panel_height: f64,
+}
+
+/// One pair of axes with its curves.
+///
+/// An axis label is drawn once where neighbours (left, or below) carry the same one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Printed above the axes; may be empty.
+    pub title: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// The curves, the last one on top.
+    pub curves: Vec<Curve>,
+    /// Vertical reference lines; may be empty.
+    pub marks: Vec<Mark>,
+}
+
+/// What an axis measures, and how much of it is shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Quantity and unit, such as `Time [s]`.
+    pub label: String,
+    /// Lower and upper end; without it the axis fits the curves.
+    pub range: Option<(f64, f64)>,
+    /// Even in the value or in its logarithm.
+    pub scale: Scale,
+}
+
+/// How values spread along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal steps are equally long.
+    Linear,
+    /// Equal ratios are equally long; values of zero or below break the curve.
+    Log10,
+}
+
+/// One line of a panel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Its name in the legend; the same label and stroke in several panels make one entry,
+    /// an empty label makes none.
+    pub label: String,
+    /// Abscissae, in the unit of the x axis.
+    pub x: Vec<f64>,
+    /// Ordinates, as many as `x`; a value that is not finite breaks the line.
+    pub y: Vec<f64>,
+    /// How the line looks.
+    pub stroke: Stroke,
+}
+
+/// A thin vertical line with a label above the axes; not drawn where it lies out of range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mark {
+    /// Where it stands, in the unit of the x axis.
+    pub x: f64,
+    /// What it says; may be empty.
+    pub label: String,
+}
+
+impl Figure {
+    /// Draws the figure as an SVG element, which may stand alone or inside HTML.
+    ///
+    /// It scales with its container, carries its own description for screen readers, and holds
+    /// no ids, so that many can share one page.
+    ///
+    /// # Errors
+    /// [`PlotError`] when the figure is empty or too small, a curve's `x` and `y` differ in
+    /// length, a line has no width, or an axis range cannot be drawn.
+    pub fn to_svg(&self, theme: Theme) -> Result<String, PlotError> {
+        let drawing = layout::draw(self, theme)?;
+        Ok(svg::write(&drawing, &self.description()))
+    }
+
+    /// Draws the figure as a PNG with [`PNG_SCALE`] dots per pixel, lettered in DejaVu Sans
+    /// Condensed from within the program, on white (or the dark theme's ground).
+    ///
+    /// # Errors
+    /// As [`Figure::to_svg`], and [`PlotError::Png`] when the image cannot be made.
+    pub fn to_png(&self, theme: Theme) -> Result<Vec<u8>, PlotError> {
+        raster::write(&layout::draw(self, theme)?)
+    }
+
+    /// The figure in words, for those who do not see it.
+    fn description(&self) -> String {
+        let sentences: Vec<String> = self.panels.iter().map(Panel::description).collect();
+        sentences.join(" ")
+    }
+}
+
+impl Panel {
+    fn description(&self) -> String {
+        let named = self.curves.iter().map(|curve| lettering::plain(&curve.label));
+        let names: Vec<String> = named.filter(|name| !name.is_empty()).collect();
+        let [title, x, y] = [&self.title, &self.x.label, &self.y.label].map(|s| lettering::plain(s));
+        let title = if title.is_empty() { title } else { format!("{title}: ") };
+        let names = if names.is_empty() {
+            String::new()
+        } else {
+            format!("; {}", names.join(", "))
+        };
+        format!("{title}{y} against {x}{names}.")
+    }
+}

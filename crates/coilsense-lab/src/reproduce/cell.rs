@@ -1,0 +1,114 @@
+//! One cell of Tables II and III: printed, computed by each protocol, and why they differ.
+//!
+//! Next door: the simulations (`case`), the reasons (`reason`), how cells are shown (`report`).
+
+use coilsense::{Channel, Deviation};
+
+use super::reason::Differing;
+use super::{CaseResult, Condition, Protocol, Reason};
+use crate::published::{PublishedCell, Table};
+
+/// A computed cell differs from the printed one when it is further off than this \[percentage points\]: the print's rounding
+/// (0.005) and the freedom of where its samples fell.
+pub const TOLERANCE_POINTS: f64 = 0.02;
+
+/// A cell of Table II or III.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// What the paper prints.
+    pub published: PublishedCell,
+    /// By each protocol that was run.
+    pub computed: Vec<Computed>,
+}
+
+/// A cell computed by one protocol.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Computed {
+    /// The protocol.
+    pub protocol: Protocol,
+    /// The value \[% of F_nom\].
+    pub percent: f64,
+    /// For maxima of end forces: lowest and highest value over sample rates from 1 to 20 kHz \[% of F_nom\].
+    pub sampling_range: Option<(f64, f64)>,
+    /// Why it differs from the printed value; empty where it does not.
+    pub reasons: Vec<Reason>,
+}
+
+impl Cell {
+    /// Computes a printed cell from the simulations.
+    pub(super) fn fill(published: PublishedCell, cases: &[CaseResult], table_i: bool) -> Self {
+        let fits = |result: &&CaseResult| {
+            result.case.spring_name == published.spring && result.case.condition == published.condition
+        };
+        let computed = cases
+            .iter()
+            .filter(fits)
+            .flat_map(|result| result.case.protocols.iter().map(move |&protocol| (protocol, result)))
+            .filter_map(|(protocol, result)| Computed::of(&published, protocol, result, table_i))
+            .collect();
+        Self { published, computed }
+    }
+
+    /// The value by a protocol \[% of F_nom\], where it was run.
+    pub fn by(&self, protocol: Protocol) -> Option<&Computed> {
+        self.computed.iter().find(|computed| computed.protocol == protocol)
+    }
+
+    /// Its table.
+    pub fn table(&self) -> Table {
+        self.published.table
+    }
+
+    /// Its place in the table: spring, condition, force.
+    pub fn place(&self) -> (&str, Condition, Channel) {
+        (&self.published.spring, self.published.condition, self.published.force)
+    }
+}
+
+impl Computed {
+    fn of(cell: &PublishedCell, protocol: Protocol, result: &CaseResult, table_i: bool) -> Option<Self> {
+        let nominal = protocol.nominal_force(result.case.spring_name, &result.case.spring);
+        let measure = |deviation: &Deviation| match cell.table {
+            Table::Two => 100.0 * deviation.rmsd / nominal,
+            Table::Three => 100.0 * protocol.maximum(deviation) / nominal,
+        };
+        let of_force = |(force, _): &&(Channel, Deviation)| *force == cell.force;
+        let deviation = &result.deviations.iter().find(of_force)?.1;
+        let percent = measure(deviation);
+        let others = result.resampled.iter().flat_map(|rate| rate.iter().find(of_force));
+        let sampling_range = match cell.table {
+            Table::Two => None,
+            Table::Three => range(percent, others.map(|(_, deviation)| measure(deviation))),
+        };
+        let mut computed = Self {
+            protocol,
+            percent,
+            sampling_range,
+            reasons: Vec::new(),
+        };
+        if computed.differs_from(cell.percent) {
+            let signed_matters = deviation.maximum != deviation.maximum_absolute;
+            computed.reasons = Reason::of(&Differing {
+                cell,
+                protocol,
+                signed_matters,
+                sampling_range,
+                table_i,
+            });
+        }
+        Some(computed)
+    }
+
+    /// Whether it is further from the printed value than [`TOLERANCE_POINTS`].
+    pub fn differs_from(&self, printed_percent: f64) -> bool {
+        (self.percent - printed_percent).abs() > TOLERANCE_POINTS
+    }
+}
+
+/// Lowest and highest of `value` and `others`; `None` without others.
+fn range(value: f64, others: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    others.fold(None, |range, other| {
+        let (low, high) = range.unwrap_or((value, value));
+        Some((low.min(other), high.max(other)))
+    })
+}
