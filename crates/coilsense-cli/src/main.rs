@@ -1,5 +1,8 @@
 //! The `coilsense` command: parses, calls `coilsense-lab`, shows. No formula lives here.
 
+// What a user can send must not end in a panic.
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
 mod reproduce;
 
 use std::process::ExitCode;

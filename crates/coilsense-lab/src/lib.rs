@@ -2,6 +2,18 @@
 //!
 //! The science is next door in `coilsense`; the command, Python and the page are doors to what is here.
 
+// What a user can send must not end in a panic, and a library does not print.
+#![cfg_attr(
+    not(test),
+    warn(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::print_stdout,
+        clippy::print_stderr
+    )
+)]
+
 pub mod quantity;
 
 pub mod spec;
