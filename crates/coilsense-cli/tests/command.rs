@@ -5,10 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn coilsense(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_coilsense"))
-        .args(arguments)
-        .output()
-        .expect("the command starts")
+    Command::new(env!("CARGO_BIN_EXE_coilsense")).args(arguments).output().expect("the command starts")
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -34,11 +31,7 @@ fn springs(change: impl Fn(String) -> String) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let s_t = change(include_str!("../../../data/springs/S_T.toml").to_owned());
     fs::write(folder.path().join("S_T.toml"), s_t).expect("written");
-    fs::write(
-        folder.path().join("S_A.toml"),
-        include_str!("../../../data/springs/S_A.toml"),
-    )
-    .expect("written");
+    fs::write(folder.path().join("S_A.toml"), include_str!("../../../data/springs/S_A.toml")).expect("written");
     folder
 }
 
@@ -54,11 +47,7 @@ fn reproduce_prints_the_answer_first_and_writes_the_folder() {
     assert!(printed.contains("24 files in"));
     assert!(!printed.contains('\u{1b}'), "colour although it is no terminal");
     assert!(out.join("report.html").is_file());
-    assert_eq!(
-        fs::read_dir(place.path()).unwrap().count(),
-        1,
-        "something was left beside the folder"
-    );
+    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1, "something was left beside the folder");
 }
 
 #[test]
@@ -66,10 +55,7 @@ fn one_protocol_alone_prints_only_its_tables() {
     let place = tempfile::tempdir().unwrap();
     let output = coilsense(&["reproduce", "--protocol", "text", "--out", path(place.path())]);
     let printed = text(&output.stdout);
-    assert!(
-        printed.contains("Table III, text protocol") && !printed.contains("tables protocol"),
-        "{printed}"
-    );
+    assert!(printed.contains("Table III, text protocol") && !printed.contains("tables protocol"), "{printed}");
     let json = fs::read_to_string(place.path().join("tables.json")).unwrap();
     assert_eq!(json.matches("\"tables_percent\":null").count(), 60);
 }
@@ -78,13 +64,7 @@ fn one_protocol_alone_prints_only_its_tables() {
 fn the_springs_of_a_folder_are_used_and_said_to_be_others() {
     let folder = springs(|text| text.replace("65 g", "130 g"));
     let place = tempfile::tempdir().unwrap();
-    let output = coilsense(&[
-        "reproduce",
-        "--springs",
-        path(folder.path()),
-        "--out",
-        path(place.path()),
-    ]);
+    let output = coilsense(&["reproduce", "--springs", path(folder.path()), "--out", path(place.path())]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(text(&output.stdout).contains("The springs are not those of Table I"));
     let page = fs::read_to_string(place.path().join("report.html")).unwrap();
@@ -94,17 +74,9 @@ fn the_springs_of_a_folder_are_used_and_said_to_be_others() {
 #[test]
 fn a_spring_that_cannot_be_is_refused_and_nothing_is_written() {
     let cases: [(&str, &str, &[&str]); 5] = [
-        (
-            "\"65 g\"",
-            "\"-65 g\"",
-            &["S_T.toml:10", "mass", "-65 g", "above zero", "kg"],
-        ),
+        ("\"65 g\"", "\"-65 g\"", &["S_T.toml:10", "mass", "-65 g", "above zero", "kg"]),
         ("\"65 g\"", "\"nan g\"", &["S_T.toml:10", "mass", "NaN", "kg"]),
-        (
-            "\"264 mm\"",
-            "\"100 mm\"",
-            &["S_T.toml:13", "max_length", "100 mm", "above the min length of 0.196 m"],
-        ),
+        ("\"264 mm\"", "\"100 mm\"", &["S_T.toml:13", "max_length", "100 mm", "above the min length of 0.196 m"]),
         ("mass = \"65 g\"", "", &["S_T.toml:4", "lacks the key \"mass\"", "unit"]),
         ("mass =", "mas =", &["S_T.toml:10", "unknown key \"mas\"", "mass"]),
     ];
@@ -125,10 +97,7 @@ fn a_spring_that_cannot_be_is_refused_and_nothing_is_written() {
 fn a_folder_without_the_springs_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let message = refused(&["reproduce", "--springs", path(folder.path())]);
-    assert!(
-        message.contains("S_T.toml") && message.contains("cannot be read"),
-        "{message}"
-    );
+    assert!(message.contains("S_T.toml") && message.contains("cannot be read"), "{message}");
 }
 
 #[test]

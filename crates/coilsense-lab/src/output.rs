@@ -3,6 +3,7 @@
 //! Next door: what is in the files (`report`).
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
@@ -21,6 +22,7 @@ pub struct Output {
     target: PathBuf,
     staging: TempDir,
     files: Vec<PathBuf>,
+    removed: Vec<PathBuf>,
 }
 
 impl Output {
@@ -34,19 +36,12 @@ impl Output {
         }
         // The staging folder must share the target's file system, for renames to be whole: the target itself, or its nearest ancestor.
         let absolute = std::path::absolute(target).map_err(|error| fault(target, error))?;
-        let host = absolute
-            .ancestors()
-            .find(|folder| folder.exists())
-            .unwrap_or(Path::new("."));
+        let host = absolute.ancestors().find(|folder| folder.exists()).unwrap_or(Path::new("."));
         let staging = tempfile::Builder::new()
             .prefix(".coilsense-")
             .tempdir_in(host)
-            .map_err(|error| fault(target, format!("cannot be written: {}", cause(&error))))?;
-        Ok(Self {
-            target: target.to_owned(),
-            staging,
-            files: Vec::new(),
-        })
+            .map_err(|error| unwritable(target, &error))?;
+        Ok(Self { target: target.to_owned(), staging, files: Vec::new(), removed: Vec::new() })
     }
 
     /// Adds a file by its path inside the folder.
@@ -55,46 +50,91 @@ impl Output {
     /// [`OutputError`] where it cannot be written.
     pub fn add(&mut self, relative: &str, bytes: &[u8]) -> Result<(), OutputError> {
         let path = self.staging.path().join(relative);
-        let written = path
-            .parent()
-            .map_or(Ok(()), fs::create_dir_all)
-            .and_then(|()| fs::write(&path, bytes));
-        written.map_err(|error| {
-            fault(
-                &self.target.join(relative),
-                format!("cannot be written: {}", cause(&error)),
-            )
-        })?;
+        let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
+        written.map_err(|error| unwritable(&self.target.join(relative), &error))?;
         self.files.push(relative.into());
         Ok(())
     }
 
-    /// Gives all files their final names; returns how many there are.
+    /// Removes a file of an earlier run on commit, unless it is written again.
+    pub fn remove(&mut self, relative: &str) {
+        self.removed.push(relative.into());
+    }
+
+    /// Gives all files their final names; returns how many there are. What fails is undone: the folder is then as it was.
     ///
     /// # Errors
-    /// [`OutputError`] for the first file that cannot be renamed into place.
+    /// [`OutputError`] for the first file that cannot take its place.
     pub fn commit(self) -> Result<usize, OutputError> {
         for relative in &self.files {
-            let last = self.target.join(relative);
-            last.parent()
-                .map_or(Ok(()), fs::create_dir_all)
-                .and_then(|()| fs::rename(self.staging.path().join(relative), &last))
-                .map_err(|error| fault(&last, format!("cannot be written: {}", cause(&error))))?;
+            self.check_place(relative)?;
+        }
+        let aside = self.staging.path().join(".aside");
+        let mut done: Vec<(PathBuf, Option<PathBuf>)> = Vec::new();
+        let leaving = self.removed.iter().filter(|removed| !self.files.contains(removed));
+        let steps = self.files.iter().map(|file| (file, true)).chain(leaving.map(|file| (file, false)));
+        for (relative, comes) in steps {
+            if let Err(error) = self.place(relative, comes, &aside, &mut done) {
+                for (last, before) in done.into_iter().rev() {
+                    // Undoing what was just done; nothing better can be done where that fails too.
+                    let _ = match before {
+                        Some(before) => fs::rename(before, &last),
+                        None => fs::remove_file(&last),
+                    };
+                }
+                return Err(unwritable(&self.target.join(relative), &error));
+            }
         }
         Ok(self.files.len())
     }
-}
 
-fn fault(path: &Path, message: impl std::fmt::Display) -> OutputError {
-    OutputError {
-        path: path.to_owned(),
-        message: message.to_string(),
+    /// Puts what is there aside, and the new file, if one comes, in its place.
+    fn place(
+        &self,
+        relative: &Path,
+        comes: bool,
+        aside: &Path,
+        done: &mut Vec<(PathBuf, Option<PathBuf>)>,
+    ) -> io::Result<()> {
+        let last = self.target.join(relative);
+        let mut before = None;
+        if last.exists() {
+            let kept = aside.join(relative);
+            kept.parent().map_or(Ok(()), fs::create_dir_all)?;
+            fs::rename(&last, &kept)?;
+            before = Some(kept);
+        }
+        if comes {
+            last.parent().map_or(Ok(()), fs::create_dir_all)?;
+            let moved = fs::rename(self.staging.path().join(relative), &last);
+            done.push((last, before));
+            return moved;
+        }
+        done.extend(before.map(|before| (last, Some(before))));
+        Ok(())
+    }
+
+    /// A file may take the place of a file or of nothing, below folders or nothing.
+    fn check_place(&self, relative: &Path) -> Result<(), OutputError> {
+        let last = self.target.join(relative);
+        if last.is_dir() {
+            return Err(fault(&last, "is a folder, a file must take its place"));
+        }
+        let inside = |folder: &&Path| folder.starts_with(&self.target);
+        match last.ancestors().skip(1).take_while(inside).find(|folder| folder.exists() && !folder.is_dir()) {
+            Some(file) => Err(fault(file, "is a file, a folder must take its place")),
+            None => Ok(()),
+        }
     }
 }
 
-/// What the system said, without the path of the temporary folder.
-fn cause(error: &std::io::Error) -> String {
-    error.kind().to_string()
+fn unwritable(path: &Path, error: &io::Error) -> OutputError {
+    // What the system said, without the path of the temporary folder.
+    fault(path, format!("cannot be written: {}", error.kind()))
+}
+
+fn fault(path: &Path, message: impl std::fmt::Display) -> OutputError {
+    OutputError { path: path.to_owned(), message: message.to_string() }
 }
 
 #[cfg(test)]
@@ -125,6 +165,42 @@ mod tests {
         assert_eq!(std::fs::read_to_string(path("mine.txt")).unwrap(), "mine");
         assert_eq!(std::fs::read_to_string(path("report.html")).unwrap(), "new");
         assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 3);
+    }
+
+    #[test]
+    fn what_is_in_the_way_of_a_commit_is_named_and_nothing_changes() {
+        let place = tempfile::tempdir().unwrap();
+        let path = |name: &str| place.path().join(name);
+        std::fs::write(path("a.txt"), "old").unwrap();
+        std::fs::create_dir(path("report.html")).unwrap();
+        std::fs::write(path("signals"), "a file").unwrap();
+        for (obstacle, word) in [("report.html", "folder"), ("signals/one.csv", "file")] {
+            let mut output = Output::begin(place.path()).unwrap();
+            output.add("a.txt", b"new").unwrap();
+            output.add("b/c.txt", b"new").unwrap();
+            output.add(obstacle, b"new").unwrap();
+            let error = output.commit().unwrap_err().to_string();
+            let named = path(obstacle.split('/').next().unwrap());
+            assert!(error.starts_with(&format!("{}: is a {word}", named.display())), "{error}");
+            assert_eq!(std::fs::read_to_string(path("a.txt")).unwrap(), "old");
+            assert_eq!(std::fs::read_dir(place.path()).unwrap().count(), 3);
+        }
+    }
+
+    #[test]
+    fn a_file_of_an_earlier_run_is_removed_unless_it_is_written_again() {
+        let place = tempfile::tempdir().unwrap();
+        for (name, text) in [("one.csv", "old"), ("two.csv", "old"), ("mine.csv", "mine")] {
+            std::fs::write(place.path().join(name), text).unwrap();
+        }
+        let mut output = Output::begin(place.path()).unwrap();
+        output.add("one.csv", b"new").unwrap();
+        for name in ["one.csv", "two.csv", "three.csv"] {
+            output.remove(name);
+        }
+        output.commit().unwrap();
+        assert_eq!(std::fs::read_to_string(place.path().join("one.csv")).unwrap(), "new");
+        assert!(!place.path().join("two.csv").exists() && place.path().join("mine.csv").exists());
     }
 
     #[test]

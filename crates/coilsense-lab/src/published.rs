@@ -8,16 +8,8 @@ use crate::reproduce::Condition;
 
 /// Tables II and III as the paper prints them; compiled in so that the command works from any folder.
 const FILES: [(Table, &str, &str); 2] = [
-    (
-        Table::Two,
-        "data/paper/table-2.csv",
-        include_str!("../../../data/paper/table-2.csv"),
-    ),
-    (
-        Table::Three,
-        "data/paper/table-3.csv",
-        include_str!("../../../data/paper/table-3.csv"),
-    ),
+    (Table::Two, "data/paper/table-2.csv", include_str!("../../../data/paper/table-2.csv")),
+    (Table::Three, "data/paper/table-3.csv", include_str!("../../../data/paper/table-3.csv")),
 ];
 
 /// A table of the paper.
@@ -73,22 +65,14 @@ pub fn published_cells() -> Result<Vec<PublishedCell>, PublishedError> {
     let mut cells = Vec::new();
     for (table, file, text) in FILES {
         let fault = |message: String| PublishedError { file, message };
-        let mut reader = csv::ReaderBuilder::new()
-            .comment(Some(b'#'))
-            .from_reader(text.as_bytes());
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
         for row in reader.deserialize() {
             let (spring, condition, values): (String, String, [f64; 3]) =
                 row.map_err(|error| fault(error.to_string()))?;
             let condition =
                 Condition::named(&condition).ok_or_else(|| fault(format!("unknown condition {condition}")))?;
             for (force, percent) in COLUMNS.into_iter().zip(values) {
-                cells.push(PublishedCell {
-                    table,
-                    spring: spring.clone(),
-                    condition,
-                    force,
-                    percent,
-                });
+                cells.push(PublishedCell { table, spring: spring.clone(), condition, force, percent });
             }
         }
     }

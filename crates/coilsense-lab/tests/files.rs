@@ -18,21 +18,13 @@ fn written(protocols: &[Protocol]) -> tempfile::TempDir {
 }
 
 fn names(folder: &Path) -> BTreeSet<String> {
-    fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect()
+    fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
 #[test]
 fn the_folder_holds_report_tables_figures_and_signals() {
     let place = written(&Protocol::ALL);
-    assert_eq!(
-        names(place.path()),
-        ["figures", "report.html", "signals", "tables.json"]
-            .map(String::from)
-            .into()
-    );
+    assert_eq!(names(place.path()), ["figures", "report.html", "signals", "tables.json"].map(String::from).into());
     let figures = names(&place.path().join("figures"));
     for figure in ["figure-2", "figure-4-S_T", "figure-4-S_A"] {
         for kind in ["svg", "png"] {
@@ -51,45 +43,26 @@ fn the_report_needs_nothing_from_outside() {
         assert!(!page.contains(word), "{word}");
     }
     assert_eq!(page.matches("<svg").count(), 6, "three figures in two themes");
-    for needed in [
-        "Table II",
-        "Table III",
-        "Table I and",
-        "Errors and limits",
-        "prefers-color-scheme",
-    ] {
+    for needed in ["Table II", "Table III", "Table I and", "Errors and limits", "prefers-color-scheme"] {
         assert!(page.contains(needed), "{needed}");
     }
 }
 
 #[test]
 fn tables_json_holds_60_cells_with_their_keys() {
-    for (protocols, nulls) in [
-        (&Protocol::ALL[..], [false, false]),
-        (&[Protocol::Text][..], [false, true]),
-    ] {
+    for (protocols, nulls) in [(&Protocol::ALL[..], [false, false]), (&[Protocol::Text][..], [false, true])] {
         let place = written(protocols);
         let text = fs::read_to_string(place.path().join("tables.json")).unwrap();
         let cells: Vec<serde_json::Map<String, serde_json::Value>> = serde_json::from_str(&text).unwrap();
         assert_eq!(cells.len(), 60);
         for cell in &cells {
             let keys: Vec<&str> = cell.keys().map(String::as_str).collect();
-            let mut expected = [
-                "table",
-                "spring",
-                "condition",
-                "force",
-                "published_percent",
-                "text_percent",
-                "tables_percent",
-            ];
+            let mut expected =
+                ["table", "spring", "condition", "force", "published_percent", "text_percent", "tables_percent"];
             expected.sort_unstable();
             assert_eq!(keys, expected);
             assert!(cell["published_percent"].is_number());
-            assert_eq!(
-                [cell["text_percent"].is_null(), cell["tables_percent"].is_null()],
-                nulls
-            );
+            assert_eq!([cell["text_percent"].is_null(), cell["tables_percent"].is_null()], nulls);
         }
     }
 }
@@ -103,17 +76,13 @@ fn signals_come_back_from_csv_to_the_bit() {
         let text = fs::read_to_string(&path).expect("one file per simulation");
         let mut lines = text.lines();
         assert_eq!(lines.next(), Some("time [s],F_i [N],F_o [N],F_x [N],F_L [N]"));
-        let rows: Vec<Vec<f64>> = lines
-            .map(|line| line.split(',').map(|number| number.parse().unwrap()).collect())
-            .collect();
+        let rows: Vec<Vec<f64>> =
+            lines.map(|line| line.split(',').map(|number| number.parse().unwrap()).collect()).collect();
         assert_eq!(rows.len(), 2501);
         assert_eq!((rows[0][0], rows[2500][0]), (0.75, 1.0));
         for (column, channel) in coilsense::Channel::FORCES.into_iter().enumerate() {
             let values = result.signals.channel(channel).unwrap();
-            assert!(
-                rows.iter().zip(values).all(|(row, value)| row[column + 1] == *value),
-                "{path:?} {channel:?}"
-            );
+            assert!(rows.iter().zip(values).all(|(row, value)| row[column + 1] == *value), "{path:?} {channel:?}");
         }
     }
 }
@@ -121,15 +90,7 @@ fn signals_come_back_from_csv_to_the_bit() {
 #[test]
 fn two_runs_write_the_same_bytes() {
     let (one, two) = (written(&Protocol::ALL), written(&Protocol::ALL));
-    for file in [
-        "report.html",
-        "tables.json",
-        "figures/figure-4-S_T.png",
-        "signals/S_A-resonance-text.csv",
-    ] {
-        assert!(
-            fs::read(one.path().join(file)).unwrap() == fs::read(two.path().join(file)).unwrap(),
-            "{file}"
-        );
+    for file in ["report.html", "tables.json", "figures/figure-4-S_T.png", "signals/S_A-resonance-text.csv"] {
+        assert!(fs::read(one.path().join(file)).unwrap() == fs::read(two.path().join(file)).unwrap(), "{file}");
     }
 }

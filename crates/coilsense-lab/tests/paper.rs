@@ -16,18 +16,11 @@ fn reproduction() -> Reproduction {
 #[test]
 fn all_30_cells_of_table_ii_come_out_by_the_tables_protocol() {
     let reproduction = reproduction();
-    let cells: Vec<_> = reproduction
-        .cells
-        .iter()
-        .filter(|cell| cell.table() == Table::Two)
-        .collect();
+    let cells: Vec<_> = reproduction.cells.iter().filter(|cell| cell.table() == Table::Two).collect();
     assert_eq!(cells.len(), 30);
     for cell in cells {
         let ours = cell.by(Protocol::Tables).unwrap();
-        assert!(
-            (ours.percent - cell.published.percent).abs() <= TOLERANCE_POINTS,
-            "{cell:?}"
-        );
+        assert!((ours.percent - cell.published.percent).abs() <= TOLERANCE_POINTS, "{cell:?}");
         assert!(ours.reasons.is_empty());
     }
 }
@@ -36,10 +29,7 @@ fn all_30_cells_of_table_ii_come_out_by_the_tables_protocol() {
 fn every_cell_of_both_protocols_agrees_with_an_independent_program() {
     let reproduction = reproduction();
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference/tables.csv");
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(path)
-        .expect(path);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).expect(path);
     let mut seen = 0;
     for row in reader.deserialize() {
         let (table, spring, condition, force, text, tables): (String, String, String, String, f64, f64) = row.unwrap();
@@ -85,10 +75,7 @@ fn the_sampling_range_of_table_iii_holds_the_value_itself() {
             None => assert_eq!(cell.place().2, Channel::InductanceForce),
         }
     }
-    assert!(
-        spread > 1.0,
-        "S_A's heel strike ranges over more than a point: {spread}"
-    );
+    assert!(spread > 1.0, "S_A's heel strike ranges over more than a point: {spread}");
 }
 
 #[test]
@@ -98,10 +85,7 @@ fn the_resonance_of_s_a_clashes_and_its_end_stop_stays_just_clear() {
     assert!((clash.first_contact.unwrap() - 0.5294).abs() < 1e-3, "{clash:?}");
     assert!((clash.smallest_pitch - 2.437e-3).abs() < 1e-5, "{clash:?}");
     let stop = reproduction.case("S_A", Condition::EndStopMin).unwrap().clash;
-    assert!(
-        !stop.happens() && (stop.clearance() - 0.069e-3).abs() < 1e-6,
-        "{stop:?}"
-    );
+    assert!(!stop.happens() && (stop.clearance() - 0.069e-3).abs() < 1e-6, "{stop:?}");
     assert_eq!(reproduction.warnings().len(), 2, "{:?}", reproduction.warnings());
 }
 
@@ -110,21 +94,9 @@ fn the_built_in_springs_are_table_i() {
     let springs = PaperSprings::built_in().unwrap();
     let all: Vec<_> = springs.each().collect();
     let (_, s_t) = all[0];
-    assert_eq!(
-        (s_t.rest_length(), s_t.windings(), s_t.coil_radius(), s_t.wire_radius()),
-        (0.104, 52.0, 0.008, 0.001)
-    );
-    assert_eq!(
-        (s_t.mass(), s_t.stiffness(), s_t.operating_range()),
-        (0.065, 760.0, (0.196, 0.264))
-    );
+    assert_eq!((s_t.rest_length(), s_t.windings(), s_t.coil_radius(), s_t.wire_radius()), (0.104, 52.0, 0.008, 0.001));
+    assert_eq!((s_t.mass(), s_t.stiffness(), s_t.operating_range()), (0.065, 760.0, (0.196, 0.264)));
     let (_, s_a) = all[1];
-    assert_eq!(
-        (s_a.rest_length(), s_a.windings(), s_a.coil_radius(), s_a.wire_radius()),
-        (0.081, 25.0, 0.008, 0.0016)
-    );
-    assert_eq!(
-        (s_a.mass(), s_a.stiffness(), s_a.operating_range()),
-        (0.080, 9100.0, (0.082, 0.122))
-    );
+    assert_eq!((s_a.rest_length(), s_a.windings(), s_a.coil_radius(), s_a.wire_radius()), (0.081, 25.0, 0.008, 0.0016));
+    assert_eq!((s_a.mass(), s_a.stiffness(), s_a.operating_range()), (0.080, 9100.0, (0.082, 0.122)));
 }

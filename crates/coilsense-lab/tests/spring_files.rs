@@ -8,11 +8,7 @@ const GOOD: &str = include_str!("../../../data/springs/S_T.toml");
 /// The good file with one line replaced.
 fn with(key: &str, line: &str) -> String {
     let replace = |old: &str| {
-        if old.starts_with(&format!("{key} ")) {
-            line.to_owned()
-        } else {
-            old.to_owned()
-        }
+        if old.starts_with(&format!("{key} ")) { line.to_owned() } else { old.to_owned() }
     };
     GOOD.lines().map(replace).collect::<Vec<_>>().join("\n")
 }
@@ -28,10 +24,10 @@ fn a_good_file_is_read() {
     let named = NamedSpring::parse("S.toml", GOOD).unwrap();
     assert_eq!(named.name, "S_T");
     assert_eq!(named.spring.nominal_force(), 760.0 * (0.264 - 0.104));
-    let overridden = with(
-        "max_length",
-        "max_length = \"264 mm\"\nnominal_force = \"0.1 kN\"\ninductance_windings = 51.5",
-    );
+    let hexadecimal = with("windings", "windings = 0x34");
+    assert_eq!(NamedSpring::parse("S.toml", &hexadecimal).unwrap().spring.windings(), 52.0);
+    let overridden =
+        with("max_length", "max_length = \"264 mm\"\nnominal_force = \"0.1 kN\"\ninductance_windings = 51.5");
     let spring = NamedSpring::parse("S.toml", &overridden).unwrap().spring;
     assert_eq!((spring.nominal_force(), spring.inductance_windings()), (100.0, 51.5));
 }
@@ -39,61 +35,36 @@ fn a_good_file_is_read() {
 #[test]
 fn each_fault_is_named_with_its_place_and_value() {
     let cases = [
-        (
-            "mass",
-            "mass = \"-65 g\"",
-            "S.toml:10: mass = \"-65 g\": mass must be above zero and finite, got -0.065 kg",
-        ),
-        (
-            "mass",
-            "mass = \"nan g\"",
-            "S.toml:10: mass = \"nan g\": mass must be above zero and finite, got NaN kg",
-        ),
-        (
-            "mass",
-            "mass = \"inf kg\"",
-            "S.toml:10: mass = \"inf kg\": mass must be above zero and finite, got inf kg",
-        ),
-        (
-            "mass",
-            "mass = nan",
-            "S.toml:10: mass = nan: must be a mass with its unit (kg, g, mg)",
-        ),
-        (
-            "mass",
-            "mass = 0.065",
-            "S.toml:10: mass = 0.065: must be a mass with its unit (kg, g, mg)",
-        ),
-        (
-            "mass",
-            "mass = \"65 mm\"",
-            "S.toml:10: mass = \"65 mm\": must be a mass with its unit (kg, g, mg)",
-        ),
-        (
-            "mass",
-            "mass = [1]",
-            "S.toml:10: mass = [1]: must be a mass with its unit (kg, g, mg)",
-        ),
-        (
-            "mass",
-            "",
-            "S.toml:4: [spring] lacks the key \"mass\": a mass with its unit (kg, g, mg)",
-        ),
+        ("mass", "mass = \"-65 g\"", "S.toml:10: mass = \"-65 g\": mass must be above zero and finite, got -0.065 kg"),
+        ("mass", "mass = \"nan g\"", "S.toml:10: mass = \"nan g\": mass must be above zero and finite, got NaN kg"),
+        ("mass", "mass = \"inf kg\"", "S.toml:10: mass = \"inf kg\": mass must be above zero and finite, got inf kg"),
+        ("mass", "mass = nan", "S.toml:10: mass = nan: must be a mass with its unit (kg, g, mg)"),
+        ("mass", "mass = 0.065", "S.toml:10: mass = 0.065: must be a mass with its unit (kg, g, mg)"),
+        ("mass", "mass = \"65 mm\"", "S.toml:10: mass = \"65 mm\": must be a mass with its unit (kg, g, mg)"),
+        ("mass", "mass = [1]", "S.toml:10: mass = [1]: must be a mass with its unit (kg, g, mg)"),
+        ("mass", "", "S.toml:4: [spring] lacks the key \"mass\": a mass with its unit (kg, g, mg)"),
         (
             "stiffness",
             "stiffness = \"0 N/m\"",
             "S.toml:11: stiffness = \"0 N/m\": stiffness must be above zero and finite, got 0 N/m",
         ),
+        ("windings", "windings = 0", "S.toml:7: windings = 0: windings must be above zero and at most 100000, got 0"),
         (
             "windings",
-            "windings = 0",
-            "S.toml:7: windings = 0: windings must be above zero and at most 1000000, got 0",
+            "windings = 200000",
+            "S.toml:7: windings = 200000: windings must be above zero and at most 100000, got 200000",
         ),
         (
-            "windings",
-            "windings = \"52\"",
-            "S.toml:7: windings = \"52\": must be a number without a unit",
+            "mass",
+            "mass = \"1e12 kg\"",
+            "S.toml:10: mass = \"1e12 kg\": mass must be from 1e-9 to 1e9 kg, got 1000000000000 kg",
         ),
+        (
+            "mass",
+            "mass = \"\"\"65 x\n\"\"\"",
+            "S.toml:10: mass = \"\"\"65 x …: must be a mass with its unit (kg, g, mg)",
+        ),
+        ("windings", "windings = \"52\"", "S.toml:7: windings = \"52\": must be a number without a unit"),
         (
             "wire_radius",
             "wire_radius = \"8 mm\"",
@@ -105,11 +76,7 @@ fn each_fault_is_named_with_its_place_and_value() {
             "S.toml:13: max_length = \"190 mm\": max length must be above the min length of 0.196 m, got 0.19 m",
         ),
         ("name", "name = \"\"", "S.toml:5: name = \"\": must be a text in quotes"),
-        (
-            "name",
-            "",
-            "S.toml:4: [spring] lacks the key \"name\": a text in quotes",
-        ),
+        ("name", "", "S.toml:4: [spring] lacks the key \"name\": a text in quotes"),
     ];
     for (key, line, expected) in cases {
         assert_eq!(refusal(&with(key, line)), expected);
@@ -124,10 +91,7 @@ fn an_unknown_key_is_named_with_the_nearest_known_one() {
         "{message}"
     );
     let message = refusal("[sprung]\nname = \"x\"");
-    assert!(
-        message.starts_with("S.toml:1: unknown key \"sprung\"; did you mean \"spring\"?"),
-        "{message}"
-    );
+    assert!(message.starts_with("S.toml:1: unknown key \"sprung\"; did you mean \"spring\"?"), "{message}");
 }
 
 #[test]
@@ -142,9 +106,7 @@ fn what_is_no_toml_or_has_no_spring_is_said() {
 
 #[test]
 fn a_missing_file_is_named() {
-    let message = NamedSpring::read(std::path::Path::new("/no/such/S_T.toml"))
-        .unwrap_err()
-        .to_string();
+    let message = NamedSpring::read(std::path::Path::new("/no/such/S_T.toml")).unwrap_err().to_string();
     assert!(message.starts_with("/no/such/S_T.toml: cannot be read: "), "{message}");
 }
 

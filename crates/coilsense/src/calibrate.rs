@@ -2,7 +2,7 @@
 //!
 //! Next door: the theory that can stand in for measured points (`inductance`), the sensor that uses the fit (`sensors`).
 
-use crate::error::{Error, all_finite, check, count};
+use crate::error::{Error, all_finite, check, count, finite};
 use crate::inductance::MaxwellSum;
 use crate::spring::Spring;
 
@@ -39,24 +39,17 @@ impl Calibration {
             let holds = value.is_finite() && value > 0.0;
             check(holds, "calibration length", value, "m", "above zero and finite")?;
         }
+        finite("preload inductance", inductance, "H")?;
         let (mut product, mut square) = (0.0, 0.0);
         for (l, henry) in lengths.iter().zip(inductances) {
             let step = henry - inductance;
             product += step * (1.0 / l - 1.0 / length);
             square += step * step;
         }
-        check(
-            square > 0.0,
-            "spread of the inductances",
-            square.sqrt(),
-            "H",
-            "above zero",
-        )?;
+        check(square > 0.0, "spread of the inductances", square.sqrt(), "H", "above zero")?;
         let alpha = product / square;
-        Ok(Self {
-            alpha,
-            beta: 1.0 / length - alpha * inductance,
-        })
+        finite("alpha of the fit", alpha, "1/(H m)")?;
+        Ok(Self { alpha, beta: 1.0 / length - alpha * inductance })
     }
 
     /// The fit to a coil's own theory: [`CALIBRATION_LENGTHS`] uniform windings over the operating range, through `preload_length` \[m\].
@@ -66,9 +59,7 @@ impl Calibration {
     pub fn theoretical(spring: &Spring, coil: &MaxwellSum, preload_length: f64) -> Result<Self, Error> {
         let (shortest, longest) = spring.operating_range();
         let step = (longest - shortest) / (CALIBRATION_LENGTHS - 1) as f64;
-        let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS)
-            .map(|index| shortest + index as f64 * step)
-            .collect();
+        let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS).map(|index| shortest + index as f64 * step).collect();
         let inductances: Vec<f64> = lengths.iter().map(|&l| coil.at_length(l)).collect();
         let preload = (preload_length, coil.at_length(preload_length));
         Self::through(preload, &lengths, &inductances)

@@ -30,6 +30,14 @@ pub enum Error {
         /// How many are allowed, in words.
         allowed: Cow<'static, str>,
     },
+    /// Vector instructions that are unknown or not here.
+    #[error("COILSENSE_SIMD must be one of {allowed} on this processor, got {wanted}")]
+    Simd {
+        /// What the variable says.
+        wanted: String,
+        /// What it may say here.
+        allowed: String,
+    },
     /// A signal that is not there.
     #[error("signal {0} is missing")]
     MissingSignal(&'static str),
@@ -37,27 +45,23 @@ pub enum Error {
 
 /// `value unit`, without a trailing blank where there is no unit.
 fn number(value: f64, unit: &str) -> String {
-    if unit.is_empty() {
-        format!("{value}")
-    } else {
-        format!("{value} {unit}")
-    }
+    if unit.is_empty() { format!("{value}") } else { format!("{value} {unit}") }
 }
 
-/// Lets through a finite value above zero.
+/// What a spring, a drive or a time can be in SI units: far beyond every spring, and far from where squares overflow.
+const LARGEST: f64 = 1e9;
+
+/// Lets through a value above zero, of a size that springs have.
 pub(crate) fn above_zero(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
-    check(
-        value.is_finite() && value > 0.0,
-        quantity,
-        value,
-        unit,
-        "above zero and finite",
-    )
+    check(value.is_finite() && value > 0.0, quantity, value, unit, "above zero and finite")?;
+    let holds = (1.0 / LARGEST..=LARGEST).contains(&value);
+    check(holds, quantity, value, unit, format!("from {:e} to {LARGEST:e} {unit}", 1.0 / LARGEST))
 }
 
 /// Lets through a finite value.
 pub(crate) fn finite(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
-    check(value.is_finite(), quantity, value, unit, "finite")
+    check(value.is_finite(), quantity, value, unit, "finite")?;
+    check(value.abs() <= LARGEST, quantity, value, unit, format!("at most {LARGEST:e} either way"))
 }
 
 /// Lets `value` through where `holds`, else says what is `allowed`.
@@ -71,12 +75,7 @@ pub(crate) fn check(
     if holds {
         return Ok(value);
     }
-    Err(Error::Value {
-        quantity: quantity.into(),
-        value,
-        unit,
-        allowed: allowed.into(),
-    })
+    Err(Error::Value { quantity: quantity.into(), value, unit, allowed: allowed.into() })
 }
 
 /// Lets through a series of finite values; the error names the first that is not, by its index from zero.
@@ -92,14 +91,22 @@ pub(crate) fn all_finite(quantity: &'static str, values: &[f64], unit: &'static 
     }
 }
 
+/// Lets through a series of values of a size that springs have; the error names the first that is not, by its index from zero.
+pub(crate) fn all_bounded(quantity: &'static str, values: &[f64], unit: &'static str) -> Result<(), Error> {
+    all_finite(quantity, values, unit)?;
+    match values.iter().position(|value| value.abs() > LARGEST) {
+        None => Ok(()),
+        Some(index) => {
+            let allowed = format!("at most {LARGEST:e} either way");
+            check(false, format!("{quantity}[{index}]"), values[index], unit, allowed).map(|_| ())
+        }
+    }
+}
+
 /// Lets through a series of exactly `expected` values.
 pub(crate) fn count(quantity: &'static str, found: usize, expected: usize) -> Result<(), Error> {
     if found == expected {
         return Ok(());
     }
-    Err(Error::Count {
-        quantity: quantity.into(),
-        found,
-        allowed: expected.to_string().into(),
-    })
+    Err(Error::Count { quantity: quantity.into(), found, allowed: expected.to_string().into() })
 }

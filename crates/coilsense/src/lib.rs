@@ -43,20 +43,20 @@
 // What a user can send must not end in a panic, and a library does not print.
 #![cfg_attr(
     not(test),
-    warn(
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        clippy::print_stdout,
-        clippy::print_stderr
-    )
+    warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)
 )]
 
 pub mod spring;
 
+pub mod damping;
+
+pub mod mount;
+
 pub mod modes;
 
 pub mod transmittance;
+
+pub mod two_port;
 
 pub mod excitation;
 
@@ -74,11 +74,15 @@ pub mod measures;
 
 pub mod error;
 
+pub mod simd;
+
 pub use calibrate::Calibration;
+pub use damping::Damping;
 pub use error::Error;
 pub use excitation::{End, EndInput, Excitation, Start, VelocityProfile};
 pub use measures::{Clash, Deviation};
 pub use motion::Motion;
+pub use mount::{FarEnd, Mount};
 pub use sensors::InductanceSensor;
 pub use signals::{Channel, Signals};
 pub use spring::{Spring, SpringParameters};

@@ -37,12 +37,7 @@ impl Channel {
     ];
 
     /// The four forces of the paper: F_i, F_o, F_x, F_L.
-    pub const FORCES: [Self; 4] = [
-        Self::InputForce,
-        Self::OutputForce,
-        Self::DeflectionForce,
-        Self::InductanceForce,
-    ];
+    pub const FORCES: [Self; 4] = [Self::InputForce, Self::OutputForce, Self::DeflectionForce, Self::InductanceForce];
 
     /// Its name in files, tables and figures.
     pub fn name(self) -> &'static str {
@@ -80,20 +75,8 @@ impl Signals {
     /// # Errors
     /// [`Error::Value`] for the first time that is not finite or not after its predecessor.
     pub fn new(time: Vec<f64>) -> Result<Self, Error> {
-        all_finite("time", &time, "s")?;
-        if let Some(index) = (1..time.len()).find(|&index| time[index] <= time[index - 1]) {
-            check(
-                false,
-                format!("time[{index}]"),
-                time[index],
-                "s",
-                format!("above its predecessor of {} s", time[index - 1]),
-            )?;
-        }
-        Ok(Self {
-            time,
-            channels: Vec::new(),
-        })
+        increasing(&time)?;
+        Ok(Self { time, channels: Vec::new() })
     }
 
     /// Adds a channel, or replaces it.
@@ -116,9 +99,7 @@ impl Signals {
 
     /// The channels that are there, in the order of [`Channel::ALL`].
     pub fn channels(&self) -> impl Iterator<Item = (Channel, &[f64])> {
-        self.channels
-            .iter()
-            .map(|(channel, values)| (*channel, values.as_slice()))
+        self.channels.iter().map(|(channel, values)| (*channel, values.as_slice()))
     }
 
     /// One channel, shape `samples`.
@@ -130,6 +111,18 @@ impl Signals {
             .find(|(present, _)| *present == channel)
             .map(|(_, values)| values)
             .ok_or(Error::MissingSignal(channel.name()))
+    }
+}
+
+/// Lets through finite times of which each is above its predecessor.
+pub(crate) fn increasing(times: &[f64]) -> Result<&[f64], Error> {
+    all_finite("time", times, "s")?;
+    match (1..times.len()).find(|&index| times[index] <= times[index - 1]) {
+        None => Ok(times),
+        Some(index) => {
+            let allowed = format!("above its predecessor of {} s", times[index - 1]);
+            check(false, format!("time[{index}]"), times[index], "s", allowed).map(|_| times)
+        }
     }
 }
 
@@ -150,19 +143,11 @@ pub fn sampled_window(rate: f64, from: f64, to: f64) -> Result<Vec<f64>, Error> 
     crate::error::above_zero("sample rate", rate, "Hz")?;
     let starts = from.is_finite() && from >= 0.0;
     check(starts, "window start", from, "s", "finite and not below zero")?;
-    check(
-        to.is_finite() && to >= from,
-        "window end",
-        to,
-        "s",
-        format!("not before its start of {from} s"),
-    )?;
+    check(to.is_finite() && to >= from, "window end", to, "s", format!("not before its start of {from} s"))?;
     // A bound that rounds just past a sample still means that sample.
     let first = (from * rate - 1e-6).ceil();
     let last = (to * rate + 1e-6).floor();
     let samples = last - first + 1.0;
     check(samples <= 1e9, "samples", samples, "", "at most 1e9")?;
-    Ok((0..samples as usize)
-        .map(|index| (first + index as f64) / rate)
-        .collect())
+    Ok((0..samples as usize).map(|index| (first + index as f64) / rate).collect())
 }

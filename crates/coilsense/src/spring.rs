@@ -111,10 +111,7 @@ impl Spring {
                 p.stiffness * longest.max((p.min_length - p.rest_length).abs())
             }
         };
-        Ok(Self {
-            parameters,
-            nominal_force,
-        })
+        Ok(Self { parameters, nominal_force })
     }
 
     /// The parameters it was made from.
@@ -247,7 +244,7 @@ impl Spring {
     /// - `length`: l \[m\]
     ///
     /// Source:   geometry.
-    /// Valid:    uniform windings.
+    /// Valid:    uniform windings; a chain of round(N) masses has its own pitch l/round(N).
     /// Accuracy: exact but for rounding.
     pub fn pitch_at(&self, length: f64) -> f64 {
         length / self.parameters.windings
@@ -267,5 +264,5 @@ impl Spring {
     }
 }
 
-/// Most windings that are taken: a bound on memory, far above any coil.
-const MAX_WINDINGS: f64 = 1e6;
+/// Most windings that are taken: far above any coil; end forces of so many still take well under a second per simulated second.
+const MAX_WINDINGS: f64 = 1e5;

@@ -41,16 +41,8 @@ fn an_impact_starts_with_its_kinetic_energy() {
 #[test]
 fn mirrored_inputs_give_mirrored_forces() {
     let spring = s_t();
-    let input = EndInput::Harmonic {
-        amplitude: 1e-3,
-        frequency: 20.0,
-        phase: 0.3,
-    };
-    let mirrored = EndInput::Harmonic {
-        amplitude: -1e-3,
-        frequency: 20.0,
-        phase: 0.3,
-    };
+    let input = EndInput::harmonic(1e-3, 20.0, 0.3);
+    let mirrored = EndInput::harmonic(-1e-3, 20.0, 0.3);
     let one = Excitation::harmonic(0.23, End::One, input, Start::Rest).unwrap();
     let two = Excitation::harmonic(0.23, End::Two, mirrored, Start::Rest).unwrap();
     let times = times();
@@ -66,22 +58,14 @@ fn mirrored_inputs_give_mirrored_forces() {
 #[test]
 fn inputs_superpose() {
     let spring = s_a();
-    let one = EndInput::Harmonic {
-        amplitude: 1e-4,
-        frequency: 150.0,
-        phase: 0.3,
-    };
-    let two = EndInput::Harmonic {
-        amplitude: 2e-4,
-        frequency: 330.0,
-        phase: -1.0,
-    };
+    let one = EndInput::harmonic(1e-4, 150.0, 0.3);
+    let two = EndInput::harmonic(2e-4, 330.0, -1.0);
     let held = EndInput::Held;
-    let forces = |end1, end2| {
-        let excitation = Excitation::new(0.1, end1, end2, Start::Rest).unwrap();
+    let forces = |end1: &EndInput, end2: &EndInput| {
+        let excitation = Excitation::new(0.1, end1.clone(), end2.clone(), Start::Rest).unwrap();
         Motion::new(&spring, &excitation).unwrap().end_forces(&times()).unwrap()
     };
-    let (both, first, second) = (forces(one, two), forces(one, held), forces(held, two));
+    let (both, first, second) = (forces(&one, &two), forces(&one, &held), forces(&held, &two));
     let constant = spring.static_force(0.1);
     let tolerance = 1e-11 * peak(&both.output); // near-resonant parts of a thousand times their sum
     for sample in 0..both.output.len() {
@@ -94,11 +78,7 @@ fn inputs_superpose() {
 fn the_difference_of_the_end_forces_accelerates_the_coil() {
     // Newton: F_o − F_i = m · acceleration of the mean winding, the latter by a second difference of order 2.
     let spring = s_t();
-    let input = EndInput::Harmonic {
-        amplitude: 1e-3,
-        frequency: 40.0,
-        phase: 0.0,
-    };
+    let input = EndInput::harmonic(1e-3, 40.0, 0.0);
     let excitation = Excitation::harmonic(0.23, End::One, input, Start::Rest).unwrap();
     let motion = Motion::new(&spring, &excitation).unwrap();
     let time = 0.4321;
@@ -112,21 +92,14 @@ fn the_difference_of_the_end_forces_accelerates_the_coil() {
         (spring.mass() * acceleration - (forces.output[0] - forces.input[0])).abs()
     };
     let (coarse, fine) = (error(2e-5), error(1e-5));
-    assert!(
-        fine < 1e-3 && (3.5..4.5).contains(&(coarse / fine)),
-        "{coarse:e} {fine:e}"
-    );
+    assert!(fine < 1e-3 && (3.5..4.5).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
 }
 
 #[test]
 fn work_at_the_driven_end_becomes_energy() {
     let spring = s_t();
-    let input = EndInput::Harmonic {
-        amplitude: 1e-3,
-        frequency: 40.0,
-        phase: 0.0,
-    };
-    let excitation = Excitation::harmonic(0.23, End::One, input, Start::Massless).unwrap();
+    let input = EndInput::harmonic(1e-3, 40.0, 0.0);
+    let excitation = Excitation::harmonic(0.23, End::One, input.clone(), Start::Massless).unwrap();
     let motion = Motion::new(&spring, &excitation).unwrap();
     // Simpson's rule over 0.1 s; the spring pulls end 1 with +F_i, so the end does the work −F_i u̇1 on it.
     let count = 20_000;
@@ -169,15 +142,11 @@ fn an_impact_carries_the_wave_impedance() {
 #[test]
 fn a_slow_drive_moves_the_spring_as_if_it_had_no_mass() {
     let spring = s_t();
-    let input = EndInput::Harmonic {
-        amplitude: 1e-3,
-        frequency: 0.05,
-        phase: 0.0,
-    };
+    let input = EndInput::harmonic(1e-3, 0.05, 0.0);
     let excitation = Excitation::harmonic(0.23, End::Two, input, Start::Massless).unwrap();
     let motion = Motion::new(&spring, &excitation).unwrap();
     let forces = motion.end_forces(&[0.5, 1.0]).unwrap();
-    let [u1, u2] = motion.ends(1.0);
+    let [u1, u2] = motion.ends(&[1.0]).unwrap()[0];
     // Inertia is (f/f1)² of the force swing: 1e-6 · 0.76 N.
     assert_relative_eq!(forces.input[1], spring.static_force(u2 - u1), epsilon = 2e-6);
     assert_relative_eq!(forces.output[1], spring.static_force(u2 - u1), epsilon = 2e-6);
@@ -188,24 +157,14 @@ fn on_a_mode_the_answer_grows_without_bound_and_stays_smooth_in_frequency() {
     let spring = s_t();
     let mode = coilsense::modes::ChainModes::of(&spring).frequencies()[2] / std::f64::consts::TAU;
     let force_at = |frequency: f64, time: f64| {
-        let input = EndInput::Harmonic {
-            amplitude: 1e-5,
-            frequency,
-            phase: 0.7,
-        };
+        let input = EndInput::harmonic(1e-5, frequency, 0.7);
         let excitation = Excitation::harmonic(0.23, End::One, input, Start::Rest).unwrap();
-        Motion::new(&spring, &excitation)
-            .unwrap()
-            .end_forces(&[time])
-            .unwrap()
-            .output[0]
+        Motion::new(&spring, &excitation).unwrap().end_forces(&[time]).unwrap().output[0]
     };
     let constant = spring.static_force(0.23);
     let swing = |from: f64| {
         let period = 1.0 / mode;
-        (0..100)
-            .map(|k| (force_at(mode, from + period * f64::from(k) / 100.0) - constant).abs())
-            .fold(0.0, f64::max)
+        (0..100).map(|k| (force_at(mode, from + period * f64::from(k) / 100.0) - constant).abs()).fold(0.0, f64::max)
     };
     assert_relative_eq!(swing(2.0) / swing(1.0), 2.0, max_relative = 0.02); // grows as t, other modes beside
     // A frequency that is off by 1e-12 changes the answer by no more than 1e-12 · ωt of it: no spike at resonance.

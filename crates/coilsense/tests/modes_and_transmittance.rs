@@ -31,11 +31,7 @@ fn modes_are_those_of_the_stiffness_matrix() {
     for spring in [s_t(), s_a(), Spring::new(s_t_with(|p| p.windings = 1.0)).unwrap()] {
         let n = spring.chain_masses();
         let per_mass = stiffness_matrix(&spring) / (spring.mass() / n as f64);
-        let mut theirs: Vec<f64> = SymmetricEigen::new(per_mass.clone())
-            .eigenvalues
-            .iter()
-            .map(|e| e.sqrt())
-            .collect();
+        let mut theirs: Vec<f64> = SymmetricEigen::new(per_mass.clone()).eigenvalues.iter().map(|e| e.sqrt()).collect();
         theirs.sort_by(f64::total_cmp);
         let modes = ChainModes::of(&spring);
         for (ours, theirs) in modes.frequencies().iter().zip(&theirs) {
@@ -45,11 +41,7 @@ fn modes_are_those_of_the_stiffness_matrix() {
         for mode in 1..=n {
             let shape = DVector::from_fn(n, |i, _| modes.shape(mode, i + 1).unwrap());
             let residual = &per_mass * &shape - &shape * modes.frequencies()[mode - 1].powi(2);
-            assert!(
-                residual.amax() < 1e-13 * per_mass.amax(),
-                "mode {mode}: {}",
-                residual.amax()
-            );
+            assert!(residual.amax() < 1e-13 * per_mass.amax(), "mode {mode}: {}", residual.amax());
         }
     }
 }
@@ -88,10 +80,7 @@ fn transmittance_agrees_with_a_direct_solve() {
             let x = dynamic.lu().solve(&load).expect("not on a pole");
             let theirs = end * -x[n - 1];
             let ours = transmittance::chain(n, spring.transit_time(), omega);
-            assert!(
-                (ours - theirs).abs() < 1e-10 * theirs.abs().max(1e-6),
-                "{hertz} Hz: {ours} {theirs}"
-            );
+            assert!((ours - theirs).abs() < 1e-10 * theirs.abs().max(1e-6), "{hertz} Hz: {ours} {theirs}");
         }
     }
 }

@@ -53,10 +53,7 @@ fn difference(spring: &Spring, excitation: &Excitation, start: (Vec<f64>, Vec<f6
     let n = positions.len();
     let state: Vec<f64> = positions.into_iter().chain(velocities).collect();
     let times: Vec<f64> = (0..=100).map(|k| f64::from(k) * 1e-3).collect();
-    let method = ExplicitRungeKutta::dop853()
-        .rtol(rtol)
-        .atol(rtol * 1e-3)
-        .max_steps(1_000_000);
+    let method = ExplicitRungeKutta::dop853().rtol(rtol).atol(rtol * 1e-3).max_steps(1_000_000);
     let solution = IVP::ode(&chain, 0.0, 0.1, state)
         .t_eval(times.clone())
         .method(method)
@@ -89,10 +86,7 @@ fn straight(n: usize, ends: [f64; 2], velocities: [f64; 2]) -> (Vec<f64>, Vec<f6
 fn converges(spring: &Spring, excitation: &Excitation, start: (Vec<f64>, Vec<f64>)) {
     let [loose, middle, tight] = [1e-6, 1e-9, 1e-12].map(|rtol| difference(spring, excitation, start.clone(), rtol));
     let shown = format!("{loose:e} {middle:e} {tight:e}");
-    assert!(
-        loose > 30.0 * middle && middle > 30.0 * tight,
-        "no convergence: {shown}"
-    );
+    assert!(loose > 30.0 * middle && middle > 30.0 * tight, "no convergence: {shown}");
     assert!(tight < 1e-8, "{shown}");
 }
 
@@ -101,11 +95,7 @@ fn an_impact_agrees_with_the_integrator() {
     for spring in [paper_springs::s_t(), paper_springs::s_a()] {
         let length = spring.mid_length();
         let excitation = Excitation::impact(length, 0.25).unwrap();
-        converges(
-            &spring,
-            &excitation,
-            straight(spring.chain_masses(), [0.0, length], [0.25, 0.25]),
-        );
+        converges(&spring, &excitation, straight(spring.chain_masses(), [0.0, length], [0.25, 0.25]));
     }
 }
 
@@ -114,34 +104,18 @@ fn a_resonant_drive_on_end_1_agrees_with_the_integrator() {
     let spring = paper_springs::s_t();
     let length = spring.mid_length();
     let (amplitude, frequency) = (68e-6, spring.surge_frequency());
-    let input = EndInput::Harmonic {
-        amplitude,
-        frequency,
-        phase: 0.3,
-    };
+    let input = EndInput::harmonic(amplitude, frequency, 0.3);
     let excitation = Excitation::new(length, input, EndInput::Held, Start::Rest).unwrap();
-    converges(
-        &spring,
-        &excitation,
-        straight(spring.chain_masses(), [0.0, length], [0.0, 0.0]),
-    );
+    converges(&spring, &excitation, straight(spring.chain_masses(), [0.0, length], [0.0, 0.0]));
 }
 
 #[test]
 fn both_ends_driven_from_a_massless_start_agree_with_the_integrator() {
     let spring = paper_springs::s_a();
     let length = spring.mid_length();
-    let one = EndInput::Harmonic {
-        amplitude: 1e-4,
-        frequency: 31.0,
-        phase: 0.4,
-    };
-    let two = EndInput::Harmonic {
-        amplitude: -2e-4,
-        frequency: 340.0,
-        phase: 2.0,
-    };
-    let excitation = Excitation::new(length, one, two, Start::Massless).unwrap();
+    let one = EndInput::harmonic(1e-4, 31.0, 0.4);
+    let two = EndInput::harmonic(-2e-4, 340.0, 2.0);
+    let excitation = Excitation::new(length, one.clone(), two.clone(), Start::Massless).unwrap();
     let ends = [one.displacement(0.0), length + two.displacement(0.0)];
     let velocities = [one.velocity(0.0), two.velocity(0.0)];
     converges(&spring, &excitation, straight(spring.chain_masses(), ends, velocities));
@@ -157,10 +131,7 @@ fn windings_started_one_by_one_agree_with_the_integrator() {
         positions[i] += 3e-4 * (3.1 * i as f64).sin();
         velocities[i] = 0.2 * (1.7 * i as f64).cos();
     }
-    let start = Start::Windings {
-        positions: positions.clone(),
-        velocities: velocities.clone(),
-    };
+    let start = Start::Windings { positions: positions.clone(), velocities: velocities.clone() };
     let excitation = Excitation::new(length, EndInput::Held, EndInput::Held, start).unwrap();
     converges(&spring, &excitation, (positions, velocities));
 }

@@ -38,10 +38,7 @@ pub fn run() -> anyhow::Result<()> {
         ratio: 1.0,
     }];
     for row in &rows {
-        println!(
-            "{:56} {:12} {:26} {:8.1} ms",
-            row.job, row.system, row.setting, row.median_ms
-        );
+        println!("{:56} {:12} {:26} {:8.1} ms", row.job, row.system, row.setting, row.median_ms);
     }
     let path = root().join("target/bench.json");
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
@@ -52,10 +49,7 @@ pub fn run() -> anyhow::Result<()> {
 fn reproduce() -> anyhow::Result<f64> {
     let place = tempfile::tempdir()?;
     let mut command = std::process::Command::new(root().join("target/release/coilsense"));
-    command
-        .args(["reproduce", "--out"])
-        .arg(place.path().join("paper"))
-        .stdout(Stdio::null());
+    command.args(["reproduce", "--out"]).arg(place.path().join("paper")).stdout(Stdio::null());
     let begun = Instant::now();
     let status = command.status().context("target/release/coilsense cannot be started")?;
     let elapsed = begun.elapsed();

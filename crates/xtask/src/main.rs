@@ -9,11 +9,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 #[derive(Parser)]
-#[command(
-    name = "cargo xtask",
-    about = "coilsense's own chores",
-    arg_required_else_help = true
-)]
+#[command(name = "cargo xtask", about = "coilsense's own chores", arg_required_else_help = true)]
 struct Arguments {
     #[command(subcommand)]
     chore: Chore,

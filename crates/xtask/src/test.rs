@@ -21,26 +21,11 @@ struct Part {
 }
 
 const PARTS: [Part; 5] = [
-    Part {
-        name: "fmt",
-        run: format,
-    },
-    Part {
-        name: "clippy",
-        run: clippy,
-    },
-    Part {
-        name: "tests",
-        run: tests,
-    },
-    Part {
-        name: "docs",
-        run: docs,
-    },
-    Part {
-        name: "reproduce",
-        run: reproduce,
-    },
+    Part { name: "fmt", run: format },
+    Part { name: "clippy", run: clippy },
+    Part { name: "tests", run: tests },
+    Part { name: "docs", run: docs },
+    Part { name: "reproduce", run: reproduce },
 ];
 
 /// Runs every part, also after one has failed.
@@ -78,44 +63,26 @@ pub fn run() -> anyhow::Result<()> {
 /// Runs a command; its own output tells what is wrong.
 fn outcome(mut command: std::process::Command) -> anyhow::Result<Outcome> {
     let status = command.status().with_context(|| format!("cannot start {command:?}"))?;
-    Ok(if status.success() {
-        Outcome::Passed
-    } else {
-        Outcome::Failed
-    })
+    Ok(if status.success() { Outcome::Passed } else { Outcome::Failed })
 }
 
 /// Whether a cargo component answers.
 fn has_component(name: &str) -> bool {
-    cargo(&[name, "--version"])
-        .output()
-        .is_ok_and(|output| output.status.success())
+    cargo(&[name, "--version"]).output().is_ok_and(|output| output.status.success())
 }
 
 fn format() -> anyhow::Result<Outcome> {
     if !has_component("fmt") {
-        return Ok(Outcome::Missing(
-            "no rustfmt; install it with: rustup component add rustfmt".to_owned(),
-        ));
+        return Ok(Outcome::Missing("no rustfmt; install it with: rustup component add rustfmt".to_owned()));
     }
     outcome(cargo(&["fmt", "--all", "--", "--check"]))
 }
 
 fn clippy() -> anyhow::Result<Outcome> {
     if !has_component("clippy") {
-        return Ok(Outcome::Missing(
-            "no clippy; install it with: rustup component add clippy".to_owned(),
-        ));
+        return Ok(Outcome::Missing("no clippy; install it with: rustup component add clippy".to_owned()));
     }
-    outcome(cargo(&[
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--all-features",
-        "--",
-        "-D",
-        "warnings",
-    ]))
+    outcome(cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "-D", "warnings"]))
 }
 
 /// Unit, integration and property tests, the examples' build, and every code block of documentation and README.
@@ -124,13 +91,7 @@ fn tests() -> anyhow::Result<Outcome> {
 }
 
 fn docs() -> anyhow::Result<Outcome> {
-    let mut command = cargo(&[
-        "doc",
-        "--workspace",
-        "--all-features",
-        "--no-deps",
-        "--document-private-items",
-    ]);
+    let mut command = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--document-private-items"]);
     command.env("RUSTDOCFLAGS", "-D warnings");
     outcome(command)
 }

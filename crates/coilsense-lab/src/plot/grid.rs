@@ -32,13 +32,8 @@ impl Grid {
     pub fn new(figure: &Figure, rulers: &[[Ruler; 2]], top: f64) -> Result<Self, PlotError> {
         let columns = figure.columns.min(figure.panels.len());
         let rows = figure.panels.len().div_ceil(columns);
-        let mut grid = Self {
-            left: vec![0.0; columns],
-            above: vec![0.0; rows],
-            below: vec![0.0; rows],
-            top,
-            frame: [0.0; 2],
-        };
+        let mut grid =
+            Self { left: vec![0.0; columns], above: vec![0.0; rows], below: vec![0.0; rows], top, frame: [0.0; 2] };
         let widen = |room: &mut f64, need: f64| *room = room.max(need);
         for (index, ruler) in rulers.iter().enumerate() {
             widen(&mut grid.left[index % columns], room_left(figure, index, &ruler[1]));
@@ -57,10 +52,7 @@ impl Grid {
         if grid.frame.iter().all(drawable) {
             return Ok(grid);
         }
-        Err(PlotError::Size {
-            width: grid.frame[0],
-            height: grid.frame[1],
-        })
+        Err(PlotError::Size { width: grid.frame[0], height: grid.frame[1] })
     }
 
     pub fn rows(&self) -> usize {
@@ -74,12 +66,7 @@ impl Grid {
         let left = self.left[..=column].iter().sum::<f64>() + column as f64 * (width + RIGHT);
         let passed: f64 = self.above[..=row].iter().chain(&self.below[..row]).sum();
         let top = self.top + passed + row as f64 * height;
-        Frame {
-            left: left.floor() + 0.5,
-            top: top.floor() + 0.5,
-            width,
-            height,
-        }
+        Frame { left: left.floor() + 0.5, top: top.floor() + 0.5, width, height }
     }
 }
 
@@ -99,10 +86,7 @@ pub(super) fn most_y_ticks(figure: &Figure) -> usize {
 /// The label of an x axis is dropped where the panel below says the same.
 pub(super) fn shows_x_label(figure: &Figure, index: usize) -> bool {
     let said = |below: &Panel| same(&below.x, &figure.panels[index].x);
-    !figure
-        .panels
-        .get(index.saturating_add(figure.columns))
-        .is_some_and(said)
+    !figure.panels.get(index.saturating_add(figure.columns)).is_some_and(said)
 }
 
 /// The label of a y axis is dropped where the panel to the left says the same.

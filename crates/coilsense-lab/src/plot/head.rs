@@ -16,11 +16,7 @@ const GAP: f64 = 6.0;
 
 /// Room that the head of a panel takes above a frame `room` \[px\] wide.
 pub(super) fn height(panel: &Panel, x: &Ruler, room: f64) -> f64 {
-    let rows = placed(panel, x, room)
-        .iter()
-        .map(|(_, _, row)| row + 1)
-        .max()
-        .unwrap_or(0);
+    let rows = placed(panel, x, room).iter().map(|(_, _, row)| row + 1).max().unwrap_or(0);
     LINE * title_lines(&panel.title, room).len() as f64 + ROW * rows as f64
 }
 
@@ -28,14 +24,8 @@ pub(super) fn height(panel: &Panel, x: &Ruler, room: f64) -> f64 {
 pub(super) fn mark_lines(scene: &Scene) -> Shape {
     let share = |mark: &Mark| scene.rulers[0].share(mark.x);
     let shares = scene.panel.marks.iter().map(share).filter(|share| Ruler::holds(*share));
-    let runs = shares
-        .map(|at| vec![scene.frame.at(at, 0.0), scene.frame.at(at, 1.0)])
-        .collect();
-    let pen = Pen {
-        ink: scene.theme.mark(),
-        width: 0.9,
-        dashes: vec![2.5, 2.5],
-    };
+    let runs = shares.map(|at| vec![scene.frame.at(at, 0.0), scene.frame.at(at, 1.0)]).collect();
+    let pen = Pen { ink: scene.theme.mark(), width: 0.9, dashes: vec![2.5, 2.5] };
     Shape::Lines { runs, pen }
 }
 

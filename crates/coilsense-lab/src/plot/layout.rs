@@ -46,12 +46,7 @@ pub(super) fn draw(figure: &Figure, theme: Theme) -> Result<Drawing, PlotError> 
         panel::draw(&scene, &mut shapes);
     }
     let height = legend.height() + grid.rows() as f64 * figure.panel_height;
-    Ok(Drawing {
-        width: sheet,
-        height,
-        paper: theme.paper(),
-        shapes,
-    })
+    Ok(Drawing { width: sheet, height, paper: theme.paper(), shapes })
 }
 
 fn check(figure: &Figure) -> Result<(), PlotError> {

@@ -44,11 +44,7 @@ impl<'a> Legend<'a> {
 
     /// Height of all rows with the space below \[px\].
     pub fn height(&self) -> f64 {
-        if self.rows.is_empty() {
-            0.0
-        } else {
-            ROW * self.rows.len() as f64 + 8.0
-        }
+        if self.rows.is_empty() { 0.0 } else { ROW * self.rows.len() as f64 + 8.0 }
     }
 
     /// Length of the longest row \[px\].
@@ -73,20 +69,13 @@ impl<'a> Legend<'a> {
 
 /// Length of entries side by side \[px\].
 fn length(entries: &[(&str, Stroke)]) -> f64 {
-    let sum: f64 = entries
-        .iter()
-        .map(|(label, _)| SAMPLE + GAP + width(label, LETTERS) + SPACE)
-        .sum();
+    let sum: f64 = entries.iter().map(|(label, _)| SAMPLE + GAP + width(label, LETTERS) + SPACE).sum();
     sum - SPACE
 }
 
 fn sample((label, stroke): &(&str, Stroke), [x, y]: [f64; 2], theme: Theme) -> [Shape; 2] {
     let line = vec![[x, y], [x + SAMPLE, y]];
-    let pen = Pen {
-        ink: theme.shade(stroke.colour),
-        width: stroke.width,
-        dashes: stroke.dash.lengths(stroke.width),
-    };
+    let pen = Pen { ink: theme.shade(stroke.colour), width: stroke.width, dashes: stroke.dash.lengths(stroke.width) };
     let text = Text {
         markup: (*label).to_owned(),
         at: [x + SAMPLE + GAP, y + 0.36 * LETTERS],

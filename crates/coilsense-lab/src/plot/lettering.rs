@@ -74,10 +74,7 @@ pub(super) fn plain(markup: &str) -> String {
 
 /// Width of a text \[px\] at a letter size \[px\].
 pub(super) fn width(markup: &str, size: f64) -> f64 {
-    pieces(markup)
-        .iter()
-        .map(|(level, text)| text.chars().map(advance).sum::<f64>() * level.size() * size)
-        .sum()
+    pieces(markup).iter().map(|(level, text)| text.chars().map(advance).sum::<f64>() * level.size() * size).sum()
 }
 
 /// Traces the letters from the origin to the right, y upwards, in font units.
@@ -89,11 +86,7 @@ pub(super) fn outline<B: OutlineBuilder>(markup: &str, builder: &mut B, place: i
     let mut across = 0.0;
     for (level, text) in pieces(markup) {
         for letter in text.chars() {
-            place(
-                builder,
-                [across, -level.drop()],
-                level.size() / f64::from(face.units_per_em()),
-            );
+            place(builder, [across, -level.drop()], level.size() / f64::from(face.units_per_em()));
             if let Some(glyph) = face.glyph_index(letter) {
                 face.outline_glyph(glyph, builder);
             }

@@ -141,11 +141,7 @@ impl Panel {
         let names: Vec<String> = named.filter(|name| !name.is_empty()).collect();
         let [title, x, y] = [&self.title, &self.x.label, &self.y.label].map(|s| lettering::plain(s));
         let title = if title.is_empty() { title } else { format!("{title}: ") };
-        let names = if names.is_empty() {
-            String::new()
-        } else {
-            format!("; {}", names.join(", "))
-        };
+        let names = if names.is_empty() { String::new() } else { format!("; {}", names.join(", ")) };
         format!("{title}{y} against {x}{names}.")
     }
 }

@@ -70,14 +70,7 @@ fn grid(scene: &Scene, x: &Ticks, y: &Ticks) -> Shape {
         .map(|share| vec![frame.at(share, 0.0), frame.at(share, 1.0)])
         .chain(level.map(|share| vec![frame.at(0.0, share), frame.at(1.0, share)]))
         .collect();
-    Shape::Lines {
-        runs,
-        pen: Pen {
-            ink: scene.theme.grid(),
-            width: 0.7,
-            dashes: Vec::new(),
-        },
-    }
+    Shape::Lines { runs, pen: Pen { ink: scene.theme.grid(), width: 0.7, dashes: Vec::new() } }
 }
 
 fn curves(scene: &Scene, shapes: &mut Vec<Shape>) {
@@ -88,10 +81,7 @@ fn curves(scene: &Scene, shapes: &mut Vec<Shape>) {
             width: curve.stroke.width,
             dashes: curve.stroke.dash.lengths(curve.stroke.width),
         };
-        shapes.push(Shape::Lines {
-            runs: runs(curve, x, y, &scene.frame),
-            pen,
-        });
+        shapes.push(Shape::Lines { runs: runs(curve, x, y, &scene.frame), pen });
     }
 }
 
@@ -116,14 +106,7 @@ fn axes(scene: &Scene, x: &Ticks, y: &Ticks) -> Shape {
         tick(frame.at(0.0, *share), [-TICK, 0.0]);
     }
     let ink = scene.theme.shade(Colour::Ink);
-    Shape::Lines {
-        runs,
-        pen: Pen {
-            ink,
-            width: 1.0,
-            dashes: Vec::new(),
-        },
-    }
+    Shape::Lines { runs, pen: Pen { ink, width: 1.0, dashes: Vec::new() } }
 }
 
 fn x_letters(scene: &Scene, x: &Ticks, shapes: &mut Vec<Shape>) {
@@ -157,13 +140,6 @@ impl Scene<'_> {
     /// A line of text in the theme's ink.
     pub fn text(&self, markup: &str, at: Point, size: f64, anchor: Anchor) -> Text {
         let ink = self.theme.shade(Colour::Ink);
-        Text {
-            markup: markup.to_owned(),
-            at,
-            size,
-            ink,
-            anchor,
-            upwards: false,
-        }
+        Text { markup: markup.to_owned(), at, size, ink, anchor, upwards: false }
     }
 }

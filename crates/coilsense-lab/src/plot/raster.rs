@@ -79,25 +79,14 @@ fn letters(sheet: &mut Pixmap, text: &Text) {
     } * width(&text.markup, text.size);
     let [x, y] = text.at.map(|pixels| (pixels * PNG_SCALE) as f32);
     let size = (text.size * PNG_SCALE) as f32;
-    let turned = if text.upwards {
-        Transform::from_rotate(-90.0)
-    } else {
-        Transform::identity()
-    };
-    let transform = turned
-        .pre_translate((shift * PNG_SCALE) as f32, 0.0)
-        .pre_scale(size, -size)
-        .post_translate(x, y);
+    let turned = if text.upwards { Transform::from_rotate(-90.0) } else { Transform::identity() };
+    let transform = turned.pre_translate((shift * PNG_SCALE) as f32, 0.0).pre_scale(size, -size).post_translate(x, y);
     sheet.fill_path(&path, &paint(text.ink), FillRule::Winding, transform, None);
 }
 
 /// The outlines of a text of letter size 1, y upwards.
 fn glyphs(markup: &str) -> Option<Path> {
-    let mut pen = GlyphPen {
-        path: PathBuilder::new(),
-        at: [0.0; 2],
-        unit: 1.0,
-    };
+    let mut pen = GlyphPen { path: PathBuilder::new(), at: [0.0; 2], unit: 1.0 };
     outline(markup, &mut pen, |pen, at, unit| {
         (pen.at, pen.unit) = (at.map(|v| v as f32), unit as f32);
     });
@@ -146,21 +135,13 @@ impl OutlineBuilder for GlyphPen {
 
 /// Packs an opaque sheet, without its alpha channel.
 fn packed(sheet: &Pixmap) -> Result<Vec<u8>, ::png::EncodingError> {
-    let rgb: Vec<u8> = sheet
-        .data()
-        .chunks_exact(4)
-        .flat_map(|dot| [dot[0], dot[1], dot[2]])
-        .collect();
+    let rgb: Vec<u8> = sheet.data().chunks_exact(4).flat_map(|dot| [dot[0], dot[1], dot[2]]).collect();
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, sheet.width(), sheet.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(Compression::Fast);
-    encoder.set_pixel_dims(Some(PixelDimensions {
-        xppu: DOTS_PER_METRE,
-        yppu: DOTS_PER_METRE,
-        unit: Unit::Meter,
-    }));
+    encoder.set_pixel_dims(Some(PixelDimensions { xppu: DOTS_PER_METRE, yppu: DOTS_PER_METRE, unit: Unit::Meter }));
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&rgb)?;
     writer.finish()?;

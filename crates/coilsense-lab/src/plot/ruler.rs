@@ -25,9 +25,8 @@ impl Ruler {
         let scale = axis.scale;
         let (lower, upper) = match axis.range {
             Some(range) => own(axis, range)?,
-            None => extent(values.map(|value| scaled(scale, value)), slack).ok_or_else(|| PlotError::NoData {
-                label: axis.label.clone(),
-            })?,
+            None => extent(values.map(|value| scaled(scale, value)), slack)
+                .ok_or_else(|| PlotError::NoData { label: axis.label.clone() })?,
         };
         let span = upper - lower;
         let least = LEAST_SPAN.max(RESOLUTION * lower.abs().max(upper.abs()));
@@ -73,9 +72,7 @@ fn own(axis: &Axis, (lower, upper): (f64, f64)) -> Result<(f64, f64), PlotError>
 fn extent(values: impl Iterator<Item = f64>, slack: f64) -> Option<(f64, f64)> {
     let (lower, upper) = values
         .filter(|value| value.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
     if lower > upper {
         return None;
     }

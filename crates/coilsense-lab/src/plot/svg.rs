@@ -94,10 +94,7 @@ fn letters(svg: &mut String, text: &Text) {
         Anchor::End => "end",
     };
     let (size, ink) = (decimal(text.size), hex(text.ink));
-    let _ = write!(
-        svg,
-        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{ink}\""
-    );
+    let _ = write!(svg, "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{ink}\"");
     if text.upwards {
         let _ = write!(svg, " transform=\"rotate(-90 {x} {y})\"");
     }
@@ -110,11 +107,7 @@ fn letters(svg: &mut String, text: &Text) {
         }
         let drop = decimal((level.drop() - line.drop()) * text.size);
         let size = decimal(level.size() * text.size);
-        let _ = write!(
-            svg,
-            "<tspan dy=\"{drop}\" font-size=\"{size}\">{}</tspan>",
-            escaped(&words)
-        );
+        let _ = write!(svg, "<tspan dy=\"{drop}\" font-size=\"{size}\">{}</tspan>", escaped(&words));
         line = level;
     }
     svg.push_str("</text>\n");
@@ -131,18 +124,17 @@ fn hex([red, green, blue]: Rgb) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    text.chars()
-        .fold(String::with_capacity(text.len()), |mut safe, letter| {
-            match letter {
-                '&' => safe.push_str("&amp;"),
-                '<' => safe.push_str("&lt;"),
-                '>' => safe.push_str("&gt;"),
-                '"' => safe.push_str("&quot;"),
-                // XML knows no other control characters, not even escaped.
-                '\t' | '\n' | '\r' => safe.push(' '),
-                letter if letter.is_control() => {}
-                letter => safe.push(letter),
-            }
-            safe
-        })
+    text.chars().fold(String::with_capacity(text.len()), |mut safe, letter| {
+        match letter {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            // XML knows no other control characters, not even escaped.
+            '\t' | '\n' | '\r' => safe.push(' '),
+            letter if letter.is_control() => {}
+            letter => safe.push(letter),
+        }
+        safe
+    })
 }

@@ -6,43 +6,23 @@ use super::stroke::Rgb;
 use super::ticks::ticks;
 use super::*;
 
-const STROKE: Stroke = Stroke {
-    colour: Colour::Red,
-    dash: Dash::DashDot,
-    width: 1.4,
-};
+const STROKE: Stroke = Stroke { colour: Colour::Red, dash: Dash::DashDot, width: 1.4 };
 
-const FRAME: Frame = Frame {
-    left: 50.0,
-    top: 10.0,
-    width: 400.0,
-    height: 200.0,
-};
+const FRAME: Frame = Frame { left: 50.0, top: 10.0, width: 400.0, height: 200.0 };
 
 fn axis(label: &str, range: Option<(f64, f64)>, scale: Scale) -> Axis {
-    Axis {
-        label: label.into(),
-        range,
-        scale,
-    }
+    Axis { label: label.into(), range, scale }
 }
 
 fn curve(label: &str, x: Vec<f64>, y: Vec<f64>) -> Curve {
-    Curve {
-        label: label.into(),
-        x,
-        y,
-        stroke: STROKE,
-    }
+    Curve { label: label.into(), x, y, stroke: STROKE }
 }
 
 /// A force ringing at 54 Hz with harmonics, 2500 samples over 0.25 s.
 fn ringing(label: &str, phase: f64) -> Curve {
     let x: Vec<f64> = (0..2500).map(|index| 0.75 + 1e-4 * f64::from(index)).collect();
     let tone = |t: f64, n: f64| (n * (std::f64::consts::TAU * 54.0 * t + phase)).sin() / n;
-    let y = x
-        .iter()
-        .map(|t| 96.0 + (0..20).map(|n| tone(*t, f64::from(2 * n + 1))).sum::<f64>());
+    let y = x.iter().map(|t| 96.0 + (0..20).map(|n| tone(*t, f64::from(2 * n + 1))).sum::<f64>());
     let y = y.collect();
     curve(label, x, y)
 }
@@ -53,26 +33,14 @@ fn figure(curves: Vec<Curve>) -> Figure {
         x: axis("Time [s]", None, Scale::Linear),
         y: axis("Force [N]", None, Scale::Linear),
         curves,
-        marks: vec![Mark {
-            x: 0.8,
-            label: "t_1".into(),
-        }],
+        marks: vec![Mark { x: 0.8, label: "t_1".into() }],
     };
-    Figure {
-        panels: vec![panel],
-        columns: 1,
-        panel_width: 336.0,
-        panel_height: 240.0,
-    }
+    Figure { panels: vec![panel], columns: 1, panel_width: 336.0, panel_height: 240.0 }
 }
 
 /// Runs of a curve on a 400 px by 200 px frame that spans 0 to 1 both ways.
 fn runs_on_unit_frame(curve: &Curve) -> Vec<Vec<Point>> {
-    let unit = Ruler {
-        lower: 0.0,
-        upper: 1.0,
-        scale: Scale::Linear,
-    };
+    let unit = Ruler { lower: 0.0, upper: 1.0, scale: Scale::Linear };
     trace::runs(curve, &unit, &unit, &FRAME)
 }
 
@@ -95,16 +63,9 @@ fn a_single_spike_survives_thinning() {
     let highest = run.iter().map(|point| point[1]).fold(f64::INFINITY, f64::min);
     let lowest = run.iter().map(|point| point[1]).fold(0.0, f64::max);
     // Extremes are kept as they are; 1e-9 px is the rounding of the mapping.
-    assert!(
-        (highest - FRAME.at(0.0, 0.95)[1]).abs() < 1e-9,
-        "highest at {highest} px"
-    );
+    assert!((highest - FRAME.at(0.0, 0.95)[1]).abs() < 1e-9, "highest at {highest} px");
     assert!((lowest - FRAME.at(0.0, 0.05)[1]).abs() < 1e-9, "lowest at {lowest} px");
-    assert!(
-        run.len() <= 4 * 400,
-        "four points per pixel column at most, got {}",
-        run.len()
-    );
+    assert!(run.len() <= 4 * 400, "four points per pixel column at most, got {}", run.len());
 }
 
 #[test]
@@ -142,10 +103,7 @@ fn values_beyond_all_reason_do_no_harm() {
 #[test]
 fn a_line_is_cut_where_it_leaves_the_axes() {
     let runs = runs_on_unit_frame(&curve("", vec![0.0, 0.5, 1.0], vec![0.5, 1.5, 0.5]));
-    let expected = [
-        vec![FRAME.at(0.0, 0.5), FRAME.at(0.25, 1.0)],
-        vec![FRAME.at(0.75, 1.0), FRAME.at(1.0, 0.5)],
-    ];
+    let expected = [vec![FRAME.at(0.0, 0.5), FRAME.at(0.25, 1.0)], vec![FRAME.at(0.75, 1.0), FRAME.at(1.0, 0.5)]];
     assert_eq!(runs, expected);
 }
 
@@ -159,10 +117,7 @@ fn svg_scales_and_says_what_it_shows() {
     assert!(svg.contains(">Time [s]</text>") && svg.contains(">Force [N]</text>"));
     assert!(svg.contains(">F<tspan dy=\"2.4\" font-size=\"8.88\">o</tspan></text>"));
     assert!(svg.contains("max-width:100%") && svg.contains("sans-serif"));
-    assert!(
-        !svg.contains(" id=") && !svg.contains("NaN"),
-        "many figures share one page"
-    );
+    assert!(!svg.contains(" id=") && !svg.contains("NaN"), "many figures share one page");
     assert!(svg.contains("stroke-dasharray=\"9.1 2.8 1.82 2.8\""));
 }
 
@@ -173,24 +128,14 @@ fn each_name_stands_once_in_the_legend() {
     double.columns = 2;
     let svg = double.to_svg(Theme::Dark).unwrap();
     assert_eq!(svg.matches(">o</tspan>").count(), 1);
-    assert_eq!(
-        svg.matches(">Force [N]</text>").count(),
-        1,
-        "neighbours share the axis label"
-    );
+    assert_eq!(svg.matches(">Force [N]</text>").count(), 1, "neighbours share the axis label");
     assert_eq!(svg.matches(">Time [s]</text>").count(), 2, "columns do not");
 }
 
 #[test]
 fn twelve_ringing_curves_stay_below_150_kb() {
     let names = ["F_o", "F_i", "F_x", "F_L"];
-    let mut tall = figure(
-        names
-            .iter()
-            .zip([0.0, 1.0, 2.0, 3.0])
-            .map(|(n, p)| ringing(n, p))
-            .collect(),
-    );
+    let mut tall = figure(names.iter().zip([0.0, 1.0, 2.0, 3.0]).map(|(n, p)| ringing(n, p)).collect());
     tall.panels = vec![tall.panels[0].clone(); 3];
     tall.panel_width = 672.0;
     let size = tall.to_svg(Theme::Light).unwrap().len();
@@ -210,18 +155,8 @@ fn log_axis_refuses_zero_and_below() {
     let mut log = figure(vec![ringing("F_o", 0.0)]);
     log.panels[0].y = axis("Gain", Some((0.0, 10.0)), Scale::Log10);
     let error = log.to_svg(Theme::Light).unwrap_err();
-    assert_eq!(
-        error,
-        PlotError::LogRange {
-            label: "Gain".into(),
-            lower: 0.0,
-            upper: 10.0
-        }
-    );
-    assert_eq!(
-        error.to_string(),
-        "range of logarithmic axis `Gain` must be above zero, got 0 to 10"
-    );
+    assert_eq!(error, PlotError::LogRange { label: "Gain".into(), lower: 0.0, upper: 10.0 });
+    assert_eq!(error.to_string(), "range of logarithmic axis `Gain` must be above zero, got 0 to 10");
 }
 
 #[test]
@@ -235,14 +170,7 @@ fn what_cannot_be_drawn_is_refused() {
     let empty = refusal(&|figure| figure.columns = 0);
     assert_eq!(empty, PlotError::Empty { panels: 1, columns: 0 });
     let uneven = refusal(&|figure| figure.panels[0].curves[0].y.truncate(7));
-    assert_eq!(
-        uneven,
-        PlotError::Lengths {
-            label: "F_o".into(),
-            x: 2500,
-            y: 7
-        }
-    );
+    assert_eq!(uneven, PlotError::Lengths { label: "F_o".into(), x: 2500, y: 7 });
     let falling = refusal(&|figure| figure.panels[0].x.range = Some((1.0, 0.5)));
     assert!(matches!(falling, PlotError::Range { .. }));
     let endless = refusal(&|figure| figure.panels[0].x.range = Some((-1e308, 1e308)));
@@ -250,20 +178,9 @@ fn what_cannot_be_drawn_is_refused() {
     let tiny = refusal(&|figure| figure.panels[0].x.range = Some((1.0, 1.0 + 1e-15)));
     assert!(matches!(tiny, PlotError::Range { .. }));
     let thin = refusal(&|figure| figure.panels[0].curves[0].stroke.width = 0.0);
-    assert_eq!(
-        thin,
-        PlotError::Width {
-            label: "F_o".into(),
-            width: 0.0
-        }
-    );
+    assert_eq!(thin, PlotError::Width { label: "F_o".into(), width: 0.0 });
     let nothing = refusal(&|figure| figure.panels[0].curves.clear());
-    assert_eq!(
-        nothing,
-        PlotError::NoData {
-            label: "Time [s]".into()
-        }
-    );
+    assert_eq!(nothing, PlotError::NoData { label: "Time [s]".into() });
     let huge = refusal(&|figure| {
         (figure.panel_width, figure.panel_height) = (19_000.0, 19_000.0);
     });
@@ -281,24 +198,13 @@ fn ticks_are_round_and_within_the_range() {
         let found = ticks(&ruler, 7);
         assert!(found.major.iter().all(|(share, _)| Ruler::holds(*share)));
         assert!(found.minor.iter().all(|share| Ruler::holds(*share)));
-        found
-            .major
-            .into_iter()
-            .map(|(_, label)| label)
-            .collect::<Vec<_>>()
-            .join(" ")
+        found.major.into_iter().map(|(_, label)| label).collect::<Vec<_>>().join(" ")
     };
     assert_eq!(labels(0.75, 1.0, Scale::Linear), "0.75 0.80 0.85 0.90 0.95 1.00");
     assert_eq!(labels(-2.5, 2.5, Scale::Linear), "−2 −1 0 1 2");
-    assert_eq!(
-        labels(0.0, 4e-5, Scale::Linear),
-        "0 1·10^{−5} 2·10^{−5} 3·10^{−5} 4·10^{−5}"
-    );
+    assert_eq!(labels(0.0, 4e-5, Scale::Linear), "0 1·10^{−5} 2·10^{−5} 3·10^{−5} 4·10^{−5}");
     assert_eq!(labels(-2.0, 1.0, Scale::Log10), "10^{−2} 10^{−1} 10^{0} 10^{1}");
-    assert_eq!(
-        labels(-20.0, 0.0, Scale::Log10),
-        "10^{−18} 10^{−15} 10^{−12} 10^{−9} 10^{−6} 10^{−3} 10^{0}"
-    );
+    assert_eq!(labels(-20.0, 0.0, Scale::Log10), "10^{−18} 10^{−15} 10^{−12} 10^{−9} 10^{−6} 10^{−3} 10^{0}");
     assert_eq!(labels(-0.31, 1.01, Scale::Log10), "0.5 1 2 5 10");
     assert_eq!(labels(20f64.log10(), 45f64.log10(), Scale::Log10), "20 25 30 35 40 45");
 }
@@ -314,11 +220,7 @@ fn markup_is_lowered_raised_or_escaped() {
 fn contrast(a: Rgb, b: Rgb) -> f64 {
     let linear = |part: u8| {
         let share = f64::from(part) / 255.0;
-        if share <= 0.04045 {
-            share / 12.92
-        } else {
-            ((share + 0.055) / 1.055).powf(2.4)
-        }
+        if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) }
     };
     let light = |c: Rgb| 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
     let (low, high) = (light(a).min(light(b)), light(a).max(light(b)));

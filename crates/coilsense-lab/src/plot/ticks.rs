@@ -34,12 +34,8 @@ fn linear(ruler: &Ruler, lower: f64, upper: f64, most: usize) -> Ticks {
     };
     let parts = if unit == 2.0 { 4.0 } else { 5.0 };
     Ticks {
-        major: multiples(lower, upper, step)
-            .map(|value| (ruler.share(value), label(value)))
-            .collect(),
-        minor: multiples(lower, upper, step / parts)
-            .map(|value| ruler.share(value))
-            .collect(),
+        major: multiples(lower, upper, step).map(|value| (ruler.share(value), label(value))).collect(),
+        minor: multiples(lower, upper, step / parts).map(|value| ruler.share(value)).collect(),
     }
 }
 
@@ -78,26 +74,18 @@ fn logarithmic(ruler: &Ruler, most: usize) -> Ticks {
     let (labelled, bare): (Vec<i32>, Vec<i32>) = decades.iter().partition(|decade| decade.rem_euclid(stride) == 0);
     let place = |decade: i32| ruler.share(10f64.powi(decade));
     let minor = if stride == 1 {
-        between_decades(ruler, &[2, 3, 4, 5, 6, 7, 8, 9])
-            .map(|value| ruler.share(value))
-            .collect()
+        between_decades(ruler, &[2, 3, 4, 5, 6, 7, 8, 9]).map(|value| ruler.share(value)).collect()
     } else {
         bare.into_iter().map(place).collect()
     };
     let label = |decade: i32| (place(decade), format!("10^{{{}}}", signed(decade)));
-    Ticks {
-        major: labelled.into_iter().map(label).collect(),
-        minor,
-    }
+    Ticks { major: labelled.into_iter().map(label).collect(), minor }
 }
 
 fn one_two_five(ruler: &Ruler, values: &[f64]) -> Ticks {
     let between = between_decades(ruler, &[3, 4, 6, 7, 8, 9]);
     Ticks {
-        major: values
-            .iter()
-            .map(|value| (ruler.share(*value), shortest(*value)))
-            .collect(),
+        major: values.iter().map(|value| (ruler.share(*value), shortest(*value))).collect(),
         minor: between.map(|value| ruler.share(value)).collect(),
     }
 }

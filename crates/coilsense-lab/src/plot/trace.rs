@@ -22,12 +22,8 @@ const STRETCH: usize = 64;
 
 /// The unbroken runs of a curve within the frame.
 pub(super) fn runs(curve: &Curve, x: &Ruler, y: &Ruler, frame: &Frame) -> Vec<Vec<Point>> {
-    let points: Vec<Point> = curve
-        .x
-        .iter()
-        .zip(&curve.y)
-        .map(|(&a, &b)| frame.at(x.share(a), y.share(b)).map(within_reach))
-        .collect();
+    let points: Vec<Point> =
+        curve.x.iter().zip(&curve.y).map(|(&a, &b)| frame.at(x.share(a), y.share(b)).map(within_reach)).collect();
     points
         .split(|point| !(point[0].is_finite() && point[1].is_finite()))
         .filter(|run| !run.is_empty())
@@ -38,11 +34,7 @@ pub(super) fn runs(curve: &Curve, x: &Ruler, y: &Ruler, frame: &Frame) -> Vec<Ve
 
 /// A place that can be reckoned with, or none.
 fn within_reach(pixels: f64) -> f64 {
-    if pixels.is_finite() {
-        pixels.clamp(-FAR, FAR)
-    } else {
-        f64::NAN
-    }
+    if pixels.is_finite() { pixels.clamp(-FAR, FAR) } else { f64::NAN }
 }
 
 /// A sample between two gaps becomes a dash of a pixel, or it would vanish.
@@ -137,10 +129,7 @@ fn straightened(run: &[Point]) -> Vec<Point> {
             stretches.extend([(from, farthest), (farthest, to)]);
         }
     }
-    run.iter()
-        .zip(keep)
-        .filter_map(|(point, kept)| kept.then_some(*point))
-        .collect()
+    run.iter().zip(keep).filter_map(|(point, kept)| kept.then_some(*point)).collect()
 }
 
 /// Distance of a point from a segment \[px\].
@@ -148,11 +137,7 @@ fn distance_to(point: Point, from: Point, to: Point) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let off = [point[0] - from[0], point[1] - from[1]];
     let length = along[0] * along[0] + along[1] * along[1];
-    let share = if length > 0.0 {
-        (off[0] * along[0] + off[1] * along[1]) / length
-    } else {
-        0.0
-    };
+    let share = if length > 0.0 { (off[0] * along[0] + off[1] * along[1]) / length } else { 0.0 };
     let share = share.clamp(0.0, 1.0);
     (off[0] - share * along[0]).hypot(off[1] - share * along[1])
 }

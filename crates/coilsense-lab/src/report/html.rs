@@ -14,10 +14,8 @@ pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<Strin
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.add_template("page", include_str!("page.html"))?;
-    let tables: Vec<Value> = [Table::Two, Table::Three]
-        .into_iter()
-        .map(|table| table_value(reproduction, table))
-        .collect();
+    let tables: Vec<Value> =
+        [Table::Two, Table::Three].into_iter().map(|table| table_value(reproduction, table)).collect();
     let reasons: Vec<Value> = reasons_in_use(reproduction)
         .into_iter()
         .map(|reason| context! { letter => reason.letter(), sentence => reason.sentence() })
@@ -26,10 +24,8 @@ pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<Strin
         .iter()
         .map(|figure| context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark })
         .collect();
-    let limits: Vec<Value> = limits::limits(reproduction)?
-        .into_iter()
-        .map(|(heading, paragraph)| context! { heading, paragraph })
-        .collect();
+    let limits: Vec<Value> =
+        limits::limits(reproduction)?.into_iter().map(|(heading, paragraph)| context! { heading, paragraph }).collect();
     let protocols: Vec<&str> = reproduction.protocols.iter().map(|protocol| protocol.name()).collect();
     let page = environment.get_template("page")?.render(context! {
         version => env!("CARGO_PKG_VERSION"),
@@ -66,19 +62,13 @@ fn table_value(reproduction: &Reproduction, table: Table) -> Value {
             rows.push(context! { spring, first => index == 0, count => Condition::ALL.len(), condition => condition.name(), cells });
         }
     }
-    let mut titles: Vec<&str> = reproduction
-        .protocols
-        .iter()
-        .map(|&protocol| table_title(table, protocol))
-        .collect();
+    let mut titles: Vec<&str> = reproduction.protocols.iter().map(|&protocol| table_title(table, protocol)).collect();
     titles.dedup();
     let title = match titles.as_slice() {
         [one] => (*one).to_owned(),
         _ => {
             let each = reproduction.protocols.iter().zip(&titles);
-            let named: Vec<String> = each
-                .map(|(protocol, title)| format!("{}: {title}", protocol.name()))
-                .collect();
+            let named: Vec<String> = each.map(|(protocol, title)| format!("{}: {title}", protocol.name())).collect();
             named.join("; ")
         }
     };
@@ -97,7 +87,7 @@ fn cell_value(cell: &Cell, protocols: &[Protocol]) -> Value {
                 percent => format!("{:.3}", computed.percent),
                 differs => computed.differs_from(cell.published.percent),
                 letters,
-                range => computed.sampling_range.filter(|_| computed.protocol == Protocol::Tables || protocols.len() == 1).map(shown),
+                range => computed.sampling_range.map(shown),
             }
         })
         .collect();
@@ -107,12 +97,7 @@ fn cell_value(cell: &Cell, protocols: &[Protocol]) -> Value {
 /// Table I and what follows from it.
 fn springs(reproduction: &Reproduction) -> Vec<Value> {
     // mm and g alike are thousandths of the SI unit.
-    let thousandths = |si: f64| {
-        format!("{:.6}", 1e3 * si)
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
-    };
+    let thousandths = |si: f64| format!("{:.6}", 1e3 * si).trim_end_matches('0').trim_end_matches('.').to_owned();
     let value = |(name, spring): (&'static str, &coilsense::Spring)| {
         let (shortest, longest) = spring.operating_range();
         context! {

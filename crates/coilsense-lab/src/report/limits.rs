@@ -31,14 +31,14 @@ pub(super) fn limits(reproduction: &Reproduction) -> Result<Vec<(&'static str, S
         ),
         (
             "What the axial model leaves out",
-            "No damping, no lateral and no torsional motion, no contact, no initial tension. For S_T stretched to 230 mm the lateral first \
+            "No damping, no lateral and no torsional motion, no contact, no initial tension. For S_T of Table I stretched to 230 mm the lateral first \
              frequency is estimated near 40 Hz and the torsional one near 60 Hz, around the axial 54 Hz."
                 .to_owned(),
         ),
         (
             "Solver tolerance",
-            "An adaptive Runge–Kutta method at a relative tolerance of 10⁻³, a solver's usual default, misses the resonance rows by up to \
-             9 % (S_T) and 15 % (S_A). Nothing is integrated in steps here."
+            "An adaptive Runge–Kutta method at a relative tolerance of 10⁻³, a solver's usual default, is not accurate enough for these \
+             tables. Nothing is integrated in steps here."
                 .to_owned(),
         ),
     ])
@@ -46,11 +46,7 @@ pub(super) fn limits(reproduction: &Reproduction) -> Result<Vec<(&'static str, S
 
 /// One sentence per spring, in a row.
 fn for_each_spring(reproduction: &Reproduction, sentence: impl Fn(&str, &Spring) -> String) -> String {
-    let sentences: Vec<String> = reproduction
-        .springs
-        .each()
-        .map(|(name, spring)| sentence(name, spring))
-        .collect();
+    let sentences: Vec<String> = reproduction.springs.each().map(|(name, spring)| sentence(name, spring)).collect();
     sentences.join(" ")
 }
 
@@ -61,7 +57,7 @@ fn self_term(reproduction: &Reproduction) -> String {
         let (turns, radius) = (spring.windings(), spring.coil_radius());
         let wire = std::f64::consts::TAU * radius * std::f64::consts::PI * spring.wire_radius().powi(2);
         format!(
-            "For {name} it raises L by {:.2} µH ({:.0} %); its wire of radius {} mm in steel weighs {:.1} g, Table I says {} g.",
+            "For {name} it raises L by {:.2} µH ({:.0} %); its wire of radius {} mm in steel weighs {:.1} g, its mass is given as {} g.",
             1e6 * (printed - mean),
             100.0 * (printed / mean - 1.0),
             1e3 * spring.wire_radius(),
@@ -79,10 +75,7 @@ fn self_term(reproduction: &Reproduction) -> String {
 fn clash(reproduction: &Reproduction) -> String {
     let mut text = reproduction.warnings().join(" ");
     for (name, _) in reproduction.springs.each() {
-        let Some(stop) = reproduction
-            .case(name, Condition::EndStopMin)
-            .filter(|stop| !stop.clash.happens())
-        else {
+        let Some(stop) = reproduction.case(name, Condition::EndStopMin).filter(|stop| !stop.clash.happens()) else {
             continue;
         };
         let clearance = 1e3 * stop.clash.clearance();
@@ -99,7 +92,7 @@ fn close_wound(reproduction: &Reproduction) -> String {
             1e3 * spring.rest_length()
         )
     });
-    format!("{lengths} Springs wound this close carry initial tension; the paper has none.")
+    format!("{lengths} Springs wound as close as those of Table I carry initial tension; the paper has none.")
 }
 
 fn calibration_form(reproduction: &Reproduction) -> Result<String, Error> {
@@ -112,14 +105,11 @@ fn calibration_form(reproduction: &Reproduction) -> Result<String, Error> {
             .map(|step| shortest + (longest - shortest) * f64::from(step) / 100.0)
             .map(|length| spring.stiffness() * (fit.length(coil.at_length(length)) - length).abs())
             .fold(0.0, f64::max);
-        misfits.push(format!(
-            "{:.2} % of F_nom for {name}",
-            100.0 * misfit / spring.nominal_force()
-        ));
+        misfits.push(format!("{:.2} % of F_nom for {name}", 100.0 * misfit / spring.nominal_force()));
     }
     Ok(format!(
         "With uniform windings and no error at all, its fit misses the force by up to {} within the operating range; Table II judges it at \
-         one length only, where the fit is exact, and so prints about 0.01 %.",
+         one length only, where the fit is exact.",
         misfits.join(" and ")
     ))
 }

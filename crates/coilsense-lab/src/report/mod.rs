@@ -15,13 +15,13 @@ use rayon::prelude::*;
 
 use crate::output::{Output, OutputError};
 use crate::plot::{PlotError, Theme};
-use crate::reproduce::Reproduction;
+use crate::reproduce::{Reproduction, all_file_stems};
 
 /// What can go wrong while a report is made.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
     /// A figure cannot be drawn.
-    #[error("figure {name}: {source}")]
+    #[error("figure {name}")]
     Figure {
         /// Its file name.
         name: String,
@@ -56,24 +56,18 @@ struct Drawn {
 /// # Errors
 /// [`ReportError`] for the first part that fails.
 pub fn add_reproduction(reproduction: &Reproduction, output: &mut Output) -> Result<(), ReportError> {
-    let drawn: Vec<Drawn> = reproduction
-        .figures()
-        .into_par_iter()
-        .map(draw)
-        .collect::<Result<_, _>>()?;
+    let drawn: Vec<Drawn> = reproduction.figures().into_par_iter().map(draw).collect::<Result<_, _>>()?;
     let series: Vec<(String, String)> = reproduction
         .cases
         .par_iter()
-        .map(|result| {
-            (
-                format!("signals/{}.csv", result.file_stem()),
-                signals_csv(&result.signals),
-            )
-        })
+        .map(|result| (format!("signals/{}.csv", result.file_stem()), signals_csv(&result.signals)))
         .collect();
     for figure in &drawn {
         output.add(&format!("figures/{}.svg", figure.name), figure.light.as_bytes())?;
         output.add(&format!("figures/{}.png", figure.name), &figure.png)?;
+    }
+    for stem in all_file_stems() {
+        output.remove(&format!("signals/{stem}.csv"));
     }
     for (name, text) in &series {
         output.add(name, text.as_bytes())?;
@@ -85,21 +79,9 @@ pub fn add_reproduction(reproduction: &Reproduction, output: &mut Output) -> Res
 
 fn draw(named: crate::reproduce::NamedFigure) -> Result<Drawn, ReportError> {
     let crate::reproduce::NamedFigure { name, caption, figure } = named;
-    let drawing = || {
-        Ok((
-            figure.to_svg(Theme::Light)?,
-            figure.to_svg(Theme::Dark)?,
-            figure.to_png(Theme::Light)?,
-        ))
-    };
+    let drawing = || Ok((figure.to_svg(Theme::Light)?, figure.to_svg(Theme::Dark)?, figure.to_png(Theme::Light)?));
     match drawing() {
-        Ok((light, dark, png)) => Ok(Drawn {
-            name,
-            caption,
-            light,
-            dark,
-            png,
-        }),
+        Ok((light, dark, png)) => Ok(Drawn { name, caption, light, dark, png }),
         Err(source) => Err(ReportError::Figure { name, source }),
     }
 }

@@ -20,10 +20,8 @@ struct JsonCell<'a> {
 
 /// The cells as a JSON array, one object per line.
 pub(super) fn tables_json(cells: &[Cell]) -> Result<String, serde_json::Error> {
-    let lines: Vec<String> = cells
-        .iter()
-        .map(|cell| serde_json::to_string(&json_cell(cell)))
-        .collect::<Result<_, _>>()?;
+    let lines: Vec<String> =
+        cells.iter().map(|cell| serde_json::to_string(&json_cell(cell))).collect::<Result<_, _>>()?;
     Ok(format!("[\n{}\n]\n", lines.join(",\n")))
 }
 

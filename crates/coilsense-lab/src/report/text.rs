@@ -39,10 +39,7 @@ pub(super) fn summary(reproduction: &Reproduction) -> Vec<String> {
         let cells = reproduction.cells.iter().filter(|cell| cell.table() == Table::Two);
         let off = |cell: &Cell| Some((cell.by(protocol)?.percent - cell.published.percent).abs());
         let differences: Vec<f64> = cells.filter_map(off).collect();
-        let agree = differences
-            .iter()
-            .filter(|&&difference| difference <= TOLERANCE_POINTS)
-            .count();
+        let agree = differences.iter().filter(|&&difference| difference <= TOLERANCE_POINTS).count();
         let largest = differences.iter().fold(0.0, |a: f64, &b| a.max(b));
         let reading = match protocol {
             Protocol::Tables => "tables protocol (what makes the printed numbers come out)",
@@ -66,21 +63,20 @@ pub(super) fn finding(reproduction: &Reproduction) -> String {
         let computed = cell.and_then(|cell| cell.computed.first());
         computed.map_or_else(|| "–".to_owned(), |computed| format!("{:.2} %", computed.percent))
     };
-    let both = |condition, force| {
-        let each = reproduction.springs.each();
-        let values: Vec<String> = each
-            .map(|(name, _)| format!("{} ({name})", percent(name, condition, force)))
-            .collect();
-        values.join(" and ")
+    let sentence = |name: &'static str| {
+        let clash = reproduction.case(name, Condition::Resonance).is_some_and(|case| case.clash.happens());
+        format!(
+            "{name}: an end force is off by {} of F_nom (RMS) after a heel strike and {} at the first resonance{}; the force by \
+             inductance by {} and {}.",
+            percent(name, Condition::HeelStrike, Channel::OutputForce),
+            percent(name, Condition::Resonance, Channel::OutputForce),
+            if clash { " (where its windings would clash)" } else { "" },
+            percent(name, Condition::HeelStrike, Channel::InductanceForce),
+            percent(name, Condition::Resonance, Channel::InductanceForce),
+        )
     };
-    format!(
-        "After a heel strike the force at an end differs from that of a massless spring by {} of F_nom RMS, at the first resonance by {}. \
-         The force by inductance differs by {} and {}.",
-        both(Condition::HeelStrike, Channel::OutputForce),
-        both(Condition::Resonance, Channel::OutputForce),
-        both(Condition::HeelStrike, Channel::InductanceForce),
-        both(Condition::Resonance, Channel::InductanceForce),
-    )
+    let sentences: Vec<String> = reproduction.springs.each().map(|(name, _)| sentence(name)).collect();
+    sentences.join(" ")
 }
 
 /// What a table holds, in words.
@@ -105,12 +101,7 @@ fn table_text(text: &mut String, reproduction: &Reproduction, table: Table, prot
         let _ = write!(text, "{:>12}{:8}", force.name(), "");
     }
     text.truncate(text.trim_end().len());
-    let _ = writeln!(
-        text,
-        "\n{:20}{}",
-        "",
-        " printed   ours     ".repeat(COLUMNS.len()).trim_end()
-    );
+    let _ = writeln!(text, "\n{:20}{}", "", " printed   ours     ".repeat(COLUMNS.len()).trim_end());
     for (spring, _) in reproduction.springs.each() {
         for condition in Condition::ALL {
             let _ = write!(text, "{spring} {:16}", condition.name());
@@ -132,10 +123,7 @@ fn cell_text(line: &mut String, cell: &Cell, protocol: Protocol) {
         return;
     };
     let letters: String = computed.reasons.iter().map(|reason| reason.letter()).collect();
-    let (printed, ours) = (
-        format!("{:.2}", cell.published.percent),
-        format!("{:.3}", computed.percent),
-    );
+    let (printed, ours) = (format!("{:.2}", cell.published.percent), format!("{:.3}", computed.percent));
     if computed.differs_from(cell.published.percent) {
         let _ = write!(line, "{printed:>8}{MARK}{ours:>8}{MARK:#} {letters:<3}");
     } else {

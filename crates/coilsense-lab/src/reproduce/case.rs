@@ -13,8 +13,9 @@ use crate::published::COLUMNS;
 const SAMPLE_RATE: f64 = 10_000.0;
 const WINDOW: (f64, f64) = (0.75, 1.0);
 
-/// Sample rates \[Hz\] over which Table III's maxima are shown to depend on where samples fall.
-const OTHER_RATES: [f64; 4] = [1_000.0, 2_000.0, 5_000.0, 20_000.0];
+/// Sample rates over which Table III's maxima are shown to depend on where samples fall: from 1 to 20 kHz in steps of 0.1 kHz.
+const OTHER_RATES: std::ops::RangeInclusive<u32> = 10..=200;
+const RATE_STEP: f64 = 100.0;
 
 /// A simulation to run.
 #[derive(Debug, Clone)]
@@ -40,10 +41,19 @@ pub struct CaseResult {
     pub signals: Signals,
     /// Deviation of F_i, F_o and F_L from F_x \[N\].
     pub deviations: [(Channel, Deviation); 3],
-    /// Deviations of F_i and F_o at other sample rates \[N\], for the caveat beside Table III.
-    pub resampled: Vec<[(Channel, Deviation); 2]>,
+    /// How the maxima of F_i and F_o hang on the sample rate \[N\], for the caveat beside Table III.
+    pub maxima: [(Channel, Maxima); 2],
     /// How near the windings come, from t = 0 on.
     pub clash: Clash,
+}
+
+/// Lowest and highest maximum of a force's deviation over sample rates from 1 to 20 kHz \[N\].
+#[derive(Debug, Clone, Copy)]
+pub struct Maxima {
+    /// Of max (F − F_x).
+    pub signed: [f64; 2],
+    /// Of max |F − F_x|.
+    pub absolute: [f64; 2],
 }
 
 impl Case {
@@ -53,9 +63,8 @@ impl Case {
         for (spring_name, spring) in springs.each() {
             for condition in Condition::ALL {
                 for &protocol in protocols {
-                    let excitation = protocol
-                        .excitation(condition, spring)
-                        .map_err(|source| at(spring_name, condition, source))?;
+                    let excitation =
+                        protocol.excitation(condition, spring).map_err(|source| at(spring_name, condition, source))?;
                     let same = |case: &&mut Self| {
                         case.spring_name == spring_name && case.condition == condition && case.excitation == excitation
                     };
@@ -94,35 +103,34 @@ impl Case {
         let reference = signals.channel(Channel::DeflectionForce)?;
         let deviation = |force| Ok((force, Deviation::between(signals.channel(force)?, reference)?));
         let deviations = [deviation(COLUMNS[0])?, deviation(COLUMNS[1])?, deviation(COLUMNS[2])?];
-        let resampled = OTHER_RATES
-            .into_iter()
-            .map(|rate| end_deviations(&motion, rate))
-            .collect::<Result<_, _>>()?;
+        let maxima = maxima(&motion)?;
         let clash = Clash::of(&motion, &sampled_window(SAMPLE_RATE, 0.0, WINDOW.1)?)?;
-        Ok(CaseResult {
-            case: self,
-            signals,
-            deviations,
-            resampled,
-            clash,
-        })
+        Ok(CaseResult { case: self, signals, deviations, maxima, clash })
     }
 }
 
-/// Deviations of the end forces \[N\] in the judged window at another sample rate.
-fn end_deviations(motion: &Motion, rate: f64) -> Result<[(Channel, Deviation); 2], Error> {
-    let signals = motion.signals(&sampled_window(rate, WINDOW.0, WINDOW.1)?)?;
-    let reference = signals.channel(Channel::DeflectionForce)?;
-    let deviation = |force| Ok((force, Deviation::between(signals.channel(force)?, reference)?));
-    Ok([deviation(Channel::InputForce)?, deviation(Channel::OutputForce)?])
+/// The maxima of both end forces over other sample rates.
+fn maxima(motion: &Motion) -> Result<[(Channel, Maxima); 2], Error> {
+    let nothing = Maxima { signed: [f64::INFINITY, f64::NEG_INFINITY], absolute: [f64::INFINITY, f64::NEG_INFINITY] };
+    let mut maxima = [(Channel::InputForce, nothing), (Channel::OutputForce, nothing)];
+    for rate in OTHER_RATES {
+        let signals = motion.signals(&sampled_window(RATE_STEP * f64::from(rate), WINDOW.0, WINDOW.1)?)?;
+        let reference = signals.channel(Channel::DeflectionForce)?;
+        for (force, maxima) in &mut maxima {
+            let deviation = Deviation::between(signals.channel(*force)?, reference)?;
+            maxima.signed = widen(maxima.signed, deviation.maximum);
+            maxima.absolute = widen(maxima.absolute, deviation.maximum_absolute);
+        }
+    }
+    Ok(maxima)
+}
+
+fn widen([low, high]: [f64; 2], value: f64) -> [f64; 2] {
+    [low.min(value), high.max(value)]
 }
 
 fn at(spring: &'static str, condition: Condition, source: Error) -> ReproduceError {
-    ReproduceError::Case {
-        spring,
-        condition: condition.name(),
-        source,
-    }
+    ReproduceError::Case { spring, condition: condition.name(), source }
 }
 
 impl CaseResult {
@@ -137,11 +145,8 @@ impl CaseResult {
 
     /// `S_T-end-stop-min-text`, for file names.
     pub fn file_stem(&self) -> String {
-        let (name, condition) = (self.case.spring_name, self.case.condition.name().replace(' ', "-"));
-        match self.reading() {
-            Some(protocol) => format!("{name}-{condition}-{}", protocol.name()),
-            None => format!("{name}-{condition}"),
-        }
+        let of_reading = self.reading().map_or(String::new(), |protocol| format!("-{}", protocol.name()));
+        file_stem(self.case.spring_name, self.case.condition, &of_reading)
     }
 
     /// The protocol whose reading this is, where the protocols read the condition differently.
@@ -160,9 +165,7 @@ impl CaseResult {
             if !case.spring.in_operating_range(length) {
                 let title = self.title();
                 let [length, min, max] = [length, min, max].map(|metres| 1e3 * metres);
-                warnings.push(format!(
-                    "{title}: length {length} mm is outside of the operating range {min}–{max} mm."
-                ));
+                warnings.push(format!("{title}: length {length} mm is outside of the operating range {min}–{max} mm."));
             }
         }
         if let Some(contact) = self.clash.first_contact {
@@ -177,4 +180,16 @@ impl CaseResult {
         }
         warnings
     }
+}
+
+/// Every file stem that any choice of protocols can have.
+pub(crate) fn all_file_stems() -> Vec<String> {
+    let readings = ["", "-text", "-tables"];
+    let of_spring = |name| Condition::ALL.into_iter().map(move |condition| (name, condition));
+    let cases = ["S_T", "S_A"].into_iter().flat_map(of_spring);
+    cases.flat_map(|(name, condition)| readings.map(|reading| file_stem(name, condition, reading))).collect()
+}
+
+fn file_stem(spring: &str, condition: Condition, reading: &str) -> String {
+    format!("{spring}-{}{reading}", condition.name().replace(' ', "-"))
 }

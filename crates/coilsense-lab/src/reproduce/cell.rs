@@ -35,17 +35,22 @@ pub struct Computed {
 }
 
 impl Cell {
-    /// Computes a printed cell from the simulations.
-    pub(super) fn fill(published: PublishedCell, cases: &[CaseResult], table_i: bool) -> Self {
-        let fits = |result: &&CaseResult| {
-            result.case.spring_name == published.spring && result.case.condition == published.condition
+    /// Computes a printed cell from the simulations of both protocols; keeps those asked for.
+    pub(super) fn fill(published: PublishedCell, cases: &[CaseResult], asked: &[Protocol], table_i: bool) -> Self {
+        let by = |protocol: Protocol, reading: Option<&Computed>| {
+            let fits = |result: &&CaseResult| {
+                let case = &result.case;
+                (case.spring_name, case.condition) == (published.spring.as_str(), published.condition)
+                    && case.protocols.contains(&protocol)
+            };
+            let result = cases.iter().find(fits)?;
+            Computed::of(&published, protocol, result, reading, table_i)
         };
-        let computed = cases
-            .iter()
-            .filter(fits)
-            .flat_map(|result| result.case.protocols.iter().map(move |&protocol| (protocol, result)))
-            .filter_map(|(protocol, result)| Computed::of(&published, protocol, result, table_i))
-            .collect();
+        let tables = by(Protocol::Tables, None);
+        // What the reading of the tables cannot explain, the words cannot either.
+        let text = by(Protocol::Text, tables.as_ref());
+        let mut computed: Vec<Computed> = tables.into_iter().chain(text).collect();
+        computed.retain(|computed| asked.contains(&computed.protocol));
         Self { published, computed }
     }
 
@@ -66,7 +71,13 @@ impl Cell {
 }
 
 impl Computed {
-    fn of(cell: &PublishedCell, protocol: Protocol, result: &CaseResult, table_i: bool) -> Option<Self> {
+    fn of(
+        cell: &PublishedCell,
+        protocol: Protocol,
+        result: &CaseResult,
+        tables: Option<&Self>,
+        table_i: bool,
+    ) -> Option<Self> {
         let nominal = protocol.nominal_force(result.case.spring_name, &result.case.spring);
         let measure = |deviation: &Deviation| match cell.table {
             Table::Two => 100.0 * deviation.rmsd / nominal,
@@ -75,26 +86,22 @@ impl Computed {
         let of_force = |(force, _): &&(Channel, Deviation)| *force == cell.force;
         let deviation = &result.deviations.iter().find(of_force)?.1;
         let percent = measure(deviation);
-        let others = result.resampled.iter().flat_map(|rate| rate.iter().find(of_force));
         let sampling_range = match cell.table {
             Table::Two => None,
-            Table::Three => range(percent, others.map(|(_, deviation)| measure(deviation))),
+            Table::Three => result.maxima.iter().find(|(force, _)| *force == cell.force).map(|(_, maxima)| {
+                let of_protocol = match protocol {
+                    Protocol::Text => maxima.absolute,
+                    Protocol::Tables => maxima.signed,
+                };
+                let (low, high) = of_protocol.map(|force| 100.0 * force / nominal).into();
+                (percent.min(low), percent.max(high))
+            }),
         };
-        let mut computed = Self {
-            protocol,
-            percent,
-            sampling_range,
-            reasons: Vec::new(),
-        };
+        let mut computed = Self { protocol, percent, sampling_range, reasons: Vec::new() };
         if computed.differs_from(cell.percent) {
             let signed_matters = deviation.maximum != deviation.maximum_absolute;
-            computed.reasons = Reason::of(&Differing {
-                cell,
-                protocol,
-                signed_matters,
-                sampling_range,
-                table_i,
-            });
+            let differing = Differing { cell, protocol, signed_matters, sampling_range, table_i };
+            computed.reasons = Reason::of(&differing, tables.map_or(&[], |tables| &tables.reasons));
         }
         Some(computed)
     }
@@ -103,12 +110,4 @@ impl Computed {
     pub fn differs_from(&self, printed_percent: f64) -> bool {
         (self.percent - printed_percent).abs() > TOLERANCE_POINTS
     }
-}
-
-/// Lowest and highest of `value` and `others`; `None` without others.
-fn range(value: f64, others: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    others.fold(None, |range, other| {
-        let (low, high) = range.unwrap_or((value, value));
-        Some((low.min(other), high.max(other)))
-    })
 }

@@ -19,13 +19,8 @@ pub enum Condition {
 
 impl Condition {
     /// All of them, in the paper's order.
-    pub const ALL: [Self; 5] = [
-        Self::HeelStrike,
-        Self::EndStopMax,
-        Self::EndStopMin,
-        Self::HalfResonance,
-        Self::Resonance,
-    ];
+    pub const ALL: [Self; 5] =
+        [Self::HeelStrike, Self::EndStopMax, Self::EndStopMin, Self::HalfResonance, Self::Resonance];
 
     /// Its name in data files, tables and `tables.json`.
     pub fn name(self) -> &'static str {

@@ -40,14 +40,10 @@ impl Reproduction {
         let shown = [
             (Condition::HeelStrike, "(a) Heel strike"),
             (Condition::EndStopMax, "(b) End stop when extending"),
-            (
-                Condition::Resonance,
-                "(c) Harmonic input at the first eigenfrequency, eq. (3)",
-            ),
+            (Condition::Resonance, "(c) Harmonic input at the first eigenfrequency, eq. (3)"),
         ];
-        let panels = shown
-            .into_iter()
-            .filter_map(|(condition, title)| Some(force_panel(self.case(spring, condition)?, title)));
+        let panels =
+            shown.into_iter().filter_map(|(condition, title)| Some(force_panel(self.case(spring, condition)?, title)));
         let touching = shown
             .into_iter()
             .any(|(condition, _)| self.case(spring, condition).is_some_and(|case| case.clash.happens()));
@@ -61,12 +57,7 @@ impl Reproduction {
             caption: format!(
                 "Fig. 4 of the paper for {spring}: forces at both ends and by deflection and inductance, the last 0.1 s of 1 s.{clash}"
             ),
-            figure: Figure {
-                panels: panels.collect(),
-                columns: 1,
-                panel_width: 672.0,
-                panel_height: 184.0,
-            },
+            figure: Figure { panels: panels.collect(), columns: 1, panel_width: 672.0, panel_height: 184.0 },
         }
     }
 }
@@ -77,37 +68,22 @@ fn force_panel(result: &CaseResult, title: &str) -> Panel {
     let styles = [
         (Channel::OutputForce, Colour::Red, Dash::Solid, 1.4),
         (Channel::InputForce, Colour::Blue, Dash::DashDot, 1.4),
-        (Channel::DeflectionForce, Colour::Green, Dash::Dotted, 1.8),
         (Channel::InductanceForce, Colour::Ink, Dash::Dashed, 1.4),
+        // Last, so that its dots stay visible on the dashes of F_L.
+        (Channel::DeflectionForce, Colour::Green, Dash::Dotted, 1.8),
     ];
     let curves = result.signals.channels().filter_map(|(channel, values)| {
         let (order, (_, colour, dash, width)) = styles.into_iter().enumerate().find(|(_, style)| style.0 == channel)?;
         let stroke = Stroke { colour, dash, width };
         let (x, y) = (time[first..].to_vec(), values[first..].to_vec());
-        Some((
-            order,
-            Curve {
-                label: channel.name().to_owned(),
-                x,
-                y,
-                stroke,
-            },
-        ))
+        Some((order, Curve { label: channel.name().to_owned(), x, y, stroke }))
     });
     let mut curves: Vec<(usize, Curve)> = curves.collect();
     curves.sort_by_key(|(order, _)| *order);
     Panel {
         title: title.to_owned(),
-        x: Axis {
-            label: "Time [s]".to_owned(),
-            range: Some(SHOWN),
-            scale: Scale::Linear,
-        },
-        y: Axis {
-            label: "Force [N]".to_owned(),
-            range: None,
-            scale: Scale::Linear,
-        },
+        x: Axis { label: "Time [s]".to_owned(), range: Some(SHOWN), scale: Scale::Linear },
+        y: Axis { label: "Force [N]".to_owned(), range: None, scale: Scale::Linear },
         curves: curves.into_iter().map(|(_, curve)| curve).collect(),
         marks: Vec::new(),
     }
@@ -118,49 +94,24 @@ fn transmittance_figure(name: &str, spring: &Spring) -> NamedFigure {
     let frequencies: Vec<f64> = (0..=995).map(|step| 1.0 + STEP * f64::from(step)).collect();
     let curve = |label: String, colour, dash, of: &dyn Fn(f64) -> f64| Curve {
         label,
-        y: frequencies
-            .iter()
-            .map(|hertz| of(std::f64::consts::TAU * hertz).abs())
-            .collect(),
+        y: frequencies.iter().map(|hertz| of(std::f64::consts::TAU * hertz).abs()).collect(),
         x: frequencies.clone(),
-        stroke: Stroke {
-            colour,
-            dash,
-            width: 1.4,
-        },
+        stroke: Stroke { colour, dash, width: 1.4 },
     };
-    let poles = (0..4)
-        .map(|pole| f64::from(2 * pole + 1) * 0.25 / tau)
-        .filter(|hertz| *hertz < 200.0);
+    let poles = (0..4).map(|pole| f64::from(2 * pole + 1) * 0.25 / tau).filter(|hertz| *hertz < 200.0);
     let panel = Panel {
         title: String::new(),
-        x: Axis {
-            label: "Frequency [Hz]".to_owned(),
-            range: Some((0.0, 200.0)),
-            scale: Scale::Linear,
-        },
+        x: Axis { label: "Frequency [Hz]".to_owned(), range: Some((0.0, 200.0)), scale: Scale::Linear },
         y: Axis {
-            label: "Transmittance |F_o / F_i| [–]".to_owned(),
-            range: Some((0.5, 1000.0)),
-            scale: Scale::Log10,
+            label: "Transmittance |F_o / F_i| [–]".to_owned(), range: Some((0.5, 1000.0)), scale: Scale::Log10
         },
         curves: vec![
-            curve(
-                format!("chain of {masses} windings"),
-                Colour::Red,
-                Dash::Solid,
-                &|omega| transmittance::chain(masses, tau, omega),
-            ),
-            curve("eq. (1)".to_owned(), Colour::Blue, Dash::DashDot, &|omega| {
-                transmittance::continuous(tau, omega)
+            curve(format!("chain of {masses} windings"), Colour::Red, Dash::Solid, &|omega| {
+                transmittance::chain(masses, tau, omega)
             }),
+            curve("eq. (1)".to_owned(), Colour::Blue, Dash::DashDot, &|omega| transmittance::continuous(tau, omega)),
         ],
-        marks: poles
-            .map(|hertz| Mark {
-                x: hertz,
-                label: format!("{hertz:.1} Hz"),
-            })
-            .collect(),
+        marks: poles.map(|hertz| Mark { x: hertz, label: format!("{hertz:.1} Hz") }).collect(),
     };
     NamedFigure {
         name: "figure-2".to_owned(),
@@ -169,11 +120,6 @@ fn transmittance_figure(name: &str, spring: &Spring) -> NamedFigure {
              The poles are the fixed–free frequencies of eq. (1), not those of eq. (3); without damping they are infinitely high, and \
              how high they show depends on the step."
         ),
-        figure: Figure {
-            panels: vec![panel],
-            columns: 1,
-            panel_width: 560.0,
-            panel_height: 330.0,
-        },
+        figure: Figure { panels: vec![panel], columns: 1, panel_width: 560.0, panel_height: 330.0 },
     }
 }

@@ -14,7 +14,8 @@ use std::path::Path;
 use coilsense::Spring;
 use rayon::prelude::*;
 
-pub use case::{Case, CaseResult};
+pub(crate) use case::all_file_stems;
+pub use case::{Case, CaseResult, Maxima};
 pub use cell::{Cell, TOLERANCE_POINTS};
 pub use condition::Condition;
 pub use figures::NamedFigure;
@@ -31,7 +32,7 @@ pub enum ReproduceError {
     #[error(transparent)]
     Spec(#[from] SpecError),
     /// A spring cannot carry a condition.
-    #[error("{spring}, {condition}: {source}")]
+    #[error("{spring}, {condition}")]
     Case {
         /// Its name.
         spring: &'static str,
@@ -44,6 +45,9 @@ pub enum ReproduceError {
     #[error(transparent)]
     Published(#[from] PublishedError),
 }
+
+/// Most windings for which the tables are computed: the inductance of every sample is a sum over all pairs.
+const MOST_WINDINGS: f64 = 1000.0;
 
 /// The paper's two springs, by the names its tables use.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,17 +62,9 @@ impl PaperSprings {
     /// [`ReproduceError::Spec`] where the compiled-in files are damaged.
     pub fn built_in() -> Result<Self, ReproduceError> {
         let read = |file, text| NamedSpring::parse(file, text).map(|named| named.spring);
-        let s_t = read(
-            "data/springs/S_T.toml",
-            include_str!("../../../../data/springs/S_T.toml"),
-        )?;
-        let s_a = read(
-            "data/springs/S_A.toml",
-            include_str!("../../../../data/springs/S_A.toml"),
-        )?;
-        Ok(Self {
-            springs: [("S_T", s_t), ("S_A", s_a)],
-        })
+        let s_t = read("data/springs/S_T.toml", include_str!("../../../../data/springs/S_T.toml"))?;
+        let s_a = read("data/springs/S_A.toml", include_str!("../../../../data/springs/S_A.toml"))?;
+        Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)] })
     }
 
     /// `S_T.toml` and `S_A.toml` of a folder.
@@ -76,10 +72,26 @@ impl PaperSprings {
     /// # Errors
     /// [`ReproduceError::Spec`] for the first file that is missing or cannot be used.
     pub fn read(folder: &Path) -> Result<Self, ReproduceError> {
-        let read = |file| NamedSpring::read(&folder.join(file)).map(|named| named.spring);
-        Ok(Self {
-            springs: [("S_T", read("S_T.toml")?), ("S_A", read("S_A.toml")?)],
-        })
+        let s_t = Self::read_one(&folder.join("S_T.toml"), "S_A")?;
+        let s_a = Self::read_one(&folder.join("S_A.toml"), "S_T")?;
+        Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)] })
+    }
+
+    /// One of the two, which must not be the other, and whose inductance must be one that a length can be read from.
+    fn read_one(file: &Path, other: &str) -> Result<Spring, SpecError> {
+        let NamedSpring { name, spring } = NamedSpring::read(file)?;
+        if name == other {
+            let allowed = "another name: the file stands in the other spring's place";
+            return Err(SpecError::unsuitable(file, "name", format!("{name:?}"), allowed));
+        }
+        for (key, windings) in [("windings", spring.windings()), ("inductance_windings", spring.inductance_windings())]
+        {
+            if !(1.5..=MOST_WINDINGS).contains(&windings) {
+                let allowed = format!("from 1.5 to {MOST_WINDINGS} to reproduce the tables");
+                return Err(SpecError::unsuitable(file, key, windings, allowed));
+            }
+        }
+        Ok(spring)
     }
 
     /// S_T and its name.
@@ -113,20 +125,17 @@ pub struct Reproduction {
 /// # Errors
 /// [`ReproduceError`] where a spring cannot carry one of the conditions.
 pub fn reproduce(springs: PaperSprings, protocols: &[Protocol]) -> Result<Reproduction, ReproduceError> {
-    let cases = Case::distinct(&springs, protocols)?;
-    let cases: Vec<CaseResult> = cases.into_par_iter().map(Case::run).collect::<Result<_, _>>()?;
+    // Both protocols are always run: what a cell of one cannot explain, the other's difference may.
+    let cases = Case::distinct(&springs, &Protocol::ALL)?;
+    let mut cases: Vec<CaseResult> = cases.into_par_iter().map(Case::run).collect::<Result<_, _>>()?;
     let springs_are_table_i = springs == PaperSprings::built_in()?;
-    let cells = published_cells()?
-        .into_iter()
-        .map(|published| Cell::fill(published, &cases, springs_are_table_i))
-        .collect();
-    Ok(Reproduction {
-        springs,
-        springs_are_table_i,
-        protocols: protocols.to_vec(),
-        cases,
-        cells,
-    })
+    let fill = |published| Cell::fill(published, &cases, protocols, springs_are_table_i);
+    let cells = published_cells()?.into_iter().map(fill).collect();
+    for result in &mut cases {
+        result.case.protocols.retain(|protocol| protocols.contains(protocol));
+    }
+    cases.retain(|result| !result.case.protocols.is_empty());
+    Ok(Reproduction { springs, springs_are_table_i, protocols: protocols.to_vec(), cases, cells })
 }
 
 impl Reproduction {

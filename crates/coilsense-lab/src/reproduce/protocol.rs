@@ -70,11 +70,7 @@ impl Protocol {
             Self::Text => (0.0, Start::Rest),
             Self::Tables => (-FRAC_PI_2, Start::Massless),
         };
-        let input = EndInput::Harmonic {
-            amplitude: share * (longest - shortest),
-            frequency,
-            phase,
-        };
+        let input = EndInput::harmonic(share * (longest - shortest), frequency, phase);
         Excitation::harmonic(spring.mid_length(), End::One, input, start)
     }
 

@@ -65,17 +65,18 @@ impl Reason {
                 "The text says maximum deviations; the printed ones are signed, max(F − F_x), so a force that is only ever too low shows 0.00."
             }
             Self::Sampling => {
-                "A maximum hangs on the highest modes and on where samples fall: over sample rates of 1 to 20 kHz it runs through the range shown in the report, and the printed value lies in it."
+                "A maximum hangs on the highest modes and on where samples fall: over sample rates from 1 to 20 kHz, in steps of 0.1 kHz, it runs through a range that holds the printed value."
             }
             Self::Unexplained => {
-                "A maximum that no sample rate from 1 to 20 kHz brings to the printed value. Not explained; the paper names neither its solver nor its sample times."
+                "A maximum that no sample rate from 1 to 20 kHz, in steps of 0.1 kHz, brings to the printed value. Not explained; the paper names neither its solver nor its sample times."
             }
             Self::OtherSprings => "The springs are not those of Table I, for which the paper's numbers hold.",
         }
     }
 
-    /// The reasons that apply to a cell that differs from its printed value.
-    pub(super) fn of(differing: &Differing<'_>) -> Vec<Self> {
+    /// The reasons of a cell that differs from its printed value: where its protocol departs from the tables protocol, and then
+    /// those of the same cell under the tables protocol.
+    pub(super) fn of(differing: &Differing<'_>, of_tables: &[Self]) -> Vec<Self> {
         let text = differing.protocol == Protocol::Text;
         let cell = differing.cell;
         let maximum = cell.table == Table::Three;
@@ -87,16 +88,13 @@ impl Reason {
             Self::MasslessStart => text && cell.condition.is_harmonic(),
             Self::NominalForce => text && cell.spring == "S_A",
             Self::SignedMaximum => text && maximum && differing.signed_matters,
-            Self::Sampling => maximum && within,
+            Self::Sampling => !text && maximum && within,
+            Self::Unexplained => !text && maximum && !within && differing.table_i,
             Self::OtherSprings => !differing.table_i,
-            Self::Unexplained => false,
         };
-        let reasons: Vec<Self> = Self::ALL.into_iter().filter(applies).collect();
-        if reasons.is_empty() {
-            vec![Self::Unexplained]
-        } else {
-            reasons
-        }
+        let reasons: Vec<Self> =
+            Self::ALL.into_iter().filter(|reason| applies(reason) || of_tables.contains(reason)).collect();
+        if reasons.is_empty() { vec![Self::Unexplained] } else { reasons }
     }
 }
 

@@ -46,13 +46,7 @@ impl<'a> Document<'a> {
             let message = format!("{name} must be a table [{name}]");
             return Err(located(self.file, self.text, value.span().start, message));
         };
-        Ok(Section {
-            file: self.file,
-            text: self.text,
-            name,
-            table: inner,
-            span: value.span(),
-        })
+        Ok(Section { file: self.file, text: self.text, name, table: inner, span: value.span() })
     }
 }
 
@@ -64,8 +58,7 @@ impl Section<'_> {
 
     /// A quantity with its unit, in SI.
     pub(super) fn quantity(&self, key: &str, dimension: Dimension) -> Result<f64, SpecError> {
-        self.optional_quantity(key, dimension)?
-            .ok_or_else(|| self.missing(key, &dimension.expectation()))
+        self.optional_quantity(key, dimension)?.ok_or_else(|| self.missing(key, &dimension.expectation()))
     }
 
     /// A quantity with its unit, in SI, where it is given.
@@ -82,7 +75,9 @@ impl Section<'_> {
     /// A pure number, where it is given.
     pub(super) fn optional_number(&self, key: &str) -> Result<Option<f64>, SpecError> {
         let parse = |value: &DeValue| match value {
-            DeValue::Integer(integer) => integer.as_str().parse().ok(),
+            DeValue::Integer(integer) => {
+                i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|number| number as f64)
+            }
             DeValue::Float(float) => float.as_str().parse().ok(),
             _ => None,
         };
@@ -92,8 +87,7 @@ impl Section<'_> {
     /// A text that is not empty.
     pub(super) fn text(&self, key: &str) -> Result<String, SpecError> {
         let parse = |value: &DeValue| value.as_str().filter(|text| !text.trim().is_empty()).map(str::to_owned);
-        self.read(key, parse, || TEXT.to_owned())?
-            .ok_or_else(|| self.missing(key, TEXT))
+        self.read(key, parse, || TEXT.to_owned())?.ok_or_else(|| self.missing(key, TEXT))
     }
 
     /// An error of the science about the value of `key`.
@@ -118,10 +112,13 @@ impl Section<'_> {
         parsed.map(Some).ok_or_else(|| self.at(value, message()))
     }
 
-    /// The value as the file writes it.
-    fn source(&self, value: &Spanned<DeValue<'_>>) -> &str {
+    /// The value as the file writes it, the first line of it.
+    fn source(&self, value: &Spanned<DeValue<'_>>) -> String {
         let source = self.text.get(value.span()).unwrap_or_default();
-        source.lines().next().unwrap_or_default()
+        match source.split_once('\n') {
+            Some((first, _)) => format!("{} …", first.trim_end()),
+            None => source.to_owned(),
+        }
     }
 
     fn missing(&self, key: &str, expectation: &str) -> SpecError {
@@ -139,10 +136,8 @@ const TEXT: &str = "a text in quotes";
 
 /// The first key of `table` that is not known is an error that names the nearest known one.
 fn reject_unknown(file: &str, text: &str, table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), SpecError> {
-    let stranger = table
-        .keys()
-        .filter(|key| !known.contains(&key.get_ref().as_ref()))
-        .min_by_key(|key| key.span().start);
+    let stranger =
+        table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())).min_by_key(|key| key.span().start);
     let Some(stranger) = stranger else {
         return Ok(());
     };
@@ -152,9 +147,6 @@ fn reject_unknown(file: &str, text: &str, table: &DeTable<'_>, known: &[&str], p
         .max_by(|a, b| strsim::jaro_winkler(name, a).total_cmp(&strsim::jaro_winkler(name, b)))
         .copied()
         .unwrap_or_default();
-    let message = format!(
-        "unknown key \"{name}\"{place}; did you mean \"{nearest}\"? Allowed: {}",
-        known.join(", ")
-    );
+    let message = format!("unknown key {name:?}{place}; did you mean \"{nearest}\"? Allowed: {}", known.join(", "));
     Err(located(file, text, stranger.span().start, message))
 }

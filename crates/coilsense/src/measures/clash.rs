@@ -30,17 +30,16 @@ impl Clash {
     /// Accuracy: first contact to 1e-12 s within the sample that shows it; a dip between samples can be missed.
     ///
     /// # Errors
-    /// [`Error::Value`] for a time that is not finite or below zero.
+    /// [`Error::Count`] for no times; [`Error::Value`] for a time that is not finite, below zero, or not after its predecessor.
     pub fn of(motion: &Motion, times: &[f64]) -> Result<Self, Error> {
+        if times.is_empty() {
+            return Err(Error::Count { quantity: "times".into(), found: 0, allowed: "at least 1".into() });
+        }
+        let times = crate::signals::increasing(times)?;
         let wire_diameter = motion.spring().wire_diameter();
         let windings = motion.windings(times)?;
-        let mut clash = Self {
-            smallest_pitch: f64::INFINITY,
-            time: 0.0,
-            winding: 1,
-            wire_diameter,
-            first_contact: None,
-        };
+        let mut clash =
+            Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, wire_diameter, first_contact: None };
         for (sample, &time) in times.iter().enumerate() {
             let (pitch, winding) = smallest_pitch(windings.row(sample));
             if pitch < clash.smallest_pitch {
@@ -90,10 +89,5 @@ fn smallest_pitch(row: &[f64]) -> (f64, usize) {
     row.windows(2)
         .map(|pair| pair[1] - pair[0])
         .zip(1..)
-        .fold(
-            (f64::INFINITY, 1),
-            |least, pitch| {
-                if pitch.0 < least.0 { pitch } else { least }
-            },
-        )
+        .fold((f64::INFINITY, 1), |least, pitch| if pitch.0 < least.0 { pitch } else { least })
 }

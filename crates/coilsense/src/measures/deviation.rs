@@ -40,11 +40,7 @@ impl Deviation {
     /// ```
     pub fn between(force: &[f64], reference: &[f64]) -> Result<Self, Error> {
         if force.is_empty() {
-            return Err(Error::Count {
-                quantity: "force".into(),
-                found: 0,
-                allowed: "at least 1".into(),
-            });
+            return Err(Error::Count { quantity: "force".into(), found: 0, allowed: "at least 1".into() });
         }
         count("reference", reference.len(), force.len())?;
         all_finite("force", force, "N")?;

@@ -1,6 +1,6 @@
 //! How far off: measures of a force against its reference, and of windings that touch.
 //!
-//! Next door: the signals (`signals`), the motion (`motion`). A measure knows neither spring nor sensor.
+//! Next door: the signals (`signals`), the motion (`motion`). A measure of signals knows neither spring nor sensor; clash looks at the motion itself.
 
 mod clash;
 mod deviation;

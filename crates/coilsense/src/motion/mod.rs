@@ -1,28 +1,44 @@
-//! The spring's motion, exact: modal coefficients found once, then evaluated at any times. Nothing is integrated in steps.
+//! The spring's motion, exact: modal coefficients found once, then evaluated at any times; step by step only where an input has no
+//! elementary solution.
 //!
-//! Next door: what is done to the spring (`excitation`), its modes (`modes`), what sensors make of it (`sensors`).
+//! Next door: what is done to the spring (`excitation`), how it is mounted (`mount`), its modes (`modes`), what sensors make of it
+//! (`sensors`).
 
-mod forced;
-mod modal;
+mod closed;
+mod forces;
+mod march;
+mod oscillator;
+mod panel;
+mod phasor_sum;
+mod start;
+mod stream;
+mod stride;
 mod windings;
 
+pub use stream::{ForceSample, Live, Stream};
 pub use windings::Windings;
 
-use crate::error::{Error, check, count};
-use crate::excitation::{End, Excitation, Start, VelocityProfile};
-use crate::modes::{ChainModes, end_sign};
+pub use forces::EndForces;
+
+use crate::error::{Error, check};
+use crate::excitation::{End, EndInput, Excitation};
+use crate::modes::ChainModes;
+use crate::mount::{FarEnd, Mount};
 use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
-use modal::{Modal, Relative};
+use closed::{Closed, ModalState};
+use march::March;
 
 /// Motion of the paper's chain under one excitation.
 ///
-/// Winding i sits at `x_i = u1 + s_i (u2 − u1) + Σ_j q_j φ_j(i)`, `s_i = (i−½)/N`, and
-/// `q̈_j + ω_j² q_j = −c_j (ü1 + σ_j ü2)` (see [`ChainModes`]): every input here has a closed solution.
+/// Winding i sits at `x_i = u1 + s_i (û2 − u1) + Σ_j q_j φ_j(i)`, `s_i = (i−½)/N`, where û2 is u2 if its position is prescribed and
+/// otherwise where a spring without mass would end; `q̈_j + 2ζ_jω_j q̇_j + ω_j² q_j = −(c1_j ẅ1 + c2_j ẅ2)` (see [`ChainModes`]).
+/// Sums of sines, steps, ramps, half sines and short recordings have a closed solution. A chirp and a long recording are followed from
+/// time to time, exactly: a recording by its kicks under first-order hold, a chirp by Gauss's rule to 1e-16 a step.
 ///
-/// Source:   `[Weijde2017]` eqs. 4–7.
-/// Valid:    no damping, linear, windings that never touch (see [`crate::measures::Clash`]).
-/// Accuracy: end forces and positions within 1e-11 of their peak over 1 s, against a 40-digit modal sum.
+/// Source:   `[Weijde2017]` eqs. 4–7; end mass, prescribed force and damping derived in `modes` and `damping`.
+/// Valid:    linear, windings that never touch (see [`crate::measures::Clash`]).
+/// Accuracy: end forces and positions within 1e-12 of their peak over 1 s, against a 40-digit reference.
 ///
 /// ```
 /// use coilsense::{Excitation, Motion};
@@ -37,39 +53,42 @@ use modal::{Modal, Relative};
 #[derive(Debug, Clone)]
 pub struct Motion {
     spring: Spring,
+    mount: Mount,
     excitation: Excitation,
     modes: ChainModes,
-    modal: Modal,
-}
-
-/// The forces at both ends, each of shape `samples`, \[N\], tension positive.
-#[derive(Debug, Clone, PartialEq)]
-pub struct EndForces {
-    /// F_i, at end 1.
-    pub input: Vec<f64>,
-    /// F_o, at end 2.
-    pub output: Vec<f64>,
+    ratios: Vec<f64>,
+    start: ModalState,
+    closed: Option<Closed>,
 }
 
 impl Motion {
-    /// Solves for the modal coefficients.
+    /// On the paper's mount: both positions prescribed, no damping.
     ///
     /// # Errors
     /// [`Error::Count`] where the excitation starts a number of windings that the spring's chain does not have.
     pub fn new(spring: &Spring, excitation: &Excitation) -> Result<Self, Error> {
-        let modes = ChainModes::of(spring);
-        if let Start::Windings { positions, .. } = excitation.start() {
-            count("start positions", positions.len(), modes.count())?;
-        }
-        let (displacement, velocity) = relative_start(&modes, excitation);
-        let inputs = [excitation.input(End::One), excitation.input(End::Two)];
-        let modal = Modal::new(&modes, &displacement, &velocity, inputs);
-        Ok(Self {
+        Self::mounted(spring, &Mount::default(), excitation)
+    }
+
+    /// On any mount. Where end 2's position is not prescribed, its input is a force \[N\] about that of the mean length.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and those of [`crate::Damping::ratios`].
+    pub fn mounted(spring: &Spring, mount: &Mount, excitation: &Excitation) -> Result<Self, Error> {
+        let modes = ChainModes::mounted(spring, mount.far_end());
+        let ratios = mount.damping().ratios(modes.frequencies())?;
+        let mut motion = Self {
             spring: spring.clone(),
+            mount: mount.clone(),
             excitation: excitation.clone(),
             modes,
-            modal,
-        })
+            ratios,
+            start: ModalState { coordinates: Vec::new(), rates: Vec::new() },
+            closed: None,
+        };
+        motion.start = motion.relative_start()?;
+        motion.closed = Closed::new(&motion.modes, &motion.ratios, motion.start.clone(), motion.inputs());
+        Ok(motion)
     }
 
     /// The spring that moves.
@@ -77,44 +96,68 @@ impl Motion {
         &self.spring
     }
 
+    /// What its end 2 is tied to, and its damping.
+    pub fn mount(&self) -> &Mount {
+        &self.mount
+    }
+
     /// What is done to it.
     pub fn excitation(&self) -> &Excitation {
         &self.excitation
     }
 
-    /// u1 and u2 at time `time` \[s\], in \[m\]; end 1 has its mean at 0, end 2 at the mean length.
-    pub fn ends(&self, time: f64) -> [f64; 2] {
-        let input = |end| self.excitation.input(end).displacement(time);
-        [input(End::One), self.excitation.mean_length() + input(End::Two)]
+    /// Its modes.
+    pub fn modes(&self) -> &ChainModes {
+        &self.modes
     }
 
-    /// Forces at both ends \[N\], tension positive.
-    ///
-    /// F_i = F_x + 2Nk Σ_j q_j sin(jπ/2N), F_o = F_x + 2Nk Σ_j (−1)^j q_j sin(jπ/2N), F_x = k (u2 − u1 − l0)
-    ///
-    /// - `times`: t \[s\], shape `samples`, in any order, none below zero
-    ///
-    /// Source:   `[Weijde2017]` eq. 7, modal form.
-    /// Valid:    as [`Motion`].
-    /// Accuracy: 1e-11 of the peak, as [`Motion`].
-    ///
-    /// # Errors
-    /// [`Error::Value`] for the first time that is not finite or below zero.
-    pub fn end_forces(&self, times: &[f64]) -> Result<EndForces, Error> {
+    fn inputs(&self) -> [&EndInput; 2] {
+        [self.excitation.input(End::One), self.excitation.input(End::Two)]
+    }
+
+    /// A march from t = 0, in steps that are mostly `nominal`.
+    fn march(&self, nominal: f64) -> March {
+        March::new(&self.modes, &self.ratios, self.start.clone(), self.inputs(), nominal)
+    }
+
+    /// Ends of the straight line from which the modes count, at time `time` \[s\], in \[m\]: u1 and û2.
+    fn line(&self, time: f64) -> [f64; 2] {
+        self.line_of(self.inputs().map(|input| input.displacement(time)))
+    }
+
+    /// The same for inputs counted from their means.
+    fn line_of(&self, [first, second]: [f64; 2]) -> [f64; 2] {
+        let mean = self.excitation.mean_length();
+        match self.mount.far_end() {
+            FarEnd::Position => [first, mean + second],
+            _ => [first, mean + first + second / self.spring.stiffness()],
+        }
+    }
+
+    /// How fast the ends of that line move \[m/s\].
+    fn line_velocity(&self, time: f64) -> [f64; 2] {
+        let [first, second] = self.inputs().map(|input| input.velocity(time));
+        match self.mount.far_end() {
+            FarEnd::Position => [first, second],
+            _ => [first, first + second / self.spring.stiffness()],
+        }
+    }
+
+    /// Calls `visit` with the sample's number, its time and the modal coordinates q_j, in the order of time.
+    fn for_each_sample(&self, times: &[f64], mut visit: impl FnMut(usize, f64, &[f64])) -> Result<(), Error> {
         check_times(times)?;
-        let scale = 2.0 * self.modes.count() as f64 * self.spring.stiffness();
-        let mut coordinates = vec![0.0; self.modes.count()];
-        let (input, output) = times
-            .iter()
-            .map(|&time| {
-                self.modal.coordinates(time, &mut coordinates);
-                let (odd, even) = self.end_sums(&coordinates);
-                let [u1, u2] = self.ends(time);
-                let quasi_static = self.spring.static_force(u2 - u1);
-                (quasi_static + scale * (odd + even), quasi_static - scale * (odd - even))
-            })
-            .unzip();
-        Ok(EndForces { input, output })
+        if let Some(closed) = &self.closed {
+            for (sample, &time) in times.iter().enumerate() {
+                visit(sample, time, &closed.state(time).coordinates);
+            }
+            return Ok(());
+        }
+        let mut march = self.march(step_of(times));
+        for sample in in_order(times) {
+            march.advance_to(times[sample]);
+            visit(sample, times[sample], march.coordinates());
+        }
+        Ok(())
     }
 
     /// Positions of both ends and all windings \[m\].
@@ -124,45 +167,38 @@ impl Motion {
     /// # Errors
     /// [`Error::Value`] for the first time that is not finite or below zero.
     pub fn windings(&self, times: &[f64]) -> Result<Windings, Error> {
-        check_times(times)?;
-        let masses = self.modes.count();
-        let mut windings = Windings::with_capacity(masses, times.len());
-        let mut coordinates = vec![0.0; masses];
-        let shapes = modal::shape_rows(&self.modes);
-        let mut row = vec![0.0; masses];
-        for &time in times {
-            self.modal.coordinates(time, &mut coordinates);
-            let ends = self.ends(time);
-            place(&mut row, &shapes, &coordinates, ends);
-            windings.push(ends, &row);
-        }
+        let masses = self.modes.masses();
+        let mut windings = Windings::zero(masses, times.len());
+        let shapes = self.shape_rows();
+        self.for_each_sample(times, |sample, time, coordinates| {
+            let line = self.line(time);
+            place(windings.row_mut(sample), &shapes, coordinates, line);
+            let end: f64 = self.modes.end_shapes().iter().zip(coordinates).map(|(shape, q)| shape * q).sum();
+            windings.set_ends(sample, [line[0], line[1] + end]);
+        })?;
         Ok(windings)
     }
 
-    /// The chain's mechanical energy at time `time` \[s\], in \[J\]: kinetic plus elastic (counted from the rest length).
-    ///
-    /// E = ½ (m/N) Σ ẋ_i² + ½ Nk (2 S_0² + Σ S_i² + 2 S_N²), S of eq. (4) less its rest value
-    ///
-    /// Source:   `[Weijde2017]` eqs. 4–6.
-    /// Valid:    as [`Motion`]; constant while both ends are held.
-    /// Accuracy: 1e-12 relative over 1 s for the paper's springs (test).
+    /// Velocities of all windings \[m/s\], shape `N`, at time `time` \[s\].
     ///
     /// # Errors
     /// [`Error::Value`] for a time that is not finite or below zero.
-    pub fn energy(&self, time: f64) -> Result<f64, Error> {
-        let windings = self.windings(&[time])?;
-        let masses = self.modes.count() as f64;
-        let segment = self.spring.rest_length() / masses;
-        let ([u1, u2], row) = (windings.ends(0), windings.row(0));
-        let inner: f64 = row.windows(2).map(|pair| (pair[1] - pair[0] - segment).powi(2)).sum();
-        let first = row[0] - u1 - 0.5 * segment;
-        let last = u2 - row[row.len() - 1] - 0.5 * segment;
-        let elastic = masses * self.spring.stiffness() * (2.0 * (first * first + last * last) + inner);
-        let kinetic: f64 = self.velocities(time).iter().map(|v| v * v).sum();
-        Ok(0.5 * (elastic + self.spring.mass() / masses * kinetic))
+    pub fn velocities(&self, time: f64) -> Result<Vec<f64>, Error> {
+        check_times(&[time])?;
+        let state = match &self.closed {
+            Some(closed) => closed.state(time),
+            None => {
+                let mut march = self.march(time);
+                march.advance_to(time);
+                march.state()
+            }
+        };
+        let mut row = vec![0.0; self.modes.masses()];
+        place(&mut row, &self.shape_rows(), &state.rates, self.line_velocity(time));
+        Ok(row)
     }
 
-    /// The mechanical signals u1, u2, F_i, F_o and F_x over `times`; sensors add theirs.
+    /// u1, u2, F_i, F_o and F_x over `times`; sensors add theirs.
     ///
     /// - `times`: t \[s\], shape `samples`, strictly increasing, none below zero
     ///
@@ -170,7 +206,7 @@ impl Motion {
     /// [`Error::Value`] for the first time that is not finite, below zero, or not after its predecessor.
     pub fn signals(&self, times: &[f64]) -> Result<Signals, Error> {
         let forces = self.end_forces(times)?;
-        let (u1, u2): (Vec<f64>, Vec<f64>) = times.iter().map(|&time| self.ends(time).into()).unzip();
+        let (u1, u2): (Vec<f64>, Vec<f64>) = self.ends(times)?.into_iter().map(<(f64, f64)>::from).unzip();
         let deflection = crate::sensors::deflection_force(&self.spring, &u1, &u2)?;
         let mut signals = Signals::new(times.to_vec())?;
         signals.insert(Channel::U1, u1)?;
@@ -181,25 +217,49 @@ impl Motion {
         Ok(signals)
     }
 
-    /// Σ q_j sin(jπ/2N) over odd and over even modes \[m\].
-    fn end_sums(&self, coordinates: &[f64]) -> (f64, f64) {
-        let mut sums = [0.0; 2];
-        for (index, (coordinate, shape)) in coordinates.iter().zip(self.modes.end_shapes()).enumerate() {
-            sums[index % 2] += coordinate * shape;
+    /// u1 and u2 \[m\] at each time, shape `samples × 2`; end 1 has its mean at 0.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for the first time that is not finite or below zero.
+    pub fn ends(&self, times: &[f64]) -> Result<Vec<[f64; 2]>, Error> {
+        check_times(times)?;
+        let mut ends: Vec<[f64; 2]> = times.iter().map(|&time| self.line(time)).collect();
+        if self.mount.far_end() != FarEnd::Position {
+            self.for_each_sample(times, |sample, _, coordinates| {
+                let shapes = self.modes.end_shapes().iter().zip(coordinates);
+                ends[sample][1] += shapes.map(|(shape, q)| shape * q).sum::<f64>();
+            })?;
         }
-        (sums[0], sums[1])
+        Ok(ends)
     }
 
-    /// Velocities of all windings \[m/s\], shape `N`.
-    fn velocities(&self, time: f64) -> Vec<f64> {
-        let masses = self.modes.count();
-        let mut coordinates = vec![0.0; masses];
-        self.modal.rates(time, &mut coordinates);
-        let velocity = |end| self.excitation.input(end).velocity(time);
-        let mut row = vec![0.0; masses];
-        let ends = [velocity(End::One), velocity(End::Two)];
-        place(&mut row, &modal::shape_rows(&self.modes), &coordinates, ends);
-        row
+    /// The chain's mechanical energy at time `time` \[s\], in \[J\]: kinetic plus elastic (counted from the rest length), without an end mass.
+    ///
+    /// E = ½ (m/N) Σ ẋ_i² + ½ Nk (2 S_0² + Σ S_i² + 2 S_N²), S of eq. (4) less its rest value
+    ///
+    /// Source:   `[Weijde2017]` eqs. 4–6.
+    /// Valid:    as [`Motion`]; constant while both ends are held and nothing is damped.
+    /// Accuracy: 1e-12 relative over 1 s for the paper's springs (test).
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a time that is not finite or below zero.
+    pub fn energy(&self, time: f64) -> Result<f64, Error> {
+        let windings = self.windings(&[time])?;
+        let masses = self.modes.masses() as f64;
+        let segment = self.spring.rest_length() / masses;
+        let ([u1, u2], row) = (windings.ends(0), windings.row(0));
+        let inner: f64 = row.windows(2).map(|pair| (pair[1] - pair[0] - segment).powi(2)).sum();
+        let first = row[0] - u1 - 0.5 * segment;
+        let last = u2 - row[row.len() - 1] - 0.5 * segment;
+        let elastic = masses * self.spring.stiffness() * (2.0 * (first * first + last * last) + inner);
+        let kinetic: f64 = self.velocities(time)?.iter().map(|v| v * v).sum();
+        Ok(0.5 * (elastic + self.spring.mass() / masses * kinetic))
+    }
+
+    /// φ_j(i) as a matrix, one row per mode: shape `count × N`, row-major.
+    fn shape_rows(&self) -> Vec<f64> {
+        let row = |mode| (1..=self.modes.masses()).map(move |winding| self.modes.shape_at(mode, winding));
+        (1..=self.modes.count()).flat_map(row).collect()
     }
 }
 
@@ -218,69 +278,29 @@ fn place(row: &mut [f64], shapes: &[f64], coordinates: &[f64], ends: [f64; 2]) {
     }
 }
 
-/// Start of the windings relative to the straight line between the ends: displacements \[m\] and velocities \[m/s\].
-fn relative_start(modes: &ChainModes, excitation: &Excitation) -> (Relative, Relative) {
-    let displacement = |end| excitation.input(end).displacement(0.0);
-    let velocity = |end| excitation.input(end).velocity(0.0);
-    let (u, v) = (
-        [displacement(End::One), displacement(End::Two)],
-        [velocity(End::One), velocity(End::Two)],
-    );
-    match excitation.start() {
-        Start::Massless => (Relative::Line([0.0; 2]), Relative::Line([0.0; 2])),
-        Start::Rest => (Relative::Line([-u[0], -u[1]]), Relative::Line([-v[0], -v[1]])),
-        Start::Moving {
-            velocity: speed,
-            profile,
-        } => {
-            let at_end_1 = match profile {
-                VelocityProfile::Uniform => *speed,
-                VelocityProfile::Linear => 0.0,
-            };
-            let line = [at_end_1 - v[0], speed - v[1]];
-            (Relative::Line([-u[0], -u[1]]), Relative::Line(line))
-        }
-        Start::Windings { positions, velocities } => {
-            let length = excitation.mean_length();
-            let line = [u[0], length + u[1]];
-            (
-                Relative::Pattern(modes.project(&less_line(positions, line))),
-                Relative::Pattern(modes.project(&less_line(velocities, v))),
-            )
-        }
+/// Numbers of the samples in the order of their times.
+fn in_order(times: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    if !times.is_sorted() {
+        order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
     }
+    order
 }
 
-/// `values` less the straight line from `line[0]` at end 1 to `line[1]` at end 2.
-fn less_line(values: &[f64], line: [f64; 2]) -> Vec<f64> {
-    let spacing = (line[1] - line[0]) / values.len() as f64;
-    values
-        .iter()
-        .enumerate()
-        .map(|(index, value)| value - (line[0] + (index as f64 + 0.5) * spacing))
-        .collect()
+/// Mean step of a series of times, in order or in reverse.
+fn step_of(times: &[f64]) -> f64 {
+    match times.len() {
+        0 | 1 => 1.0,
+        count => (times[count - 1] - times[0]).abs() / (count - 1) as f64,
+    }
 }
 
 /// Times must be finite and not before the start.
 fn check_times(times: &[f64]) -> Result<(), Error> {
-    for (index, &time) in times.iter().enumerate() {
-        check(
-            time.is_finite() && time >= 0.0,
-            format!("time[{index}]"),
-            time,
-            "s",
-            "finite and not below zero",
-        )?;
+    match times.iter().position(|time| !time.is_finite() || *time < 0.0) {
+        None => Ok(()),
+        Some(index) => {
+            check(false, format!("time[{index}]"), times[index], "s", "finite and not below zero").map(|_| ())
+        }
     }
-    Ok(())
-}
-
-/// Modal coordinates of a straight line with the values `line` at ends 1 and 2, in closed form; shape `N`.
-fn project_line(modes: &ChainModes, line: [f64; 2]) -> Vec<f64> {
-    modes
-        .participations()
-        .iter()
-        .enumerate()
-        .map(|(index, participation)| participation * (line[0] + end_sign(index + 1) * line[1]))
-        .collect()
 }

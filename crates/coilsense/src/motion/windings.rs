@@ -11,17 +11,16 @@ pub struct Windings {
 }
 
 impl Windings {
-    pub(crate) fn with_capacity(count: usize, samples: usize) -> Self {
-        Self {
-            count,
-            ends: Vec::with_capacity(samples),
-            positions: Vec::with_capacity(samples * count),
-        }
+    pub(crate) fn zero(count: usize, samples: usize) -> Self {
+        Self { count, ends: vec![[0.0; 2]; samples], positions: vec![0.0; samples * count] }
     }
 
-    pub(crate) fn push(&mut self, ends: [f64; 2], row: &[f64]) {
-        self.ends.push(ends);
-        self.positions.extend_from_slice(row);
+    pub(crate) fn row_mut(&mut self, sample: usize) -> &mut [f64] {
+        &mut self.positions[sample * self.count..][..self.count]
+    }
+
+    pub(crate) fn set_ends(&mut self, sample: usize, ends: [f64; 2]) {
+        self.ends[sample] = ends;
     }
 
     /// N: windings per sample.

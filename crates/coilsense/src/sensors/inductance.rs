@@ -15,10 +15,7 @@ pub struct InductanceSensor {
 impl InductanceSensor {
     /// A sensor on `spring`, calibrated.
     pub fn new(spring: &Spring, calibration: Calibration) -> Self {
-        Self {
-            spring: spring.clone(),
-            calibration,
-        }
+        Self { spring: spring.clone(), calibration }
     }
 
     /// The calibration in use.
@@ -33,12 +30,10 @@ impl InductanceSensor {
     /// - `inductance`: L \[H\], shape `samples`
     ///
     /// Source:   `[Weijde2017]` eq. 13 and section III-C.
-    /// Valid:    an ideal meter; lengths for which the calibration was made.
+    /// Valid:    an ideal meter; inductances of the range for which the calibration was made. αL + β must stay well above zero: near
+    ///           its zero the length, and so the force, runs off to infinity.
     /// Accuracy: that of eq. 13's form, 0.3–0.4 % of F_nom over the paper's operating ranges.
     pub fn force(&self, inductance: &[f64]) -> Vec<f64> {
-        inductance
-            .iter()
-            .map(|&value| self.spring.static_force(self.calibration.length(value)))
-            .collect()
+        inductance.iter().map(|&value| self.spring.static_force(self.calibration.length(value))).collect()
     }
 }

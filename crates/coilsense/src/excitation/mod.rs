@@ -1,10 +1,15 @@
 //! What is done to the spring: how its ends move and how its windings start. The conditions of use of the paper's section III-B, and any like them.
 //!
-//! Next door: what the spring does then (`motion`).
+//! Next door: one end's drive (`input`, `sampled`), what the spring does then (`motion`).
 
-use std::f64::consts::TAU;
+mod input;
+mod sampled;
 
-use crate::error::{Error, above_zero, all_finite, count, finite};
+pub use input::{EndInput, Harmonic};
+pub(crate) use input::{Kick, Sine};
+pub use sampled::Sampled;
+
+use crate::error::{Error, above_zero, all_bounded, count, finite};
 use crate::spring::Spring;
 
 /// One of the two ends of the spring.
@@ -14,62 +19,6 @@ pub enum End {
     One,
     /// End 2: position u2, force F_o; positions grow from end 1 to end 2.
     Two,
-}
-
-/// How an end moves about its mean position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum EndInput {
-    /// It stays where it is.
-    Held,
-    /// It moves by a sin(2πft + phase).
-    Harmonic {
-        /// a \[m\].
-        amplitude: f64,
-        /// f \[Hz\], above zero.
-        frequency: f64,
-        /// Phase at t = 0 \[rad\].
-        phase: f64,
-    },
-}
-
-impl EndInput {
-    /// Displacement from the mean position at time `time` \[s\], in \[m\].
-    pub fn displacement(&self, time: f64) -> f64 {
-        match *self {
-            Self::Held => 0.0,
-            Self::Harmonic {
-                amplitude,
-                frequency,
-                phase,
-            } => amplitude * (TAU * frequency * time + phase).sin(),
-        }
-    }
-
-    /// Velocity at time `time` \[s\], in \[m/s\].
-    pub fn velocity(&self, time: f64) -> f64 {
-        match *self {
-            Self::Held => 0.0,
-            Self::Harmonic {
-                amplitude,
-                frequency,
-                phase,
-            } => amplitude * TAU * frequency * (TAU * frequency * time + phase).cos(),
-        }
-    }
-
-    fn checked(self) -> Result<Self, Error> {
-        if let Self::Harmonic {
-            amplitude,
-            frequency,
-            phase,
-        } = self
-        {
-            finite("amplitude", amplitude, "m")?;
-            above_zero("frequency", frequency, "Hz")?;
-            finite("phase", phase, "rad")?;
-        }
-        Ok(self)
-    }
 }
 
 /// Where the windings are, and how fast, at t = 0.
@@ -126,16 +75,12 @@ impl Excitation {
                 finite("velocity", *velocity, "m/s")?;
             }
             Start::Windings { positions, velocities } => {
-                all_finite("start positions", positions, "m")?;
-                all_finite("start velocities", velocities, "m/s")?;
+                all_bounded("start positions", positions, "m")?;
+                all_bounded("start velocities", velocities, "m/s")?;
                 count("start velocities", velocities.len(), positions.len())?;
             }
         }
-        Ok(Self {
-            mean_length,
-            ends: [end1.checked()?, end2.checked()?],
-            start,
-        })
+        Ok(Self { mean_length, ends: [end1.checked()?, end2.checked()?], start })
     }
 
     /// Impact ("heel strike"): both ends stop dead at t = 0 while every winding still moves at `velocity`.
@@ -194,16 +139,9 @@ impl Excitation {
         &self.start
     }
 
-    /// The shortest and longest length \[m\] that the ends can reach, each at its own worst moment.
+    /// The shortest and longest length \[m\] that prescribed positions can reach, each end at its own worst moment.
     pub fn length_bounds(&self) -> (f64, f64) {
-        let reach: f64 = self
-            .ends
-            .iter()
-            .map(|input| match input {
-                EndInput::Held => 0.0,
-                EndInput::Harmonic { amplitude, .. } => amplitude.abs(),
-            })
-            .sum();
+        let reach: f64 = self.ends.iter().map(EndInput::reach).sum();
         (self.mean_length - reach, self.mean_length + reach)
     }
 }

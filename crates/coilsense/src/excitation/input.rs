@@ -1,0 +1,289 @@
+//! How one end is driven over time: what the drive is, and its jumps.
+//!
+//! Next door: a recorded series (`sampled`), both ends and the start together (the parent).
+
+use std::f64::consts::{PI, TAU};
+
+use super::sampled::Sampled;
+use crate::error::{Error, above_zero, check, finite};
+
+/// One sine: a sin(2πft + phase).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Harmonic {
+    /// a \[m, or N at an end under force\].
+    pub amplitude: f64,
+    /// f \[Hz\], above zero.
+    pub frequency: f64,
+    /// Phase at t = 0 \[rad\].
+    pub phase: f64,
+}
+
+/// How an end is driven, counted from its mean: metres where its position is prescribed, newtons where its force is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum EndInput {
+    /// It stays at its mean.
+    Held,
+    /// A sum of sines.
+    Harmonics(Vec<Harmonic>),
+    /// A sine whose frequency runs linearly from one value to another, and which then stays where it is.
+    Chirp {
+        /// a \[m or N\].
+        amplitude: f64,
+        /// Frequency at t = 0 \[Hz\], not below zero.
+        from: f64,
+        /// Frequency at the end of the chirp \[Hz\], not below zero.
+        to: f64,
+        /// How long it lasts \[s\], above zero.
+        duration: f64,
+        /// Phase at t = 0 \[rad\].
+        phase: f64,
+    },
+    /// A jump.
+    Step {
+        /// How far \[m or N\].
+        height: f64,
+        /// When \[s\], not below zero.
+        at: f64,
+    },
+    /// A straight rise.
+    Ramp {
+        /// How far \[m or N\].
+        height: f64,
+        /// When it begins \[s\], not below zero.
+        from: f64,
+        /// How long it lasts \[s\], above zero.
+        duration: f64,
+    },
+    /// Half a sine, up and back: a bump.
+    HalfSine {
+        /// How far \[m or N\].
+        height: f64,
+        /// When it begins \[s\], not below zero.
+        from: f64,
+        /// How long it lasts \[s\], above zero.
+        duration: f64,
+    },
+    /// A recorded series, straight from sample to sample (first-order hold).
+    Sampled(Sampled),
+}
+
+/// A jump of an input and of its rate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Kick {
+    pub time: f64,
+    pub displacement: f64,
+    pub velocity: f64,
+}
+
+/// A sine that begins at a time: amplitude · sin(angular (t − since) + phase) from there on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sine {
+    pub amplitude: f64,
+    pub angular: f64,
+    pub phase: f64,
+    pub since: f64,
+}
+
+impl Sine {
+    fn velocity(&self, time: f64) -> f64 {
+        let angle = self.angular * (time - self.since) + self.phase;
+        if time < self.since { 0.0 } else { self.amplitude * self.angular * angle.cos() }
+    }
+
+    fn displacement(&self, time: f64) -> f64 {
+        let angle = self.angular * (time - self.since) + self.phase;
+        if time < self.since { 0.0 } else { self.amplitude * angle.sin() }
+    }
+}
+
+impl EndInput {
+    /// One sine: a sin(2πft + phase).
+    pub fn harmonic(amplitude: f64, frequency: f64, phase: f64) -> Self {
+        Self::Harmonics(vec![Harmonic { amplitude, frequency, phase }])
+    }
+
+    /// Displacement from the mean at time `time` \[s\], in \[m\] (\[N\] at an end under force).
+    pub fn displacement(&self, time: f64) -> f64 {
+        match self {
+            Self::Held => 0.0,
+            Self::Chirp { amplitude, duration, .. } => amplitude * self.chirp_angle(time.min(*duration)).0.sin(),
+            Self::Step { height, at } => {
+                if time < *at {
+                    0.0
+                } else {
+                    *height
+                }
+            }
+            Self::Ramp { height, from, duration } => height * ((time - from) / duration).clamp(0.0, 1.0),
+            Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
+            Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().iter().map(|sine| sine.displacement(time)).sum(),
+            Self::Sampled(sampled) => sampled.value(time),
+        }
+    }
+
+    /// Displacements at each time, shape `samples`; in order of time, a recording is walked through once.
+    pub(crate) fn displacements(&self, times: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Held => vec![0.0; times.len()],
+            Self::Sampled(sampled) if times.is_sorted() => sampled.values_at(times),
+            _ => times.iter().map(|&time| self.displacement(time)).collect(),
+        }
+    }
+
+    /// What is straight between its jumps at a time: value and rate; zero for what is made of sines.
+    pub(crate) fn straight_part(&self, time: f64) -> (f64, f64) {
+        match self {
+            Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => (self.displacement(time), self.velocity(time)),
+            _ => (0.0, 0.0),
+        }
+    }
+
+    /// Velocity at time `time` \[s\], from the right where it jumps, in \[m/s\] (\[N/s\] at an end under force).
+    pub fn velocity(&self, time: f64) -> f64 {
+        match self {
+            Self::Held | Self::Step { .. } => 0.0,
+            Self::Chirp { amplitude, duration, .. } => {
+                let (angle, rate) = self.chirp_angle(time);
+                if time < *duration { amplitude * rate * angle.cos() } else { 0.0 }
+            }
+            Self::Ramp { height, from, duration } => {
+                if (*from..from + duration).contains(&time) {
+                    height / duration
+                } else {
+                    0.0
+                }
+            }
+            Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
+            Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().iter().map(|sine| sine.velocity(time)).sum(),
+            Self::Sampled(sampled) => sampled.slope(time),
+        }
+    }
+
+    /// Acceleration at time `time` \[s\] but for the jumps of [`Self::kicks`], in \[m/s²\] (\[N/s²\] at an end under force).
+    pub(crate) fn acceleration(&self, time: f64) -> f64 {
+        match self {
+            Self::Chirp { amplitude, from, to, duration, .. } if time < *duration => {
+                let (angle, rate) = self.chirp_angle(time);
+                let growth = TAU * (to - from) / duration;
+                amplitude * (growth * angle.cos() - rate * rate * angle.sin())
+            }
+            Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
+            Self::Harmonics(_) | Self::HalfSine { .. } => {
+                self.sines().iter().map(|sine| -sine.angular * sine.angular * sine.displacement(time)).sum()
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// Largest angular frequency \[rad/s\] in [`Self::acceleration`].
+    pub(crate) fn highest_angular(&self) -> f64 {
+        match self {
+            Self::Chirp { from, to, .. } => TAU * from.max(*to),
+            _ => self.sines().iter().fold(0.0, |highest, sine| sine.angular.max(highest)),
+        }
+    }
+
+    /// Angle \[rad\] and angular frequency \[rad/s\] of a chirp; zero for others.
+    fn chirp_angle(&self, time: f64) -> (f64, f64) {
+        let Self::Chirp { from, to, duration, phase, .. } = self else {
+            return (0.0, 0.0);
+        };
+        let growth = (to - from) / duration;
+        (phase + TAU * time * (from + 0.5 * growth * time), TAU * (from + growth * time))
+    }
+
+    /// The sines it is made of. A half sine is two whole ones, the second of which begins when the first would turn negative.
+    pub(crate) fn sines(&self) -> Vec<Sine> {
+        match self {
+            Self::Harmonics(harmonics) => harmonics
+                .iter()
+                .map(|h| Sine { amplitude: h.amplitude, angular: TAU * h.frequency, phase: h.phase, since: 0.0 })
+                .collect(),
+            Self::HalfSine { height, from, duration } => [*from, from + duration]
+                .map(|since| Sine { amplitude: *height, angular: PI / duration, phase: 0.0, since })
+                .into(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether it can only be followed step by step: a chirp has no elementary solution.
+    pub(crate) fn is_chirp(&self) -> bool {
+        matches!(self, Self::Chirp { .. })
+    }
+
+    /// How many jumps it has at most.
+    pub(crate) fn most_kicks(&self) -> usize {
+        match self {
+            Self::Held | Self::Harmonics(_) => 0,
+            Self::Sampled(sampled) => sampled.count(),
+            _ => 2,
+        }
+    }
+
+    /// Its jumps after t = 0, in order of time. What happens at t = 0 belongs to the start.
+    pub(crate) fn kicks(&self) -> Vec<Kick> {
+        let kick = |time, displacement, velocity| Kick { time, displacement, velocity };
+        let mut kicks = match self {
+            Self::Held | Self::Harmonics(_) => Vec::new(),
+            Self::Chirp { amplitude, duration, .. } => {
+                let (angle, rate) = self.chirp_angle(*duration);
+                vec![kick(*duration, 0.0, -amplitude * rate * angle.cos())]
+            }
+            Self::Step { height, at } => vec![kick(*at, *height, 0.0)],
+            Self::Ramp { height, from, duration } => {
+                vec![kick(*from, 0.0, height / duration), kick(from + duration, 0.0, -height / duration)]
+            }
+            Self::HalfSine { .. } => {
+                self.sines().iter().map(|sine| kick(sine.since, 0.0, sine.amplitude * sine.angular)).collect()
+            }
+            Self::Sampled(sampled) => sampled.kicks(),
+        };
+        kicks.retain(|kick| kick.time > 0.0);
+        kicks
+    }
+
+    /// How far it can be from its mean, as a bound.
+    pub(crate) fn reach(&self) -> f64 {
+        match self {
+            Self::Held => 0.0,
+            Self::Harmonics(harmonics) => harmonics.iter().map(|harmonic| harmonic.amplitude.abs()).sum(),
+            Self::Chirp { amplitude, .. } => amplitude.abs(),
+            Self::Step { height, .. } | Self::Ramp { height, .. } | Self::HalfSine { height, .. } => height.abs(),
+            Self::Sampled(sampled) => sampled.reach(),
+        }
+    }
+
+    /// Lets through an input whose every value is what it must be.
+    pub(super) fn checked(self) -> Result<Self, Error> {
+        let not_negative = |quantity: &'static str, value: f64, unit| {
+            check(value.is_finite() && value >= 0.0, quantity, value, unit, "finite and not below zero")
+        };
+        match &self {
+            Self::Held | Self::Sampled(_) => {}
+            Self::Harmonics(harmonics) => {
+                for harmonic in harmonics {
+                    finite("amplitude", harmonic.amplitude, "m")?;
+                    above_zero("frequency", harmonic.frequency, "Hz")?;
+                    finite("phase", harmonic.phase, "rad")?;
+                }
+            }
+            Self::Chirp { amplitude, from, to, duration, phase } => {
+                finite("amplitude", *amplitude, "m")?;
+                not_negative("first frequency", *from, "Hz")?;
+                not_negative("last frequency", *to, "Hz")?;
+                above_zero("duration", *duration, "s")?;
+                finite("phase", *phase, "rad")?;
+            }
+            Self::Step { height, at } => {
+                finite("height", *height, "m")?;
+                not_negative("time of the step", *at, "s")?;
+            }
+            Self::Ramp { height, from, duration } | Self::HalfSine { height, from, duration } => {
+                finite("height", *height, "m")?;
+                not_negative("begin", *from, "s")?;
+                above_zero("duration", *duration, "s")?;
+            }
+        }
+        Ok(self)
+    }
+}

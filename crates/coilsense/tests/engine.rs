@@ -1,0 +1,267 @@
+//! One motion, three ways to it: all equidistant times together, each time alone, step by step. And what they must refuse.
+
+mod paper_springs;
+
+use coilsense::excitation::{Harmonic, Sampled};
+use coilsense::motion::Live;
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, Start, VelocityProfile};
+use paper_springs::{s_a, s_t};
+use proptest::prelude::*;
+
+/// A smooth recording of about a millimetre.
+fn recording(samples: usize, step: f64) -> EndInput {
+    let times: Vec<f64> = (0..samples).map(|k| k as f64 * step).collect();
+    let value = |t: &f64| 1e-3 * (13.0 * t).sin() * (171.0 * t).cos() + 2e-4 * (900.0 * t).sin();
+    let values = times.iter().map(value).collect();
+    EndInput::Sampled(Sampled::new(times, values).unwrap())
+}
+
+/// Every kind of input, small enough for either end and as metres.
+fn inputs(spring: &Spring) -> Vec<EndInput> {
+    let near = coilsense::modes::ChainModes::of(spring).frequencies()[2] / std::f64::consts::TAU;
+    let harmonic = |amplitude, frequency, phase| Harmonic { amplitude, frequency, phase };
+    vec![
+        EndInput::Held,
+        EndInput::harmonic(1e-4, near, 0.7),
+        EndInput::harmonic(1e-4, 1.0001 * near, 0.7),
+        EndInput::Harmonics(vec![harmonic(1e-4, 3.0, 0.1), harmonic(-2e-5, 77.0, 1.0), harmonic(1e-5, 700.0, 2.0)]),
+        EndInput::Chirp { amplitude: 1e-4, from: 5.0, to: 200.0, duration: 0.61, phase: 0.4 },
+        EndInput::Step { height: 5e-4, at: 0.123_45 },
+        EndInput::Ramp { height: 5e-4, from: 0.1, duration: 0.018_5 },
+        EndInput::HalfSine { height: 5e-4, from: 0.05, duration: 0.02 },
+        recording(40, 0.013),
+        recording(3000, 1.7e-4),
+    ]
+}
+
+fn dampings() -> [Damping; 6] {
+    [
+        Damping::None,
+        Damping::Modal(0.005),
+        Damping::Modal(1.0),
+        Damping::MassProportional { rate: 3.0 },
+        // The highest modes are overdamped.
+        Damping::StiffnessProportional { time: 3e-4 },
+        Damping::StiffnessProportional { time: 1e-6 },
+    ]
+}
+
+/// What the input is as a force at end 2: the same shape, in newtons.
+fn as_force(input: &EndInput, spring: &Spring) -> EndInput {
+    let k = spring.stiffness();
+    match input.clone() {
+        EndInput::Harmonics(mut sines) => {
+            sines.iter_mut().for_each(|sine| sine.amplitude *= k);
+            EndInput::Harmonics(sines)
+        }
+        EndInput::Chirp { amplitude, from, to, duration, phase } => {
+            EndInput::Chirp { amplitude: amplitude * k, from, to, duration, phase }
+        }
+        EndInput::Step { height, at } => EndInput::Step { height: height * k, at },
+        EndInput::Ramp { height, from, duration } => EndInput::Ramp { height: height * k, from, duration },
+        EndInput::HalfSine { height, from, duration } => EndInput::HalfSine { height: height * k, from, duration },
+        other => other,
+    }
+}
+
+/// Every input, damping and far end at least once, with starts that move.
+fn motions() -> Vec<Motion> {
+    let mut motions = Vec::new();
+    for spring in [s_t(), s_a()] {
+        let inputs = inputs(&spring);
+        for (i, first) in inputs.iter().enumerate() {
+            for (d, damping) in dampings().into_iter().enumerate() {
+                let second = &inputs[(i + d) % inputs.len()];
+                let (far_end, second) = match (i + d) % 3 {
+                    0 => (FarEnd::Position, second.clone()),
+                    1 => (FarEnd::Force, as_force(second, &spring)),
+                    _ => (FarEnd::Mass(0.3), as_force(second, &spring)),
+                };
+                let start = match d % 3 {
+                    0 => Start::Moving { velocity: 0.1, profile: VelocityProfile::Linear },
+                    1 => Start::Massless,
+                    _ => Start::Rest,
+                };
+                let excitation = Excitation::new(spring.mid_length(), first.clone(), second, start).unwrap();
+                let mount = Mount::new(far_end, damping).unwrap();
+                motions.push(Motion::mounted(&spring, &mount, &excitation).unwrap());
+            }
+        }
+    }
+    motions
+}
+
+/// Largest difference over the peak of what oscillates.
+fn off(ours: &[f64], theirs: &[f64]) -> f64 {
+    let mean = theirs.iter().sum::<f64>() / theirs.len() as f64;
+    let peak = theirs.iter().fold(0.0_f64, |peak, value| peak.max((value - mean).abs()));
+    let difference = ours.iter().zip(theirs).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+    // Forces of about 100 N carry 1e-14 N of rounding themselves.
+    difference / peak.max(1.0)
+}
+
+#[test]
+fn together_alone_and_step_by_step_agree() {
+    let (step, samples) = (1e-4, 6001);
+    let times: Vec<f64> = (0..samples).map(|k| f64::from(k) * step).collect();
+    for motion in motions() {
+        let together = motion.end_forces(&times).unwrap();
+        // In reverse order times are not equidistant steps forward, so each is evaluated alone.
+        let backwards: Vec<f64> = times.iter().rev().copied().collect();
+        let mut alone = motion.end_forces(&backwards).unwrap();
+        alone.input.reverse();
+        alone.output.reverse();
+        let stream: Vec<_> = motion.stream(step).unwrap().take(times.len()).collect();
+        let input: Vec<f64> = stream.iter().map(|sample| sample.input).collect();
+        let output: Vec<f64> = stream.iter().map(|sample| sample.output).collect();
+        for (what, ours, theirs) in [
+            ("F_i alone", &alone.input, &together.input),
+            ("F_o alone", &alone.output, &together.output),
+            ("F_i stream", &input, &together.input),
+            ("F_o stream", &output, &together.output),
+        ] {
+            let off = off(ours, theirs);
+            // The last digit of a time, at the rate of the fastest mode: what no way of evaluating can know better.
+            let tolerance = f64::max(1e-12, 2.0 * f64::EPSILON * times[times.len() - 1] * fastest_rate(&motion));
+            assert!(off < tolerance, "{what} {off:e}: {:?} {:?}", motion.mount(), motion.excitation());
+        }
+    }
+}
+
+/// Highest frequency, or rate of decay where it is overdamped \[1/s\].
+fn fastest_rate(motion: &Motion) -> f64 {
+    let highest = motion.modes().frequencies().iter().fold(0.0_f64, |a, &b| a.max(b));
+    match motion.mount().damping() {
+        Damping::StiffnessProportional { time } => highest * f64::max(1.0, time * highest),
+        _ => highest,
+    }
+}
+
+#[test]
+fn live_inputs_are_a_recording_taken_as_it_comes() {
+    let spring = s_t();
+    let step = 1.7e-4;
+    for far_end in [FarEnd::Position, FarEnd::Force, FarEnd::Mass(0.1)] {
+        let mount = Mount::new(far_end, Damping::Modal(0.01)).unwrap();
+        let input = recording(3000, step);
+        let excitation = Excitation::new(0.23, input.clone(), EndInput::Held, Start::Rest).unwrap();
+        let motion = Motion::mounted(&spring, &mount, &excitation).unwrap();
+        let mut live = Live::new(&spring, &mount, 0.23, step).unwrap();
+        let times: Vec<f64> = (1..3000).map(|k| f64::from(k) * step).collect();
+        let batch = motion.end_forces(&times).unwrap();
+        let samples: Vec<_> = times.iter().map(|&t| live.advance([input.displacement(t), 0.0]).unwrap()).collect();
+        let force = |of: fn(&coilsense::motion::ForceSample) -> f64| samples.iter().map(of).collect::<Vec<f64>>();
+        // Live starts from rest before the first slope; a start at rest under a moving end is the same thing.
+        assert!(off(&force(|sample| sample.input), &batch.input) < 1e-12);
+        assert!(off(&force(|sample| sample.output), &batch.output) < 1e-12);
+        assert_eq!(live.advance([f64::NAN, 0.0]).unwrap_err().to_string(), "input 1 must be finite, got NaN m");
+    }
+}
+
+#[test]
+fn forces_are_the_strain_of_the_end_segments_on_every_mount() {
+    let spring = s_t();
+    let n = spring.chain_masses() as f64;
+    let (segment, rest) = (2.0 * n * spring.stiffness(), 0.5 * spring.rest_length() / n);
+    for motion in motions().into_iter().filter(|motion| *motion.spring() == spring) {
+        if matches!(motion.mount().damping(), Damping::StiffnessProportional { .. }) {
+            continue; // there the dashpot pulls too
+        }
+        let times = [0.0, 0.07, 0.3, 0.600_01];
+        let (forces, windings) = (motion.end_forces(&times).unwrap(), motion.windings(&times).unwrap());
+        for sample in 0..times.len() {
+            let ([u1, u2], row) = (windings.ends(sample), windings.row(sample));
+            let strain = [row[0] - u1 - rest, u2 - row[row.len() - 1] - rest].map(|stretch| segment * stretch);
+            // 2Nk of 8e4 N/m times the rounding of a position of 0.3 m.
+            assert!((forces.input[sample] - strain[0]).abs() < 2e-11, "{:?}", motion.excitation());
+            assert!((forces.output[sample] - strain[1]).abs() < 2e-11, "{:?}", motion.excitation());
+        }
+    }
+}
+
+#[test]
+fn a_spring_carried_along_feels_no_damping() {
+    // Both ends move alike at a constant speed, and so do the windings: nothing rings, whatever the damping.
+    let spring = s_t();
+    let drift = EndInput::Ramp { height: 0.5, from: 0.0, duration: 1.0 };
+    for damping in dampings() {
+        let excitation = Excitation::new(0.23, drift.clone(), drift.clone(), Start::Massless).unwrap();
+        let mount = Mount::new(FarEnd::Position, damping).unwrap();
+        let forces = Motion::mounted(&spring, &mount, &excitation).unwrap().end_forces(&[0.3, 0.9]).unwrap();
+        for force in forces.input.iter().chain(&forces.output) {
+            assert!((force - spring.static_force(0.23)).abs() < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn recordings_that_cannot_be_are_refused_by_index_and_value() {
+    let says = |times: Vec<f64>, values: Vec<f64>| Sampled::new(times, values).unwrap_err().to_string();
+    assert_eq!(says(vec![], vec![]), "sample times must hold at least 1 values, got 0");
+    assert_eq!(says(vec![0.0, 1.0], vec![0.0]), "sample values must hold 2 values, got 1");
+    assert_eq!(says(vec![0.0, f64::NAN], vec![0.0; 2]), "sample time[1] must be finite, got NaN s");
+    assert_eq!(says(vec![0.0, 1.0], vec![0.0, f64::INFINITY]), "sample value[1] must be finite, got inf");
+    assert_eq!(says(vec![1.0, 0.5], vec![0.0; 2]), "sample time[1] must be above its predecessor of 1 s, got 0.5 s");
+}
+
+#[test]
+fn mounts_that_cannot_be_are_refused() {
+    let says = |far_end, damping| Mount::new(far_end, damping).unwrap_err().to_string();
+    assert_eq!(says(FarEnd::Mass(0.0), Damping::None), "end mass must be above zero and finite, got 0 kg");
+    assert_eq!(
+        says(FarEnd::Force, Damping::ModalEach(vec![0.1, -1.0])),
+        "damping ratio[1] must be finite and not below zero, got -1"
+    );
+    let excitation = Excitation::impact(0.23, 0.25).unwrap();
+    let refused = |damping| {
+        let mount = Mount::new(FarEnd::Position, damping).unwrap();
+        Motion::mounted(&s_t(), &mount, &excitation).unwrap_err().to_string()
+    };
+    assert_eq!(refused(Damping::ModalEach(vec![0.1; 3])), "damping ratios must hold 52 values, got 3");
+    assert!(
+        refused(Damping::Hysteretic { loss_factor: 0.1 })
+            .starts_with("loss factor must be zero for a motion over time")
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Whatever numbers come in, the answer is an error or finite forces.
+    #[test]
+    fn no_input_gives_a_panic_or_a_silent_nan(
+        kind in 0_usize..7,
+        a in prop::num::f64::ANY,
+        b in prop::num::f64::ANY,
+        c in prop_oneof![prop::num::f64::ANY, 0.01_f64..1.0],
+        windings in 1_u32..40,
+        mass in prop_oneof![prop::num::f64::ANY, 0.01_f64..1.0],
+        damping in 0_usize..6,
+    ) {
+        let input = match kind {
+            0 => EndInput::Held,
+            1 => EndInput::harmonic(a, b, c),
+            2 => EndInput::Chirp { amplitude: a, from: b.clamp(-10.0, 500.0), to: c.clamp(-10.0, 500.0), duration: 0.05, phase: 0.0 },
+            3 => EndInput::Step { height: a, at: b },
+            4 => EndInput::Ramp { height: a, from: b, duration: c },
+            5 => EndInput::HalfSine { height: a, from: b, duration: c },
+            _ => match Sampled::new(vec![0.0, b, c], vec![a, b, c]) {
+                Ok(sampled) => EndInput::Sampled(sampled),
+                Err(_) => EndInput::Held,
+            },
+        };
+        let mut parameters = s_t().parameters().clone();
+        parameters.windings = f64::from(windings);
+        let spring = Spring::new(parameters).unwrap();
+        let far_end = [FarEnd::Position, FarEnd::Force, FarEnd::Mass(mass)][kind % 3];
+        let made = Mount::new(far_end, dampings()[damping].clone())
+            .and_then(|mount| Ok((mount, Excitation::new(0.23, input.clone(), input, Start::Rest)?)))
+            .and_then(|(mount, excitation)| Motion::mounted(&spring, &mount, &excitation));
+        if let Ok(motion) = made {
+            match motion.end_forces(&[0.0, 0.01, 0.06]) {
+                Ok(forces) => prop_assert!(forces.input.iter().chain(&forces.output).all(|force| force.is_finite())),
+                Err(error) => prop_assert!(!error.to_string().is_empty()),
+            }
+        }
+    }
+}
