@@ -1,4 +1,4 @@
-//! The coil: its kernel on every vector path, its derivatives, its second-order form.
+//! The coil: its kernel, its derivatives, its second-order form. The test command runs this once for each vector path.
 //!
 //! | ours | theirs |
 //! |---|---|
@@ -9,12 +9,9 @@
 
 mod paper_springs;
 
-use std::process::Command;
-
 use coilsense::inductance::{
     MU_0, MaxwellSum, SecondOrder, SelfDistance, mutual_inductance, mutual_inductance_derivatives, mutual_inductances,
 };
-use coilsense::simd::{SimdPath, VARIABLE};
 use coilsense::{End, EndInput, Error, Excitation, Motion, Spring, SpringParameters, Start, VelocityProfile};
 use paper_springs::{s_a, s_t, s_t_with};
 use proptest::prelude::*;
@@ -116,75 +113,6 @@ fn rings_at_the_limits_give_limits() {
     assert_eq!([touching.value, touching.second], [f64::INFINITY; 2]);
     assert_eq!([touching.first, touching.third], [f64::NEG_INFINITY; 2]);
     assert!(mutual_inductance_derivatives(0.008, f64::NAN).third.is_nan());
-}
-
-/// What the paths must agree on: kernel, series, gradient, Hessian, second-order form.
-fn probe() -> Vec<f64> {
-    let distances: Vec<f64> = (0..100).map(|index| 1e-7 * 1.2_f64.powi(index)).collect();
-    let mut values = vec![0.0; distances.len()];
-    mutual_inductances(0.008, &distances, &mut values).unwrap();
-    for spring in [s_t(), with_windings(10.4)] {
-        let coil = coil(&spring);
-        let motion = Motion::new(&spring, &Excitation::impact(0.23, 0.25).unwrap()).unwrap();
-        let windings = motion.windings(&[0.0, 0.01, 0.02, 0.5]).unwrap();
-        values.extend(coil.series(&windings));
-        let near = coil.series_within(&windings, 1e-3).unwrap();
-        values.extend(near.samples.iter().map(|sample| sample.inductance));
-        values.extend(coil.hessian(windings.ends(1), windings.row(1)).unwrap());
-        values.extend(coil.matrix(windings.ends(1), windings.row(1)).unwrap());
-    }
-    values
-}
-
-/// Not a test: run by the one below, once for each path, and once more to see that a path repeats itself.
-#[test]
-#[ignore = "prints what another test reads"]
-fn the_values_of_this_path() {
-    let bits: Vec<String> = probe().iter().map(|value| value.to_bits().to_string()).collect();
-    println!("\nbits:{}", bits.join(","));
-}
-
-/// Runs tests of this file again with one path forced, and returns what they print.
-fn on_path(path: SimdPath, arguments: &[&str]) -> String {
-    let executable = std::env::current_exe().unwrap();
-    let output = Command::new(executable).args(arguments).env(VARIABLE, path.name()).output().unwrap();
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(output.status.success(), "{}: {text}", path.name());
-    text
-}
-
-fn values_on(path: SimdPath) -> Vec<f64> {
-    let text = on_path(path, &["--exact", "the_values_of_this_path", "--ignored", "--nocapture"]);
-    let line = text.lines().find_map(|line| line.strip_prefix("bits:")).expect("values");
-    line.split(',').map(|bits| f64::from_bits(bits.parse().unwrap())).collect()
-}
-
-#[test]
-fn every_path_is_accurate_agrees_to_1e_13_and_repeats_itself() {
-    let scalar = values_on(SimdPath::Scalar);
-    for path in SimdPath::ALL.into_iter().filter(|path| path.is_available()) {
-        for test in [
-            "many_distances_hold_from_touching_to_far_rings",
-            "derivatives_of_two_rings_hold_to_the_last_digits",
-            "a_value_does_not_depend_on_its_neighbours",
-            "rings_at_the_limits_give_limits",
-        ] {
-            assert!(on_path(path, &["--exact", test]).contains("1 passed"), "{test} on {}", path.name());
-        }
-        let values = values_on(path);
-        let again = values_on(path);
-        assert_eq!(values.len(), scalar.len());
-        // Entries of a Hessian that are zero but for rounding are judged by the largest.
-        let floor = 1e-13 * largest(&scalar);
-        for (index, (value, expected)) in values.iter().zip(&scalar).enumerate() {
-            let close = relative(*value, *expected) < 1e-13 || (value - expected).abs() < floor.min(1e-11);
-            assert!(close, "{index} on {}: {value:e}, {expected:e}", path.name());
-        }
-        assert_eq!(
-            values.iter().map(|value| value.to_bits()).collect::<Vec<_>>(),
-            again.iter().map(|value| value.to_bits()).collect::<Vec<_>>()
-        );
-    }
 }
 
 #[test]

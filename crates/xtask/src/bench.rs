@@ -1,57 +1,138 @@
-//! `cargo xtask bench`: what a user waits for, measured; medians, for single runs vary by a third.
+//! `cargo xtask bench`: coilsense and its peers on the same jobs in one run; medians, for single runs vary by a third.
+//!
+//! Next door: the jobs and the peers (`bench/README.md`), what the whole command takes (`reproduce`).
 
-use std::process::Stdio;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
+use crate::python::{self, Environment};
 use crate::{cargo, root};
 
-/// How often each job is run; the median counts.
+/// What to measure.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Only coilsense, without the peers: half a minute, and nothing to set up but the jobs
+    #[arg(long)]
+    ours: bool,
+}
+
+/// How often the whole command is run; the median counts.
 const RUNS: usize = 11;
+
+/// A measurement as the programs print it.
+#[derive(Deserialize)]
+struct Measurement {
+    job: String,
+    system: String,
+    setting: String,
+    median_ms: Option<f64>,
+    max_rel_error: Option<f64>,
+    #[serde(default)]
+    note: String,
+}
 
 /// One row of `target/bench.json`.
 #[derive(Serialize)]
 struct Row {
-    job: &'static str,
-    system: &'static str,
+    job: String,
+    system: String,
     setting: String,
-    median_ms: f64,
+    median_ms: Option<f64>,
     max_rel_error: Option<f64>,
-    ratio: f64,
+    /// This system's median over coilsense's on the same job.
+    ratio: Option<f64>,
+    note: String,
 }
 
 /// Measures, prints, writes `target/bench.json`.
-pub fn run() -> anyhow::Result<()> {
-    let build = cargo(&["build", "--release", "--package", "coilsense-cli"]).status()?;
-    if !build.success() {
-        bail!("the release build failed");
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let jobs = root().join("target/bench-jobs");
+    let environment = python::environment("bench/.venv", "bench/python/requirements.txt")?;
+    make_jobs(&environment, &jobs)?;
+    let mut measurements = vec![reproduce()?];
+    let mut ours = cargo(&["bench", "--quiet", "--package", "coilsense", "--bench", "jobs", "--"]);
+    ours.arg(&jobs);
+    measurements.extend(measure("coilsense", ours)?);
+    if !arguments.ours {
+        measurements.extend(measure("the Rust peers", rust_peers(&jobs)?)?);
+        let mut peers = environment.python();
+        peers.arg("bench/python/peers.py").arg(&jobs);
+        measurements.extend(measure("the Python peers", peers)?);
     }
-    let threads = std::thread::available_parallelism()?;
-    let rows = [Row {
-        job: "reproduce: all tables, figures and files of the paper",
-        system: "coilsense",
-        setting: format!("whole command, {threads} threads"),
-        median_ms: median((0..RUNS).map(|_| reproduce()).collect::<Result<_, _>>()?),
-        max_rel_error: None,
-        ratio: 1.0,
-    }];
-    for row in &rows {
-        println!("{:56} {:12} {:26} {:8.1} ms", row.job, row.system, row.setting, row.median_ms);
-    }
+    let rows = with_ratios(measurements);
+    print(&rows);
     let path = root().join("target/bench.json");
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
-        .with_context(|| format!("{} cannot be written", path.display()))
+        .with_context(|| format!("{} cannot be written", path.display()))?;
+    println!("\n{} rows in target/bench.json", rows.len());
+    Ok(())
 }
 
-/// One run of `coilsense reproduce` \[ms\].
-fn reproduce() -> anyhow::Result<f64> {
+fn make_jobs(environment: &Environment, jobs: &Path) -> anyhow::Result<()> {
+    eprintln!("== jobs and their references");
+    let mut command = environment.python();
+    command.arg("bench/python/make_jobs.py").arg(jobs).stdout(Stdio::null());
+    if !command.status()?.success() {
+        bail!("bench/python/make_jobs.py failed");
+    }
+    Ok(())
+}
+
+/// Builds the Rust peers, which are no part of the workspace.
+fn rust_peers(jobs: &Path) -> anyhow::Result<Command> {
+    eprintln!("== building the Rust peers (minutes, the first time)");
+    let target = root().join("bench/peers/target");
+    let mut build = cargo(&["build", "--release", "--locked", "--quiet", "--manifest-path", "bench/peers/Cargo.toml"]);
+    build.arg("--target-dir").arg(&target);
+    if !build.status()?.success() {
+        bail!("the Rust peers do not build");
+    }
+    let mut command = Command::new(target.join("release/peers"));
+    command.arg(jobs).current_dir(root());
+    Ok(command)
+}
+
+/// Runs a program that prints one measurement per line.
+fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measurement>> {
+    eprintln!("== measuring {name}");
+    let output = command.stderr(Stdio::inherit()).output().with_context(|| format!("cannot start {command:?}"))?;
+    if !output.status.success() {
+        bail!("{name} failed");
+    }
+    let text = String::from_utf8(output.stdout).context("a measurement that is not UTF-8")?;
+    let lines = text.lines().filter(|line| line.starts_with('{'));
+    lines.map(|line| serde_json::from_str(line).with_context(|| format!("not a measurement: {line}"))).collect()
+}
+
+/// The whole command `coilsense reproduce`.
+fn reproduce() -> anyhow::Result<Measurement> {
+    eprintln!("== measuring coilsense reproduce");
+    if !cargo(&["build", "--release", "--package", "coilsense-cli"]).status()?.success() {
+        bail!("the release build failed");
+    }
+    let mut times = (0..RUNS).map(|_| reproduce_once()).collect::<anyhow::Result<Vec<f64>>>()?;
+    times.sort_by(f64::total_cmp);
+    Ok(Measurement {
+        job: "reproduce".to_owned(),
+        system: "coilsense".to_owned(),
+        setting: format!("whole command, {} threads", std::thread::available_parallelism()?),
+        median_ms: Some(times[times.len() / 2]),
+        max_rel_error: None,
+        note: format!("{RUNS} runs; all tables, figures and files of the paper"),
+    })
+}
+
+/// One run \[ms\].
+fn reproduce_once() -> anyhow::Result<f64> {
     let place = tempfile::tempdir()?;
-    let mut command = std::process::Command::new(root().join("target/release/coilsense"));
+    let mut command = Command::new(executable());
     command.args(["reproduce", "--out"]).arg(place.path().join("paper")).stdout(Stdio::null());
     let begun = Instant::now();
-    let status = command.status().context("target/release/coilsense cannot be started")?;
+    let status = command.status().context("the release build of coilsense cannot be started")?;
     let elapsed = begun.elapsed();
     if !status.success() {
         bail!("coilsense reproduce failed");
@@ -59,7 +140,59 @@ fn reproduce() -> anyhow::Result<f64> {
     Ok(1e3 * elapsed.as_secs_f64())
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+fn executable() -> PathBuf {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    target.join("release/coilsense")
+}
+
+/// Rows job by job; the first of coilsense on a job is 1.
+fn with_ratios(measurements: Vec<Measurement>) -> Vec<Row> {
+    let mut jobs: Vec<String> = measurements.iter().map(|measurement| measurement.job.clone()).collect();
+    let mut seen = Vec::new();
+    jobs.retain(|job| {
+        !seen.contains(job) && {
+            seen.push(job.clone());
+            true
+        }
+    });
+    let ours =
+        |job: &str| measurements.iter().find(|m| m.job == job && m.system == "coilsense").and_then(|m| m.median_ms);
+    let bases: Vec<Option<f64>> = jobs.iter().map(|job| ours(job)).collect();
+    let place = |job: &str| jobs.iter().position(|other| other == job).unwrap_or(jobs.len());
+    let mut rows: Vec<Row> = measurements
+        .into_iter()
+        .map(|m| Row {
+            ratio: m.median_ms.zip(bases[place(&m.job)]).map(|(median, base)| median / base),
+            job: m.job,
+            system: m.system,
+            setting: m.setting,
+            median_ms: m.median_ms,
+            max_rel_error: m.max_rel_error,
+            note: m.note,
+        })
+        .collect();
+    rows.sort_by_key(|row| place(&row.job));
+    rows
+}
+
+fn print(rows: &[Row]) {
+    println!("{:14} {:24} {:34} {:>11} {:>9} {:>9}", "job", "system", "setting", "median [ms]", "error", "ratio");
+    let mut last = "";
+    for row in rows {
+        if row.job != last {
+            println!();
+        }
+        last = &row.job;
+        let shown = |value: Option<f64>, show: fn(f64) -> String| value.map_or_else(|| "–".to_owned(), show);
+        println!(
+            "{:14} {:24} {:34} {:>11} {:>9} {:>9}{}",
+            row.job,
+            row.system,
+            row.setting,
+            shown(row.median_ms, |ms| format!("{ms:.3}")),
+            shown(row.max_rel_error, |error| format!("{error:.1e}")),
+            shown(row.ratio, |ratio| if ratio < 10.0 { format!("{ratio:.2}") } else { format!("{ratio:.0}") }),
+            if row.median_ms.is_none() { format!("  {}", row.note) } else { String::new() },
+        );
+    }
 }

@@ -1,6 +1,7 @@
 //! coilsense's own chores. `cargo xtask test` is the one door to all checks; `cargo xtask bench` measures.
 
 mod bench;
+mod python;
 mod test;
 
 use std::path::PathBuf;
@@ -19,14 +20,14 @@ struct Arguments {
 enum Chore {
     /// Run every check; with CI=true a part that cannot run is a failure
     Test,
-    /// Measure, print a table, write target/bench.json
-    Bench,
+    /// Measure coilsense and its peers on the same jobs, print a table, write target/bench.json
+    Bench(bench::Arguments),
 }
 
 fn main() -> ExitCode {
     let result = match Arguments::parse().chore {
         Chore::Test => test::run(),
-        Chore::Bench => bench::run(),
+        Chore::Bench(arguments) => bench::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -20,10 +20,11 @@ struct Part {
     run: fn() -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 5] = [
+const PARTS: [Part; 6] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
+    Part { name: "vector paths", run: vector_paths },
     Part { name: "docs", run: docs },
     Part { name: "reproduce", run: reproduce },
 ];
@@ -88,6 +89,34 @@ fn clippy() -> anyhow::Result<Outcome> {
 /// Unit, integration and property tests, the examples' build, and every code block of documentation and README.
 fn tests() -> anyhow::Result<Outcome> {
     outcome(cargo(&["test", "--workspace", "--all-features"]))
+}
+
+/// The science once more for each path of vector instructions; `tests` has run it on the widest. A path that this processor lacks is
+/// refused by name, and so skipped.
+fn vector_paths() -> anyhow::Result<Outcome> {
+    for path in ["scalar", "avx2"] {
+        let mut command = cargo(&["test", "--quiet", "--package", "coilsense", "--lib", "--tests"]);
+        command.env("COILSENSE_SIMD", path);
+        if path != "scalar" && !supports(path) {
+            println!("{path}: not on this processor");
+            continue;
+        }
+        println!("{path}");
+        if !command.status()?.success() {
+            return Ok(Outcome::Failed);
+        }
+    }
+    Ok(Outcome::Passed)
+}
+
+#[cfg(target_arch = "x86_64")]
+fn supports(path: &str) -> bool {
+    path == "avx2" && is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn supports(_: &str) -> bool {
+    false
 }
 
 fn docs() -> anyhow::Result<Outcome> {

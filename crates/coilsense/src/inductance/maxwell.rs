@@ -2,7 +2,9 @@
 //!
 //! Next door: the mutual inductance of one pair (`mutual`), the distance of a winding from itself (`self_term`).
 
-use super::mutual::mutual_inductance;
+use super::carry::Carry;
+use super::mutual::{MU_0, mutual_inductance};
+use super::pairs;
 use super::self_term::SelfDistance;
 use crate::motion::Windings;
 use crate::spring::Spring;
@@ -49,9 +51,7 @@ impl MaxwellSum {
             coil_radius: spring.coil_radius(),
             windings,
             self_part: windings * mutual_inductance(spring.coil_radius(), own),
-            places: (0..turns as usize)
-                .map(|index| 0.5 + (index as f64 - 0.5 * (turns - 1.0)) / windings)
-                .collect(),
+            places: (0..turns as usize).map(|index| 0.5 + (index as f64 - 0.5 * (turns - 1.0)) / windings).collect(),
             chain_masses: spring.chain_masses(),
         }
     }
@@ -68,18 +68,12 @@ impl MaxwellSum {
         self.self_part + 2.0 * pairs
     }
 
-    /// L \[H\] of every sample of a motion, shape `samples`.
+    /// L \[H\] of every sample of a motion, shape `samples`; infinite where two turns coincide.
     pub fn series(&self, windings: &Windings) -> Vec<f64> {
-        let mut turns = vec![0.0; self.places.len()];
+        let carry = self.carry(windings.count());
+        let mut buffer = Vec::with_capacity(self.places.len());
         (0..windings.samples())
-            .map(|sample| {
-                let row = windings.row(sample);
-                if self.turns_are_masses() {
-                    return self.of_turns(row);
-                }
-                self.carry(&mut turns, windings.ends(sample), row);
-                self.of_turns(&turns)
-            })
+            .map(|sample| self.of_turns(carry.turns(windings.ends(sample), windings.row(sample), &mut buffer)))
             .collect()
     }
 
@@ -93,35 +87,38 @@ impl MaxwellSum {
         Ok(self.of_turns(positions))
     }
 
-    fn turns_are_masses(&self) -> bool {
-        self.windings == self.chain_masses as f64
+    /// r \[m\].
+    pub(super) fn coil_radius(&self) -> f64 {
+        self.coil_radius
     }
 
-    fn of_turns(&self, turns: &[f64]) -> f64 {
-        let mut pairs = 0.0;
-        for (index, first) in turns.iter().enumerate() {
-            pairs += turns[index + 1..]
-                .iter()
-                .map(|second| mutual_inductance(self.coil_radius, (second - first).abs()))
-                .sum::<f64>();
-        }
-        self.self_part + 2.0 * pairs
+    /// N_L M(h_self) \[H\].
+    pub(super) fn self_part(&self) -> f64 {
+        self.self_part
     }
 
-    /// Carries the turns along with the chain: linear between the ends and the masses around them.
-    fn carry(&self, turns: &mut [f64], [u1, u2]: [f64; 2], masses: &[f64]) {
-        let count = masses.len();
-        // Nodes of the chain in units of its pitch: end 1 at 0, mass i at i − ½, end 2 at N.
-        let place_of = |node: usize| match node {
-            0 => (0.0, u1),
-            node if node > count => (count as f64, u2),
-            node => (node as f64 - 0.5, masses[node - 1]),
-        };
-        for (turn, place) in turns.iter_mut().zip(&self.places) {
-            let along = place * count as f64;
-            let node = ((along + 0.5).floor() as usize).min(count);
-            let ((from, left), (to, right)) = (place_of(node), place_of(node + 1));
-            *turn = left + (right - left) * (along - from) / (to - from);
-        }
+    /// N of the spring's chain.
+    pub(super) fn chain_masses(&self) -> usize {
+        self.chain_masses
+    }
+
+    /// N_L.
+    pub(super) fn windings(&self) -> f64 {
+        self.windings
+    }
+
+    /// Where the turns sit along the coil, 0 at end 1 and 1 at end 2.
+    pub(super) fn places(&self) -> &[f64] {
+        &self.places
+    }
+
+    /// How a chain of so many masses carries the turns.
+    pub(super) fn carry(&self, masses: usize) -> Carry {
+        Carry::new(&self.places, masses, self.windings == masses as f64)
+    }
+
+    pub(super) fn of_turns(&self, turns: &[f64]) -> f64 {
+        // Twice 2 μ₀ r: each pair counts in both orders.
+        self.self_part + 4.0 * MU_0 * self.coil_radius * pairs::sum(self.coil_radius, turns)
     }
 }

@@ -2,11 +2,24 @@
 //!
 //! Next door: where the windings are (`motion`), what a meter makes of L (`calibrate`, `sensors`).
 
+mod carry;
+mod derivatives;
 pub mod elliptic;
+mod expansion;
+mod fits;
+mod gradient;
 mod maxwell;
 mod mutual;
+mod pairs;
+mod quadratic;
+mod reduced;
+mod second_order;
 mod self_term;
+mod within;
 
+pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};
 pub use maxwell::MaxwellSum;
-pub use mutual::{MU_0, mutual_inductance};
+pub use mutual::{MU_0, mutual_inductance, mutual_inductances};
+pub use second_order::{BoundedInductance, SecondOrder};
 pub use self_term::SelfDistance;
+pub use within::BoundedSeries;

@@ -2,6 +2,8 @@
 //!
 //! Next door: how they got there (the parent), whether they touch (`measures`), what they do to a coil (`inductance`).
 
+use crate::error::{Error, all_finite};
+
 /// Positions of both ends and of all windings over time \[m\].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Windings {
@@ -11,6 +13,23 @@ pub struct Windings {
 }
 
 impl Windings {
+    /// Positions that come from elsewhere: u1 and u2 of each sample \[m\], shape `samples × 2`, and x_1…x_N of each sample \[m\],
+    /// shape `samples × N`, row-major.
+    ///
+    /// # Errors
+    /// [`Error::Count`] where there is no sample, or not the same number of windings in each; [`Error::Value`] for the first position
+    /// that is not finite.
+    pub fn new(ends: Vec<[f64; 2]>, positions: Vec<f64>) -> Result<Self, Error> {
+        let samples = ends.len();
+        if samples == 0 || positions.is_empty() || !positions.len().is_multiple_of(samples) {
+            let allowed = format!("a whole number of windings for each of {samples} samples");
+            return Err(Error::Count { quantity: "positions".into(), found: positions.len(), allowed: allowed.into() });
+        }
+        all_finite("ends", ends.as_flattened(), "m")?;
+        all_finite("positions", &positions, "m")?;
+        Ok(Self { count: positions.len() / samples, ends, positions })
+    }
+
     pub(crate) fn zero(count: usize, samples: usize) -> Self {
         Self { count, ends: vec![[0.0; 2]; samples], positions: vec![0.0; samples * count] }
     }

@@ -1,0 +1,59 @@
+//! Criterion benches of the kernels: `cargo bench --bench kernels`. Ratios count; figures move by a third between runs.
+
+use std::hint::black_box;
+
+use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductances};
+use coilsense::signals::sampled_window;
+use coilsense::{EndInput, Excitation, Motion, Spring, SpringParameters, Start};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+/// S_T of the paper.
+fn spring() -> Spring {
+    Spring::new(SpringParameters {
+        rest_length: 0.104,
+        windings: 52.0,
+        coil_radius: 0.008,
+        wire_radius: 0.001,
+        mass: 0.065,
+        stiffness: 760.0,
+        min_length: 0.196,
+        max_length: 0.264,
+        nominal_force: None,
+        inductance_windings: None,
+    })
+    .expect("Table I is valid")
+}
+
+fn motion(criterion: &mut Criterion) {
+    let spring = spring();
+    let times = sampled_window(10_000.0, 0.0, 1.0).expect("a valid window");
+    let impact = Excitation::impact(0.23, 0.25).expect("valid");
+    let input = EndInput::harmonic(68e-6, spring.surge_frequency(), 0.0);
+    let resonance = Excitation::new(0.23, input, EndInput::Held, Start::Rest).expect("valid");
+    for (name, excitation) in [("impact", &impact), ("resonance", &resonance)] {
+        criterion.bench_function(&format!("end forces, {name}, 10 001 times"), |bencher| {
+            bencher.iter(|| Motion::new(&spring, excitation).and_then(|motion| motion.end_forces(black_box(&times))));
+        });
+    }
+    let motion = Motion::new(&spring, &impact).expect("valid");
+    criterion.bench_function("windings, impact, 10 001 times", |bencher| {
+        bencher.iter(|| motion.windings(black_box(&times)));
+    });
+}
+
+fn inductance(criterion: &mut Criterion) {
+    let spring = spring();
+    let motion = Motion::new(&spring, &Excitation::impact(0.23, 0.25).expect("valid")).expect("valid");
+    let windings = motion.windings(&sampled_window(10_000.0, 0.9, 1.0).expect("valid")).expect("valid");
+    let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
+    criterion
+        .bench_function("L of 52 windings, 1001 samples", |bencher| bencher.iter(|| coil.series(black_box(&windings))));
+    let distances: Vec<f64> = (0..10_000).map(|k| 1e-4 * f64::from(k + 1)).collect();
+    let mut out = vec![0.0; distances.len()];
+    criterion.bench_function("M at 10 000 distances", |bencher| {
+        bencher.iter(|| mutual_inductances(0.008, black_box(&distances), &mut out));
+    });
+}
+
+criterion_group!(benches, motion, inductance);
+criterion_main!(benches);
