@@ -211,6 +211,17 @@ impl EndInput {
         matches!(self, Self::Chirp { .. })
     }
 
+    /// Of a chirp, the most that its acceleration can add up to: its largest acceleration for all of its duration.
+    pub(crate) fn chirp_impulse(&self) -> f64 {
+        match self {
+            Self::Chirp { amplitude, from, to, duration, .. } => {
+                let (highest, growth) = (TAU * from.max(*to), TAU * (to - from).abs() / duration);
+                amplitude.abs() * (highest * highest + growth) * duration
+            }
+            _ => 0.0,
+        }
+    }
+
     /// How many jumps it has at most.
     pub(crate) fn most_kicks(&self) -> usize {
         match self {

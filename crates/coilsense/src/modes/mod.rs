@@ -192,6 +192,26 @@ impl ChainModes {
         }
     }
 
+    /// The first `count` of these modes.
+    pub(crate) fn first(&self, count: usize) -> Self {
+        let mut modes = self.clone();
+        let [first, second] = &mut modes.participations;
+        for series in [
+            &mut modes.frequencies,
+            &mut modes.norms,
+            &mut modes.input_weights,
+            &mut modes.output_weights,
+            &mut modes.end_shapes,
+            &mut modes.rigid,
+            &mut modes.second,
+            first,
+            second,
+        ] {
+            series.truncate(count);
+        }
+        modes
+    }
+
     /// How many modes there are: N, and N + 1 with an end mass.
     pub fn count(&self) -> usize {
         self.frequencies.len()

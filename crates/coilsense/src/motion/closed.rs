@@ -220,8 +220,11 @@ impl Near {
 }
 
 impl Near {
-    /// The terms of `coefficient (E(λ) − E(λ*) + β d/dt of both)`, with time counted from `elapsed` after the drive began:
-    /// `E(t + s) = e^(λs) E(t) + E(s) e^(iωt)`, and `dE/dt = λE + e^(iωt)`, of which the last cancels between the two.
+    /// The terms of `coefficient (E(λ) − E(λ*) + β d/dt of both)`, with time counted from `elapsed` after the drive began; returns the
+    /// coefficient of e^(iωt), which others share.
+    ///
+    /// `E(t + s) = e^(λs) E(t) + E(s) e^(iωt)`, and `dE/dt = λE + e^(iωt)`, of which the last cancels between the two. λ* is far from iω,
+    /// so that its part may be taken apart.
     pub(super) fn push_terms(
         &self,
         terms: &mut Vec<Term>,
@@ -229,14 +232,14 @@ impl Near {
         drive: Complex64,
         elapsed: f64,
         dashpot: f64,
-    ) {
-        let mut shared = Complex64::default();
-        for (sign, root) in [(1.0, self.root), (-1.0, self.root.conj())] {
-            let factor = sign * coefficient * (1.0 + dashpot * root);
-            shared += factor * divided_exponential(root, drive, elapsed);
-            let carried = factor * (root * elapsed).exp();
-            terms.push(Term { coefficient: carried, function: Function::Divided(root, drive) });
-        }
-        terms.push(Term { coefficient: shared, function: Function::Exponential(drive) });
+    ) -> Complex64 {
+        let factor = coefficient * (1.0 + dashpot * self.root);
+        let carried = factor * (self.root * elapsed).exp();
+        terms.push(Term { coefficient: carried, function: Function::Divided(self.root, drive) });
+        let far = self.root.conj();
+        let apart = -coefficient * (1.0 + dashpot * far) / (far - drive);
+        let carried = apart * (far * elapsed).exp();
+        terms.push(Term { coefficient: carried, function: Function::Exponential(far) });
+        factor * divided_exponential(self.root, drive, elapsed) - apart * (drive * elapsed).exp()
     }
 }

@@ -4,12 +4,14 @@
 
 use num_complex::Complex64;
 
-use super::closed::Closed;
+use super::closed::{Closed, Drive};
 use super::panel::CountOn;
 use super::phasor_sum::{Function, Grid, Target, Term, add};
 use super::stride::Sums;
+use super::truncated::Remainder;
 use super::{Motion, check_times, in_order, step_of};
 use crate::error::Error;
+use crate::excitation::Sine;
 use crate::modes::end_sign;
 use crate::mount::FarEnd;
 use crate::simd::dispatch;
@@ -65,16 +67,27 @@ impl Motion {
         }
         let [first, second] = self.inputs().map(|input| input.displacements(times));
         for (sample, inputs) in first.into_iter().zip(second).enumerate() {
+            let [input, output] = self.remaining_forces(times[sample]);
             let static_force = self.static_force_of(inputs.into());
-            forces.input[sample] += static_force;
-            forces.output[sample] += static_force;
+            forces.input[sample] += static_force + input;
+            forces.output[sample] += static_force + output;
         }
         Ok(forces)
     }
 
-    /// F_s: force of a spring without mass under the same inputs \[N\].
-    pub(super) fn static_force(&self, time: f64) -> f64 {
-        self.static_force_of(self.inputs().map(|input| input.displacement(time)))
+    /// Both forces less those of the kept modes \[N\]: of a spring without mass, and of what modes left out do at rest.
+    pub(super) fn slow_forces(&self, time: f64) -> [f64; 2] {
+        let static_force = self.static_force_of(self.inputs().map(|input| input.displacement(time)));
+        self.remaining_forces(time).map(|force| static_force + force)
+    }
+
+    /// What modes left out do at rest \[N\].
+    fn remaining_forces(&self, time: f64) -> [f64; 2] {
+        if self.remainder == Remainder::NONE {
+            return [0.0; 2];
+        }
+        let [first, second] = self.inputs().map(|input| input.acceleration(time));
+        self.remainder.per_acceleration.map(|per| per[0] * first + per[1] * second)
     }
 
     /// F_s \[N\] under inputs counted from their means.
@@ -91,6 +104,13 @@ impl Motion {
             (_, FarEnd::Position) => self.spring.stiffness(),
             _ => 1.0,
         }
+    }
+
+    /// Amplitude of the force at an end under a sine, less the kept modes \[N\].
+    fn straight_gain(&self, drive: &Drive, end: usize) -> f64 {
+        let Sine { amplitude, angular, .. } = drive.sine;
+        let remainder = self.remainder.per_acceleration[end][drive.end];
+        amplitude * (self.static_force_per(drive.end) - remainder * angular * angular)
     }
 
     fn sums(&self, coordinates: &[f64], rates: &[f64]) -> Sums {
@@ -113,7 +133,7 @@ impl Motion {
     }
 
     /// 2Nk: stiffness of an end segment \[N/m\].
-    fn force_scale(&self) -> f64 {
+    pub(super) fn force_scale(&self) -> f64 {
         2.0 * self.modes.masses() as f64 * self.spring.stiffness()
     }
 
@@ -144,20 +164,20 @@ impl Motion {
     /// With both positions prescribed, odd modes pull alike at both ends and even ones against each other: the sums over odd and
     /// over even modes give both ends at the price of one.
     fn add_segment(&self, closed: &Closed, segment: usize, grid: Grid, [input, output]: [&mut [f64]; 2]) {
-        let terms = |weights: &[f64], static_part| self.terms(closed, segment, weights, static_part);
+        let terms = |weights: &[f64], share| self.terms(closed, segment, weights, share);
         let weights = self.modes.input_weights();
         if self.mount.far_end() != FarEnd::Position {
-            add(&terms(weights, 1.0), grid, &mut [Target { values: input, sign: 1.0 }]);
-            add(&terms(self.modes.output_weights(), 1.0), grid, &mut [Target { values: output, sign: 1.0 }]);
+            add(&terms(weights, [1.0, 0.0]), grid, &mut [Target { values: input, sign: 1.0 }]);
+            add(&terms(self.modes.output_weights(), [0.0, 1.0]), grid, &mut [Target { values: output, sign: 1.0 }]);
             return;
         }
-        // Odd modes pull both ends' windings the same way: F_i up, F_o down; even ones both up. Sines without mass are even.
-        for (parity, static_part) in [(1.0, 0.0), (-1.0, 1.0)] {
+        // Odd modes pull both ends' windings the same way: F_i up, F_o down; even ones both up.
+        for parity in [1.0, -1.0] {
             let each = weights.iter().enumerate();
             let of_parity: Vec<f64> =
                 each.map(|(index, weight)| if end_sign(index + 1) == parity { *weight } else { 0.0 }).collect();
             let targets = [Target { values: &mut *input, sign: 1.0 }, Target { values: &mut *output, sign: -parity }];
-            add(&terms(&of_parity, static_part), grid, &mut { targets });
+            add(&terms(&of_parity, [0.5, -0.5 * parity]), grid, &mut { targets });
         }
     }
 
@@ -168,9 +188,9 @@ impl Motion {
         Straight { constant, rate: self.static_force_of([first.1, second.1]) - self.static_force_of([0.0; 2]) }
     }
 
-    /// What is summed for an end, counted from the segment's begin: weights w_j give `2Nk Σ_j w_j (q_j + β q̇_j)`, to which comes
-    /// `static_part` (1 or 0) of what sines give a spring without mass.
-    fn terms(&self, closed: &Closed, segment: usize, weights: &[f64], static_part: f64) -> Vec<Term> {
+    /// What is summed for an end, counted from the segment's begin: weights w_j give `2Nk Σ_j w_j (q_j + β q̇_j)`, to which comes a
+    /// share of F_i and of F_o, less the kept modes, that sines give.
+    fn terms(&self, closed: &Closed, segment: usize, weights: &[f64], share: [f64; 2]) -> Vec<Term> {
         let (scale, dashpot) = (self.force_scale(), self.mount.damping().dashpot_time());
         let segment = &closed.segments[segment];
         // Of a function e^(λt), value and dashpot together are 1 + βλ times it.
@@ -187,14 +207,14 @@ impl Motion {
             let elapsed = segment.from - drive.sine.since;
             let steady: Complex64 = drive.gains.iter().zip(weights).map(|(gain, weight)| gain * weight).sum();
             let phasor = (I * drive.sine.phase + root * elapsed).exp();
-            let without_mass = static_part * drive.sine.amplitude * self.static_force_per(drive.end);
-            let coefficient = -I * phasor * (scale * steady * (1.0 + dashpot * root) + without_mass);
-            if coefficient != Complex64::default() {
-                terms.push(Term { coefficient, function: Function::Exponential(root) });
-            }
+            let straight = share[0] * self.straight_gain(drive, 0) + share[1] * self.straight_gain(drive, 1);
+            let mut shared = -I * phasor * (scale * steady * (1.0 + dashpot * root) + straight);
             for near in drive.near.iter().filter(|near| weights[near.mode] != 0.0) {
                 let coefficient = scale * weights[near.mode] * near.coefficient;
-                near.push_terms(&mut terms, coefficient, root, elapsed, dashpot);
+                shared += near.push_terms(&mut terms, coefficient, root, elapsed, dashpot);
+            }
+            if shared != Complex64::default() {
+                terms.push(Term { coefficient: shared, function: Function::Exponential(root) });
             }
         }
         terms

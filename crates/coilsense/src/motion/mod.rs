@@ -13,6 +13,7 @@ mod phasor_sum;
 mod start;
 mod stream;
 mod stride;
+mod truncated;
 mod windings;
 
 pub use stream::{ForceSample, Live, Stream};
@@ -28,6 +29,7 @@ use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
 use closed::{Closed, ModalState};
 use march::March;
+use truncated::Remainder;
 
 /// Motion of the paper's chain under one excitation.
 ///
@@ -59,6 +61,7 @@ pub struct Motion {
     ratios: Vec<f64>,
     start: ModalState,
     closed: Option<Closed>,
+    remainder: Remainder,
 }
 
 impl Motion {
@@ -85,6 +88,7 @@ impl Motion {
             ratios,
             start: ModalState { coordinates: Vec::new(), rates: Vec::new() },
             closed: None,
+            remainder: Remainder::NONE,
         };
         motion.start = motion.relative_start()?;
         motion.closed = Closed::new(&motion.modes, &motion.ratios, motion.start.clone(), motion.inputs());

@@ -5,6 +5,7 @@
 
 use aligned_vec::{AVec, avec};
 use num_complex::Complex64;
+use pulp::{Simd, WithSimd};
 
 use super::oscillator::divided_exponential;
 use super::panel::{COLUMNS, Panel, ROWS, Unfold};
@@ -61,7 +62,7 @@ pub(super) fn add(terms: &[Term], grid: Grid, targets: &mut [Target<'_>]) {
     let mut tables = [Tables::default(), Tables::default()];
     let mut sums = [avec![0.0; ROWS * blocks.columns], avec![0.0; ROWS * blocks.columns]];
     for tile in terms.chunks(TILE) {
-        fill(&mut tables, tile, &blocks);
+        dispatch(Fill { tables: &mut tables, terms: tile, blocks: &blocks });
         for first_row in (0..blocks.rows).step_by(ROWS) {
             for (sums, tables) in sums.iter_mut().zip(&tables) {
                 dispatch(Panel {
@@ -132,55 +133,83 @@ impl Default for Tables {
 }
 
 impl Tables {
-    fn push(&mut self, left: impl ExactSizeIterator<Item = f64>, right: &[f64]) {
+    #[inline(always)]
+    fn push(&mut self, c: Complex64, part: Part, blocks: &Phasors, right: &[f64]) {
         let begin = self.left.len();
-        self.left.resize(begin + left.len(), 0.0);
-        for (place, value) in self.left[begin..].iter_mut().zip(left) {
-            *place = value;
+        self.left.resize(begin + blocks.re.len(), 0.0);
+        let (re, im) = match part {
+            Part::Real => (c.re, -c.im),
+            Part::MinusImaginary => (-c.im, -c.re),
+        };
+        let places = self.left[begin..].iter_mut();
+        for ((place, block_re), block_im) in places.zip(&blocks.re).zip(&blocks.im) {
+            *place = re * block_re + im * block_im;
         }
         self.right.extend_from_slice(right);
     }
 }
 
-/// Fills the even and the odd tables.
-fn fill(tables: &mut [Tables; 2], terms: &[Term], blocks: &Blocks) {
-    for table in tables.iter_mut() {
-        table.left.clear();
-        table.right.clear();
-    }
-    let (block, sample, stride) = blocks.origins();
-    let step = blocks.grid.step;
-    let (mut over_blocks, mut over_samples) = (Phasors::of(blocks.rows), Phasors::of(blocks.columns));
-    for term in terms {
-        match term.function {
-            Function::Exponential(root) => {
-                over_blocks.powers(root, block, stride);
-                over_samples.powers(root, sample, step);
-                push(tables, term.coefficient, &over_blocks, &over_samples, blocks.paired, false);
-            }
-            // E(t + s) = e^(at) E(s) + E(t) e^(bs)
-            Function::Divided(a, b) => {
-                over_blocks.powers(a, block, stride);
-                over_samples.divided(a, b, sample, step);
-                push(tables, term.coefficient, &over_blocks, &over_samples, blocks.paired, true);
-                over_blocks.divided(a, b, block, stride);
-                over_samples.powers(b, sample, step);
-                push(tables, term.coefficient, &over_blocks, &over_samples, blocks.paired, false);
+/// Part of the product of a coefficient and a phasor.
+#[derive(Clone, Copy)]
+enum Part {
+    Real,
+    MinusImaginary,
+}
+
+/// Fills the even and the odd tables of a tile of terms.
+struct Fill<'a> {
+    tables: &'a mut [Tables; 2],
+    terms: &'a [Term],
+    blocks: &'a Blocks,
+}
+
+impl WithSimd for Fill<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, _: S) {
+        // Plain loops: the compiler turns them into the vectors that are allowed here.
+        self.tables[0].left.clear();
+        self.tables[0].right.clear();
+        self.tables[1].left.clear();
+        self.tables[1].right.clear();
+        let (rows, columns) = (self.blocks.rows, self.blocks.columns);
+        let (mut over_blocks, mut over_samples) = (Phasors::of(rows), Phasors::of(columns));
+        let (mut drive_over_blocks, mut drive_over_samples) = (Phasors::of(rows), Phasors::of(columns));
+        let (block, sample, stride) = self.blocks.origins();
+        let step = self.blocks.grid.step;
+        for term in self.terms {
+            match term.function {
+                Function::Exponential(root) => {
+                    over_blocks.powers(root, block, stride);
+                    over_samples.powers(root, sample, step);
+                    self.push(term.coefficient, &over_blocks, &over_samples, false);
+                }
+                // E(t + s) = e^(at) E(s) + E(t) e^(bs)
+                Function::Divided(a, b) => {
+                    drive_over_samples.powers(b, sample, step);
+                    over_blocks.powers(a, block, stride);
+                    over_samples.divided(a, b, sample, step, &drive_over_samples);
+                    self.push(term.coefficient, &over_blocks, &over_samples, true);
+                    drive_over_blocks.powers(b, block, stride);
+                    over_blocks.divided(a, b, block, stride, &drive_over_blocks);
+                    self.push(term.coefficient, &over_blocks, &drive_over_samples, false);
+                }
             }
         }
     }
 }
 
-/// Adds the product of both phasors. `mirrored`: f(−s) = −f(s)* instead of f(s)*, which exchanges even and odd.
-fn push(tables: &mut [Tables; 2], c: Complex64, blocks: &Phasors, samples: &Phasors, paired: bool, mirrored: bool) {
-    let each = blocks.re.iter().zip(&blocks.im);
-    let real = each.clone().map(|(re, im)| c.re * re - c.im * im);
-    let imaginary = each.map(|(re, im)| -(c.re * im + c.im * re));
-    let [even, odd] = tables;
-    let (with_real, with_imaginary) = if mirrored && paired { (odd, even) } else { (even, odd) };
-    with_real.push(real, &samples.re);
-    // Without pairs both products go into one sum.
-    if paired { with_imaginary } else { with_real }.push(imaginary, &samples.im);
+impl Fill<'_> {
+    /// Adds the product of both phasors. `mirrored`: f(−s) = −f(s)* instead of f(s)*, which exchanges even and odd.
+    #[inline(always)]
+    fn push(&mut self, coefficient: Complex64, blocks: &Phasors, samples: &Phasors, mirrored: bool) {
+        let exchanged = usize::from(mirrored && self.blocks.paired);
+        self.tables[exchanged].push(coefficient, Part::Real, blocks, &samples.re);
+        // Without pairs both products go into one sum.
+        let other = if self.blocks.paired { 1 - exchanged } else { exchanged };
+        self.tables[other].push(coefficient, Part::MinusImaginary, blocks, &samples.im);
+    }
 }
 
 /// Values of a function at equidistant times.
@@ -190,12 +219,14 @@ struct Phasors {
 }
 
 impl Phasors {
+    #[inline(always)]
     fn of(count: usize) -> Self {
         Self { re: vec![0.0; count], im: vec![0.0; count] }
     }
 
     /// e^(λ(first + k step)): direct at powers of two, products between, so that no entry is more than log2(count) products away
     /// from a direct one.
+    #[inline(always)]
     fn powers(&mut self, root: Complex64, first: f64, step: f64) {
         let start = exponential(root * first);
         (self.re[0], self.im[0]) = (start.re, start.im);
@@ -213,15 +244,29 @@ impl Phasors {
         }
     }
 
-    fn divided(&mut self, a: Complex64, b: Complex64, first: f64, step: f64) {
-        for (index, (re, im)) in self.re.iter_mut().zip(&mut self.im).enumerate() {
-            let value = divided_exponential(a, b, first + index as f64 * step);
-            (*re, *im) = (value.re, value.im);
+    /// E(first + k step) of a and b, likewise: `E(t + s) = e^(as) E(t) + E(s) e^(bt)`; `drive`: e^(bt) at the same times.
+    #[inline(always)]
+    fn divided(&mut self, a: Complex64, b: Complex64, first: f64, step: f64, drive: &Self) {
+        let start = divided_exponential(a, b, first);
+        (self.re[0], self.im[0]) = (start.re, start.im);
+        let (mut known, mut stride) = (1, step);
+        while known < self.re.len() {
+            let (factor, added) = (exponential(a * stride), divided_exponential(a, b, stride));
+            let (re, more_re) = self.re.split_at_mut(known);
+            let (im, more_im) = self.im.split_at_mut(known);
+            let olds = re.iter().zip(im.iter()).zip(drive.re.iter().zip(&drive.im));
+            for (((re, im), (drive_re, drive_im)), (new_re, new_im)) in olds.zip(more_re.iter_mut().zip(more_im)) {
+                *new_re = re * factor.re - im * factor.im + drive_re * added.re - drive_im * added.im;
+                *new_im = re * factor.im + im * factor.re + drive_re * added.im + drive_im * added.re;
+            }
+            known *= 2;
+            stride *= 2.0;
         }
     }
 }
 
 /// e^z, for which an undamped mode needs no exponential.
+#[inline(always)]
 fn exponential(z: Complex64) -> Complex64 {
     if z.re == 0.0 {
         let (sin, cos) = z.im.sin_cos();

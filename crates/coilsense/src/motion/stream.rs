@@ -63,9 +63,9 @@ impl Iterator for Stream<'_> {
         let time = self.sample as f64 * self.step;
         self.sample += 1;
         self.march.advance_to(time);
-        let static_force = self.motion.static_force(time);
-        let [input, output] = self.motion.surge_forces(self.march.sums());
-        Some(ForceSample { time, input: static_force + input, output: static_force + output })
+        let ([input, output], [slow_input, slow_output]) =
+            (self.motion.surge_forces(self.march.sums()), self.motion.slow_forces(time));
+        Some(ForceSample { time, input: slow_input + input, output: slow_output + output })
     }
 }
 
