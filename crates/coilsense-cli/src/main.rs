@@ -27,9 +27,12 @@ enum Command {
 const BAD_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
+    let arguments = Arguments::parse();
+    // A wrong COILSENSE_SIMD is bad input like any other.
+    let simd = coilsense::simd::SimdPath::selected().map_err(anyhow::Error::from);
+    let result = simd.and_then(|_| match arguments.command {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
-    };
+    });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

@@ -126,6 +126,52 @@ fn a_reader_that_leaves_early_is_no_error() {
 }
 
 #[test]
+fn a_science_error_is_one_line_and_says_things_once() {
+    // Uniform windings that would have to overlap over all of the range still have an inductance; a range of one point has none.
+    let folder = springs(|text| text.replace("windings = 52 ", "windings = 1.2 "));
+    let message = refused(&["reproduce", "--springs", path(folder.path())]);
+    assert!(message.contains("S_T.toml: windings = 1.2: must be from 1.5 to 1000"), "{message}");
+    let folder = springs(|text| text.replace("windings = 52 ", "windings = 20000 "));
+    let message = refused(&["reproduce", "--springs", path(folder.path())]);
+    assert!(message.contains("S_T.toml: windings = 20000: must be from 1.5 to 1000"), "{message}");
+}
+
+#[test]
+fn swapped_spring_files_are_refused() {
+    let folder = springs(|text| text.replace("name = \"S_T\"", "name = \"S_A\""));
+    let message = refused(&["reproduce", "--springs", path(folder.path())]);
+    assert!(message.contains("name = \"S_A\": must be another name"), "{message}");
+}
+
+#[test]
+fn unknown_vector_instructions_are_refused() {
+    let output = Command::new(env!("CARGO_BIN_EXE_coilsense"))
+        .args(["reproduce", "--out", "/nowhere/at/all"])
+        .env("COILSENSE_SIMD", "mmx")
+        .output()
+        .expect("the command starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        text(&output.stderr).starts_with("error: COILSENSE_SIMD must be one of scalar"),
+        "{}",
+        text(&output.stderr)
+    );
+}
+
+#[test]
+fn what_an_earlier_run_left_does_not_stand_beside_the_new_report() {
+    let place = tempfile::tempdir().unwrap();
+    for protocol in ["both", "text"] {
+        let output = coilsense(&["reproduce", "--protocol", protocol, "--out", path(place.path())]);
+        assert!(output.status.success());
+    }
+    let signals = fs::read_dir(place.path().join("signals")).unwrap();
+    let names: Vec<String> = signals.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    assert_eq!(names.len(), 10, "{names:?}");
+    assert!(names.iter().all(|name| !name.contains("tables")), "{names:?}");
+}
+
+#[test]
 fn a_wrong_option_is_refused_with_a_hint() {
     let output = coilsense(&["reproduce", "--protocl", "text"]);
     assert_eq!(output.status.code(), Some(2));

@@ -49,6 +49,34 @@ fn the_report_needs_nothing_from_outside() {
 }
 
 #[test]
+fn the_page_marks_just_the_cells_that_differ() {
+    let place = written(&Protocol::ALL);
+    let reproduction = reproduce(PaperSprings::built_in().unwrap(), &Protocol::ALL).unwrap();
+    let page = fs::read_to_string(place.path().join("report.html")).unwrap();
+    let computed =
+        || reproduction.cells.iter().flat_map(|cell| cell.computed.iter().map(move |c| (c, cell.published.percent)));
+    let differing = computed().filter(|(computed, printed)| computed.differs_from(*printed)).count();
+    assert_eq!(page.matches("<td class=\"off\">").count(), differing);
+    assert!((40..80).contains(&differing), "{differing}");
+    for (cell, _) in computed() {
+        assert!(page.contains(&format!(">{:.3}", cell.percent)), "{cell:?}");
+    }
+    for fact in [
+        "9.248",
+        "54.065",
+        "168.523",
+        "121.60",
+        "0.36 µH (13 %)",
+        "64.5 g",
+        "79.3 g",
+        "0.32 % of F_nom",
+        "0.44 % of F_nom",
+    ] {
+        assert!(page.contains(fact), "{fact}");
+    }
+}
+
+#[test]
 fn tables_json_holds_60_cells_with_their_keys() {
     for (protocols, nulls) in [(&Protocol::ALL[..], [false, false]), (&[Protocol::Text][..], [false, true])] {
         let place = written(protocols);

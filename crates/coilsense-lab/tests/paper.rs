@@ -61,6 +61,85 @@ fn every_difference_has_a_reason_and_every_reason_a_difference() {
 }
 
 #[test]
+fn the_reasons_are_those_that_part_the_readings() {
+    let reproduction = reproduction();
+    let letters = |table: Table, spring: &str, condition: &str, force: Channel, protocol: Protocol| -> String {
+        let place = (spring, Condition::named(condition).unwrap(), force);
+        let cell = reproduction.cells.iter().find(|cell| cell.table() == table && cell.place() == place).unwrap();
+        cell.by(protocol).unwrap().reasons.iter().map(|reason| reason.letter()).collect()
+    };
+    let (text, tables) = (Protocol::Text, Protocol::Tables);
+    let (f_i, f_o, f_l) = (Channel::InputForce, Channel::OutputForce, Channel::InductanceForce);
+    for (table, spring, condition, force, protocol, expected) in [
+        (Table::Two, "S_T", "heel strike", f_i, text, ""),
+        (Table::Two, "S_T", "end stop max", f_o, text, ""),
+        (Table::Two, "S_T", "end stop min", f_i, text, "a"),
+        (Table::Two, "S_T", "half resonance", f_o, text, "b"),
+        (Table::Two, "S_T", "half resonance", f_l, text, ""),
+        (Table::Two, "S_A", "heel strike", f_o, text, "c"),
+        (Table::Two, "S_A", "end stop min", f_i, text, "ac"),
+        (Table::Two, "S_A", "resonance", f_l, text, "bc"),
+        (Table::Three, "S_T", "heel strike", f_i, text, "d"),
+        (Table::Three, "S_T", "heel strike", f_o, tables, "e"),
+        (Table::Three, "S_T", "resonance", f_i, tables, "f"),
+        (Table::Three, "S_T", "resonance", f_l, text, "bd"),
+        (Table::Three, "S_A", "end stop max", f_o, tables, "e"),
+        (Table::Three, "S_A", "half resonance", f_i, tables, "f"),
+        (Table::Three, "S_A", "half resonance", f_i, text, "bcf"),
+    ] {
+        let found = letters(table, spring, condition, force, protocol);
+        assert_eq!(found, expected, "{table:?} {spring} {condition} {force:?} {protocol:?}");
+    }
+}
+
+#[test]
+fn fig_4_draws_each_force_in_the_papers_style() {
+    use coilsense_lab::plot::{Colour, Dash};
+    let reproduction = reproduction();
+    let figures = reproduction.figures();
+    let names: Vec<&str> = figures.iter().map(|figure| figure.name.as_str()).collect();
+    assert_eq!(names, ["figure-2", "figure-4-S_T", "figure-4-S_A"]);
+    let conditions = [Condition::HeelStrike, Condition::EndStopMax, Condition::Resonance];
+    for (spring, named) in ["S_T", "S_A"].into_iter().zip(&figures[1..]) {
+        assert_eq!(named.figure.panels.len(), 3);
+        for (condition, panel) in conditions.into_iter().zip(&named.figure.panels) {
+            let signals = &reproduction.case(spring, condition).unwrap().signals;
+            assert_eq!(panel.x.range, Some((0.9, 1.0)));
+            for (channel, colour, dash) in [
+                (Channel::OutputForce, Colour::Red, Dash::Solid),
+                (Channel::InputForce, Colour::Blue, Dash::DashDot),
+                (Channel::DeflectionForce, Colour::Green, Dash::Dotted),
+                (Channel::InductanceForce, Colour::Ink, Dash::Dashed),
+            ] {
+                let curve = panel.curves.iter().find(|curve| curve.label == channel.name()).unwrap();
+                assert_eq!((curve.stroke.colour, curve.stroke.dash), (colour, dash), "{spring} {}", curve.label);
+                let values = signals.channel(channel).unwrap();
+                assert_eq!(curve.y, values[values.len() - curve.y.len()..]);
+                assert_eq!((curve.x.len(), curve.x[curve.x.len() - 1]), (1001, 1.0));
+            }
+        }
+    }
+}
+
+#[test]
+fn fig_2_shows_the_chain_and_eq_1_with_the_poles_of_eq_1() {
+    let reproduction = reproduction();
+    let figure = &reproduction.figures()[0].figure;
+    let panel = &figure.panels[0];
+    let (chain, wave) = (&panel.curves[0], &panel.curves[1]);
+    assert_eq!((chain.label.as_str(), wave.label.as_str()), ("chain of 52 windings", "eq. (1)"));
+    let marks: Vec<String> = panel.marks.iter().map(|mark| format!("{:.2}", mark.x)).collect();
+    assert_eq!(marks, ["27.03", "81.10", "135.16", "189.23"]);
+    let tau = reproduction.springs.first().1.transit_time();
+    let at = chain.x.iter().position(|hertz| *hertz > 150.0).unwrap();
+    let eq_1 = (1.0 / (std::f64::consts::TAU * wave.x[at] * tau).cos()).abs();
+    assert!((wave.y[at] / eq_1 - 1.0).abs() < 1e-12);
+    // The chain lies off eq. (1) by a per mille there: seen, but near.
+    let off = (chain.y[at] / wave.y[at] - 1.0).abs();
+    assert!((1e-4..0.05).contains(&off), "{off}");
+}
+
+#[test]
 fn the_sampling_range_of_table_iii_holds_the_value_itself() {
     let reproduction = reproduction();
     let third = reproduction.cells.iter().filter(|cell| cell.table() == Table::Three);

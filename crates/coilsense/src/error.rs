@@ -54,14 +54,20 @@ const LARGEST: f64 = 1e9;
 /// Lets through a value above zero, of a size that springs have.
 pub(crate) fn above_zero(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
     check(value.is_finite() && value > 0.0, quantity, value, unit, "above zero and finite")?;
-    let holds = (1.0 / LARGEST..=LARGEST).contains(&value);
-    check(holds, quantity, value, unit, format!("from {:e} to {LARGEST:e} {unit}", 1.0 / LARGEST))
+    // The text is made only where it is needed: this is asked at every step of a stream.
+    if (1.0 / LARGEST..=LARGEST).contains(&value) {
+        return Ok(value);
+    }
+    check(false, quantity, value, unit, format!("from {:e} to {LARGEST:e} {unit}", 1.0 / LARGEST))
 }
 
 /// Lets through a finite value.
 pub(crate) fn finite(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
     check(value.is_finite(), quantity, value, unit, "finite")?;
-    check(value.abs() <= LARGEST, quantity, value, unit, format!("at most {LARGEST:e} either way"))
+    if value.abs() <= LARGEST {
+        return Ok(value);
+    }
+    check(false, quantity, value, unit, format!("at most {LARGEST:e} either way"))
 }
 
 /// Lets `value` through where `holds`, else says what is `allowed`.
@@ -101,6 +107,14 @@ pub(crate) fn all_bounded(quantity: &'static str, values: &[f64], unit: &'static
             check(false, format!("{quantity}[{index}]"), values[index], unit, allowed).map(|_| ())
         }
     }
+}
+
+/// Lets through a series that is not empty.
+pub(crate) fn at_least_one(quantity: &'static str, found: usize) -> Result<(), Error> {
+    if found > 0 {
+        return Ok(());
+    }
+    Err(Error::Count { quantity: quantity.into(), found, allowed: "at least 1".into() })
 }
 
 /// Lets through a series of exactly `expected` values.

@@ -138,6 +138,18 @@ fn times_that_cannot_be_watched_are_refused() {
         motion.end_forces(&[0.1, -1.0]).unwrap_err().to_string(),
         "time[1] must be finite and not below zero, got -1 s"
     );
+    assert_eq!(motion.end_forces(&[]).unwrap_err().to_string(), "times must hold at least 1 values, got 0");
+    assert_eq!(
+        motion.signals(&[0.1, 0.1]).unwrap_err().to_string(),
+        "time[1] must be above its predecessor of 0.1 s, got 0.1 s"
+    );
+    // A NaN among many equidistant times, where all are worked off together.
+    let mut many: Vec<f64> = (0..100).map(|k| f64::from(k) * 1e-3).collect();
+    many[57] = f64::NAN;
+    assert_eq!(
+        motion.end_forces(&many).unwrap_err().to_string(),
+        "time[57] must be finite and not below zero, got NaN s"
+    );
     assert!(motion.windings(&[f64::NAN]).unwrap_err().to_string().starts_with("time[0] must be finite"));
 }
 

@@ -116,7 +116,7 @@ impl EndInput {
             }
             Self::Ramp { height, from, duration } => height * ((time - from) / duration).clamp(0.0, 1.0),
             Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
-            Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().iter().map(|sine| sine.displacement(time)).sum(),
+            Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().map(|sine| sine.displacement(time)).sum(),
             Self::Sampled(sampled) => sampled.value(time),
         }
     }
@@ -154,7 +154,7 @@ impl EndInput {
                 }
             }
             Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
-            Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().iter().map(|sine| sine.velocity(time)).sum(),
+            Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().map(|sine| sine.velocity(time)).sum(),
             Self::Sampled(sampled) => sampled.slope(time),
         }
     }
@@ -169,7 +169,7 @@ impl EndInput {
             }
             Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
             Self::Harmonics(_) | Self::HalfSine { .. } => {
-                self.sines().iter().map(|sine| -sine.angular * sine.angular * sine.displacement(time)).sum()
+                self.sines().map(|sine| -sine.angular * sine.angular * sine.displacement(time)).sum()
             }
             _ => 0.0,
         }
@@ -179,7 +179,7 @@ impl EndInput {
     pub(crate) fn highest_angular(&self) -> f64 {
         match self {
             Self::Chirp { from, to, .. } => TAU * from.max(*to),
-            _ => self.sines().iter().fold(0.0, |highest, sine| sine.angular.max(highest)),
+            _ => self.sines().fold(0.0, |highest, sine| sine.angular.max(highest)),
         }
     }
 
@@ -193,17 +193,21 @@ impl EndInput {
     }
 
     /// The sines it is made of. A half sine is two whole ones, the second of which begins when the first would turn negative.
-    pub(crate) fn sines(&self) -> Vec<Sine> {
-        match self {
-            Self::Harmonics(harmonics) => harmonics
-                .iter()
-                .map(|h| Sine { amplitude: h.amplitude, angular: TAU * h.frequency, phase: h.phase, since: 0.0 })
-                .collect(),
-            Self::HalfSine { height, from, duration } => [*from, from + duration]
-                .map(|since| Sine { amplitude: *height, angular: PI / duration, phase: 0.0, since })
-                .into(),
-            _ => Vec::new(),
-        }
+    pub(crate) fn sines(&self) -> impl Iterator<Item = Sine> {
+        let harmonics = match self {
+            Self::Harmonics(harmonics) => harmonics.as_slice(),
+            _ => &[],
+        };
+        let halves = match self {
+            Self::HalfSine { height, from, duration } => {
+                let half = |since| Sine { amplitude: *height, angular: PI / duration, phase: 0.0, since };
+                Some([half(*from), half(from + duration)])
+            }
+            _ => None,
+        };
+        let whole =
+            |h: &Harmonic| Sine { amplitude: h.amplitude, angular: TAU * h.frequency, phase: h.phase, since: 0.0 };
+        harmonics.iter().map(whole).chain(halves.into_iter().flatten())
     }
 
     /// Whether it can only be followed step by step: a chirp has no elementary solution.
@@ -245,7 +249,7 @@ impl EndInput {
                 vec![kick(*from, 0.0, height / duration), kick(from + duration, 0.0, -height / duration)]
             }
             Self::HalfSine { .. } => {
-                self.sines().iter().map(|sine| kick(sine.since, 0.0, sine.amplitude * sine.angular)).collect()
+                self.sines().map(|sine| kick(sine.since, 0.0, sine.amplitude * sine.angular)).collect()
             }
             Self::Sampled(sampled) => sampled.kicks(),
         };

@@ -3,7 +3,7 @@
 //! Next door: the other inputs (`input`).
 
 use super::input::Kick;
-use crate::error::{Error, all_bounded, check, count};
+use crate::error::{Error, all_bounded, at_least_one, check, count};
 
 /// A recorded series, checked. Steps may be uneven.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,10 +28,7 @@ impl Sampled {
     /// assert_eq!(error.to_string(), "sample time[2] must be above its predecessor of 0.1 s, got 0.1 s");
     /// ```
     pub fn new(times: Vec<f64>, values: Vec<f64>) -> Result<Self, Error> {
-        if times.is_empty() {
-            let (quantity, allowed) = ("sample times".into(), "at least 1".into());
-            return Err(Error::Count { quantity, found: 0, allowed });
-        }
+        at_least_one("sample times", times.len())?;
         count("sample values", values.len(), times.len())?;
         all_bounded("sample time", &times, "s")?;
         all_bounded("sample value", &values, "")?;

@@ -23,7 +23,7 @@ pub struct BoundedSeries {
 }
 
 impl MaxwellSum {
-    /// As [`Self::series`], by [`SecondOrder`] about each sample's own length where its bound is within `tolerance` of L, and by the
+    /// As [`Self::series`], by [`super::SecondOrder`] about each sample's own length where its bound is within `tolerance` of L, and by the
     /// exact sum elsewhere.
     ///
     /// - `tolerance`: relative to L \[1\], zero or above; below 1e-14, the allowance for rounding, every sample is exact

@@ -32,9 +32,7 @@ impl Clash {
     /// # Errors
     /// [`Error::Count`] for no times; [`Error::Value`] for a time that is not finite, below zero, or not after its predecessor.
     pub fn of(motion: &Motion, times: &[f64]) -> Result<Self, Error> {
-        if times.is_empty() {
-            return Err(Error::Count { quantity: "times".into(), found: 0, allowed: "at least 1".into() });
-        }
+        crate::error::at_least_one("times", times.len())?;
         let times = crate::signals::increasing(times)?;
         let wire_diameter = motion.spring().wire_diameter();
         let windings = motion.windings(times)?;

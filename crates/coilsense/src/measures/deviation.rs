@@ -2,7 +2,7 @@
 //!
 //! Next door: windings that touch (`clash`).
 
-use crate::error::{Error, all_finite, check, count};
+use crate::error::{Error, all_finite, at_least_one, check, count};
 
 /// How a series deviates from its reference; every field has the unit of the series.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,9 +39,7 @@ impl Deviation {
     /// # Ok::<(), coilsense::Error>(())
     /// ```
     pub fn between(force: &[f64], reference: &[f64]) -> Result<Self, Error> {
-        if force.is_empty() {
-            return Err(Error::Count { quantity: "force".into(), found: 0, allowed: "at least 1".into() });
-        }
+        at_least_one("force", force.len())?;
         count("reference", reference.len(), force.len())?;
         all_finite("force", force, "N")?;
         all_finite("reference", reference, "N")?;

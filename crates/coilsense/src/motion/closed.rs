@@ -88,7 +88,7 @@ impl Closed {
         let mut drives = Vec::new();
         for (end, (input, participations)) in inputs.into_iter().zip(modes.participations()).enumerate() {
             let of_sine = |sine| Drive::new(&oscillators, end, sine, participations);
-            drives.extend(input.sines().into_iter().map(of_sine));
+            drives.extend(input.sines().map(of_sine));
         }
         let mut closed = Self { oscillators, segments: Vec::new(), drives };
         closed.begin(start);

@@ -43,7 +43,7 @@ impl Motion {
     /// Accuracy: 1e-12 of the peak, as [`Motion`].
     ///
     /// # Errors
-    /// [`Error::Value`] for the first time that is not finite or below zero.
+    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
     pub fn end_forces(&self, times: &[f64]) -> Result<EndForces, Error> {
         if let Some(closed) = self.closed.as_ref().filter(|_| is_equidistant(times)) {
             return Ok(self.together(closed, times));

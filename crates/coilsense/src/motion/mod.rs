@@ -21,7 +21,7 @@ pub use windings::Windings;
 
 pub use forces::EndForces;
 
-use crate::error::{Error, check};
+use crate::error::{Error, at_least_one, check};
 use crate::excitation::{End, EndInput, Excitation};
 use crate::modes::ChainModes;
 use crate::mount::{FarEnd, Mount};
@@ -169,7 +169,7 @@ impl Motion {
     /// - `times`: t \[s\], shape `samples`, in any order, none below zero
     ///
     /// # Errors
-    /// [`Error::Value`] for the first time that is not finite or below zero.
+    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
     pub fn windings(&self, times: &[f64]) -> Result<Windings, Error> {
         let masses = self.modes.masses();
         let mut windings = Windings::zero(masses, times.len());
@@ -224,7 +224,7 @@ impl Motion {
     /// u1 and u2 \[m\] at each time, shape `samples × 2`; end 1 has its mean at 0.
     ///
     /// # Errors
-    /// [`Error::Value`] for the first time that is not finite or below zero.
+    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
     pub fn ends(&self, times: &[f64]) -> Result<Vec<[f64; 2]>, Error> {
         check_times(times)?;
         let mut ends: Vec<[f64; 2]> = times.iter().map(|&time| self.line(time)).collect();
@@ -301,6 +301,7 @@ fn step_of(times: &[f64]) -> f64 {
 
 /// Times must be finite and not before the start.
 fn check_times(times: &[f64]) -> Result<(), Error> {
+    at_least_one("times", times.len())?;
     match times.iter().position(|time| !time.is_finite() || *time < 0.0) {
         None => Ok(()),
         Some(index) => {

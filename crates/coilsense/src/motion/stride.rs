@@ -105,9 +105,15 @@ impl Stride {
     /// The sums now.
     pub(super) fn sums(&mut self) -> Sums {
         if !self.sums_are_current {
-            let rates: Vec<f64> = self.kicked_rates().collect();
-            let both = |values: &[f64]| [dot(values, &self.weights[0]), dot(values, &self.weights[1])];
-            self.sums = Sums { coordinates: both(&self.coordinates), rates: both(&rates) };
+            let mut sums = Sums::default();
+            let weights = self.weights[0].iter().zip(self.weights[1].iter());
+            for ((coordinate, rate), (input, output)) in self.coordinates.iter().zip(self.kicked_rates()).zip(weights) {
+                sums.coordinates[0] += input * coordinate;
+                sums.coordinates[1] += output * coordinate;
+                sums.rates[0] += input * rate;
+                sums.rates[1] += output * rate;
+            }
+            self.sums = sums;
             self.sums_are_current = true;
         }
         self.sums

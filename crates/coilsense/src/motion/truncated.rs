@@ -98,13 +98,13 @@ impl Motion {
 fn ringing_under(input: &EndInput, oscillator: &Oscillator, participation: f64) -> f64 {
     let natural = oscillator.natural;
     let jumps: f64 = input.kicks().iter().map(|kick| kick.displacement.hypot(kick.velocity / natural)).sum();
-    let of_sine = |sine: &Sine| {
+    let of_sine = |sine: Sine| {
         let acceleration = sine.amplitude.abs() * sine.angular * sine.angular;
         let (gain, follows) = (oscillator.steady_gain(sine.angular), 1.0 / (natural * natural));
         // Beyond the static answer once steady, and the free motion that makes it begin from rest; its dashpot is left out whole.
         acceleration * ((gain - follows).norm() + gain.norm() * (1.0 + sine.angular / natural) + follows)
     };
-    let sines: f64 = input.sines().iter().map(of_sine).sum();
+    let sines: f64 = input.sines().map(of_sine).sum();
     let chirp = input.chirp_impulse() / natural;
     participation.abs() * (jumps + sines + chirp)
 }

@@ -1,0 +1,35 @@
+//! The streaming forms need no memory that grows: counted by an allocator that counts.
+
+mod paper_springs;
+
+use std::alloc::System;
+
+use coilsense::motion::Live;
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Start};
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+
+#[global_allocator]
+static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+#[test]
+fn a_hundred_thousand_steps_allocate_nothing() {
+    let spring = paper_springs::s_t();
+    let mount = Mount::new(FarEnd::Mass(0.1), Damping::Modal(0.005)).unwrap();
+    // A mean length, a start and a sine: everything but a recording, which is itself memory.
+    let excitation = Excitation::new(0.23, EndInput::harmonic(1e-3, 20.0, 0.0), EndInput::Held, Start::Rest).unwrap();
+    let motion = Motion::mounted(&spring, &mount, &excitation).unwrap();
+    let mut stream = motion.stream(1e-4).unwrap();
+    let mut live = Live::new(&spring, &mount, 0.23, 1e-4).unwrap();
+    // The first steps find their transitions.
+    for sample in stream.by_ref().take(10) {
+        live.advance([1e-4 * sample.time, 0.0]).unwrap();
+    }
+    let region = Region::new(ALLOCATOR);
+    let mut sum = 0.0;
+    for sample in stream.take(100_000) {
+        sum += sample.output + live.advance([1e-3 * (40.0 * sample.time).sin(), 0.0]).unwrap().input;
+    }
+    let change = region.change();
+    assert!(f64::is_finite(sum));
+    assert_eq!(change.bytes_allocated, 0, "{change:?}");
+}
