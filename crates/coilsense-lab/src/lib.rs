@@ -12,6 +12,8 @@ pub mod quantity;
 
 pub mod spec;
 
+pub mod condition;
+
 pub mod published;
 
 pub mod reproduce;

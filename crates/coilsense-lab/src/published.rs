@@ -4,7 +4,7 @@
 
 use coilsense::Channel;
 
-use crate::reproduce::Condition;
+use crate::condition::Condition;
 
 /// Tables II and III as the paper prints them; compiled in so that the command works from any folder.
 const FILES: [(Table, &str, &str); 2] = [

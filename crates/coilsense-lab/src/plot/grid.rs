@@ -5,9 +5,9 @@
 
 use super::drawing::Frame;
 use super::head;
-use super::layout::{EDGE, LINE, SMALL, TICK_ROOM};
 use super::lettering::width;
 use super::ruler::Ruler;
+use super::sheet::{EDGE, LINE, SMALL, TICK_ROOM};
 use super::ticks::ticks;
 use super::{Axis, Figure, Panel, PlotError};
 

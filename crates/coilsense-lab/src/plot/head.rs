@@ -3,10 +3,10 @@
 //! The frame itself is drawn in `panel`.
 
 use super::drawing::{Anchor, Pen, Shape};
-use super::layout::{EDGE, LETTERS, LINE, SMALL};
 use super::lettering::width;
-use super::panel::Scene;
 use super::ruler::Ruler;
+use super::scene::Scene;
+use super::sheet::{EDGE, LETTERS, LINE, SMALL};
 use super::{Mark, Panel};
 
 /// Height of a row of mark labels \[px\].

@@ -5,20 +5,11 @@
 use super::drawing::Drawing;
 use super::grid::{Grid, most_y_ticks, shows_x_label, shows_y_label};
 use super::legend::Legend;
-use super::panel::{self, Scene};
+use super::panel;
 use super::ruler::Ruler;
+use super::scene::Scene;
+use super::sheet::EDGE;
 use super::{Curve, Figure, Panel, PlotError, Theme};
-
-/// Letter size of tick labels and marks: 8.25 pt \[px\].
-pub(super) const SMALL: f64 = 11.0;
-/// Letter size of axis labels and titles: 9 pt \[px\].
-pub(super) const LETTERS: f64 = 12.0;
-/// Height of a line of text \[px\].
-pub(super) const LINE: f64 = 16.0;
-/// From the frame to the tick labels, past the ticks \[px\].
-pub(super) const TICK_ROOM: f64 = 8.0;
-/// Above titles, and below the lowest label \[px\].
-pub(super) const EDGE: f64 = 8.0;
 
 /// Draws the whole figure.
 pub(super) fn draw(figure: &Figure, theme: Theme) -> Result<Drawing, PlotError> {

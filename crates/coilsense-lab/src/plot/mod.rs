@@ -21,6 +21,8 @@ mod lettering;
 mod panel;
 mod raster;
 mod ruler;
+mod scene;
+mod sheet;
 mod stroke;
 mod svg;
 #[cfg(test)]

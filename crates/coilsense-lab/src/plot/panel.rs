@@ -2,14 +2,15 @@
 //!
 //! Where the frame lies is `layout`'s matter; title and marks are `head`'s.
 
-use super::drawing::{Anchor, Frame, Pen, Point, Shape, Text};
+use super::drawing::{Anchor, Pen, Point, Shape, Text};
 use super::head;
-use super::layout::{EDGE, LETTERS, LINE, SMALL, TICK_ROOM};
 use super::lettering::width;
 use super::ruler::Ruler;
+use super::scene::Scene;
+use super::sheet::{EDGE, LETTERS, LINE, SMALL, TICK_ROOM};
 use super::ticks::{Ticks, ticks};
 use super::trace::runs;
-use super::{Colour, Panel, Scale, Theme};
+use super::{Colour, Scale};
 
 /// Length of a labelled tick, outwards \[px\].
 const TICK: f64 = 4.5;
@@ -17,21 +18,6 @@ const TICK: f64 = 4.5;
 const MINOR_TICK: f64 = 2.5;
 /// Least room between two tick labels \[px\].
 const LABEL_GAP: f64 = 14.0;
-
-/// A panel with all that `layout` settled for it.
-pub(super) struct Scene<'a> {
-    pub panel: &'a Panel,
-    pub frame: Frame,
-    /// Of x and y.
-    pub rulers: [Ruler; 2],
-    /// The most labels on the y axis.
-    pub y_ticks: usize,
-    pub x_label: bool,
-    pub y_label: bool,
-    /// Room left of the frame \[px\].
-    pub y_room: f64,
-    pub theme: Theme,
-}
 
 /// Draws everything of a panel, from the back to the front.
 pub(super) fn draw(scene: &Scene, shapes: &mut Vec<Shape>) {
@@ -133,13 +119,5 @@ fn y_letters(scene: &Scene, y: &Ticks, shapes: &mut Vec<Shape>) {
         let at = [scene.frame.left - scene.y_room + EDGE + 0.75 * LETTERS, middle];
         let label = scene.text(&scene.panel.y.label, at, LETTERS, Anchor::Middle);
         shapes.push(Shape::Text(Text { upwards: true, ..label }));
-    }
-}
-
-impl Scene<'_> {
-    /// A line of text in the theme's ink.
-    pub fn text(&self, markup: &str, at: Point, size: f64, anchor: Anchor) -> Text {
-        let ink = self.theme.shade(Colour::Ink);
-        Text { markup: markup.to_owned(), at, size, ink, anchor, upwards: false }
     }
 }

@@ -4,7 +4,7 @@
 
 mod case;
 mod cell;
-mod condition;
+
 mod figures;
 mod protocol;
 mod reason;
@@ -14,10 +14,10 @@ use std::path::Path;
 use coilsense::Spring;
 use rayon::prelude::*;
 
+pub use crate::condition::Condition;
 pub(crate) use case::all_file_stems;
 pub use case::{Case, CaseResult, Maxima};
 pub use cell::{Cell, TOLERANCE_POINTS};
-pub use condition::Condition;
 pub use figures::NamedFigure;
 pub use protocol::{PAPER_NOMINAL_FORCE_FACTOR, Protocol};
 pub use reason::Reason;

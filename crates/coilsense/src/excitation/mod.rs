@@ -2,11 +2,12 @@
 //!
 //! Next door: one end's drive (`input`, `sampled`), what the spring does then (`motion`).
 
+mod event;
 mod input;
 mod sampled;
 
+pub(crate) use event::{Kick, Sine};
 pub use input::{EndInput, Harmonic};
-pub(crate) use input::{Kick, Sine};
 pub use sampled::Sampled;
 
 use crate::error::{Error, above_zero, all_bounded, count, finite};

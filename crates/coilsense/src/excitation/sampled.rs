@@ -2,7 +2,7 @@
 //!
 //! Next door: the other inputs (`input`).
 
-use super::input::Kick;
+use super::event::Kick;
 use crate::error::{Error, all_bounded, at_least_one, check, count};
 
 /// A recorded series, checked. Steps may be uneven.

@@ -1,6 +1,6 @@
 //! The five conditions of the paper's tables.
 //!
-//! Next door: how each protocol reads them (`protocol`).
+//! Next door: how each protocol reads them (`reproduce`), the numbers printed for them (`published`).
 
 /// A row of Tables II and III.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
