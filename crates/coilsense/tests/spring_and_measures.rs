@@ -154,6 +154,15 @@ fn times_that_cannot_be_watched_are_refused() {
 }
 
 #[test]
+fn positions_of_very_many_windings_are_refused_and_their_forces_are_not() {
+    let spring = Spring::new(s_t_with(|p| p.windings = 20_000.0)).unwrap();
+    let motion = Motion::new(&spring, &Excitation::impact(0.23, 0.25).unwrap()).unwrap();
+    let message = motion.windings(&[0.1]).unwrap_err().to_string();
+    assert_eq!(message, "windings must be at most 5000 for their positions, got 20000");
+    assert!(motion.end_forces(&[0.1]).is_ok());
+}
+
+#[test]
 fn fractional_windings_follow_the_rule() {
     // 10.4 of them: 10 turns at pitch l/10.4, the self term 10.4 times.
     let spring = Spring::new(s_t_with(|p| p.inductance_windings = Some(10.4))).unwrap();

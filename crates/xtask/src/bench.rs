@@ -37,15 +37,15 @@ struct Measurement {
 
 /// One row of `target/bench.json`.
 #[derive(Serialize)]
-struct Row {
-    job: String,
-    system: String,
-    setting: String,
-    median_ms: Option<f64>,
-    max_rel_error: Option<f64>,
+pub struct Row {
+    pub job: String,
+    pub system: String,
+    pub setting: String,
+    pub median_ms: Option<f64>,
+    pub max_rel_error: Option<f64>,
     /// This system's median over coilsense's on the same job.
-    ratio: Option<f64>,
-    note: String,
+    pub ratio: Option<f64>,
+    pub note: String,
 }
 
 /// Measures, prints, writes `target/bench.json`.
@@ -65,6 +65,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let rows = with_ratios(measurements);
     print(&rows);
+    crate::goals::print(&rows);
     let path = root().join("target/bench.json");
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
         .with_context(|| format!("{} cannot be written", path.display()))?;

@@ -4,7 +4,7 @@
 
 use num_complex::Complex64;
 
-use super::oscillator::{Oscillator, Roots, divided_exponential};
+use super::oscillator::{Oscillator, Roots, divided_exponential, exponential};
 use super::phasor_sum::{Function, Term};
 use crate::excitation::{EndInput, Kick, Sine};
 use crate::modes::ChainModes;
@@ -23,6 +23,12 @@ const I: Complex64 = Complex64::new(0.0, 1.0);
 pub(super) struct ModalState {
     pub coordinates: Vec<f64>,
     pub rates: Vec<f64>,
+}
+
+impl ModalState {
+    pub(super) fn zero(count: usize) -> Self {
+        Self { coordinates: vec![0.0; count], rates: vec![0.0; count] }
+    }
 }
 
 /// Everything that the closed solution is made of.
@@ -106,7 +112,8 @@ impl Closed {
 
     /// A new segment after a jump of an input: winding positions and velocities stay, the straight line jumps under them.
     fn jump(&mut self, participation: &[f64], kick: Kick) {
-        let mut state = self.free_state(kick.time);
+        let mut state = ModalState::zero(self.oscillators.len());
+        self.free_state(kick.time, &mut state);
         for (mode, participation) in participation.iter().enumerate() {
             state.coordinates[mode] -= participation * kick.displacement;
             state.rates[mode] -= participation * kick.velocity;
@@ -156,24 +163,23 @@ impl Closed {
         &self.segments[next.max(1) - 1]
     }
 
-    fn free_state(&self, time: f64) -> ModalState {
-        let count = self.oscillators.len();
-        let mut state = ModalState { coordinates: vec![0.0; count], rates: vec![0.0; count] };
+    fn free_state(&self, time: f64, state: &mut ModalState) {
+        state.coordinates.fill(0.0);
+        state.rates.fill(0.0);
         let segment = self.segment_at(time);
-        for exponential in &segment.exponentials {
-            let value = exponential.coefficient * (exponential.root * (time - segment.from)).exp();
-            state.coordinates[exponential.mode] += value.re;
-            state.rates[exponential.mode] += (value * exponential.root).re;
+        for part in segment.exponentials.iter().filter(|part| part.coefficient != Complex64::default()) {
+            let value = part.coefficient * exponential(part.root * (time - segment.from));
+            state.coordinates[part.mode] += value.re;
+            state.rates[part.mode] += (value * part.root).re;
         }
-        state
     }
 
-    /// q_j and q̇_j at a time.
-    pub(super) fn state(&self, time: f64) -> ModalState {
-        let mut state = self.free_state(time);
+    /// q_j and q̇_j at a time, into a state of as many modes.
+    pub(super) fn state_into(&self, time: f64, state: &mut ModalState) {
+        self.free_state(time, state);
         for drive in self.drives.iter().filter(|drive| drive.sine.since <= time) {
             let elapsed = time - drive.sine.since;
-            let phasor = (I * (drive.sine.angular * elapsed + drive.sine.phase)).exp();
+            let phasor = exponential(I * (drive.sine.angular * elapsed + drive.sine.phase));
             for (mode, gain) in drive.gains.iter().enumerate() {
                 let steady = gain * phasor;
                 state.coordinates[mode] += steady.im;
@@ -185,7 +191,6 @@ impl Closed {
                 state.rates[near.mode] += (near.coefficient * (first_rate - second_rate)).re;
             }
         }
-        state
     }
 }
 

@@ -4,7 +4,7 @@
 
 use num_complex::Complex64;
 
-use super::closed::{Closed, Drive};
+use super::closed::{Closed, Drive, ModalState};
 use super::panel::CountOn;
 use super::phasor_sum::{Function, Grid, Target, Term, add};
 use super::stride::Sums;
@@ -52,8 +52,9 @@ impl Motion {
         let mut forces = EndForces::zero(times.len());
         match &self.closed {
             Some(closed) => {
+                let mut state = ModalState::zero(self.modes.count());
                 for (sample, &time) in times.iter().enumerate() {
-                    let state = closed.state(time);
+                    closed.state_into(time, &mut state);
                     self.set(&mut forces, sample, self.sums(&state.coordinates, &state.rates));
                 }
             }

@@ -17,6 +17,7 @@ mod truncated;
 mod windings;
 
 pub use stream::{ForceSample, Live, Stream};
+use windings::Place;
 pub use windings::Windings;
 
 pub use forces::EndForces;
@@ -26,10 +27,14 @@ use crate::excitation::{End, EndInput, Excitation};
 use crate::modes::ChainModes;
 use crate::mount::{FarEnd, Mount};
 use crate::signals::{Channel, Signals};
+use crate::simd::dispatch;
 use crate::spring::Spring;
 use closed::{Closed, ModalState};
 use march::March;
 use truncated::Remainder;
+
+/// Most windings whose positions are found: their shapes are a matrix of that many rows and columns, 200 MB.
+const MOST_PLACED: usize = 5000;
 
 /// Motion of the paper's chain under one excitation.
 ///
@@ -151,8 +156,10 @@ impl Motion {
     fn for_each_sample(&self, times: &[f64], mut visit: impl FnMut(usize, f64, &[f64])) -> Result<(), Error> {
         check_times(times)?;
         if let Some(closed) = &self.closed {
+            let mut state = ModalState::zero(self.modes.count());
             for (sample, &time) in times.iter().enumerate() {
-                visit(sample, time, &closed.state(time).coordinates);
+                closed.state_into(time, &mut state);
+                visit(sample, time, &state.coordinates);
             }
             return Ok(());
         }
@@ -169,14 +176,14 @@ impl Motion {
     /// - `times`: t \[s\], shape `samples`, in any order, none below zero
     ///
     /// # Errors
-    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
+    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero, or more than 5000 windings.
     pub fn windings(&self, times: &[f64]) -> Result<Windings, Error> {
         let masses = self.modes.masses();
         let mut windings = Windings::zero(masses, times.len());
-        let shapes = self.shape_rows();
+        let shapes = self.shape_rows()?;
         self.for_each_sample(times, |sample, time, coordinates| {
             let line = self.line(time);
-            place(windings.row_mut(sample), &shapes, coordinates, line);
+            dispatch(Place { row: windings.row_mut(sample), shapes: &shapes, coordinates, ends: line });
             let end: f64 = self.modes.end_shapes().iter().zip(coordinates).map(|(shape, q)| shape * q).sum();
             windings.set_ends(sample, [line[0], line[1] + end]);
         })?;
@@ -190,7 +197,11 @@ impl Motion {
     pub fn velocities(&self, time: f64) -> Result<Vec<f64>, Error> {
         check_times(&[time])?;
         let state = match &self.closed {
-            Some(closed) => closed.state(time),
+            Some(closed) => {
+                let mut state = ModalState::zero(self.modes.count());
+                closed.state_into(time, &mut state);
+                state
+            }
             None => {
                 let mut march = self.march(time);
                 march.advance_to(time);
@@ -198,7 +209,8 @@ impl Motion {
             }
         };
         let mut row = vec![0.0; self.modes.masses()];
-        place(&mut row, &self.shape_rows(), &state.rates, self.line_velocity(time));
+        let (shapes, ends) = (self.shape_rows()?, self.line_velocity(time));
+        dispatch(Place { row: &mut row, shapes: &shapes, coordinates: &state.rates, ends });
         Ok(row)
     }
 
@@ -261,24 +273,17 @@ impl Motion {
     }
 
     /// φ_j(i) as a matrix, one row per mode: shape `count × N`, row-major.
-    fn shape_rows(&self) -> Vec<f64> {
+    fn shape_rows(&self) -> Result<Vec<f64>, Error> {
+        let masses = self.modes.masses();
+        check(
+            masses <= MOST_PLACED,
+            "windings",
+            masses as f64,
+            "",
+            format!("at most {MOST_PLACED} for their positions"),
+        )?;
         let row = |mode| (1..=self.modes.masses()).map(move |winding| self.modes.shape_at(mode, winding));
-        (1..=self.modes.count()).flat_map(row).collect()
-    }
-}
-
-/// Straight line between the ends plus the modal pattern: works for positions and for velocities alike.
-fn place(row: &mut [f64], shapes: &[f64], coordinates: &[f64], ends: [f64; 2]) {
-    let masses = row.len();
-    let spacing = (ends[1] - ends[0]) / masses as f64;
-    row.fill(0.0);
-    for (shape, coordinate) in shapes.chunks_exact(masses).zip(coordinates) {
-        for (position, shape) in row.iter_mut().zip(shape) {
-            *position += shape * coordinate;
-        }
-    }
-    for (index, position) in row.iter_mut().enumerate() {
-        *position += ends[0] + (index as f64 + 0.5) * spacing;
+        Ok((1..=self.modes.count()).flat_map(row).collect())
     }
 }
 

@@ -71,10 +71,20 @@ impl Oscillator {
     }
 }
 
+/// e^z, for which an undamped mode needs no exponential.
+#[inline(always)]
+pub(super) fn exponential(z: Complex64) -> Complex64 {
+    if z.re == 0.0 {
+        let (sin, cos) = z.im.sin_cos();
+        return Complex64::new(cos, sin);
+    }
+    z.exp()
+}
+
 /// (e^(at) − e^(bt)) / (a − b), without cancellation where a and b are close: at a = b it is t e^(at), the secular solution.
 pub(super) fn divided_exponential(a: Complex64, b: Complex64, time: f64) -> Complex64 {
     let gap = (a - b) * time;
-    (b * time).exp() * phi1(gap) * time
+    exponential(b * time) * phi1(gap) * time
 }
 
 /// (e^z − 1)/z.

@@ -7,7 +7,7 @@ use aligned_vec::{AVec, avec};
 use num_complex::Complex64;
 use pulp::{Simd, WithSimd};
 
-use super::oscillator::divided_exponential;
+use super::oscillator::{divided_exponential, exponential};
 use super::panel::{COLUMNS, Panel, ROWS, Unfold};
 use crate::simd::dispatch;
 
@@ -263,16 +263,6 @@ impl Phasors {
             stride *= 2.0;
         }
     }
-}
-
-/// e^z, for which an undamped mode needs no exponential.
-#[inline(always)]
-fn exponential(z: Complex64) -> Complex64 {
-    if z.re == 0.0 {
-        let (sin, cos) = z.im.sin_cos();
-        return Complex64::new(cos, sin);
-    }
-    z.exp()
 }
 
 #[cfg(test)]

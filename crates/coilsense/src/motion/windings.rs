@@ -2,6 +2,8 @@
 //!
 //! Next door: how they got there (the parent), whether they touch (`measures`), what they do to a coil (`inductance`).
 
+use pulp::{Simd, WithSimd};
+
 use crate::error::{Error, all_finite};
 
 /// Positions of both ends and of all windings over time \[m\].
@@ -71,5 +73,36 @@ impl Windings {
     /// x_1…x_N of every sample; shape `samples × N`, row-major.
     pub fn positions(&self) -> &[f64] {
         &self.positions
+    }
+}
+
+/// Straight line between the ends plus the modal pattern: works for positions and for velocities alike.
+pub(super) struct Place<'a> {
+    /// Shape `N`.
+    pub row: &'a mut [f64],
+    /// φ_j(i), one row per mode: shape `count × N`.
+    pub shapes: &'a [f64],
+    /// Shape `count`.
+    pub coordinates: &'a [f64],
+    pub ends: [f64; 2],
+}
+
+impl WithSimd for Place<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        // Plain loops: the compiler turns them into the vectors that are allowed here.
+        let masses = self.row.len();
+        let spacing = (self.ends[1] - self.ends[0]) / masses as f64;
+        self.row.fill(0.0);
+        for (shape, coordinate) in self.shapes.chunks_exact(masses).zip(self.coordinates) {
+            for (position, shape) in self.row.iter_mut().zip(shape) {
+                *position += shape * coordinate;
+            }
+        }
+        for (index, position) in self.row.iter_mut().enumerate() {
+            *position += self.ends[0] + (index as f64 + 0.5) * spacing;
+        }
     }
 }

@@ -1,0 +1,87 @@
+//! What the engine is meant to reach against its peers, judged by the rows of one run.
+//!
+//! Next door: the rows (`bench`).
+
+use crate::bench::Row;
+
+/// At least so many times faster than a peer on a job.
+struct Goal {
+    job: &'static str,
+    system: &'static str,
+    setting: &'static str,
+    factor: f64,
+    /// What limits it where it is missed.
+    limit: &'static str,
+}
+
+const SMOOTH: &str =
+    "the peer's steps grow on a smooth motion, ours costs the same as an impact; and it is right to 1e-7 only";
+const CONVOLUTION: &str =
+    "one convolution solves a single recorded input; ours follows every mode from sample to sample, for any two inputs";
+
+const GOALS: [Goal; 15] = [
+    goal("impact", "diffsol", "tsit45, rtol 1e-9", 900.0, SMOOTH),
+    goal("end-stop", "diffsol", "tsit45, rtol 1e-9", 900.0, SMOOTH),
+    goal("resonance", "diffsol", "tsit45, rtol 1e-9", 900.0, SMOOTH),
+    goal("impact", "SciPy", "signal.lsim", 200.0, ""),
+    goal("end-stop", "SciPy", "signal.lsim", 200.0, ""),
+    goal("resonance", "SciPy", "signal.lsim", 200.0, ""),
+    goal("recorded", "SciPy", "signal.lsim", 20.0, ""),
+    goal("impact", "NumPy", "modal sum, matrix product", 3.0, CONVOLUTION),
+    goal("end-stop", "NumPy", "modal sum, matrix product", 3.0, CONVOLUTION),
+    goal("resonance", "NumPy", "modal sum, matrix product", 3.0, CONVOLUTION),
+    goal("recorded", "NumPy", "modal sum, matrix product", 3.0, CONVOLUTION),
+    goal("mutual", "cfsem", "circular filament, scalar", 3.0, ""),
+    goal("mutual", "cfsem", "circular filament, slices", 3.0, ""),
+    goal("inductance", "cfsem", "circular filament, scalar", 4.0, ""),
+    goal("inductance", "ellip", "eq. 8 as printed", 4.0, ""),
+];
+
+const fn goal(
+    job: &'static str,
+    system: &'static str,
+    setting: &'static str,
+    factor: f64,
+    limit: &'static str,
+) -> Goal {
+    Goal { job, system, setting, factor, limit }
+}
+
+/// Largest error over the peak that coilsense may have on the jobs of S_T.
+const LARGEST_ERROR: f64 = 1e-12;
+
+/// Prints each goal as met or missed.
+pub fn print(rows: &[Row]) {
+    println!("\ngoals");
+    for goal in &GOALS {
+        let of_goal = |row: &&Row| (&*row.job, &*row.system, &*row.setting) == (goal.job, goal.system, goal.setting);
+        let Some(ratio) = rows.iter().find(of_goal).and_then(|row| row.ratio) else {
+            continue; // not measured in this run
+        };
+        let what = format!("{}: {:.1}× {} {}", goal.job, ratio, goal.system, goal.setting);
+        if ratio >= goal.factor {
+            println!("  met     {what} (goal {}×)", goal.factor);
+        } else {
+            println!("  MISSED  {what} (goal {}×): {}", goal.factor, goal.limit);
+        }
+    }
+    for job in ["impact", "end-stop", "resonance", "recorded"] {
+        let errors =
+            rows.iter().filter(|row| row.job == job && row.system == "coilsense").filter_map(|row| row.max_rel_error);
+        let worst = errors.fold(0.0, f64::max);
+        let verdict = if worst <= LARGEST_ERROR { "met   " } else { "MISSED" };
+        println!("  {verdict}  {job}: error {worst:.1e} of the peak (goal {LARGEST_ERROR:e})");
+    }
+    print_growth(rows);
+}
+
+/// Time must not grow faster than windings times samples.
+fn print_growth(rows: &[Row]) {
+    let median = |job: &str| rows.iter().find(|row| row.job == job && row.system == "coilsense")?.median_ms;
+    let (Some(few), Some(many)) = (median("impact"), median("impact-50000")) else {
+        return;
+    };
+    let (time, windings) = (many / few, 50_000.0 / 52.0);
+    let verdict = if time <= windings { "met   " } else { "MISSED" };
+    println!("  {verdict}  from N = 52 to 50 000, {windings:.0} times the windings, takes {time:.0} times the time");
+}
