@@ -2,11 +2,14 @@
 //!
 //! Next door: the mount that carries it (`mount`), the motion under it (`motion`), its effect over frequency (`two_port`).
 
-use crate::error::{Error, check, count};
+use crate::error::{Error, check, count, not_negative};
 
 /// Damping of the windings.
 ///
 /// It acts on winding velocities *relative to the straight line between the ends*, so a spring that is carried along feels none.
+/// Over time, where end 2 carries a mass or is under a force, the line ends where a spring without mass would end: each mode of the
+/// mounted spring has its ζ_j, the swing of the end mass included. Over frequency a [`crate::two_port::TwoPort`] knows no mount: its line
+/// runs to end 2 wherever that is, so under a load only what the coil does between its ends is damped.
 /// F_i and F_o are the end segments' elastic force, plus their dashpot for stiffness-proportional damping only.
 ///
 /// No citable measured range of ζ for coil springs is known: identify it from a log, and show results as a band.
@@ -42,13 +45,10 @@ impl Damping {
     /// # Errors
     /// [`Error::Value`] for the first value that is not.
     pub(crate) fn checked(self) -> Result<Self, Error> {
-        let value = |quantity: &'static str, value: f64, unit| {
-            check(value.is_finite() && value >= 0.0, quantity, value, unit, "finite and not below zero")
-        };
         match &self {
             Self::None => {}
             Self::Modal(ratio) => {
-                value("damping ratio", *ratio, "")?;
+                not_negative("damping ratio", *ratio, "")?;
             }
             Self::ModalEach(ratios) => {
                 for (index, &ratio) in ratios.iter().enumerate() {
@@ -57,13 +57,13 @@ impl Damping {
                 }
             }
             Self::MassProportional { rate } => {
-                value("mass-proportional damping", *rate, "1/s")?;
+                not_negative("mass-proportional damping", *rate, "1/s")?;
             }
             Self::StiffnessProportional { time } => {
-                value("stiffness-proportional damping", *time, "s")?;
+                not_negative("stiffness-proportional damping", *time, "s")?;
             }
             Self::Hysteretic { loss_factor } => {
-                value("loss factor", *loss_factor, "")?;
+                not_negative("loss factor", *loss_factor, "")?;
             }
         }
         Ok(self)

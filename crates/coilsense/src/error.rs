@@ -109,6 +109,11 @@ pub(crate) fn all_bounded(quantity: &'static str, values: &[f64], unit: &'static
     }
 }
 
+/// Lets through a finite value that is zero or above.
+pub(crate) fn not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+    check(value.is_finite() && value >= 0.0, quantity, value, unit, "finite and not below zero")
+}
+
 /// Lets through a series that is not empty.
 pub(crate) fn at_least_one(quantity: &'static str, found: usize) -> Result<(), Error> {
     if found > 0 {

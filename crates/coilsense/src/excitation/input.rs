@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::event::{Kick, Sine};
 use super::sampled::Sampled;
-use crate::error::{Error, above_zero, check, finite};
+use crate::error::{Error, above_zero, check, finite, not_negative};
 
 /// One sine: a sin(2πft + phase).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,6 +67,9 @@ pub enum EndInput {
     /// A recorded series, straight from sample to sample (first-order hold).
     Sampled(Sampled),
 }
+
+/// Most turns of a chirp.
+const MOST_TURNS: f64 = 1e6;
 
 impl EndInput {
     /// One sine: a sin(2πft + phase).
@@ -242,9 +245,6 @@ impl EndInput {
 
     /// Lets through an input whose every value is what it must be.
     pub(super) fn checked(self) -> Result<Self, Error> {
-        let not_negative = |quantity: &'static str, value: f64, unit| {
-            check(value.is_finite() && value >= 0.0, quantity, value, unit, "finite and not below zero")
-        };
         match &self {
             Self::Held | Self::Sampled(_) => {}
             Self::Harmonics(harmonics) => {
@@ -256,18 +256,21 @@ impl EndInput {
             }
             Self::Chirp { amplitude, from, to, duration, phase } => {
                 finite("amplitude", *amplitude, "m")?;
-                not_negative("first frequency", *from, "Hz")?;
-                not_negative("last frequency", *to, "Hz")?;
+                finite("first frequency", not_negative("first frequency", *from, "Hz")?, "Hz")?;
+                finite("last frequency", not_negative("last frequency", *to, "Hz")?, "Hz")?;
+                // Followed step by step: more turns than this would take minutes.
+                let turns = 0.5 * (from + to) * duration;
+                check(turns <= MOST_TURNS, "turns of the chirp", turns, "", format!("at most {MOST_TURNS:e}"))?;
                 above_zero("duration", *duration, "s")?;
                 finite("phase", *phase, "rad")?;
             }
             Self::Step { height, at } => {
                 finite("height", *height, "m")?;
-                not_negative("time of the step", *at, "s")?;
+                finite("time of the step", not_negative("time of the step", *at, "s")?, "s")?;
             }
             Self::Ramp { height, from, duration } | Self::HalfSine { height, from, duration } => {
                 finite("height", *height, "m")?;
-                not_negative("begin", *from, "s")?;
+                finite("begin", not_negative("begin", *from, "s")?, "s")?;
                 above_zero("duration", *duration, "s")?;
             }
         }

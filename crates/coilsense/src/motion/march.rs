@@ -31,7 +31,7 @@ pub(super) struct March {
     /// Jumps still to come, the next one last.
     kicks: Vec<(usize, Kick)>,
     inputs: [EndInput; 2],
-    /// Largest angular frequency of modes and drives together \[rad/s\]; zero where no input is curved between its jumps.
+    /// Largest angular frequency, or rate of decay, of modes and drives together \[rad/s\]; zero where no input is curved between its jumps.
     curved: f64,
     time: f64,
     /// The step that most steps are meant to have; what differs from it by the rounding of times only is taken for it …
@@ -72,7 +72,7 @@ impl March {
             kicks.extend(input.kicks().into_iter().map(|kick| (end, kick)));
         }
         kicks.sort_by(|a, b| b.1.time.total_cmp(&a.1.time));
-        let highest_mode = modes.frequencies().iter().fold(0.0, |a: f64, &b| a.max(b));
+        let fastest_mode = oscillators.iter().fold(0.0, |fastest: f64, mode| fastest.max(mode.fastest()));
         let highest_drive = inputs.iter().fold(0.0, |a: f64, input| a.max(input.highest_angular()));
         Self {
             oscillators,
@@ -80,7 +80,7 @@ impl March {
             kicks,
             // Straight inputs are all in their kicks.
             inputs: if highest_drive > 0.0 { inputs.map(Clone::clone) } else { [EndInput::Held, EndInput::Held] },
-            curved: if highest_drive > 0.0 { highest_mode + highest_drive } else { 0.0 },
+            curved: if highest_drive > 0.0 { fastest_mode + highest_drive } else { 0.0 },
             time: 0.0,
             nominal,
             lag: 0.0,

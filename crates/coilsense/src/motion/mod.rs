@@ -36,6 +36,9 @@ use truncated::Remainder;
 /// Most windings whose positions are found: their shapes are a matrix of that many rows and columns, 200 MB.
 const MOST_PLACED: usize = 5000;
 
+/// Largest damping ratio of a motion over time: a mode that creeps a thousand times slower than it would swing is no spring.
+const LARGEST_RATIO: f64 = 1e3;
+
 /// Motion of the paper's chain under one excitation.
 ///
 /// Winding i sits at `x_i = u1 + s_i (û2 − u1) + Σ_j q_j φ_j(i)`, `s_i = (i−½)/N`, where û2 is u2 if its position is prescribed and
@@ -81,10 +84,14 @@ impl Motion {
     /// On any mount. Where end 2's position is not prescribed, its input is a force \[N\] about that of the mean length.
     ///
     /// # Errors
-    /// As [`Self::new`], and those of [`crate::Damping::ratios`].
+    /// As [`Self::new`], those of [`crate::Damping::ratios`], and [`Error::Value`] for a mode with a damping ratio above 1000.
     pub fn mounted(spring: &Spring, mount: &Mount, excitation: &Excitation) -> Result<Self, Error> {
         let modes = ChainModes::mounted(spring, mount.far_end());
         let ratios = mount.damping().ratios(modes.frequencies())?;
+        if let Some(mode) = ratios.iter().position(|ratio| *ratio > LARGEST_RATIO) {
+            let quantity = format!("damping ratio of mode {}", mode + 1);
+            check(false, quantity, ratios[mode], "", format!("at most {LARGEST_RATIO}"))?;
+        }
         let mut motion = Self {
             spring: spring.clone(),
             mount: mount.clone(),

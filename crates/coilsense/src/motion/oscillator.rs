@@ -33,7 +33,15 @@ impl Oscillator {
         Roots::Real(-self.natural * (self.natural / fast), -fast)
     }
 
-    /// Whether its two roots are so close that formulas that divide by their difference lose more than six digits.
+    /// Its fastest rate, of turning or of decay \[1/s\].
+    pub(super) fn fastest(&self) -> f64 {
+        match self.roots() {
+            Roots::Pair(_) => self.natural,
+            Roots::Real(_, fast) => -fast,
+        }
+    }
+
+    /// Whether its two roots are so close (2.8e-3 of ω) that formulas that divide by their difference lose three digits and more.
     pub(super) fn is_nearly_critical(&self) -> bool {
         (self.ratio - 1.0).abs() < 1e-6
     }

@@ -121,8 +121,8 @@ impl Stride {
 
     /// q_j and q̇_j.
     pub(super) fn state(&self) -> ModalState {
-        let unpadded = |values: &[f64]| values[..self.count].to_vec();
-        ModalState { coordinates: unpadded(&self.coordinates), rates: unpadded(&self.rates) }
+        let rates = self.kicked_rates().take(self.count).collect();
+        ModalState { coordinates: self.coordinates().to_vec(), rates }
     }
 
     /// q_j, shape `count`.

@@ -102,7 +102,9 @@ fn ringing_under(input: &EndInput, oscillator: &Oscillator, participation: f64) 
         let acceleration = sine.amplitude.abs() * sine.angular * sine.angular;
         let (gain, follows) = (oscillator.steady_gain(sine.angular), 1.0 / (natural * natural));
         // Beyond the static answer once steady, and the free motion that makes it begin from rest; its dashpot is left out whole.
-        acceleration * ((gain - follows).norm() + gain.norm() * (1.0 + sine.angular / natural) + follows)
+        let rings = (gain - follows).norm() + gain.norm() * (1.0 + sine.angular / natural) + follows;
+        // At a resonance without damping the gain is no number: the ringing grows without bound.
+        if rings.is_finite() { acceleration * rings } else { f64::INFINITY }
     };
     let sines: f64 = input.sines().map(of_sine).sum();
     let chirp = input.chirp_impulse() / natural;
