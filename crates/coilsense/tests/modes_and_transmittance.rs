@@ -8,7 +8,7 @@
 mod paper_springs;
 
 use coilsense::modes::{ChainModes, continuous_frequency};
-use coilsense::{Spring, transmittance};
+use coilsense::{FarEnd, Spring, transmittance};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use paper_springs::{s_a, s_t, s_t_with};
 
@@ -43,6 +43,53 @@ fn modes_are_those_of_the_stiffness_matrix() {
             let residual = &per_mass * &shape - &shape * modes.frequencies()[mode - 1].powi(2);
             assert!(residual.amax() < 1e-13 * per_mass.amax(), "mode {mode}: {}", residual.amax());
         }
+    }
+}
+
+#[test]
+fn modes_with_an_end_mass_obey_every_equation_of_the_chain() {
+    for windings in [1.0, 2.0, 52.0, 200.0] {
+        for end_mass in [1e-6, 0.02, 1.0, 1e3, 1e6] {
+            let spring = Spring::new(s_t_with(|p| p.windings = windings)).unwrap();
+            let n = spring.chain_masses();
+            let modes = ChainModes::mounted(&spring, FarEnd::Mass(end_mass));
+            assert_eq!(modes.count(), n + 1);
+            let k = n as f64 * spring.stiffness();
+            for (index, omega) in modes.frequencies().iter().enumerate() {
+                let shape = |winding| modes.shape(index + 1, winding).unwrap();
+                let end = modes.end_shapes()[index];
+                // The end mass: its inertia is the pull of the last half segment, to rounding of shapes of size 1.
+                let (inertia, pull) = (end_mass * omega * omega * end, 2.0 * k * (end - shape(n)));
+                assert!((inertia - pull).abs() < 1e-12 * (2.0 * k + pull.abs()), "N {n} M {end_mass} mode {index}");
+                // The first winding.
+                let next = if n > 1 { shape(2) } else { end };
+                let right = if n > 1 { k * (next - shape(1)) } else { 2.0 * k * (end - shape(1)) };
+                let force = right - 2.0 * k * shape(1);
+                let inertia = -spring.mass() / n as f64 * omega * omega * shape(1);
+                assert!(
+                    // Above cut-off the first windings may stand so still that they underflow.
+                    (force - inertia).abs() <= 1e-11 * k * shape(1).abs().max(next.abs()).max(1e-290),
+                    "N {n} M {end_mass} mode {index}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn an_end_mass_swings_as_beta_tan_beta_says() {
+    // N → ∞: β tan β = m/M; at N = 52 within 3e-5.
+    for ratio in [0.1, 1.0 / 3.0, 1.0, 5.0] {
+        let spring = s_t();
+        let modes = ChainModes::mounted(&spring, FarEnd::Mass(spring.mass() / ratio));
+        let beta = modes.frequencies()[0] * spring.transit_time();
+        assert!((beta * beta.tan() / ratio - 1.0).abs() < 2e-4, "{ratio}");
+        let (mut low, mut high) = (0.0, std::f64::consts::FRAC_PI_2);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if middle * f64::tan(middle) < ratio { low = middle } else { high = middle }
+        }
+        assert!((beta / low - 1.0).abs() < 1.2e-4, "{ratio}: {beta} {low}");
     }
 }
 

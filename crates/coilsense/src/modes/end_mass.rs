@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// What characterises a mode: `φ(i) = sin(θ(i−½))`, or above cut-off `φ(i) = (−1)^(i−1) cosh(φ(i−½)) / cosh(φN)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Angle {
-    /// θ in (0, π).
-    Wave(f64),
+    /// θ in (0, π), with sin(Nθ) and cos(Nθ): from θ alone they would lose their digits where end 2 nearly stands still.
+    Wave { theta: f64, sine: f64, cosine: f64 },
     /// φ above 0: neighbours swing against each other, most at end 2.
     AboveCutOff(f64),
 }
@@ -37,7 +37,8 @@ pub(super) fn angles(masses: usize, mass_ratio: f64) -> Vec<Angle> {
             let slope = cos * sin_x + count * sin * cos_x + mass_ratio * sin_x;
             (value, slope)
         });
-        Angle::Wave(base + x / count)
+        let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
+        Angle::Wave { theta: base + x / count, sine: sign * x.sin(), cosine: sign * x.cos() }
     });
     // N sinh φ tanh(Nφ) is below N sinh φ and, from where tanh is above ½ on, above half of it: the root lies below this.
     let upper = (2.0 * mass_ratio / count).asinh() + 1.0 / count;

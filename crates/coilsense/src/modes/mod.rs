@@ -160,9 +160,9 @@ impl ChainModes {
         match root {
             None if self.far_end == FarEnd::Position && mode == self.masses => count,
             None => 0.5 * count,
-            Some(Angle::Wave(theta)) => {
+            Some(Angle::Wave { theta, sine, cosine }) => {
                 let end = self.end_two(mode, root).0;
-                0.5 * count - (2.0 * count * theta).sin() / (4.0 * theta.sin()) + self.relative_end_mass * end * end
+                0.5 * count - sine * cosine / (2.0 * theta.sin()) + self.relative_end_mass * end * end
             }
             Some(Angle::AboveCutOff(phi)) => {
                 let end = self.end_two(mode, root).0;
@@ -181,10 +181,9 @@ impl ChainModes {
         match root {
             None if self.far_end == FarEnd::Position => (0.0, -self.shape_at(mode, self.masses)),
             None => (self.shape_at(mode, self.masses), 0.0),
-            Some(Angle::Wave(theta)) => {
-                let (sin, cos) = (count * theta).sin_cos();
+            Some(Angle::Wave { theta, sine, cosine }) => {
                 let (half_sin, half_cos) = (0.5 * theta).sin_cos();
-                (sin * half_cos, cos * half_sin)
+                (sine * half_cos, cosine * half_sin)
             }
             Some(Angle::AboveCutOff(phi)) => {
                 (sign * (count * phi).tanh() * (0.5 * phi).sinh(), sign * (0.5 * phi).cosh())
@@ -260,7 +259,7 @@ impl ChainModes {
                 sines[step as usize]
             }
             Angles::Roots(roots) => match roots[mode - 1] {
-                Angle::Wave(theta) => (theta * place).sin(),
+                Angle::Wave { theta, .. } => (theta * place).sin(),
                 Angle::AboveCutOff(phi) => {
                     let (near, far) = (phi * place, phi * self.masses as f64);
                     let size = ((near - far).exp() + (-near - far).exp()) / (1.0 + (-2.0 * far).exp());
