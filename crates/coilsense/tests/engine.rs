@@ -282,6 +282,22 @@ fn curved_inputs_are_followed_exactly_however_overdamped_the_modes_are() {
 }
 
 #[test]
+fn half_a_sine_on_a_mode_leaves_a_motion_that_no_longer_grows() {
+    // Its period is that of mode 20: while it lasts the mode's answer is secular, afterwards it swings freely for a thousand seconds.
+    let spring = s_t();
+    let mode = coilsense::modes::ChainModes::of(&spring).frequencies()[19];
+    let input = EndInput::HalfSine { height: 1e-3, from: 0.01, duration: std::f64::consts::PI / mode };
+    let excitation = Excitation::new(0.23, input, EndInput::Held, Start::Rest).unwrap();
+    let motion = Motion::new(&spring, &excitation).unwrap();
+    let times: Vec<f64> = (0..100).map(|k| 1000.0 + 1e-4 * f64::from(k)).collect();
+    let together = motion.end_forces(&times).unwrap().input;
+    let alone: Vec<f64> = times.iter().map(|&time| motion.end_forces(&[time]).unwrap().input[0]).collect();
+    // Phases of 1e7 radians, at 1e-16 of them each: 1e-9.
+    assert!(off(&together, &alone) < 1e-8, "{:e}", off(&together, &alone));
+    assert!((motion.energy(1000.0).unwrap() / motion.energy(1.0).unwrap() - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn velocities_at_a_jump_are_those_just_after_it() {
     let spring = s_t();
     let excitation = Excitation::new(0.23, recording(100, 1e-3), EndInput::Held, Start::Rest).unwrap();

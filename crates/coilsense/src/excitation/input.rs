@@ -90,7 +90,6 @@ impl EndInput {
                 }
             }
             Self::Ramp { height, from, duration } => height * ((time - from) / duration).clamp(0.0, 1.0),
-            Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
             Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().map(|sine| sine.displacement(time)).sum(),
             Self::Sampled(sampled) => sampled.value(time),
         }
@@ -128,7 +127,6 @@ impl EndInput {
                     0.0
                 }
             }
-            Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
             Self::Harmonics(_) | Self::HalfSine { .. } => self.sines().map(|sine| sine.velocity(time)).sum(),
             Self::Sampled(sampled) => sampled.slope(time),
         }
@@ -142,7 +140,6 @@ impl EndInput {
                 let growth = TAU * (to - from) / duration;
                 amplitude * (growth * angle.cos() - rate * rate * angle.sin())
             }
-            Self::HalfSine { from, duration, .. } if time >= from + duration => 0.0,
             Self::Harmonics(_) | Self::HalfSine { .. } => {
                 self.sines().map(|sine| -sine.angular * sine.angular * sine.displacement(time)).sum()
             }
@@ -167,22 +164,24 @@ impl EndInput {
         (phase + TAU * time * (from + 0.5 * growth * time), TAU * (from + growth * time))
     }
 
-    /// The sines it is made of. A half sine is two whole ones, the second of which begins when the first would turn negative.
+    /// The sines it is made of.
     pub(crate) fn sines(&self) -> impl Iterator<Item = Sine> {
         let harmonics = match self {
             Self::Harmonics(harmonics) => harmonics.as_slice(),
             _ => &[],
         };
-        let halves = match self {
+        let bump = match self {
             Self::HalfSine { height, from, duration } => {
-                let half = |since| Sine { amplitude: *height, angular: PI / duration, phase: 0.0, since };
-                Some([half(*from), half(from + duration)])
+                let (angular, until) = (PI / duration, from + duration);
+                Some(Sine { amplitude: *height, angular, phase: 0.0, since: *from, until })
             }
             _ => None,
         };
-        let whole =
-            |h: &Harmonic| Sine { amplitude: h.amplitude, angular: TAU * h.frequency, phase: h.phase, since: 0.0 };
-        harmonics.iter().map(whole).chain(halves.into_iter().flatten())
+        let whole = |h: &Harmonic| {
+            let (amplitude, angular, phase) = (h.amplitude, TAU * h.frequency, h.phase);
+            Sine { amplitude, angular, phase, since: 0.0, until: f64::INFINITY }
+        };
+        harmonics.iter().map(whole).chain(bump)
     }
 
     /// Whether it can only be followed step by step: a chirp has no elementary solution.
@@ -223,8 +222,9 @@ impl EndInput {
             Self::Ramp { height, from, duration } => {
                 vec![kick(*from, 0.0, height / duration), kick(from + duration, 0.0, -height / duration)]
             }
-            Self::HalfSine { .. } => {
-                self.sines().map(|sine| kick(sine.since, 0.0, sine.amplitude * sine.angular)).collect()
+            // Up at its begin, and up again where it would go on below zero.
+            Self::HalfSine { height, from, duration } => {
+                [*from, from + duration].map(|time| kick(time, 0.0, height * PI / duration)).into()
             }
             Self::Sampled(sampled) => sampled.kicks(),
         };

@@ -114,6 +114,12 @@ impl Closed {
     fn jump(&mut self, participation: &[f64], kick: Kick) {
         let mut state = ModalState::zero(self.oscillators.len());
         self.free_state(kick.time, &mut state);
+        // What a sine that ends now has driven goes on freely.
+        if self.segments.last().is_some_and(|last| last.from < kick.time) {
+            for drive in self.drives.iter().filter(|drive| drive.sine.until == kick.time) {
+                drive.add_to(kick.time, &mut state);
+            }
+        }
         for (mode, participation) in participation.iter().enumerate() {
             state.coordinates[mode] -= participation * kick.displacement;
             state.rates[mode] -= participation * kick.velocity;
@@ -177,24 +183,29 @@ impl Closed {
     /// q_j and q̇_j at a time, into a state of as many modes.
     pub(super) fn state_into(&self, time: f64, state: &mut ModalState) {
         self.free_state(time, state);
-        for drive in self.drives.iter().filter(|drive| drive.sine.since <= time) {
-            let elapsed = time - drive.sine.since;
-            let phasor = exponential(I * (drive.sine.angular * elapsed + drive.sine.phase));
-            for (mode, gain) in drive.gains.iter().enumerate() {
-                let steady = gain * phasor;
-                state.coordinates[mode] += steady.im;
-                state.rates[mode] += drive.sine.angular * steady.re;
-            }
-            for near in &drive.near {
-                let [(first, first_rate), (second, second_rate)] = near.parts(drive.sine.angular, elapsed);
-                state.coordinates[near.mode] += (near.coefficient * (first - second)).re;
-                state.rates[near.mode] += (near.coefficient * (first_rate - second_rate)).re;
-            }
+        for drive in self.drives.iter().filter(|drive| drive.sine.acts_at(time)) {
+            drive.add_to(time, state);
         }
     }
 }
 
 impl Drive {
+    /// Adds its answer at a time.
+    fn add_to(&self, time: f64, state: &mut ModalState) {
+        let elapsed = time - self.sine.since;
+        let phasor = exponential(I * (self.sine.angular * elapsed + self.sine.phase));
+        for (mode, gain) in self.gains.iter().enumerate() {
+            let steady = gain * phasor;
+            state.coordinates[mode] += steady.im;
+            state.rates[mode] += self.sine.angular * steady.re;
+        }
+        for near in &self.near {
+            let [(first, first_rate), (second, second_rate)] = near.parts(self.sine.angular, elapsed);
+            state.coordinates[near.mode] += (near.coefficient * (first - second)).re;
+            state.rates[near.mode] += (near.coefficient * (first_rate - second_rate)).re;
+        }
+    }
+
     /// `q̈ + 2ζω_n q̇ + ω_n² q = c a ω² sin(ω(t − since) + φ)` for each mode.
     fn new(oscillators: &[Oscillator], end: usize, sine: Sine, participations: &[f64]) -> Self {
         let mut drive = Self { end, sine, gains: vec![Complex64::default(); oscillators.len()], near: Vec::new() };

@@ -203,7 +203,7 @@ impl Motion {
                 terms.push(Term { coefficient, function: Function::Exponential(exponential.root) });
             }
         }
-        for drive in closed.drives.iter().filter(|drive| drive.sine.since <= segment.from) {
+        for drive in closed.drives.iter().filter(|drive| drive.sine.acts_at(segment.from)) {
             let root = I * drive.sine.angular;
             let elapsed = segment.from - drive.sine.since;
             let steady: Complex64 = drive.gains.iter().zip(weights).map(|(gain, weight)| gain * weight).sum();

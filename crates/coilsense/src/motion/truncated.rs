@@ -106,7 +106,9 @@ fn ringing_under(input: &EndInput, oscillator: &Oscillator, participation: f64) 
         // At a resonance without damping the gain is no number: the ringing grows without bound.
         if rings.is_finite() { acceleration * rings } else { f64::INFINITY }
     };
-    let sines: f64 = input.sines().map(of_sine).sum();
+    // A sine that ends frees what it drove: as much again.
+    let times = |sine: &Sine| if sine.until.is_finite() { 2.0 } else { 1.0 };
+    let sines: f64 = input.sines().map(|sine| times(&sine) * of_sine(sine)).sum();
     let chirp = input.chirp_impulse() / natural;
     participation.abs() * (jumps + sines + chirp)
 }
