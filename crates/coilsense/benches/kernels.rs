@@ -1,31 +1,17 @@
 //! Criterion benches of the kernels: `cargo bench --bench kernels`. Ratios count; figures move by a third between runs.
 
+#[path = "../tests/paper_springs/mod.rs"]
+mod paper_springs;
+
 use std::hint::black_box;
 
 use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductances};
 use coilsense::signals::sampled_window;
-use coilsense::{EndInput, Excitation, Motion, Spring, SpringParameters, Start};
+use coilsense::{EndInput, Excitation, Motion, Start};
 use criterion::{Criterion, criterion_group, criterion_main};
 
-/// S_T of the paper.
-fn spring() -> Spring {
-    Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 52.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    })
-    .expect("Table I is valid")
-}
-
 fn motion(criterion: &mut Criterion) {
-    let spring = spring();
+    let spring = paper_springs::s_t();
     let times = sampled_window(10_000.0, 0.0, 1.0).expect("a valid window");
     let impact = Excitation::impact(0.23, 0.25).expect("valid");
     let input = EndInput::harmonic(68e-6, spring.surge_frequency(), 0.0);
@@ -42,7 +28,7 @@ fn motion(criterion: &mut Criterion) {
 }
 
 fn inductance(criterion: &mut Criterion) {
-    let spring = spring();
+    let spring = paper_springs::s_t();
     let motion = Motion::new(&spring, &Excitation::impact(0.23, 0.25).expect("valid")).expect("valid");
     let windings = motion.windings(&sampled_window(10_000.0, 0.9, 1.0).expect("valid")).expect("valid");
     let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);

@@ -1,104 +1,14 @@
 //! One motion, three ways to it: all equidistant times together, each time alone, step by step. And what they must refuse.
 
+mod every_motion;
 mod paper_springs;
 
-use coilsense::excitation::{Harmonic, Sampled};
+use coilsense::excitation::Sampled;
 use coilsense::motion::Live;
-use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, Start, VelocityProfile};
-use paper_springs::{s_a, s_t};
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, Start};
+use every_motion::{dampings, motions, off, recording};
+use paper_springs::s_t;
 use proptest::prelude::*;
-
-/// A smooth recording of about a millimetre.
-fn recording(samples: usize, step: f64) -> EndInput {
-    let times: Vec<f64> = (0..samples).map(|k| k as f64 * step).collect();
-    let value = |t: &f64| 1e-3 * (13.0 * t).sin() * (171.0 * t).cos() + 2e-4 * (900.0 * t).sin();
-    let values = times.iter().map(value).collect();
-    EndInput::Sampled(Sampled::new(times, values).unwrap())
-}
-
-/// Every kind of input, small enough for either end and as metres.
-fn inputs(spring: &Spring) -> Vec<EndInput> {
-    let near = coilsense::modes::ChainModes::of(spring).frequencies()[2] / std::f64::consts::TAU;
-    let harmonic = |amplitude, frequency, phase| Harmonic { amplitude, frequency, phase };
-    vec![
-        EndInput::Held,
-        EndInput::harmonic(1e-4, near, 0.7),
-        EndInput::harmonic(1e-4, 1.0001 * near, 0.7),
-        EndInput::Harmonics(vec![harmonic(1e-4, 3.0, 0.1), harmonic(-2e-5, 77.0, 1.0), harmonic(1e-5, 700.0, 2.0)]),
-        EndInput::Chirp { amplitude: 1e-4, from: 5.0, to: 200.0, duration: 0.61, phase: 0.4 },
-        EndInput::Step { height: 5e-4, at: 0.123_45 },
-        EndInput::Ramp { height: 5e-4, from: 0.1, duration: 0.018_5 },
-        EndInput::HalfSine { height: 5e-4, from: 0.05, duration: 0.02 },
-        recording(40, 0.013),
-        recording(3000, 1.7e-4),
-    ]
-}
-
-fn dampings() -> [Damping; 6] {
-    [
-        Damping::None,
-        Damping::Modal(0.005),
-        Damping::Modal(1.0),
-        Damping::MassProportional { rate: 3.0 },
-        // The highest modes are overdamped.
-        Damping::StiffnessProportional { time: 3e-4 },
-        Damping::StiffnessProportional { time: 1e-6 },
-    ]
-}
-
-/// What the input is as a force at end 2: the same shape, in newtons.
-fn as_force(input: &EndInput, spring: &Spring) -> EndInput {
-    let k = spring.stiffness();
-    match input.clone() {
-        EndInput::Harmonics(mut sines) => {
-            sines.iter_mut().for_each(|sine| sine.amplitude *= k);
-            EndInput::Harmonics(sines)
-        }
-        EndInput::Chirp { amplitude, from, to, duration, phase } => {
-            EndInput::Chirp { amplitude: amplitude * k, from, to, duration, phase }
-        }
-        EndInput::Step { height, at } => EndInput::Step { height: height * k, at },
-        EndInput::Ramp { height, from, duration } => EndInput::Ramp { height: height * k, from, duration },
-        EndInput::HalfSine { height, from, duration } => EndInput::HalfSine { height: height * k, from, duration },
-        other => other,
-    }
-}
-
-/// Every input, damping and far end at least once, with starts that move.
-fn motions() -> Vec<Motion> {
-    let mut motions = Vec::new();
-    for spring in [s_t(), s_a()] {
-        let inputs = inputs(&spring);
-        for (i, first) in inputs.iter().enumerate() {
-            for (d, damping) in dampings().into_iter().enumerate() {
-                let second = &inputs[(i + d) % inputs.len()];
-                let (far_end, second) = match (i + d) % 3 {
-                    0 => (FarEnd::Position, second.clone()),
-                    1 => (FarEnd::Force, as_force(second, &spring)),
-                    _ => (FarEnd::Mass(0.3), as_force(second, &spring)),
-                };
-                let start = match d % 3 {
-                    0 => Start::Moving { velocity: 0.1, profile: VelocityProfile::Linear },
-                    1 => Start::Massless,
-                    _ => Start::Rest,
-                };
-                let excitation = Excitation::new(spring.mid_length(), first.clone(), second, start).unwrap();
-                let mount = Mount::new(far_end, damping).unwrap();
-                motions.push(Motion::mounted(&spring, &mount, &excitation).unwrap());
-            }
-        }
-    }
-    motions
-}
-
-/// Largest difference over the peak of what oscillates.
-fn off(ours: &[f64], theirs: &[f64]) -> f64 {
-    let mean = theirs.iter().sum::<f64>() / theirs.len() as f64;
-    let peak = theirs.iter().fold(0.0_f64, |peak, value| peak.max((value - mean).abs()));
-    let difference = ours.iter().zip(theirs).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
-    // Forces of about 100 N carry 1e-14 N of rounding themselves.
-    difference / peak.max(1.0)
-}
 
 #[test]
 fn together_alone_and_step_by_step_agree() {
@@ -232,35 +142,6 @@ fn mounts_that_cannot_be_are_refused() {
 }
 
 #[test]
-fn a_truncated_motion_stays_within_its_stated_bound() {
-    let times: Vec<f64> = (0..4000).map(|k| f64::from(k) * 1.3e-4).collect();
-    for motion in motions() {
-        let full = motion.end_forces(&times).unwrap();
-        for modes in [1, 4, motion.modes().count()] {
-            let truncated = motion.truncated(modes).unwrap();
-            let forces = truncated.end_forces(&times).unwrap();
-            let bound = truncated.truncation_bound();
-            for (end, (ours, theirs)) in
-                [(&forces.input, &full.input), (&forces.output, &full.output)].into_iter().enumerate()
-            {
-                let worst = ours.iter().zip(theirs).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
-                assert!(
-                    worst <= bound[end] + 1e-9,
-                    "{worst:e} {bound:?} {modes}: {:?} {:?}",
-                    motion.mount(),
-                    motion.excitation()
-                );
-            }
-            let stream: Vec<f64> = truncated.stream(1.3e-4).unwrap().take(4000).map(|sample| sample.output).collect();
-            assert!(off(&stream, &forces.output) < 1e-11, "{:?} {:?}", motion.mount(), motion.excitation());
-        }
-    }
-    let refused = |modes| motions()[0].truncated(modes).unwrap_err().to_string();
-    assert_eq!(refused(0), "modes must be from 1 to 52, got 0");
-    assert_eq!(refused(53), "modes must be from 1 to 52, got 53");
-}
-
-#[test]
 fn curved_inputs_are_followed_exactly_however_overdamped_the_modes_are() {
     let spring = s_t();
     for time in [3e-4, 3e-3, 2e-2] {
@@ -324,33 +205,6 @@ fn forces_exactly_at_a_step_hold_the_step_on_every_path() {
     assert!(
         (forces.output[2] - forces.output[1]).abs() < 1e-3 * jump && (forces.input[1] - forces.input[0]).abs() < 1.0
     );
-}
-
-#[test]
-fn a_bound_at_a_resonance_of_what_is_left_out_is_infinite() {
-    let spring = s_t();
-    let on_mode_5 = coilsense::modes::ChainModes::of(&spring).frequencies()[4] / std::f64::consts::TAU;
-    let excitation =
-        Excitation::new(0.23, EndInput::harmonic(1e-4, on_mode_5, 0.0), EndInput::Held, Start::Rest).unwrap();
-    let bound = Motion::new(&spring, &excitation).unwrap().truncated(2).unwrap().truncation_bound();
-    // To rounding of 2πf it is either infinite or too large to be of any use; never NaN.
-    assert!(bound.iter().all(|force| *force > 1e6), "{bound:?}");
-}
-
-#[test]
-fn the_static_remainder_is_worth_keeping() {
-    // 10 Hz on S_T, one mode kept: what the others do at rest is most of what is missing.
-    let spring = s_t();
-    let input = EndInput::harmonic(1e-3, 10.0, 0.0);
-    let excitation = Excitation::new(0.23, input.clone(), EndInput::Held, Start::Massless).unwrap();
-    let motion = Motion::new(&spring, &excitation).unwrap();
-    let one = motion.truncated(1).unwrap();
-    let time = [0.325];
-    let (full, kept) = (motion.end_forces(&time).unwrap().input[0], one.end_forces(&time).unwrap().input[0]);
-    // Without the remainder: all modes' inertia is m/3, the first one's 2m/π².
-    let acceleration = -1e-3 * (20.0 * std::f64::consts::PI).powi(2);
-    let missing = spring.mass() * (1.0 / 3.0 - 2.0 / std::f64::consts::PI.powi(2)) * acceleration;
-    assert!((full - kept).abs() < 0.2 * missing.abs(), "{} of {missing}", full - kept);
 }
 
 proptest! {

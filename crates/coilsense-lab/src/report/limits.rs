@@ -38,7 +38,7 @@ pub(super) fn limits(reproduction: &Reproduction) -> Result<Vec<(&'static str, S
         (
             "Solver tolerance",
             "An adaptive Runge–Kutta method at a relative tolerance of 10⁻³, a solver's usual default, is not accurate enough for these \
-             tables: SciPy's misses these forces by a third of their peak and more (`cargo xtask bench`). Nothing is integrated in steps here."
+             tables: SciPy's misses S_T's forces by 29 to 59 % of their peak (`cargo xtask bench`). Nothing is integrated in steps here."
                 .to_owned(),
         ),
     ])
