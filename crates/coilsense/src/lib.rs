@@ -48,6 +48,10 @@
 
 pub mod spring;
 
+pub mod geometry;
+
+pub mod neighbours;
+
 pub mod damping;
 
 pub mod mount;

@@ -52,7 +52,7 @@ pub(super) fn angles(masses: usize, mass_ratio: f64) -> Vec<Angle> {
 }
 
 /// Root of a function that is below zero at `low` and above zero at `high`; `function` gives value and slope.
-fn bracketed_newton(low: f64, high: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
+pub(super) fn bracketed_newton(low: f64, high: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (low, high);
     let mut x = 0.5 * (low + high);
     // Newton doubles the digits at each step; bisection alone would end within 60.

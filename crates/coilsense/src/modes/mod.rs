@@ -1,7 +1,8 @@
 //! How the spring rings: frequencies, shapes, how each end drives each mode and how each mode pulls at each end, in closed form.
 //!
-//! Next door: the roots for an end mass (`end_mass`), the response over time (`motion`) and over frequency (`transmittance`).
+//! Next door: the roots for an end mass (`end_mass`), the continuous coil (`continuous`), the response over time (`motion`) and over frequency (`transmittance`).
 
+mod continuous;
 mod end_mass;
 
 use std::f64::consts::PI;
@@ -9,6 +10,7 @@ use std::f64::consts::PI;
 use crate::error::{Error, check};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
+pub use continuous::{continuous_frequencies, third_rule_error, third_rule_frequency};
 use end_mass::Angle;
 
 /// Surge frequency of mode `mode` of the continuous coil with both ends held \[rad/s\].

@@ -1,0 +1,186 @@
+//! From wire and coil to a spring: its stiffness, its mass, its stress, its solid length, and what tolerances do to them.
+//!
+//! Next door: the spring as Table I of the paper gives it, stiffness and mass measured (`spring`); how it could swing sideways or
+//! twist (`neighbours`).
+
+mod end_type;
+mod material;
+mod stiffness;
+mod stress;
+mod surge;
+mod tolerance;
+mod wire;
+
+pub use end_type::EndType;
+pub use material::{Material, MaterialParameters};
+pub use tolerance::Sensitivities;
+
+use crate::error::{Error, above_zero, check, not_negative};
+use crate::spring::Spring;
+
+/// What describes wire and coil, by name and in SI units; [`Geometry::new`] checks it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GeometryParameters {
+    /// d: diameter of the wire \[m\].
+    pub wire_diameter: f64,
+    /// D: mean diameter of the coil, to the centre of the wire \[m\].
+    pub coil_diameter: f64,
+    /// n: active windings \[1\], may be fractional.
+    pub active_windings: f64,
+    /// n_t: all windings \[1\]; `None` adds to the active ones what the ends take, see [`EndType::inactive_windings`].
+    pub total_windings: Option<f64>,
+    /// How the wire ends.
+    pub end_type: EndType,
+    /// What the wire is made of.
+    pub material: Material,
+    /// l0: length without force \[m\]; of an extension spring, closed, measured where the force is applied.
+    pub rest_length: f64,
+    /// F_0: force at which an extension spring begins to open \[N\]; zero for compression.
+    pub initial_tension: f64,
+}
+
+/// Wire and coil, every value checked.
+///
+/// ```
+/// use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material, MaterialParameters};
+///
+/// // S_T of the paper, from its dimensions and steel.
+/// let steel = Material::new(MaterialParameters::elastic(81.5e9, 206e9, 7850.0))?;
+/// let s_t = Geometry::new(GeometryParameters {
+///     wire_diameter: 0.002,
+///     coil_diameter: 0.016,
+///     active_windings: 52.0,
+///     total_windings: None,
+///     end_type: EndType::Hooks,
+///     material: steel,
+///     rest_length: 0.104,
+///     initial_tension: 0.0,
+/// })?;
+/// assert!((s_t.stiffness() - 765.3).abs() < 0.1); // Table I: 760 N/m
+/// assert!((s_t.active_mass() - 0.0645).abs() < 1e-4); // Table I: 65 g
+/// assert_eq!(s_t.index(), 8.0);
+/// # Ok::<(), coilsense::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Geometry {
+    parameters: GeometryParameters,
+    total_windings: f64,
+    effective_rest_length: f64,
+}
+
+impl Geometry {
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for the first value that is not finite or not above zero; a wire that is not thinner than the coil; fewer
+    /// windings in total than active; a compression spring shorter than its solid length, or with initial tension; an initial tension
+    /// so high that the effective rest length is not above zero.
+    pub fn new(parameters: GeometryParameters) -> Result<Self, Error> {
+        let p = &parameters;
+        above_zero("wire diameter", p.wire_diameter, "m")?;
+        above_zero("coil diameter", p.coil_diameter, "m")?;
+        let thinner = format!("below the coil diameter of {} m", p.coil_diameter);
+        check(p.wire_diameter < p.coil_diameter, "wire diameter", p.wire_diameter, "m", thinner)?;
+        let active = above_zero("active windings", p.active_windings, "")?;
+        let total = p.total_windings.unwrap_or(active + p.end_type.inactive_windings());
+        above_zero("total windings", total, "")?;
+        check(total >= active, "total windings", total, "", format!("at least the {active} active ones"))?;
+        above_zero("rest length", p.rest_length, "m")?;
+        not_negative("initial tension", p.initial_tension, "N")?;
+        let mut geometry = Self { parameters, total_windings: total, effective_rest_length: p.rest_length };
+        geometry.check_ends()?;
+        geometry.effective_rest_length = stiffness::effective_rest_length(&geometry)?;
+        Ok(geometry)
+    }
+
+    /// The wire and coil of a spring whose stiffness and mass are known from elsewhere, for what depends on dimensions and material.
+    ///
+    /// All windings count as active and as all there are; no initial tension. Stiffness and mass of the result are the formulas', not
+    /// the spring's.
+    ///
+    /// # Errors
+    /// [`Error::Value`] as [`Geometry::new`].
+    ///
+    /// ```
+    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
+    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
+    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// use coilsense::geometry::{EndType, Geometry, Material, MaterialParameters};
+    ///
+    /// let steel = Material::new(MaterialParameters::elastic(81.5e9, 206e9, 7850.0))?;
+    /// let geometry = Geometry::of_spring(&spring, EndType::Hooks, steel)?;
+    /// assert!((geometry.shear_stress(spring.nominal_force()) - 619e6).abs() < 1e6);
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    pub fn of_spring(spring: &Spring, end_type: EndType, material: Material) -> Result<Self, Error> {
+        Self::new(GeometryParameters {
+            wire_diameter: spring.wire_diameter(),
+            coil_diameter: 2.0 * spring.coil_radius(),
+            active_windings: spring.windings(),
+            total_windings: Some(spring.windings()),
+            end_type,
+            material,
+            rest_length: spring.rest_length(),
+            initial_tension: 0.0,
+        })
+    }
+
+    /// What only some ends allow.
+    fn check_ends(&self) -> Result<(), Error> {
+        let p = &self.parameters;
+        if p.end_type.is_extension() {
+            return Ok(());
+        }
+        let solid = self.solid_length();
+        // Rounding of the product must not refuse a spring that is given as wound solid.
+        let fits = p.rest_length >= solid * (1.0 - 1e-12);
+        check(fits, "rest length", p.rest_length, "m", format!("at least the solid length of {solid} m"))?;
+        let none = p.initial_tension == 0.0;
+        check(none, "initial tension", p.initial_tension, "N", "zero for a compression spring").map(|_| ())
+    }
+
+    /// The parameters it was made from.
+    pub fn parameters(&self) -> &GeometryParameters {
+        &self.parameters
+    }
+
+    /// What the wire is made of.
+    pub fn material(&self) -> &Material {
+        &self.parameters.material
+    }
+
+    /// n_t: all windings \[1\].
+    pub fn total_windings(&self) -> f64 {
+        self.total_windings
+    }
+
+    /// C: spring index \[1\], how much wider the coil is than the wire.
+    ///
+    /// C = D / d
+    ///
+    /// Source:   definition, `[Shigley2011]` chapter 10; the w of `[EN13906-1]`.
+    /// Valid:    always; springs are wound from about 4 to 20.
+    /// Accuracy: 1e-16 relative.
+    pub fn index(&self) -> f64 {
+        self.parameters.coil_diameter / self.parameters.wire_diameter
+    }
+
+    /// Length with all windings touching \[m\], inactive ones included: [`EndType::solid_length`].
+    pub fn solid_length(&self) -> f64 {
+        self.parameters.end_type.solid_length(self.total_windings, self.parameters.wire_diameter)
+    }
+
+    /// Length at which the straight line of force over length crosses zero \[m\].
+    ///
+    /// l0' = l0 − F_0/k
+    ///
+    /// Above its closed length an extension spring pulls F_0 + k (l − l0) = k (l − l0'): with l0' every formula of a spring without
+    /// initial tension holds.
+    ///
+    /// Source:   Hooke's law, shifted.
+    /// Valid:    an open spring, l above l0; below, the windings rest on each other.
+    /// Accuracy: rounding of the difference.
+    pub fn effective_rest_length(&self) -> f64 {
+        self.effective_rest_length
+    }
+}
