@@ -258,6 +258,8 @@ fn a_pushed_spring_swings_slower_until_it_buckles() {
     assert!(frequencies.windows(2).all(|pair| pair[1] < pair[0]));
     // Near buckling f² falls in proportion to what is left of the push: 0.001 of it, to the curvature of the law.
     assert!((at(0.999).unwrap() / at(0.0).unwrap()).powi(2) < 1.1e-3);
+    // The zero of the law is the buckling force, to the nine digits asked here.
+    assert!(at(1.0 - 1e-9).is_ok() && at(1.0 + 1e-9).is_err());
     let error = at(1.001).unwrap_err().to_string();
     assert!(error.starts_with("force must be above -2.33") && error.contains("where the spring buckles"), "{error}");
     // Haringx: P (1 + P/S) = B π²/l².

@@ -58,7 +58,16 @@ pub struct GeometryParameters {
 /// })?;
 /// assert!((s_t.stiffness() - 765.3).abs() < 0.1); // Table I: 760 N/m
 /// assert!((s_t.active_mass() - 0.0645).abs() < 1e-4); // Table I: 65 g
-/// assert_eq!(s_t.index(), 8.0);
+/// assert!((s_t.active_mass_at(0.104) / s_t.active_mass() - 1.0008).abs() < 1e-4); // wire as a helix
+/// assert!((s_t.wire_length_at(0.104) - 2.6159).abs() < 1e-4);
+/// assert!((s_t.pitch_corrected_stiffness(0.230) / s_t.stiffness() - 0.9978).abs() < 1e-4); // ends free to turn
+/// assert!((s_t.pitch_corrected_stiffness_held(0.230) / s_t.stiffness() - 0.9982).abs() < 1e-4);
+/// assert!((s_t.solid_length() - 0.106).abs() < 1e-12);
+/// assert_eq!((s_t.index(), s_t.total_mass()), (8.0, s_t.active_mass()));
+///
+/// // Close-wound, it begins to open at 10 N, say: as if it were 13 mm shorter.
+/// let wound = Geometry::new(GeometryParameters { initial_tension: 10.0, ..*s_t.parameters() })?;
+/// assert!((wound.effective_rest_length() - 0.0909).abs() < 1e-4);
 /// # Ok::<(), coilsense::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
