@@ -142,7 +142,7 @@ impl Material {
     ///           m = ρ π² d² D n/4: all dimensions cancel. For steel 36 MPa per m/s.
     /// Valid:    a uniform coil, the first passage of the wave, before the correction for curvature ([`super::Geometry::wahl_factor`]);
     ///           an end that reflects doubles it.
-    /// Accuracy: 3e-16 relative; equal to the two formulas it comes from to 1e-14 (`tests/geometry.rs`).
+    /// Accuracy: 3e-16 relative; equal to the two formulas it comes from to 1e-14 (`tests/geometry`).
     ///
     /// ```
     /// use coilsense::geometry::{Material, MaterialParameters};

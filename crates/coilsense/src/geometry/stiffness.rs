@@ -13,7 +13,7 @@ impl Geometry {
     /// Source:   `[EN13906-1]`; `[Shigley2011]` eq. 10–9: torsion of a flat coil.
     /// Valid:    small helix angle (see [`Self::pitch_corrected_stiffness`]), linear material, index above 4: real stiffness scatters by
     ///           some per cent with the tolerances of d and D ([`super::Sensitivities::of_stiffness`]).
-    /// Accuracy: 5e-16 relative. Against Table I with G = 81.5 GPa: S_T 765 for 760 N/m, S_A 10432 for 9100 N/m (`tests/geometry.rs`).
+    /// Accuracy: 5e-16 relative. Against Table I with G = 81.5 GPa: S_T 765 for 760 N/m, S_A 10432 for 9100 N/m (`tests/geometry`).
     pub fn stiffness(&self) -> f64 {
         let p = &self.parameters;
         p.material.shear_modulus() * p.wire_diameter.powi(4) / (8.0 * p.coil_diameter.powi(3) * p.active_windings)

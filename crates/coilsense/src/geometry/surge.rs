@@ -13,7 +13,7 @@ impl Geometry {
     ///
     /// Source:   `[Weijde2017]` eq. 3 with k and m of this module.
     /// Valid:    a flat coil, bare wire, no damping.
-    /// Accuracy: 5e-16 relative; equal to ½ √(k/m) to 1e-15 (`tests/geometry.rs`).
+    /// Accuracy: 5e-16 relative; equal to ½ √(k/m) to 1e-15 (`tests/geometry`).
     pub fn surge_frequency(&self) -> f64 {
         let p = &self.parameters;
         let speed = (p.material.shear_modulus() / p.material.density()).sqrt();
@@ -27,7 +27,7 @@ impl Geometry {
     /// Source:   `[EN13906-1]`, natural frequency of a spring with both ends held.
     /// Valid:    as [`Self::surge_frequency`].
     /// Accuracy: the exact constant in these units is 10³ √10³ / (2π √2) = 3558.81: what is printed lies 0.0334 % above
-    ///           [`Self::surge_frequency`] for every spring (`tests/geometry.rs`).
+    ///           [`Self::surge_frequency`] for every spring (`tests/geometry`).
     ///
     /// ```
     /// # use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material, MaterialParameters};

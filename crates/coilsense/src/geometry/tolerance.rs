@@ -8,7 +8,7 @@
 ///
 /// Source:   exponents of the formulas of [`super::Geometry`].
 /// Valid:    changes small against the value: 5 % of d is 21.6 % of k, not 20 %. The windings' own uncertainty is that of their count.
-/// Accuracy: exact derivatives of ln y by ln x, checked by finite differences (`tests/geometry.rs`).
+/// Accuracy: exact derivatives of ln y by ln x, checked by finite differences (`tests/geometry`).
 ///
 /// ```
 /// use coilsense::geometry::Sensitivities;

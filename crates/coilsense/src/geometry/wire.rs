@@ -42,7 +42,7 @@ impl Geometry {
     ///
     /// Source:   geometry; the mass that `[EN13906-1]` puts into its surge frequency.
     /// Valid:    small helix angle, bare wire.
-    /// Accuracy: 5e-16 relative. Table I's springs from steel at 7850 kg/m³: 64.5 and 79.3 g for 65 and 80 g (`tests/geometry.rs`).
+    /// Accuracy: 5e-16 relative. Table I's springs from steel at 7850 kg/m³: 64.5 and 79.3 g for 65 and 80 g (`tests/geometry`).
     pub fn active_mass(&self) -> f64 {
         self.material().density() * self.wire_area() * self.wire_length()
     }

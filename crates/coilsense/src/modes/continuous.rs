@@ -19,7 +19,7 @@ use crate::spring::Spring;
 /// Source:   `[Weijde2017]` eq. 3 (held ends); the wave equation k u″ = m ü over the coil's fraction 0 to 1, with k u′ = 0 or −M ü at
 ///           end 2 (the others), as for the bar of `[Rao2011]` chapter 8.
 /// Valid:    a uniform undamped coil; the limit N → ∞ of [`super::ChainModes`], which nears it as 1/N².
-/// Accuracy: 1e-15 relative for m/M from 1e-9 to 1e9, modes 1 to 1000, against 40 digits (`tests/geometry.rs`; 2.2e-16 measured).
+/// Accuracy: 1e-15 relative for m/M from 1e-9 to 1e9, modes 1 to 1000, against 40 digits (`tests/geometry`; 2.2e-16 measured).
 ///
 /// # Errors
 /// [`Error::Value`] for an end mass that is not above zero, or a count outside of its range.
@@ -82,7 +82,7 @@ pub fn third_rule_frequency(spring: &Spring, end_mass: f64) -> Result<f64, Error
 ///
 /// Source:   [`third_rule_frequency`] against [`continuous_frequencies`].
 /// Valid:    always; (m/M)²/90 for a heavy end mass, 2√3/π − 1 without one.
-/// Accuracy: 5e-16 absolute. +0.1 % at m/M = ⅓, +10.3 % without end mass (`tests/geometry.rs`).
+/// Accuracy: 5e-16 absolute. +0.1 % at m/M = ⅓, +10.3 % without end mass (`tests/geometry`).
 ///
 /// # Errors
 /// [`Error::Value`] for an end mass that is not finite or below zero.
