@@ -72,6 +72,8 @@ pub mod signals;
 
 pub mod measures;
 
+pub mod uncertainty;
+
 pub mod error;
 
 pub mod simd;
