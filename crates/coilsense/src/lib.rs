@@ -76,6 +76,8 @@ pub mod signals;
 
 pub mod measures;
 
+pub mod uncertainty;
+
 pub mod error;
 
 pub mod simd;

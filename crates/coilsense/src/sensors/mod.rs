@@ -4,6 +4,10 @@
 
 mod deflection;
 mod inductance;
+mod readout;
+mod two_encoder;
 
 pub use deflection::deflection_force;
 pub use inductance::InductanceSensor;
+pub use readout::{MAX_ORDER, Readout, ReadoutParameters};
+pub use two_encoder::TwoEncoder;
