@@ -1,7 +1,9 @@
-//! A figure reduced to what both writers draw: lines and letters on paper, in pixels.
+//! A figure reduced to what both writers draw: lines, areas, pictures and letters, in pixels.
 //!
 //! `layout` fills a [`Drawing`]; `svg` and `raster` write it.
 
+use super::Theme;
+use super::picture::Picture;
 use super::stroke::Rgb;
 
 /// A point \[px\], y counted downwards from the top left corner.
@@ -19,6 +21,10 @@ pub(super) struct Drawing {
 pub(super) enum Shape {
     /// Polylines of one pen; each inner list is one unbroken run.
     Lines { runs: Vec<Vec<Point>>, pen: Pen },
+    /// Closed outlines, filled; what lies beneath shows through an opacity below 1.
+    Area { outlines: Vec<Vec<Point>>, ink: Rgb, opacity: f64 },
+    /// A picture, stretched over a frame.
+    Picture { picture: Picture, frame: Frame },
     /// One line of text.
     Text(Text),
 }
@@ -29,6 +35,13 @@ pub(super) struct Pen {
     pub width: f64,
     /// Lengths of line and gap in turn \[px\]; empty for a solid line.
     pub dashes: Vec<f64>,
+}
+
+impl Pen {
+    /// The pen of reference lines, thinner than any curve.
+    pub fn reference(theme: Theme) -> Self {
+        Self { ink: theme.mark(), width: 0.9, dashes: vec![2.5, 2.5] }
+    }
 }
 
 /// A line of text, with its markup.
@@ -68,6 +81,11 @@ impl Frame {
 
     pub fn bottom(&self) -> f64 {
         self.top + self.height
+    }
+
+    /// Its corners, in a round.
+    pub fn corners(&self) -> Vec<Point> {
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[across, up]| self.at(across, up)).to_vec()
     }
 
     /// The point at a share (0 to 1) of the width from the left and of the height from below.

@@ -26,6 +26,60 @@ pub enum PlotError {
         /// Number of ordinates.
         y: usize,
     },
+    /// A band's series do not go together.
+    #[error("band `{label}` needs as many x as lower and upper values, got {x}, {lower} and {upper}")]
+    BandLengths {
+        /// Label of the band.
+        label: String,
+        /// Number of abscissae.
+        x: usize,
+        /// Number of lower ends.
+        lower: usize,
+        /// Number of upper ends.
+        upper: usize,
+    },
+    /// A colour map's values do not fill its rows, or there are none.
+    #[error("colour map `{label}` needs values that fill its rows evenly, got {values} in {rows} rows")]
+    Cells {
+        /// Label of the colour map.
+        label: String,
+        /// Number of rows.
+        rows: usize,
+        /// Number of values.
+        values: usize,
+    },
+    /// A colour map's marked cells are not those of its values.
+    #[error("marked cells `{label}` must be as many as the values, {values}, got {cells}")]
+    MarkedCells {
+        /// Label of the marked cells.
+        label: String,
+        /// Number of values.
+        values: usize,
+        /// Number of marks.
+        cells: usize,
+    },
+    /// A panel is to hold bars and there are none.
+    #[error("bars of `{label}` must be at least one, got none")]
+    NoBars {
+        /// Label of the value axis.
+        label: String,
+    },
+    /// Bars share a panel with what needs a y axis of numbers.
+    #[error("bars of `{label}` leave no y axis for curves, bands, horizontal marks or a colour map")]
+    BarsNotAlone {
+        /// Label of the value axis.
+        label: String,
+    },
+    /// Bars and their names would run into each other.
+    #[error("bars of `{label}` need axes {needed:.0} px high, got {height:.0} px")]
+    BarRoom {
+        /// Label of the value axis.
+        label: String,
+        /// Height that they need \[px\].
+        needed: f64,
+        /// Height left for the axes \[px\].
+        height: f64,
+    },
     /// A line has no width.
     #[error("line width of curve `{label}` must be above zero, got {width} px")]
     Width {

@@ -4,20 +4,19 @@
 //! What is drawn in and around a frame is said in `panel` and `head`.
 
 use super::drawing::Frame;
-use super::head;
 use super::lettering::width;
 use super::ruler::Ruler;
 use super::sheet::{EDGE, LINE, SMALL, TICK_ROOM};
 use super::ticks::ticks;
 use super::{Axis, Figure, Panel, PlotError};
-
-/// Right of a frame: half of the last tick label \[px\].
-const RIGHT: f64 = 16.0;
+use super::{bars, beside, head};
 
 /// The frames of all panels, equally large.
 pub(super) struct Grid {
     /// Room left of the frames, by column \[px\].
     pub left: Vec<f64>,
+    /// Room right of the frames, by column \[px\].
+    pub right: Vec<f64>,
     /// Room above the frames, by row \[px\].
     above: Vec<f64>,
     /// Room below the frames, by row \[px\].
@@ -32,13 +31,16 @@ impl Grid {
     pub fn new(figure: &Figure, rulers: &[[Ruler; 2]], top: f64) -> Result<Self, PlotError> {
         let columns = figure.columns.min(figure.panels.len());
         let rows = figure.panels.len().div_ceil(columns);
+        let (across, down) = (vec![0.0; columns], vec![0.0; rows]);
         let mut grid =
-            Self { left: vec![0.0; columns], above: vec![0.0; rows], below: vec![0.0; rows], top, frame: [0.0; 2] };
+            Self { left: across.clone(), right: across, above: down.clone(), below: down, top, frame: [0.0; 2] };
         let widen = |room: &mut f64, need: f64| *room = room.max(need);
-        for (index, ruler) in rulers.iter().enumerate() {
+        for (index, (panel, ruler)) in figure.panels.iter().zip(rulers).enumerate() {
             widen(&mut grid.left[index % columns], room_left(figure, index, &ruler[1]));
+            widen(&mut grid.right[index % columns], beside::width(panel, &ruler[1])?);
         }
-        let across = columns as f64 * (figure.panel_width - RIGHT) - grid.left.iter().sum::<f64>();
+        let margins: f64 = grid.left.iter().chain(&grid.right).sum();
+        let across = columns as f64 * figure.panel_width - margins;
         grid.frame[0] = (across / columns as f64).floor();
         for (index, (panel, ruler)) in figure.panels.iter().zip(rulers).enumerate() {
             let label = if shows_x_label(figure, index) { LINE } else { 0.0 };
@@ -50,7 +52,7 @@ impl Grid {
         grid.frame[1] = ((rows as f64 * figure.panel_height - rooms) / rows as f64).floor();
         let drawable = |side: &f64| (40.0..=20_000.0).contains(side);
         if grid.frame.iter().all(drawable) {
-            return Ok(grid);
+            return bars::check_room(figure, grid.frame[1]).map(|()| grid);
         }
         Err(PlotError::Size { width: grid.frame[0], height: grid.frame[1] })
     }
@@ -63,7 +65,8 @@ impl Grid {
     pub fn frame(&self, index: usize) -> Frame {
         let (column, row) = (index % self.left.len(), index / self.left.len());
         let [width, height] = self.frame;
-        let left = self.left[..=column].iter().sum::<f64>() + column as f64 * (width + RIGHT);
+        let margins: f64 = self.left[..=column].iter().chain(&self.right[..column]).sum();
+        let left = margins + column as f64 * width;
         let passed: f64 = self.above[..=row].iter().chain(&self.below[..row]).sum();
         let top = self.top + passed + row as f64 * height;
         Frame { left: left.floor() + 0.5, top: top.floor() + 0.5, width, height }
@@ -72,6 +75,10 @@ impl Grid {
 
 /// Room for tick labels and, where shown, the axis label.
 fn room_left(figure: &Figure, index: usize, y: &Ruler) -> f64 {
+    let panel = &figure.panels[index];
+    if let Some(bars) = &panel.bars {
+        return EDGE + bars::names_room(bars, figure.panel_width) + bars::axis_room(panel);
+    }
     let labels = ticks(y, most_y_ticks(figure)).major;
     let widest = labels.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max);
     let label = if shows_y_label(figure, index) { LINE + 4.0 } else { 0.0 };

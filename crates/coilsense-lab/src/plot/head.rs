@@ -3,30 +3,33 @@
 //! The frame itself is drawn in `panel`.
 
 use super::drawing::{Anchor, Pen, Shape};
-use super::lettering::width;
+use super::lettering::{width, wrapped};
 use super::ruler::Ruler;
 use super::scene::Scene;
 use super::sheet::{EDGE, LETTERS, LINE, SMALL};
-use super::{Mark, Panel};
+use super::{Colour, Mark, Panel};
 
 /// Height of a row of mark labels \[px\].
 const ROW: f64 = 14.0;
+/// More rows than this would take the room of what is to be seen.
+const MOST_ROWS: usize = 3;
 /// Least room between two mark labels of a row \[px\].
 const GAP: f64 = 6.0;
 
 /// Room that the head of a panel takes above a frame `room` \[px\] wide.
 pub(super) fn height(panel: &Panel, x: &Ruler, room: f64) -> f64 {
     let rows = placed(panel, x, room).iter().map(|(_, _, row)| row + 1).max().unwrap_or(0);
-    LINE * title_lines(&panel.title, room).len() as f64 + ROW * rows as f64
+    LINE * wrapped(&panel.title, room, LETTERS).len() as f64 + ROW * rows as f64
 }
 
-/// The lines of the marks, behind the curves.
+/// The lines of the marks, behind curves, but over bars, on which only ink shows.
 pub(super) fn mark_lines(scene: &Scene) -> Shape {
     let share = |mark: &Mark| scene.rulers[0].share(mark.x);
     let shares = scene.panel.marks.iter().map(share).filter(|share| Ruler::holds(*share));
     let runs = shares.map(|at| vec![scene.frame.at(at, 0.0), scene.frame.at(at, 1.0)]).collect();
-    let pen = Pen { ink: scene.theme.mark(), width: 0.9, dashes: vec![2.5, 2.5] };
-    Shape::Lines { runs, pen }
+    let pen = Pen::reference(scene.theme);
+    let ink = if scene.panel.bars.is_some() { scene.theme.shade(Colour::Ink) } else { pen.ink };
+    Shape::Lines { runs, pen: Pen { ink, ..pen } }
 }
 
 /// Title and mark labels.
@@ -37,7 +40,7 @@ pub(super) fn letters(scene: &Scene, shapes: &mut Vec<Shape>) {
         shapes.push(Shape::Text(scene.text(label, at, SMALL, Anchor::Middle)));
     }
     let rows = placed.iter().map(|(_, _, row)| row + 1).max().unwrap_or(0);
-    let lines = title_lines(&scene.panel.title, scene.frame.width);
+    let lines = wrapped(&scene.panel.title, scene.frame.width, LETTERS);
     let foot = scene.frame.top - 6.0 - ROW * rows as f64;
     for (above, line) in lines.into_iter().rev().enumerate() {
         let at = [scene.frame.at(0.5, 0.0)[0], foot - LINE * above as f64];
@@ -46,7 +49,7 @@ pub(super) fn letters(scene: &Scene, shapes: &mut Vec<Shape>) {
 }
 
 /// Labels with their middle, from the left of the frame \[px\], and row, counted upwards: each
-/// takes the lowest row in which it is clear of those before it.
+/// takes the lowest row in which it is clear of those before it, or none.
 fn placed<'a>(panel: &'a Panel, x: &Ruler, room: f64) -> Vec<(&'a str, f64, usize)> {
     let mut marks: Vec<(&str, f64)> = panel
         .marks
@@ -62,6 +65,9 @@ fn placed<'a>(panel: &'a Panel, x: &Ruler, room: f64) -> Vec<(&'a str, f64, usiz
         let middle = (share * room).min(room + EDGE - half).max(half - EDGE);
         let free = taken.iter().position(|end| middle - half >= end + GAP);
         let row = free.unwrap_or(taken.len());
+        if row == MOST_ROWS {
+            continue;
+        }
         if row == taken.len() {
             taken.push(0.0);
         }
@@ -69,19 +75,4 @@ fn placed<'a>(panel: &'a Panel, x: &Ruler, room: f64) -> Vec<(&'a str, f64, usiz
         placed.push((label, middle, row));
     }
     placed
-}
-
-/// The title in lines no wider than `room` \[px\], as far as its words allow.
-fn title_lines(title: &str, room: f64) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in title.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if width(&format!("{line} {word}"), LETTERS) <= room => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

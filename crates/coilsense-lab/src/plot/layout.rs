@@ -1,20 +1,21 @@
-//! Puts a figure together: checks it, settles its axes, and gives each panel its place.
+//! Puts a figure together: settles its axes, and gives each panel its place.
 //!
-//! The places come from `grid`; what fills them from `legend`, `panel` and `head`.
+//! Next door: whether it can be drawn (`check`), the places (`grid`), what fills them (`legend`,
+//! `panel`, `head`, `beside`).
 
 use super::drawing::Drawing;
 use super::grid::{Grid, most_y_ticks, shows_x_label, shows_y_label};
 use super::legend::Legend;
-use super::panel;
 use super::ruler::Ruler;
 use super::scene::Scene;
 use super::sheet::EDGE;
-use super::{Curve, Figure, Panel, PlotError, Theme};
+use super::{Figure, Panel, PlotError, Theme, bars, check, panel};
 
 /// Draws the whole figure.
 pub(super) fn draw(figure: &Figure, theme: Theme) -> Result<Drawing, PlotError> {
-    check(figure)?;
-    let rulers = figure.panels.iter().map(rulers).collect::<Result<Vec<_>, _>>()?;
+    check::figure(figure)?;
+    let width = figure.panel_width;
+    let rulers = figure.panels.iter().map(|panel| rulers(panel, width)).collect::<Result<Vec<_>, _>>()?;
     let columns = figure.columns.min(figure.panels.len());
     let sheet = columns as f64 * figure.panel_width;
     let legend = Legend::new(figure, sheet - 2.0 * EDGE);
@@ -26,41 +27,35 @@ pub(super) fn draw(figure: &Figure, theme: Theme) -> Result<Drawing, PlotError> 
     for (index, panel) in figure.panels.iter().enumerate() {
         let scene = Scene {
             panel,
+            panel_width: width,
             frame: grid.frame(index),
             rulers: rulers[index],
             y_ticks: most_y_ticks(figure),
             x_label: shows_x_label(figure, index),
             y_label: shows_y_label(figure, index),
             y_room: grid.left[index % columns],
+            right_room: grid.right[index % columns],
             theme,
         };
-        panel::draw(&scene, &mut shapes);
+        panel::draw(&scene, &mut shapes)?;
     }
     let height = legend.height() + grid.rows() as f64 * figure.panel_height;
     Ok(Drawing { width: sheet, height, paper: theme.paper(), shapes })
 }
 
-fn check(figure: &Figure) -> Result<(), PlotError> {
-    let (panels, columns) = (figure.panels.len(), figure.columns);
-    if panels == 0 || columns == 0 {
-        return Err(PlotError::Empty { panels, columns });
+/// The rulers of a panel, x first; a fitted y axis leaves 5 % free above and below, but a colour
+/// map fills its axes.
+fn rulers(panel: &Panel, width: f64) -> Result<[Ruler; 2], PlotError> {
+    if let Some(bars) = &panel.bars {
+        return bars::rulers(panel, bars, width);
     }
-    for Curve { label, x, y, stroke } in figure.panels.iter().flat_map(|panel| &panel.curves) {
-        let (label, width) = (label.clone(), stroke.width);
-        if x.len() != y.len() {
-            let (x, y) = (x.len(), y.len());
-            return Err(PlotError::Lengths { label, x, y });
-        }
-        if !(width.is_finite() && width > 0.0) {
-            return Err(PlotError::Width { label, width });
-        }
-    }
-    Ok(())
-}
-
-/// The rulers of a panel, x first; a fitted y axis leaves 5 % free above and below.
-fn rulers(panel: &Panel) -> Result<[Ruler; 2], PlotError> {
-    let xs = panel.curves.iter().flat_map(|curve| curve.x.iter().copied());
-    let ys = panel.curves.iter().flat_map(|curve| curve.y.iter().copied());
-    Ok([Ruler::new(&panel.x, xs, 0.0)?, Ruler::new(&panel.y, ys, 0.05)?])
+    let (curves, bands, heat) = (&panel.curves, &panel.bands, panel.heat.iter());
+    let xs = curves.iter().flat_map(|curve| &curve.x).chain(bands.iter().flat_map(|band| &band.x));
+    let xs = xs.copied().chain(heat.clone().flat_map(|heat| [heat.x.0, heat.x.1]));
+    let edges = bands.iter().flat_map(|band| band.lower.iter().chain(&band.upper));
+    let ys = curves.iter().flat_map(|curve| &curve.y).chain(edges);
+    let ys = ys.copied().chain(panel.limits.iter().map(|limit| limit.y));
+    let ys = ys.chain(heat.flat_map(|heat| [heat.y.0, heat.y.1]));
+    let slack = if panel.heat.is_some() { 0.0 } else { 0.05 };
+    Ok([Ruler::new(&panel.x, xs, 0.0)?, Ruler::new(&panel.y, ys, slack)?])
 }

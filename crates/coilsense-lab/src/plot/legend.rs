@@ -2,14 +2,17 @@
 //!
 //! Where the panels go is `layout`'s matter.
 
-use super::drawing::{Anchor, Pen, Shape, Text};
+use super::band;
+use super::drawing::{Anchor, Frame, Pen, Shape, Text};
 use super::lettering::width;
-use super::{Colour, Figure, Stroke, Theme};
+use super::{Colour, Figure, Panel, Stroke, Theme};
 
 /// Height of one row \[px\].
 const ROW: f64 = 18.0;
 /// Length of the sample line: two periods of a dash-dot of 1.5 px \[px\].
 const SAMPLE: f64 = 36.0;
+/// Side of a sample block \[px\].
+const BLOCK: f64 = 12.0;
 /// From sample to label \[px\].
 const GAP: f64 = 6.0;
 /// From entry to entry \[px\].
@@ -17,22 +20,33 @@ const SPACE: f64 = 22.0;
 /// Letter size \[px\].
 const LETTERS: f64 = 12.0;
 
+/// What stands before a label.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sample {
+    Line(Stroke),
+    Band(Colour),
+    Block(Colour),
+    /// The grey of second bars.
+    Second,
+}
+
+type Entry<'a> = (&'a str, Sample);
+
 /// The entries of a figure, row by row.
 pub(super) struct Legend<'a> {
-    rows: Vec<Vec<(&'a str, Stroke)>>,
+    rows: Vec<Vec<Entry<'a>>>,
 }
 
 impl<'a> Legend<'a> {
-    /// Collects each label and stroke once, in order, into rows of at most `room` \[px\].
+    /// Collects each label and sample once, in order, into rows of at most `room` \[px\].
     pub fn new(figure: &'a Figure, room: f64) -> Self {
-        let mut entries: Vec<(&str, Stroke)> = Vec::new();
-        for curve in figure.panels.iter().flat_map(|panel| &panel.curves) {
-            let entry = (curve.label.as_str(), curve.stroke);
+        let mut entries: Vec<Entry> = Vec::new();
+        for entry in figure.panels.iter().flat_map(named) {
             if !entry.0.is_empty() && !entries.contains(&entry) {
                 entries.push(entry);
             }
         }
-        let mut rows: Vec<Vec<(&str, Stroke)>> = Vec::new();
+        let mut rows: Vec<Vec<Entry>> = Vec::new();
         for entry in entries {
             match rows.last_mut() {
                 Some(row) if length(row) + SPACE + length(&[entry]) <= room => row.push(entry),
@@ -68,21 +82,55 @@ impl<'a> Legend<'a> {
 }
 
 /// Length of entries side by side \[px\].
-fn length(entries: &[(&str, Stroke)]) -> f64 {
-    let sum: f64 = entries.iter().map(|(label, _)| SAMPLE + GAP + width(label, LETTERS) + SPACE).sum();
+fn length(entries: &[Entry]) -> f64 {
+    let sum: f64 = entries.iter().map(|(label, sample)| sample.width() + GAP + width(label, LETTERS) + SPACE).sum();
     sum - SPACE
 }
 
-fn sample((label, stroke): &(&str, Stroke), [x, y]: [f64; 2], theme: Theme) -> [Shape; 2] {
-    let line = vec![[x, y], [x + SAMPLE, y]];
-    let pen = Pen { ink: theme.shade(stroke.colour), width: stroke.width, dashes: stroke.dash.lengths(stroke.width) };
+/// All parts of a panel that may carry a name.
+fn named(panel: &Panel) -> impl Iterator<Item = Entry<'_>> {
+    let curves = panel.curves.iter().map(|curve| (curve.label.as_str(), Sample::Line(curve.stroke)));
+    let bands = panel.bands.iter().map(|band| (band.label.as_str(), Sample::Band(band.colour)));
+    let marked = panel.heat.iter().filter_map(|heat| heat.marked.as_ref());
+    let marked = marked.map(|marked| (marked.label.as_str(), Sample::Block(Colour::Ink)));
+    let bars = panel.bars.iter().flat_map(|bars| &bars.bars);
+    let bars = bars.map(|bar| (bar.group.as_str(), Sample::Block(bar.colour)));
+    let second = panel.bars.iter().map(|bars| (bars.second.as_str(), Sample::Second));
+    curves.chain(bands).chain(marked).chain(bars).chain(second)
+}
+
+impl Sample {
+    fn width(self) -> f64 {
+        match self {
+            Self::Line(_) | Self::Band(_) => SAMPLE,
+            Self::Block(_) | Self::Second => BLOCK,
+        }
+    }
+
+    /// The sample, from `x` on, about a height of `y` \[px\].
+    fn shape(self, [x, y]: [f64; 2], theme: Theme) -> Shape {
+        let (ink, opacity) = match self {
+            Self::Line(Stroke { colour, dash, width }) => {
+                let pen = Pen { ink: theme.shade(colour), width, dashes: dash.lengths(width) };
+                return Shape::Lines { runs: vec![vec![[x, y], [x + SAMPLE, y]]], pen };
+            }
+            Self::Band(colour) => (theme.shade(colour), band::opacity(theme)),
+            Self::Block(colour) => (theme.shade(colour), 1.0),
+            Self::Second => (theme.mark(), 1.0),
+        };
+        let frame = Frame { left: x, top: y - 0.5 * BLOCK, width: self.width(), height: BLOCK };
+        Shape::Area { outlines: vec![frame.corners()], ink, opacity }
+    }
+}
+
+fn sample((label, sample): &Entry, [x, y]: [f64; 2], theme: Theme) -> [Shape; 2] {
     let text = Text {
         markup: (*label).to_owned(),
-        at: [x + SAMPLE + GAP, y + 0.36 * LETTERS],
+        at: [x + sample.width() + GAP, y + 0.36 * LETTERS],
         size: LETTERS,
         ink: theme.shade(Colour::Ink),
         anchor: Anchor::Start,
         upwards: false,
     };
-    [Shape::Lines { runs: vec![line], pen }, Shape::Text(text)]
+    [sample.shape([x, y], theme), Shape::Text(text)]
 }

@@ -77,6 +77,23 @@ pub(super) fn width(markup: &str, size: f64) -> f64 {
     pieces(markup).iter().map(|(level, text)| text.chars().map(advance).sum::<f64>() * level.size() * size).sum()
 }
 
+/// A text in lines no wider than `room` \[px\] at a letter size \[px\], as far as its words
+/// allow; a no-break space holds words together.
+pub(super) fn wrapped(text: &str, room: f64, size: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let breaks = |letter: char| letter.is_whitespace() && letter != '\u{a0}';
+    for word in text.split(breaks).filter(|word| !word.is_empty()) {
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}"), size) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// Traces the letters from the origin to the right, y upwards, in font units.
 ///
 /// Before each letter `place` learns where it stands, in letter sizes, and what one font unit

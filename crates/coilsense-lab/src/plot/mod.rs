@@ -1,9 +1,11 @@
-//! Line figures for reports and papers: panels of curves, drawn as SVG or PNG.
+//! Figures for reports and papers: curves, bands, bars and colour maps, drawn as SVG or PNG.
 //!
-//! This file holds what a caller fills in: [`Figure`], [`Panel`], [`Axis`], [`Curve`], [`Mark`].
-//! Next door: `stroke` (colours and dashes), `ruler` and `ticks` (ranges and what stands along
-//! them), `trace` (samples to a short polyline), `lettering` (sub- and superscripts), `layout`
-//! (what goes where: `grid`, `legend`, `panel` and its `head`), and the two writers `svg` and
+//! This file holds what every figure is made of: [`Figure`], [`Panel`], [`Axis`], [`Curve`],
+//! [`Mark`], [`HorizontalMark`]. Next door: `band`, `bars` and `heat` (what else fills a panel),
+//! `stroke` and `colour_map` (colours and dashes), `ruler` and `ticks` (ranges and what stands
+//! along them), `trace` (samples to a short polyline), `lettering` (sub- and superscripts),
+//! `layout` (what goes where: `grid`, `legend`, `panel`, and round its frame `head` and
+//! `beside`), `words` (the figure for those who do not see it), and the two writers `svg` and
 //! `raster`, which draw the same `drawing`.
 //!
 //! One pixel is 1/96 inch: 672 px fill a page of 7 inch, 336 px one column of a journal, and the
@@ -11,26 +13,41 @@
 //!
 //! Labels take `_` and `^` as in TeX (`F_o`, `10^{-3}`); `\_` is a plain underscore.
 
+mod band;
+mod bar_shapes;
+mod bars;
+mod beside;
+mod check;
+mod colour_map;
 mod drawing;
 mod error;
+mod glyphs;
 mod grid;
 mod head;
+mod heat;
 mod layout;
 mod legend;
 mod lettering;
 mod panel;
+mod picture;
 mod raster;
+mod resample;
 mod ruler;
 mod scene;
 mod sheet;
 mod stroke;
 mod svg;
+mod svg_path;
 #[cfg(test)]
 mod tests;
 mod ticks;
 mod trace;
+mod words;
 
+pub use band::Band;
+pub use bars::{Bar, Bars};
 pub use error::PlotError;
+pub use heat::{HeatMap, MarkedCells};
 pub use raster::PNG_SCALE;
 pub use stroke::{Colour, Dash, Stroke, Theme};
 
@@ -47,10 +64,10 @@ pub struct Figure {
     pub panel_height: f64,
 }
 
-/// One pair of axes with its curves.
+/// One pair of axes and what is drawn on them; what a panel lacks is left at its default.
 ///
 /// An axis label is drawn once where neighbours (left, or below) carry the same one.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Panel {
     /// Printed above the axes; may be empty.
     pub title: String,
@@ -60,25 +77,34 @@ pub struct Panel {
     pub y: Axis,
     /// The curves, the last one on top.
     pub curves: Vec<Curve>,
-    /// Vertical reference lines; may be empty.
+    /// Areas between two curves, behind all curves.
+    pub bands: Vec<Band>,
+    /// Vertical reference lines.
     pub marks: Vec<Mark>,
+    /// Horizontal reference lines.
+    pub limits: Vec<HorizontalMark>,
+    /// A matrix in colour, behind everything else.
+    pub heat: Option<HeatMap>,
+    /// Bars along the x axis; the y axis then lists their names, and only marks go with them.
+    pub bars: Option<Bars>,
 }
 
 /// What an axis measures, and how much of it is shown.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Axis {
     /// Quantity and unit, such as `Time [s]`.
     pub label: String,
-    /// Lower and upper end; without it the axis fits the curves.
+    /// Lower and upper end; without it the axis fits what is drawn.
     pub range: Option<(f64, f64)>,
     /// Even in the value or in its logarithm.
     pub scale: Scale,
 }
 
 /// How values spread along an axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Scale {
     /// Equal steps are equally long.
+    #[default]
     Linear,
     /// Equal ratios are equally long; values of zero or below break the curve.
     Log10,
@@ -99,10 +125,23 @@ pub struct Curve {
 }
 
 /// A thin vertical line with a label above the axes; not drawn where it lies out of range.
+///
+/// Crowded labels stand in up to three rows; what has no room even there keeps its line only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
     /// Where it stands, in the unit of the x axis.
     pub x: f64,
+    /// What it says; may be empty.
+    pub label: String,
+}
+
+/// A thin horizontal line with a label right of the axes, such as a limit to be kept.
+///
+/// A y axis that fits itself takes it in; out of a given range it is not drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HorizontalMark {
+    /// Where it lies, in the unit of the y axis.
+    pub y: f64,
     /// What it says; may be empty.
     pub label: String,
 }
@@ -114,11 +153,11 @@ impl Figure {
     /// no ids, so that many can share one page.
     ///
     /// # Errors
-    /// [`PlotError`] when the figure is empty or too small, a curve's `x` and `y` differ in
-    /// length, a line has no width, or an axis range cannot be drawn.
+    /// [`PlotError`] when the figure is empty or too small, a part's series differ in length, a
+    /// line has no width, bars are not alone, or an axis range or a picture cannot be drawn.
     pub fn to_svg(&self, theme: Theme) -> Result<String, PlotError> {
         let drawing = layout::draw(self, theme)?;
-        Ok(svg::write(&drawing, &self.description()))
+        svg::write(&drawing, &words::of(self))
     }
 
     /// Draws the figure as a PNG with [`PNG_SCALE`] dots per pixel, lettered in DejaVu Sans
@@ -128,22 +167,5 @@ impl Figure {
     /// As [`Figure::to_svg`], and [`PlotError::Png`] when the image cannot be made.
     pub fn to_png(&self, theme: Theme) -> Result<Vec<u8>, PlotError> {
         raster::write(&layout::draw(self, theme)?)
-    }
-
-    /// The figure in words, for those who do not see it.
-    fn description(&self) -> String {
-        let sentences: Vec<String> = self.panels.iter().map(Panel::description).collect();
-        sentences.join(" ")
-    }
-}
-
-impl Panel {
-    fn description(&self) -> String {
-        let named = self.curves.iter().map(|curve| lettering::plain(&curve.label));
-        let names: Vec<String> = named.filter(|name| !name.is_empty()).collect();
-        let [title, x, y] = [&self.title, &self.x.label, &self.y.label].map(|s| lettering::plain(s));
-        let title = if title.is_empty() { title } else { format!("{title}: ") };
-        let names = if names.is_empty() { String::new() } else { format!("; {}", names.join(", ")) };
-        format!("{title}{y} against {x}{names}.")
     }
 }

@@ -1,16 +1,16 @@
-//! Draws one panel into its frame: grid, curves, axes and their labels.
+//! Draws one panel into its frame: grid, curves, axes and their labels, and has the rest drawn.
 //!
-//! Where the frame lies is `layout`'s matter; title and marks are `head`'s.
+//! Where the frame lies is `layout`'s matter; title and marks are `head`'s,
+//! what stands right of the frame `beside`'s.
 
 use super::drawing::{Anchor, Pen, Point, Shape, Text};
-use super::head;
 use super::lettering::width;
 use super::ruler::Ruler;
 use super::scene::Scene;
 use super::sheet::{EDGE, LETTERS, LINE, SMALL, TICK_ROOM};
 use super::ticks::{Ticks, ticks};
 use super::trace::runs;
-use super::{Colour, Scale};
+use super::{Colour, PlotError, Scale, band, bar_shapes, beside, head};
 
 /// Length of a labelled tick, outwards \[px\].
 const TICK: f64 = 4.5;
@@ -20,16 +20,28 @@ const MINOR_TICK: f64 = 2.5;
 const LABEL_GAP: f64 = 14.0;
 
 /// Draws everything of a panel, from the back to the front.
-pub(super) fn draw(scene: &Scene, shapes: &mut Vec<Shape>) {
-    let x = fitting_ticks(&scene.rulers[0], scene.frame.width);
-    let y = ticks(&scene.rulers[1], scene.y_ticks);
+pub(super) fn draw(scene: &Scene, shapes: &mut Vec<Shape>) -> Result<(), PlotError> {
+    let (panel, [x, y]) = (scene.panel, &scene.rulers);
+    let x = fitting_ticks(x, scene.frame.width);
+    let y = if panel.bars.is_some() { Ticks::default() } else { ticks(y, scene.y_ticks) };
     shapes.push(grid(scene, &x, &y));
-    shapes.push(head::mark_lines(scene));
+    if let Some(heat) = &panel.heat {
+        shapes.push(heat.shape(scene)?);
+        beside::bar(scene, heat, shapes)?;
+    }
+    band::shapes(scene, shapes);
+    match &panel.bars {
+        Some(bars) => bar_shapes::draw(scene, bars, head::mark_lines(scene), shapes),
+        None => shapes.push(head::mark_lines(scene)),
+    }
     curves(scene, shapes);
+    shapes.extend(beside::limit_lines(scene));
     shapes.push(axes(scene, &x, &y));
     x_letters(scene, &x, shapes);
     y_letters(scene, &y, shapes);
     head::letters(scene, shapes);
+    beside::limit_letters(scene, shapes);
+    Ok(())
 }
 
 /// As many x ticks as have room for their labels.

@@ -4,12 +4,16 @@
 //! installed. `svg` writes the same drawing as text.
 
 use ::png::{BitDepth, ColorType, Compression, Encoder, PixelDimensions, Unit};
-use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
-use ttf_parser::OutlineBuilder;
+use tiny_skia::{
+    Color, ColorU8, FillRule, FilterQuality, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Stroke,
+    StrokeDash, Transform,
+};
 
 use super::PlotError;
-use super::drawing::{Anchor, Drawing, Pen, Point, Shape, Text};
-use super::lettering::{outline, width};
+use super::drawing::{Anchor, Drawing, Frame, Pen, Point, Shape, Text};
+use super::glyphs::glyphs;
+use super::lettering::width;
+use super::picture::Picture;
 use super::stroke::Rgb;
 
 /// Dots of a PNG per pixel of the figure: 192 dpi, as the file itself says.
@@ -35,19 +39,26 @@ pub(super) fn write(drawing: &Drawing) -> Result<Vec<u8>, PlotError> {
     for shape in &drawing.shapes {
         match shape {
             Shape::Lines { runs, pen } => lines(&mut sheet, runs, pen),
+            Shape::Area { outlines, ink, opacity } => area(&mut sheet, outlines, *ink, *opacity),
+            Shape::Picture { picture: shown, frame } => picture(&mut sheet, shown, frame),
             Shape::Text(text) => letters(&mut sheet, text),
         }
     }
     packed(&sheet).map_err(|error| PlotError::Png(error.to_string()))
 }
 
-fn paint(rgb: Rgb) -> Paint<'static> {
+fn paint(rgb: Rgb, opacity: f64) -> Paint<'static> {
     let mut paint = Paint::default();
-    paint.set_color_rgba8(rgb[0], rgb[1], rgb[2], 255);
+    paint.set_color_rgba8(rgb[0], rgb[1], rgb[2], (255.0 * opacity).round() as u8);
     paint
 }
 
-fn lines(sheet: &mut Pixmap, runs: &[Vec<Point>], pen: &Pen) {
+fn scale() -> Transform {
+    Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32)
+}
+
+/// Runs as one path, each closed if asked for.
+fn path(runs: &[Vec<Point>], closed: bool) -> Option<Path> {
     let mut builder = PathBuilder::new();
     for run in runs {
         for (index, [x, y]) in run.iter().map(|point| point.map(|v| v as f32)).enumerate() {
@@ -57,8 +68,15 @@ fn lines(sheet: &mut Pixmap, runs: &[Vec<Point>], pen: &Pen) {
                 builder.line_to(x, y);
             }
         }
+        if closed {
+            builder.close();
+        }
     }
-    let Some(path) = builder.finish() else { return };
+    builder.finish()
+}
+
+fn lines(sheet: &mut Pixmap, runs: &[Vec<Point>], pen: &Pen) {
+    let Some(path) = path(runs, false) else { return };
     let dashes = pen.dashes.iter().map(|length| *length as f32).collect();
     let stroke = Stroke {
         width: pen.width as f32,
@@ -66,8 +84,26 @@ fn lines(sheet: &mut Pixmap, runs: &[Vec<Point>], pen: &Pen) {
         dash: StrokeDash::new(dashes, 0.0),
         ..Stroke::default()
     };
-    let scale = Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32);
-    sheet.stroke_path(&path, &paint(pen.ink), &stroke, scale, None);
+    sheet.stroke_path(&path, &paint(pen.ink, 1.0), &stroke, scale(), None);
+}
+
+fn area(sheet: &mut Pixmap, outlines: &[Vec<Point>], ink: Rgb, opacity: f64) {
+    let Some(path) = path(outlines, true) else { return };
+    sheet.fill_path(&path, &paint(ink, opacity), FillRule::Winding, scale(), None);
+}
+
+/// A picture over its frame; a sheet that could be made has room for it.
+fn picture(sheet: &mut Pixmap, picture: &Picture, frame: &Frame) {
+    let (across, down) = (picture.columns as u32, picture.rows() as u32);
+    let Some(mut dots) = Pixmap::new(across, down) else { return };
+    for (dot, [red, green, blue, opacity]) in dots.pixels_mut().iter_mut().zip(picture.rgba()) {
+        *dot = ColorU8::from_rgba(red, green, blue, opacity).premultiply();
+    }
+    let [left, top] = [frame.left, frame.top].map(|pixels| pixels as f32);
+    let stretch = [frame.width / f64::from(across), frame.height / f64::from(down)].map(|pixels| pixels as f32);
+    let place = scale().pre_translate(left, top).pre_scale(stretch[0], stretch[1]);
+    let paint = PixmapPaint { quality: FilterQuality::Bilinear, ..PixmapPaint::default() };
+    sheet.draw_pixmap(0, 0, dots.as_ref(), &paint, place, None);
 }
 
 fn letters(sheet: &mut Pixmap, text: &Text) {
@@ -81,56 +117,7 @@ fn letters(sheet: &mut Pixmap, text: &Text) {
     let size = (text.size * PNG_SCALE) as f32;
     let turned = if text.upwards { Transform::from_rotate(-90.0) } else { Transform::identity() };
     let transform = turned.pre_translate((shift * PNG_SCALE) as f32, 0.0).pre_scale(size, -size).post_translate(x, y);
-    sheet.fill_path(&path, &paint(text.ink), FillRule::Winding, transform, None);
-}
-
-/// The outlines of a text of letter size 1, y upwards.
-fn glyphs(markup: &str) -> Option<Path> {
-    let mut pen = GlyphPen { path: PathBuilder::new(), at: [0.0; 2], unit: 1.0 };
-    outline(markup, &mut pen, |pen, at, unit| {
-        (pen.at, pen.unit) = (at.map(|v| v as f32), unit as f32);
-    });
-    pen.path.finish()
-}
-
-/// Carries a font's outlines over to the painter's path.
-struct GlyphPen {
-    path: PathBuilder,
-    at: [f32; 2],
-    unit: f32,
-}
-
-impl GlyphPen {
-    fn x(&self, x: f32) -> f32 {
-        self.at[0] + self.unit * x
-    }
-
-    fn y(&self, y: f32) -> f32 {
-        self.at[1] + self.unit * y
-    }
-}
-
-impl OutlineBuilder for GlyphPen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.path.move_to(self.x(x), self.y(y));
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.path.line_to(self.x(x), self.y(y));
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.path.quad_to(self.x(x1), self.y(y1), self.x(x), self.y(y));
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let (x1, y1, x2, y2) = (self.x(x1), self.y(y1), self.x(x2), self.y(y2));
-        self.path.cubic_to(x1, y1, x2, y2, self.x(x), self.y(y));
-    }
-
-    fn close(&mut self) {
-        self.path.close();
-    }
+    sheet.fill_path(&path, &paint(text.ink, 1.0), FillRule::Winding, transform, None);
 }
 
 /// Packs an opaque sheet, without its alpha channel.

@@ -44,6 +44,12 @@ impl Ruler {
         (scaled(self.scale, value) - self.lower) / (self.upper - self.lower)
     }
 
+    /// The value that stands at a share of the axis.
+    pub fn value(&self, share: f64) -> f64 {
+        let place = self.lower + share * (self.upper - self.lower);
+        if self.scale == Scale::Log10 { 10f64.powf(place) } else { place }
+    }
+
     /// Whether a share lies on the axis, forgiving the rounding of its ends.
     pub fn holds(share: f64) -> bool {
         (-1e-9..=1.0 + 1e-9).contains(&share)

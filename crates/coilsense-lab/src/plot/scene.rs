@@ -1,6 +1,6 @@
 //! What one panel is drawn from: the panel, its place and its rulers.
 //!
-//! Next door: who fills it in (`layout`), who draws it (`panel`, `head`).
+//! Next door: who fills it in (`layout`), who draws it (`panel`, `head`, `beside`).
 
 use super::drawing::{Anchor, Frame, Point, Text};
 use super::ruler::Ruler;
@@ -9,6 +9,8 @@ use super::{Colour, Panel, Theme};
 /// A panel with all that `layout` settled for it.
 pub(super) struct Scene<'a> {
     pub panel: &'a Panel,
+    /// Width of the panel with its margins \[px\].
+    pub panel_width: f64,
     pub frame: Frame,
     /// Of x and y.
     pub rulers: [Ruler; 2],
@@ -18,6 +20,8 @@ pub(super) struct Scene<'a> {
     pub y_label: bool,
     /// Room left of the frame \[px\].
     pub y_room: f64,
+    /// Room right of the frame \[px\].
+    pub right_room: f64,
     pub theme: Theme,
 }
 

@@ -17,11 +17,12 @@ pub struct Stroke {
 }
 
 /// Colours that stay apart for colour-blind readers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Colour {
     /// A red on the orange side.
     Red,
     /// A plain blue.
+    #[default]
     Blue,
     /// A green on the blue side.
     Green,

@@ -5,15 +5,21 @@
 
 use std::fmt::Write;
 
-use super::drawing::{Anchor, Drawing, Pen, Point, Shape, Text};
+use super::PlotError;
+use super::drawing::{Anchor, Drawing, Frame, Pen, Point, Shape, Text};
 use super::lettering::{Level, pieces};
+use super::picture::Picture;
 use super::stroke::Rgb;
+use super::svg_path::path;
 
 /// Faces of nearly the same width, one of which every system has.
 const FONTS: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, 'DejaVu Sans Condensed', sans-serif";
 
 /// The drawing as SVG, with what it shows in words. Writing to a string cannot fail.
-pub(super) fn write(drawing: &Drawing, description: &str) -> String {
+///
+/// # Errors
+/// [`PlotError::Png`] when a picture within it cannot be packed.
+pub(super) fn write(drawing: &Drawing, description: &str) -> Result<String, PlotError> {
     let (width, height) = (decimal(drawing.width), decimal(drawing.height));
     let words = escaped(description);
     let mut svg = format!(
@@ -26,11 +32,13 @@ pub(super) fn write(drawing: &Drawing, description: &str) -> String {
     for shape in &drawing.shapes {
         match shape {
             Shape::Lines { runs, pen } => lines(&mut svg, runs, pen),
+            Shape::Area { outlines, ink, opacity } => area(&mut svg, outlines, *ink, *opacity),
+            Shape::Picture { picture: shown, frame } => picture(&mut svg, shown, frame)?,
             Shape::Text(text) => letters(&mut svg, text),
         }
     }
     svg.push_str("</svg>\n");
-    svg
+    Ok(svg)
 }
 
 fn lines(svg: &mut String, runs: &[Vec<Point>], pen: &Pen) {
@@ -50,40 +58,31 @@ fn lines(svg: &mut String, runs: &[Vec<Point>], pen: &Pen) {
     svg.push_str("\"/>\n");
 }
 
-/// A run as steps in tenths of a pixel, counted from the rounded point before, so that
-/// rounding does not add up. Frames stand on half pixels and stay sharp.
-fn path(svg: &mut String, run: &[Point]) {
-    let mut pen = [0_i64; 2];
-    for (index, point) in run.iter().enumerate() {
-        let here = point.map(|pixels| (pixels * 10.0).round() as i64);
-        svg.push_str(match index {
-            0 => "M",
-            1 => "l",
-            _ => "",
-        });
-        for axis in 0..2 {
-            let step = here[axis] - pen[axis];
-            if step >= 0 && (axis == 1 || index > 1) {
-                svg.push(' ');
-            }
-            tenths(svg, step);
-        }
-        pen = here;
+fn area(svg: &mut String, outlines: &[Vec<Point>], ink: Rgb, opacity: f64) {
+    if outlines.is_empty() {
+        return;
     }
+    let _ = write!(svg, "<path fill=\"{}\"", hex(ink));
+    if opacity < 1.0 {
+        let _ = write!(svg, " fill-opacity=\"{}\"", decimal(opacity));
+    }
+    svg.push_str(" d=\"");
+    for outline in outlines {
+        path(svg, outline);
+        svg.push('z');
+    }
+    svg.push_str("\"/>\n");
 }
 
-/// A count of tenths as a short decimal: 25 is `2.5`, -3 is `-.3`.
-fn tenths(svg: &mut String, count: i64) {
-    let (whole, tenth) = (count.abs() / 10, count.abs() % 10);
-    if count < 0 {
-        svg.push('-');
-    }
-    if whole > 0 || tenth == 0 {
-        let _ = write!(svg, "{whole}");
-    }
-    if tenth > 0 {
-        let _ = write!(svg, ".{tenth}");
-    }
+fn picture(svg: &mut String, picture: &Picture, frame: &Frame) -> Result<(), PlotError> {
+    let [left, top, width, height] = [frame.left, frame.top, frame.width, frame.height].map(decimal);
+    let _ = writeln!(
+        svg,
+        "<image x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" \
+         preserveAspectRatio=\"none\" href=\"{}\"/>",
+        picture.data_uri()?,
+    );
+    Ok(())
 }
 
 fn letters(svg: &mut String, text: &Text) {

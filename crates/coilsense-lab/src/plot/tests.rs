@@ -1,5 +1,7 @@
 //! What a figure must keep: peaks, gaps, ticks, words, and the size of its files.
 
+mod parts;
+
 use super::drawing::{Frame, Point};
 use super::ruler::Ruler;
 use super::stroke::Rgb;
@@ -34,6 +36,7 @@ fn figure(curves: Vec<Curve>) -> Figure {
         y: axis("Force [N]", None, Scale::Linear),
         curves,
         marks: vec![Mark { x: 0.8, label: "t_1".into() }],
+        ..Panel::default()
     };
     Figure { panels: vec![panel], columns: 1, panel_width: 336.0, panel_height: 240.0 }
 }

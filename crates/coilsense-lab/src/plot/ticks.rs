@@ -5,7 +5,8 @@
 use super::Scale;
 use super::ruler::Ruler;
 
-/// The ticks of one axis, as shares of its length.
+/// The ticks of one axis, as shares of its length; none where names stand in their place.
+#[derive(Default)]
 pub(super) struct Ticks {
     /// Share and label of the ticks that carry one.
     pub major: Vec<(f64, String)>,

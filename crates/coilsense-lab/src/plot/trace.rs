@@ -33,7 +33,7 @@ pub(super) fn runs(curve: &Curve, x: &Ruler, y: &Ruler, frame: &Frame) -> Vec<Ve
 }
 
 /// A place that can be reckoned with, or none.
-fn within_reach(pixels: f64) -> f64 {
+pub(super) fn within_reach(pixels: f64) -> f64 {
     if pixels.is_finite() { pixels.clamp(-FAR, FAR) } else { f64::NAN }
 }
 
@@ -107,7 +107,7 @@ fn segment_within(a: Point, b: Point, frame: &Frame) -> Option<(Point, Point)> {
 }
 
 /// Drops the points that lie on the line between their neighbours (Douglas and Peucker's way).
-fn straightened(run: &[Point]) -> Vec<Point> {
+pub(super) fn straightened(run: &[Point]) -> Vec<Point> {
     let last = run.len() - 1;
     let mut keep = vec![false; run.len()];
     keep[last] = true;

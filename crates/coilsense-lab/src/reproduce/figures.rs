@@ -85,7 +85,7 @@ fn force_panel(result: &CaseResult, title: &str) -> Panel {
         x: Axis { label: "Time [s]".to_owned(), range: Some(SHOWN), scale: Scale::Linear },
         y: Axis { label: "Force [N]".to_owned(), range: None, scale: Scale::Linear },
         curves: curves.into_iter().map(|(_, curve)| curve).collect(),
-        marks: Vec::new(),
+        ..Panel::default()
     }
 }
 
@@ -112,6 +112,7 @@ fn transmittance_figure(name: &str, spring: &Spring) -> NamedFigure {
             curve("eq. (1)".to_owned(), Colour::Blue, Dash::DashDot, &|omega| transmittance::continuous(tau, omega)),
         ],
         marks: poles.map(|hertz| Mark { x: hertz, label: format!("{hertz:.1} Hz") }).collect(),
+        ..Panel::default()
     };
     NamedFigure {
         name: "figure-2".to_owned(),
