@@ -123,8 +123,10 @@
       if (!reference || signal === reference || signal.kind !== 'force') continue;
       signal.error = signal.values.map((value, index) =>
         (value === null || reference.values[index] === null ? null : value - reference.values[index]));
-      const [low, high] = extent(signal.error) || [0, 0];
-      signal.worst = Math.max(-low, high);
+      // What has no sample beside the reference is not judged: it must not seem to meet a goal.
+      const found = extent(signal.error);
+      if (found) signal.worst = Math.max(-found[0], found[1]);
+      else signal.error = null;
     }
     const times = Float64Array.from({ length: count }, (_, index) => start + index * step);
     const item = { given, signals, reference, times, start, step, end: times[count - 1] };
@@ -140,6 +142,7 @@
     return item;
   }
 
+  const quantity = ({ values, digits, unit }, index) => (values[index] === null ? '–' : `${fixed(values[index], digits)} ${unit}`);
   const indexAt = (item, time) => clamp(Math.round((time - item.start) / item.step), 0, item.times.length - 1);
 
   // --- Colours and lines -------------------------------------------------------------------------------------
@@ -364,7 +367,7 @@
   const head = (left, middle, right) => make('div', { class: 'cs-head' }, make('span', {}, left), middle, make('span', {}, right));
 
   function forceCharts(item) {
-    const forces = item.signals.filter((signal) => signal.kind === 'force');
+    const forces = item.signals.filter((signal) => signal.kind === 'force' && extent(signal.values));
     if (!forces.length) return [];
     const low = Math.min(...forces.map((signal) => signal.low)), high = Math.max(...forces.map((signal) => signal.high));
     const digits = digitsOf(high - low);
@@ -426,7 +429,7 @@
       const index = indexAt(item, state.hover === null ? state.mark : state.hover);
       clock.textContent = `at ${fixed(item.times[index], 4)} s`;
       for (const { signal, cells } of rows) {
-        cells[0].textContent = `${fixed(signal.values[index], signal.digits)} ${signal.unit}`;
+        cells[0].textContent = quantity(signal, index);
         if (!signal.error) continue;
         cells[1].textContent = fixed(signal.error[index], item.errorDigits, true);
         if (nominal > 0) cells[2].textContent = fixed(signal.error[index] === null ? null : 100 * signal.error[index] / nominal, 2, true);
@@ -446,11 +449,15 @@
     return { values, peaks };
   }
 
+  function clear() {
+    for (const { plot, room } of charts) { sizes.unobserve(room); plot.destroy(); }
+    if (spring) { sizes.unobserve(spring.canvas); seen.unobserve(spring.canvas); }
+    charts = [];
+    table = spring = null;
+  }
+
   function drawSignals(item) {
     const host = byId('coilsense-signals');
-    for (const { plot, room } of charts) { sizes.unobserve(room); plot.destroy(); }
-    charts = [];
-    table = null;
     if (!host) return;
     const button = (text, label, act, id) => make('button', { type: 'button', id, 'aria-label': label, onclick: act }, text);
     const reset = button('Reset zoom', null, () => setView(item.start, item.end), 'cs-reset');
@@ -582,8 +589,8 @@
   function endLabel(item, name, at) {
     const signal = item.signals.find((other) => other.name === name), index = indexAt(item, state.mark);
     if (!signal) return [];
-    const error = signal.error ? ` (error ${fixed(signal.error[index], item.errorDigits, true)} N)` : '';
-    return [make('span', { class: 'soft' }, `End ${at} `), make('b', {}, rich(name)), ` = ${fixed(signal.values[index], signal.digits)} N`, make('span', { class: 'soft' }, error)];
+    const error = signal.error && signal.error[index] !== null ? ` (error ${fixed(signal.error[index], item.errorDigits, true)} N)` : '';
+    return [make('span', { class: 'soft' }, `End ${at} `), make('b', {}, rich(name)), ` = ${quantity(signal, index)}`, make('span', { class: 'soft' }, error)];
   }
 
   // The exaggeration at which the largest strain opens or closes a pitch by about half.
@@ -613,8 +620,6 @@
 
   function buildSpring(item) {
     const host = byId('coilsense-spring');
-    if (spring) { sizes.unobserve(spring.canvas); seen.unobserve(spring.canvas); }
-    spring = null;
     if (!host) return;
     if (!item.windings) {
       setPlaying(false);
@@ -723,9 +728,11 @@
 
   function show(given) {
     let item;
+    clear();
     try {
       item = decode(given);
     } catch (error) {
+      drawChoice({ given, goal: null });
       for (const part of ['spring', 'signals']) byId('coilsense-' + part)?.replaceChildren(make('p', { class: 'warning' }, `This case cannot be drawn: ${error.message}.`));
       return;
     }
@@ -753,12 +760,13 @@
   function print(on) {
     document.documentElement.classList.toggle('cs-print', on);
     readInk();
+    if (table) table.values();
     for (const { plot, spec, room } of charts) plot.setSize({ width: on ? 660 : Math.floor(room.clientWidth), height: spec.height });
     repaint();
   }
 
   // A link to "#case-<id>" anywhere in the page chooses that case.
-  const linked = () => data.cases.find((one) => '#case-' + one.id === decodeURIComponent(location.hash));
+  const linked = () => data.cases.find(({ id }) => ['#case-' + id, '#case-' + encodeURIComponent(id)].includes(location.hash));
 
   function begin() {
     try {
@@ -767,7 +775,7 @@
       return;
     }
     if (!data || !Array.isArray(data.cases) || !data.cases.length) return;
-    for (const { name } of data.cases.flatMap((one) => one.signals)) styleOf(name);
+    for (const { name } of data.cases.flatMap((one) => one.signals || [])) styleOf(name);
     readInk();
     state.playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     show(linked() || data.cases[0]);
