@@ -34,8 +34,16 @@ impl Clash {
     pub fn of(motion: &Motion, times: &[f64]) -> Result<Self, Error> {
         crate::error::at_least_one("times", times.len())?;
         let times = crate::signals::increasing(times)?;
+        Self::seen(motion, times, &motion.windings(times)?)
+    }
+
+    /// The same where the positions at `times` are at hand: `windings` of [`Motion::windings`].
+    ///
+    /// # Errors
+    /// [`Error::Count`] where there is not one time for each sample of the positions.
+    pub fn seen(motion: &Motion, times: &[f64], windings: &Windings) -> Result<Self, Error> {
+        crate::error::count("times", times.len(), windings.samples())?;
         let wire_diameter = motion.spring().wire_diameter();
-        let windings = motion.windings(times)?;
         let mut clash =
             Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, wire_diameter, first_contact: None };
         for (sample, &time) in times.iter().enumerate() {
