@@ -3,11 +3,17 @@
 // What a user can send must not end in a panic.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod analyze;
+mod init;
+mod progress;
 mod reproduce;
+mod simulate;
+mod spring;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use coilsense_lab::analysis::AnalysisError;
 
 /// How far can one trust a force measured through a coil spring?
 #[derive(Parser)]
@@ -19,25 +25,40 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Write a commented spec to start from
+    Init(init::Arguments),
+    /// The data sheet of a spec's spring: rate, mass, stress, lengths, surge frequencies and their neighbours
+    Spring(spring::Arguments),
+    /// Simulate a spec's conditions and write all signals and readings
+    Simulate(simulate::Arguments),
+    /// How far off is each force signal, why, and what to choose: simulate, judge, report
+    Analyze(analyze::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
 
 /// Exit code of bad input and of output that cannot be written, as clap's own for bad arguments.
 const BAD_INPUT: u8 = 2;
+/// Exit code after Ctrl-C, as shells have it.
+const INTERRUPTED: u8 = 130;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     // A wrong COILSENSE_SIMD is bad input like any other.
     let simd = coilsense::simd::SimdPath::selected().map_err(anyhow::Error::from);
     let result = simd.and_then(|_| match arguments.command {
+        Command::Init(arguments) => init::run(&arguments),
+        Command::Spring(arguments) => spring::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             anstream::eprintln!("error: {error:#}");
-            ExitCode::from(BAD_INPUT)
+            let interrupted = matches!(error.downcast_ref(), Some(AnalysisError::Interrupted));
+            ExitCode::from(if interrupted { INTERRUPTED } else { BAD_INPUT })
         }
     }
 }

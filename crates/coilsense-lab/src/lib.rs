@@ -18,6 +18,12 @@ pub mod published;
 
 pub mod reproduce;
 
+pub mod series;
+
+pub mod analysis;
+
+pub mod data_sheet;
+
 pub mod plot;
 
 pub mod report;

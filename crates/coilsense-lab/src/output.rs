@@ -2,8 +2,8 @@
 //!
 //! Next door: what is in the files (`report`).
 
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
@@ -49,9 +49,26 @@ impl Output {
     /// # Errors
     /// [`OutputError`] where it cannot be written.
     pub fn add(&mut self, relative: &str, bytes: &[u8]) -> Result<(), OutputError> {
+        self.write(relative, |file| file.write_all(bytes))
+    }
+
+    /// Adds a file that `write` fills, for what need not lie in memory as a whole.
+    ///
+    /// # Errors
+    /// [`OutputError`] where it cannot be written.
+    pub fn write(
+        &mut self,
+        relative: &str,
+        write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
         let path = self.staging.path().join(relative);
-        let written = path.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(&path, bytes));
-        written.map_err(|error| unwritable(&self.target.join(relative), &error))?;
+        let filled = || {
+            path.parent().map_or(Ok(()), fs::create_dir_all)?;
+            let mut file = BufWriter::new(File::create(&path)?);
+            write(&mut file)?;
+            file.flush()
+        };
+        filled().map_err(|error| unwritable(&self.target.join(relative), &error))?;
         self.files.push(relative.into());
         Ok(())
     }

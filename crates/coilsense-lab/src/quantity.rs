@@ -2,6 +2,8 @@
 //!
 //! Next door: the files that hold such strings (`spec`).
 
+use std::f64::consts::PI;
+
 /// A physical dimension and the units in which people may write it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
@@ -13,10 +15,49 @@ pub enum Dimension {
     Stiffness,
     /// Newtons.
     Force,
+    /// Seconds.
+    Time,
+    /// Hertz.
+    Frequency,
+    /// A multiple of the spring's surge frequency f1.
+    SurgeMultiple,
+    /// Metres per second.
+    Velocity,
+    /// Radians.
+    Angle,
+    /// Henry.
+    Inductance,
+    /// A difference of temperatures: kelvins.
+    Temperature,
+    /// A share of something: 1 is all of it.
+    Share,
+    /// Pascals.
+    Modulus,
+    /// Kilograms per cubic metre.
+    Density,
+    /// Ohm metres.
+    Resistivity,
+    /// Metres per newton.
+    Compliance,
+    /// Per kelvin.
+    PerKelvin,
+    /// Per second.
+    Rate,
 }
 
-/// A unit: its symbol and the power of ten that takes it to SI.
-type Unit = (&'static str, i32);
+/// A unit: its symbol and what takes it to SI.
+type Unit = (&'static str, Factor);
+
+/// What takes a unit to SI.
+#[derive(Debug, Clone, Copy)]
+enum Factor {
+    /// A power of ten, which is read together with the digits, so that the result is the nearest double.
+    Ten(i32),
+    /// Any other factor.
+    Times(f64),
+}
+
+use Factor::{Ten, Times};
 
 impl Dimension {
     /// The dimension in words, with its article.
@@ -26,16 +67,44 @@ impl Dimension {
             Self::Mass => "a mass",
             Self::Stiffness => "a stiffness",
             Self::Force => "a force",
+            Self::Time => "a time",
+            Self::Frequency => "a frequency",
+            Self::SurgeMultiple => "a multiple of the surge frequency",
+            Self::Velocity => "a velocity",
+            Self::Angle => "an angle",
+            Self::Inductance => "an inductance",
+            Self::Temperature => "a temperature difference",
+            Self::Share => "a share",
+            Self::Modulus => "a modulus",
+            Self::Density => "a density",
+            Self::Resistivity => "a resistivity",
+            Self::Compliance => "a compliance",
+            Self::PerKelvin => "a temperature coefficient",
+            Self::Rate => "a rate",
         }
     }
 
     /// The units it may be written in, the SI unit first.
     fn units(self) -> &'static [Unit] {
         match self {
-            Self::Length => &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("µm", -6)],
-            Self::Mass => &[("kg", 0), ("g", -3), ("mg", -6)],
-            Self::Stiffness => &[("N/m", 0), ("kN/m", 3), ("N/mm", 3)],
-            Self::Force => &[("N", 0), ("kN", 3), ("mN", -3)],
+            Self::Length => &[("m", Ten(0)), ("cm", Ten(-2)), ("mm", Ten(-3)), ("um", Ten(-6)), ("µm", Ten(-6))],
+            Self::Mass => &[("kg", Ten(0)), ("g", Ten(-3)), ("mg", Ten(-6))],
+            Self::Stiffness => &[("N/m", Ten(0)), ("kN/m", Ten(3)), ("N/mm", Ten(3))],
+            Self::Force => &[("N", Ten(0)), ("kN", Ten(3)), ("mN", Ten(-3))],
+            Self::Time => &[("s", Ten(0)), ("ms", Ten(-3)), ("us", Ten(-6)), ("µs", Ten(-6))],
+            Self::Frequency => &[("Hz", Ten(0)), ("kHz", Ten(3)), ("MHz", Ten(6))],
+            Self::SurgeMultiple => &[("f1", Ten(0))],
+            Self::Velocity => &[("m/s", Ten(0)), ("mm/s", Ten(-3))],
+            Self::Angle => &[("rad", Ten(0)), ("deg", Times(PI / 180.0))],
+            Self::Inductance => &[("H", Ten(0)), ("mH", Ten(-3)), ("uH", Ten(-6)), ("µH", Ten(-6)), ("nH", Ten(-9))],
+            Self::Temperature => &[("K", Ten(0))],
+            Self::Share => &[("%", Ten(-2)), ("ppm", Ten(-6))],
+            Self::Modulus => &[("Pa", Ten(0)), ("MPa", Ten(6)), ("GPa", Ten(9))],
+            Self::Density => &[("kg/m3", Ten(0)), ("kg/m³", Ten(0)), ("g/cm3", Ten(3))],
+            Self::Resistivity => &[("Ohm m", Ten(0)), ("Ω m", Ten(0)), ("uOhm m", Ten(-6))],
+            Self::Compliance => &[("m/N", Ten(0)), ("mm/N", Ten(-3)), ("um/N", Ten(-6)), ("µm/N", Ten(-6))],
+            Self::PerKelvin => &[("1/K", Ten(0)), ("%/K", Ten(-2)), ("ppm/K", Ten(-6))],
+            Self::Rate => &[("1/s", Ten(0))],
         }
     }
 
@@ -56,12 +125,15 @@ impl Dimension {
     /// ```
     pub fn parse(self, text: &str) -> Option<f64> {
         let text = text.trim();
-        let (number, exponent) = self
+        let (number, factor) = self
             .units()
             .iter()
-            .filter_map(|(symbol, exponent)| Some((text.strip_suffix(symbol)?.trim_end(), *exponent)))
+            .filter_map(|(symbol, factor)| Some((text.strip_suffix(symbol)?.trim_end(), *factor)))
             .find(|(number, _)| number.parse::<f64>().is_ok())?;
-        scaled(number, exponent)
+        match factor {
+            Ten(exponent) => scaled(number, exponent),
+            Times(factor) => Some(number.parse::<f64>().ok()? * factor),
+        }
     }
 }
 
@@ -90,6 +162,11 @@ mod tests {
         assert_eq!(Dimension::Stiffness.parse("9.1 N/mm"), Some(9100.0));
         assert_eq!(Dimension::Stiffness.parse("0.76kN/m"), Some(760.0));
         assert_eq!(Dimension::Force.parse("-121.6 N"), Some(-121.6));
+        assert_eq!(Dimension::Share.parse("1.3 %"), Some(0.013));
+        assert_eq!(Dimension::Angle.parse("-90 deg"), Some(-std::f64::consts::FRAC_PI_2));
+        assert_eq!(Dimension::SurgeMultiple.parse("0.5 f1"), Some(0.5));
+        assert_eq!(Dimension::PerKelvin.parse("-0.025 %/K"), Some(-0.00025));
+        assert_eq!(Dimension::Density.parse("7850 kg/m³"), Some(7850.0));
     }
 
     #[test]
@@ -97,5 +174,7 @@ mod tests {
         for text in ["104", "104 kg", "mm", "", "1,6 mm", "104 mm mm", "m", "1e mm"] {
             assert_eq!(Dimension::Length.parse(text), None, "{text}");
         }
+        assert_eq!(Dimension::Share.parse("0.01"), None);
+        assert_eq!(Dimension::Time.parse("5 1/s"), None);
     }
 }

@@ -1,6 +1,6 @@
 //! Spring files that cannot be used: each gives one line naming file, line, key, value and what is allowed.
 
-use coilsense_lab::spec::NamedSpring;
+use coilsense_lab::spec::SpringSpec;
 use proptest::prelude::*;
 
 const GOOD: &str = include_str!("../../../data/springs/S_T.toml");
@@ -14,21 +14,21 @@ fn with(key: &str, line: &str) -> String {
 }
 
 fn refusal(text: &str) -> String {
-    let message = NamedSpring::parse("S.toml", text).expect_err(text).to_string();
+    let message = SpringSpec::parse("S.toml", text).expect_err(text).to_string();
     assert!(!message.contains('\n'), "more than one line: {message}");
     message
 }
 
 #[test]
 fn a_good_file_is_read() {
-    let named = NamedSpring::parse("S.toml", GOOD).unwrap();
+    let named = SpringSpec::parse("S.toml", GOOD).unwrap();
     assert_eq!(named.name, "S_T");
     assert_eq!(named.spring.nominal_force(), 760.0 * (0.264 - 0.104));
     let hexadecimal = with("windings", "windings = 0x34");
-    assert_eq!(NamedSpring::parse("S.toml", &hexadecimal).unwrap().spring.windings(), 52.0);
+    assert_eq!(SpringSpec::parse("S.toml", &hexadecimal).unwrap().spring.windings(), 52.0);
     let overridden =
         with("max_length", "max_length = \"264 mm\"\nnominal_force = \"0.1 kN\"\ninductance_windings = 51.5");
-    let spring = NamedSpring::parse("S.toml", &overridden).unwrap().spring;
+    let spring = SpringSpec::parse("S.toml", &overridden).unwrap().spring;
     assert_eq!((spring.nominal_force(), spring.inductance_windings()), (100.0, 51.5));
 }
 
@@ -106,18 +106,18 @@ fn what_is_no_toml_or_has_no_spring_is_said() {
 
 #[test]
 fn a_missing_file_is_named() {
-    let message = NamedSpring::read(std::path::Path::new("/no/such/S_T.toml")).unwrap_err().to_string();
+    let message = SpringSpec::read(std::path::Path::new("/no/such/S_T.toml")).unwrap_err().to_string();
     assert!(message.starts_with("/no/such/S_T.toml: cannot be read: "), "{message}");
 }
 
 proptest! {
     #[test]
     fn no_text_makes_the_reader_panic(text in "(\\[spring\\]\n)?([a-z_]{1,12} ?= ?[ -~]{0,20}\n){0,12}") {
-        let _ = NamedSpring::parse("S.toml", &text);
+        let _ = SpringSpec::parse("S.toml", &text);
     }
 
     #[test]
     fn no_value_makes_the_reader_panic(key in "mass|windings|max_length|name", value in "[ -~]{0,20}") {
-        let _ = NamedSpring::parse("S.toml", &with(&key, &format!("{key} = {value}")));
+        let _ = SpringSpec::parse("S.toml", &with(&key, &format!("{key} = {value}")));
     }
 }

@@ -1,21 +1,17 @@
-//! A reproduction as people and machines read it: terminal text, HTML, JSON, CSV.
+//! Results as people and machines read them: terminal text, HTML, JSON.
 //!
-//! Next door: what is computed (`reproduce`), how files come to disk whole (`output`).
+//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`), how files come to disk whole (`output`).
 
-mod html;
-mod limits;
-mod signals_csv;
-mod tables_json;
-mod text;
+mod analysis;
+mod data_sheet;
+mod reproduction;
 
-pub use signals_csv::signals_csv;
-pub use text::reproduction_text;
+pub use analysis::{add_analysis, analysis_text};
+pub use data_sheet::{data_sheet_json, data_sheet_text};
+pub use reproduction::{add_reproduction, reproduction_text};
 
-use rayon::prelude::*;
-
-use crate::output::{Output, OutputError};
-use crate::plot::{PlotError, Theme};
-use crate::reproduce::{Reproduction, all_file_stems};
+use crate::output::OutputError;
+use crate::plot::{Figure, PlotError, Theme};
 
 /// What can go wrong while a report is made.
 #[derive(Debug, thiserror::Error)]
@@ -35,7 +31,7 @@ pub enum ReportError {
     #[error(transparent)]
     Science(#[from] coilsense::Error),
     /// JSON cannot be written.
-    #[error("tables.json: {0}")]
+    #[error("JSON: {0}")]
     Json(#[from] serde_json::Error),
     /// A file cannot be written.
     #[error(transparent)]
@@ -51,34 +47,7 @@ struct Drawn {
     png: Vec<u8>,
 }
 
-/// Adds all files of a reproduction to `output`: `report.html`, `tables.json`, `figures/*`, `signals/*.csv`.
-///
-/// # Errors
-/// [`ReportError`] for the first part that fails.
-pub fn add_reproduction(reproduction: &Reproduction, output: &mut Output) -> Result<(), ReportError> {
-    let drawn: Vec<Drawn> = reproduction.figures().into_par_iter().map(draw).collect::<Result<_, _>>()?;
-    let series: Vec<(String, String)> = reproduction
-        .cases
-        .par_iter()
-        .map(|result| (format!("signals/{}.csv", result.file_stem()), signals_csv(&result.signals)))
-        .collect();
-    for figure in &drawn {
-        output.add(&format!("figures/{}.svg", figure.name), figure.light.as_bytes())?;
-        output.add(&format!("figures/{}.png", figure.name), &figure.png)?;
-    }
-    for stem in all_file_stems() {
-        output.remove(&format!("signals/{stem}.csv"));
-    }
-    for (name, text) in &series {
-        output.add(name, text.as_bytes())?;
-    }
-    output.add("tables.json", tables_json::tables_json(&reproduction.cells)?.as_bytes())?;
-    output.add("report.html", html::page(reproduction, &drawn)?.as_bytes())?;
-    Ok(())
-}
-
-fn draw(named: crate::reproduce::NamedFigure) -> Result<Drawn, ReportError> {
-    let crate::reproduce::NamedFigure { name, caption, figure } = named;
+fn draw(name: String, caption: String, figure: &Figure) -> Result<Drawn, ReportError> {
     let drawing = || Ok((figure.to_svg(Theme::Light)?, figure.to_svg(Theme::Dark)?, figure.to_png(Theme::Light)?));
     match drawing() {
         Ok((light, dark, png)) => Ok(Drawn { name, caption, light, dark, png }),

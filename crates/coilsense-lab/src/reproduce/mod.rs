@@ -23,7 +23,7 @@ pub use protocol::{PAPER_NOMINAL_FORCE_FACTOR, Protocol};
 pub use reason::Reason;
 
 use crate::published::{PublishedError, published_cells};
-use crate::spec::{NamedSpring, SpecError};
+use crate::spec::{SpecError, SpringSpec};
 
 /// What can go wrong on the way to the paper's tables.
 #[derive(Debug, thiserror::Error)]
@@ -61,7 +61,7 @@ impl PaperSprings {
     /// # Errors
     /// [`ReproduceError::Spec`] where the compiled-in files are damaged.
     pub fn built_in() -> Result<Self, ReproduceError> {
-        let read = |file, text| NamedSpring::parse(file, text).map(|named| named.spring);
+        let read = |file, text| SpringSpec::parse(file, text).map(|named| named.spring);
         let s_t = read("data/springs/S_T.toml", include_str!("../../../../data/springs/S_T.toml"))?;
         let s_a = read("data/springs/S_A.toml", include_str!("../../../../data/springs/S_A.toml"))?;
         Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)] })
@@ -79,7 +79,7 @@ impl PaperSprings {
 
     /// One of the two, which must not be the other, and whose inductance must be one that a length can be read from.
     fn read_one(file: &Path, other: &str) -> Result<Spring, SpecError> {
-        let NamedSpring { name, spring } = NamedSpring::read(file)?;
+        let SpringSpec { name, spring, .. } = SpringSpec::read(file)?;
         if name == other {
             let allowed = "another name: the file stands in the other spring's place";
             return Err(SpecError::unsuitable(file, "name", format!("{name:?}"), allowed));

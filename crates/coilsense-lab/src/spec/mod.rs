@@ -1,14 +1,105 @@
 //! TOML specs: the one input model of command, sweeps and page.
 //!
-//! Next door: the units in its strings (`quantity`), what is done with a spring (`reproduce`).
+//! A spec names a spring, its mount, conditions of use, sensors and a goal; [`Spec`] holds all of it checked, in SI, in the science's types.
+//! Next door: the units in its strings (`quantity`), what is computed from it (`analysis`).
 
+mod catalogue;
+mod condition;
+mod drive;
+mod goal;
+mod keys;
+mod mount;
+mod recorded;
 mod section;
+mod sensor;
 mod spring;
+mod template;
 
-pub use spring::NamedSpring;
+pub use catalogue::{classes, materials};
+pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
+pub use goal::{Goal, UncertaintySpec};
+pub use keys::{Key, TABLES, Table, markdown};
+pub use mount::{BAND, DampingCase, MountSpec};
+pub use sensor::{KINDS as SENSOR_KINDS, Quantity, SensorSpec};
+pub use spring::SpringSpec;
+pub use template::template;
 
 use std::fmt::Display;
 use std::path::Path;
+
+use condition::Setting;
+use section::Document;
+
+/// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.
+pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
+
+/// A spec: a spring, how it is mounted, what is done to it, what watches it, and what that should achieve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spec {
+    /// The file's name, as messages call it.
+    pub file: String,
+    /// Its text.
+    pub text: String,
+    /// The spring.
+    pub spring: SpringSpec,
+    /// What end 2 is tied to, under each damping.
+    pub mount: MountSpec,
+    /// The conditions of use; may be empty.
+    pub conditions: Vec<ConditionSpec>,
+    /// The sensors; may be empty.
+    pub sensors: Vec<SensorSpec>,
+    /// The goal.
+    pub goal: Goal,
+    /// What the uncertainty budget assumes.
+    pub uncertainty: UncertaintySpec,
+}
+
+impl Spec {
+    /// Reads a spec from its text; `file` names it in errors, `files` reads those that it names.
+    ///
+    /// # Errors
+    /// [`SpecError`], one line with file, line, key, value and what is allowed.
+    pub fn parse(file: &str, text: &str, files: &Files<'_>) -> Result<Self, SpecError> {
+        let document = Document::parse(file, text)?;
+        let spring = SpringSpec::of(&document.section("spring")?)?;
+        let mount = MountSpec::parse(&document, &spring.spring)?;
+        let setting = Setting { spring: &spring.spring, far_end: mount.far_end(), files };
+        Ok(Self {
+            conditions: ConditionSpec::parse_all(&document, &setting)?,
+            sensors: SensorSpec::parse_all(&document, &spring)?,
+            goal: Goal::parse(&document, &spring.spring)?,
+            uncertainty: UncertaintySpec::parse(&document)?,
+            file: file.to_owned(),
+            text: text.to_owned(),
+            spring,
+            mount,
+        })
+    }
+
+    /// Reads a spec from a file; files that it names are looked for beside it.
+    ///
+    /// # Errors
+    /// [`SpecError`] as [`Self::parse`], or where the file cannot be read.
+    pub fn read(path: &Path) -> Result<Self, SpecError> {
+        let beside = path.parent().unwrap_or(Path::new("")).to_owned();
+        let files = move |name: &str| {
+            let path = beside.join(name);
+            std::fs::read_to_string(&path).map_err(|error| format!("{} cannot be read: {error}", path.display()))
+        };
+        Self::parse(&path.display().to_string(), &read_text(path)?, &files)
+    }
+}
+
+/// The text of a file, or why it cannot be had.
+fn read_text(path: &Path) -> Result<String, SpecError> {
+    std::fs::read_to_string(path).map_err(|error| SpecError(format!("{}: cannot be read: {error}", path.display())))
+}
+
+/// A name as part of a file's: lower case letters, digits and hyphens.
+fn stem(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() || c == '.' || c == '_' { c } else { '-' };
+    name.to_lowercase().chars().map(plain).collect()
+}
 
 /// Why a spec cannot be used, in one line that names file, line, key, value and what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -19,6 +110,11 @@ impl SpecError {
     /// A value that is fine by itself but not for the use at hand: `file: key = value: must be allowed`.
     pub(crate) fn unsuitable(file: &Path, key: &str, value: impl Display, allowed: impl Display) -> Self {
         Self(format!("{}: {key} = {value}: must be {allowed}", file.display()))
+    }
+
+    /// The same with one more thing that is allowed.
+    fn or_also(self, allowed: &str) -> Self {
+        Self(format!("{}, or {allowed}", self.0))
     }
 }
 

@@ -1,67 +1,64 @@
-//! The table `[spring]`: a spring by the values of the paper's Table I.
+//! The table `[spring]`: a spring by the values of the paper's Table I, or by wire, coil and material.
 //!
-//! Next door: reading keys (`section`), what the values must be (`coilsense::Spring`).
+//! Next door: reading keys (`section`), the material table (`catalogue`), what the values must be (`coilsense::{Spring, geometry}`).
 
 use std::path::Path;
 
-use coilsense::{Error, Spring, SpringParameters};
+use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material, MaterialParameters, Sensitivities};
+use coilsense::inductance::SelfDistance;
+use coilsense::{Spring, SpringParameters};
 
-use super::section::Document;
-use super::{SpecError, located};
+use super::section::{Document, Section};
+use super::{SpecError, catalogue, read_text};
 use crate::quantity::Dimension;
 
-/// A spring and what people call it.
+/// A spring and what people say of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct NamedSpring {
+pub struct SpringSpec {
     /// Its name.
     pub name: String,
-    /// The spring.
+    /// The spring, its rest length shifted by the initial tension: l0 − F_0/k.
     pub spring: Spring,
+    /// Wire, coil, ends and material; stiffness and mass by its formulas are not those of `spring` where that is given by values.
+    pub geometry: Geometry,
+    /// What the wire is made of.
+    pub material: String,
+    /// Whether the spec says so, or it is assumed.
+    pub material_is_given: bool,
+    /// Whether stiffness and mass come from wire and coil.
+    pub by_geometry: bool,
+    /// Length without force as the spec gives it, of an extension spring closed \[m\].
+    pub closed_length: f64,
+    /// F_0 \[N\].
+    pub initial_tension: f64,
+    /// Which self term the inductance takes.
+    pub self_distance: SelfDistance,
+    /// How far the stiffness may be off, either way, as a share \[1\].
+    pub stiffness_tolerance: f64,
+    /// How far the rest length may be off, either way \[m\].
+    pub rest_length_tolerance: f64,
 }
 
-/// Keys of `[spring]`.
-const KEYS: [&str; 11] = [
-    "name",
-    "rest_length",
-    "windings",
-    "coil_radius",
-    "wire_radius",
-    "mass",
-    "stiffness",
-    "min_length",
-    "max_length",
-    "nominal_force",
-    "inductance_windings",
+/// Words for how the wire ends.
+const ENDS: [(&str, EndType); 5] = [
+    ("hooks", EndType::Hooks),
+    ("open", EndType::Open),
+    ("open-ground", EndType::OpenGround),
+    ("closed", EndType::Closed),
+    ("closed-ground", EndType::ClosedGround),
 ];
 
-impl NamedSpring {
-    /// Reads a spring from the text of a spec; `file` names it in errors.
+/// Quantities of the science and the keys that set them, where the words differ.
+const ALIASES: [(&str, &str); 3] =
+    [("active windings", "windings"), ("coil radius", "coil_diameter"), ("wire radius", "wire_diameter")];
+
+impl SpringSpec {
+    /// Reads a spring from the text of a spec, whose other tables are left alone; `file` names it in errors.
     ///
     /// # Errors
     /// [`SpecError`], one line with file, line, key, value, unit and what is allowed.
     pub fn parse(file: &str, text: &str) -> Result<Self, SpecError> {
-        let document = Document::parse(file, text)?;
-        let section = document.section("spring", &["spring"])?;
-        section.allow(&KEYS)?;
-        let length = |key| section.quantity(key, Dimension::Length);
-        let parameters = SpringParameters {
-            rest_length: length("rest_length")?,
-            windings: section.number("windings")?,
-            coil_radius: length("coil_radius")?,
-            wire_radius: length("wire_radius")?,
-            mass: section.quantity("mass", Dimension::Mass)?,
-            stiffness: section.quantity("stiffness", Dimension::Stiffness)?,
-            min_length: length("min_length")?,
-            max_length: length("max_length")?,
-            nominal_force: section.optional_quantity("nominal_force", Dimension::Force)?,
-            inductance_windings: section.optional_number("inductance_windings")?,
-        };
-        let name = section.text("name")?;
-        let spring = Spring::new(parameters).map_err(|error| match &error {
-            Error::Value { quantity, .. } => section.refuse(&quantity.replace(' ', "_"), &error),
-            _ => located(file, text, 0, &error),
-        })?;
-        Ok(Self { name, spring })
+        Self::of(&Document::parse(file, text)?.section("spring")?)
     }
 
     /// Reads a spring from a file.
@@ -69,9 +66,172 @@ impl NamedSpring {
     /// # Errors
     /// [`SpecError`] as [`Self::parse`], or where the file cannot be read.
     pub fn read(path: &Path) -> Result<Self, SpecError> {
-        let file = path.display().to_string();
-        let text =
-            std::fs::read_to_string(path).map_err(|error| SpecError(format!("{file}: cannot be read: {error}")))?;
-        Self::parse(&file, &text)
+        Self::parse(&path.display().to_string(), &read_text(path)?)
     }
+
+    /// Reads the table `[spring]`.
+    pub(super) fn of(section: &Section<'_>) -> Result<Self, SpecError> {
+        let by_geometry = section.first_of(&["wire_diameter", "coil_diameter"]).is_some();
+        let (kind, whose) = match by_geometry {
+            true => ("by geometry", "a spring by geometry (which wire_diameter or coil_diameter makes it)"),
+            false => ("by values", "a spring by values (without wire_diameter and coil_diameter)"),
+        };
+        section.only_of(kind, whose)?;
+        let closed_length = section.quantity("rest_length", Dimension::Length)?;
+        let (material, material_is_given) =
+            (material(section)?, section.has("material") || section.has("shear_modulus"));
+        let initial_tension = section.not_negative("initial_tension", Dimension::Force)?.unwrap_or(0.0);
+        let (spring, geometry) = match by_geometry {
+            true => Self::wound(section, material.1, closed_length, initial_tension)?,
+            false => Self::valued(section, material.1, closed_length, initial_tension)?,
+        };
+        let name = section.text("name")?;
+        let self_distance = match section.optional_word("self_distance", &["as-printed", "geometric-mean"])? {
+            Some("geometric-mean") => SelfDistance::GeometricMean,
+            _ => SelfDistance::AsPrinted,
+        };
+        Ok(Self {
+            name,
+            geometry,
+            material: material.0,
+            material_is_given,
+            by_geometry,
+            closed_length,
+            initial_tension,
+            self_distance,
+            stiffness_tolerance: stiffness_tolerance(section, by_geometry)?,
+            rest_length_tolerance: section.not_negative("rest_length_tolerance", Dimension::Length)?.unwrap_or(0.0),
+            spring,
+        })
+    }
+
+    /// By wire, coil and material.
+    fn wound(
+        section: &Section<'_>,
+        material: Material,
+        rest_length: f64,
+        initial_tension: f64,
+    ) -> Result<(Spring, Geometry), SpecError> {
+        let parameters = GeometryParameters {
+            wire_diameter: section.quantity("wire_diameter", Dimension::Length)?,
+            coil_diameter: section.quantity("coil_diameter", Dimension::Length)?,
+            active_windings: section.number("windings")?,
+            total_windings: section.optional_number("total_windings")?,
+            end_type: end_type(section)?,
+            material,
+            rest_length,
+            initial_tension,
+        };
+        let geometry = Geometry::new(parameters).map_err(|error| section.refuse_science(&error, &ALIASES))?;
+        let spring = SpringParameters {
+            rest_length: geometry.effective_rest_length(),
+            windings: parameters.active_windings,
+            coil_radius: 0.5 * parameters.coil_diameter,
+            wire_radius: 0.5 * parameters.wire_diameter,
+            mass: geometry.active_mass(),
+            stiffness: geometry.stiffness(),
+            ..in_use(section)?
+        };
+        Ok((Spring::new(spring).map_err(|error| section.refuse_science(&error, &ALIASES))?, geometry))
+    }
+
+    /// By the values of Table I.
+    fn valued(
+        section: &Section<'_>,
+        material: Material,
+        rest_length: f64,
+        initial_tension: f64,
+    ) -> Result<(Spring, Geometry), SpecError> {
+        let values = SpringParameters {
+            rest_length,
+            windings: section.number("windings")?,
+            coil_radius: section.quantity("coil_radius", Dimension::Length)?,
+            wire_radius: section.quantity("wire_radius", Dimension::Length)?,
+            mass: section.quantity("mass", Dimension::Mass)?,
+            stiffness: section.quantity("stiffness", Dimension::Stiffness)?,
+            ..in_use(section)?
+        };
+        let refuse = |error: coilsense::Error| section.refuse_science(&error, &[]);
+        let closed = Spring::new(values.clone()).map_err(refuse)?;
+        let shifted = rest_length - initial_tension / closed.stiffness();
+        section.check("initial_tension", shifted > 0.0, initial_tension, "below stiffness × rest_length")?;
+        let spring = Spring::new(SpringParameters { rest_length: shifted, ..values }).map_err(refuse)?;
+        let geometry = Geometry::of_spring(&closed, end_type(section)?, material);
+        Ok((spring, geometry.map_err(|error| section.refuse_science(&error, &[("wire diameter", "wire_radius")]))?))
+    }
+}
+
+/// What both ways to describe a spring share; the rest is to be filled in.
+fn in_use(section: &Section<'_>) -> Result<SpringParameters, SpecError> {
+    Ok(SpringParameters {
+        rest_length: 0.0,
+        windings: 0.0,
+        coil_radius: 0.0,
+        wire_radius: 0.0,
+        mass: 0.0,
+        stiffness: 0.0,
+        min_length: section.quantity("min_length", Dimension::Length)?,
+        max_length: section.quantity("max_length", Dimension::Length)?,
+        nominal_force: section.optional_quantity("nominal_force", Dimension::Force)?,
+        inductance_windings: section.optional_number("inductance_windings")?,
+    })
+}
+
+fn end_type(section: &Section<'_>) -> Result<EndType, SpecError> {
+    let word = section.optional_word("end_type", &ENDS.map(|(word, _)| word))?;
+    Ok(ENDS.into_iter().find(|(end, _)| Some(*end) == word).map_or(EndType::Hooks, |(_, end_type)| end_type))
+}
+
+/// The named material with what the table says in place of its values; and what to call it.
+fn material(section: &Section<'_>) -> Result<(String, Material), SpecError> {
+    let name = section.optional_text("material")?.unwrap_or_else(|| catalogue::USUAL_MATERIAL.to_owned());
+    let named = catalogue::material(&name).map_err(|message| section.refuse("material", message))?;
+    let keys = [
+        "shear_modulus",
+        "youngs_modulus",
+        "density",
+        "shear_modulus_temperature",
+        "resistivity",
+        "relative_permeability",
+    ];
+    let own: Vec<&str> = keys.into_iter().filter(|key| section.has(key)).collect();
+    let quantity = |key, dimension| section.optional_quantity(key, dimension);
+    let parameters = MaterialParameters {
+        shear_modulus: quantity("shear_modulus", Dimension::Modulus)?.unwrap_or(named.shear_modulus),
+        youngs_modulus: quantity("youngs_modulus", Dimension::Modulus)?.unwrap_or(named.youngs_modulus),
+        density: quantity("density", Dimension::Density)?.unwrap_or(named.density),
+        shear_modulus_temperature: quantity("shear_modulus_temperature", Dimension::PerKelvin)?
+            .or(named.shear_modulus_temperature),
+        resistivity: quantity("resistivity", Dimension::Resistivity)?.or(named.resistivity),
+        relative_permeability: section.optional_number("relative_permeability")?.or(named.relative_permeability),
+        ..named
+    };
+    let material = Material::new(parameters).map_err(|error| section.refuse_science(&error, &[]))?;
+    let label =
+        if own.is_empty() { name } else { format!("{name}, with its own {}", own.join(", ").replace('_', " ")) };
+    Ok((label, material))
+}
+
+/// As it is given, or by what the tolerances of wire, coil and material do to k = G d⁴/(8 D³ n) at their worst.
+fn stiffness_tolerance(section: &Section<'_>, by_geometry: bool) -> Result<f64, SpecError> {
+    let share = |key| -> Result<Option<f64>, SpecError> {
+        let given = section.not_negative(key, Dimension::Share)?;
+        given.map(|value| section.check(key, value < 1.0, value, "below 100 %")).transpose()
+    };
+    if let Some(tolerance) = share("stiffness_tolerance")? {
+        return Ok(tolerance);
+    }
+    if !by_geometry {
+        return Ok(0.0);
+    }
+    let sensitivities = Sensitivities::of_stiffness();
+    let each = [
+        ("wire_diameter_tolerance", sensitivities.wire_diameter),
+        ("coil_diameter_tolerance", sensitivities.coil_diameter),
+        ("windings_tolerance", sensitivities.active_windings),
+        ("shear_modulus_tolerance", sensitivities.shear_modulus),
+    ];
+    // Independent limits of error add up as their squares do.
+    let squares = each.into_iter().map(|(key, slope)| Ok((slope * share(key)?.unwrap_or(0.0)).powi(2)));
+    Ok(squares.sum::<Result<f64, SpecError>>()?.sqrt())
 }

@@ -33,7 +33,8 @@ pub fn add_reproduction(reproduction: &Reproduction, output: &mut Output) -> Res
     }
     for result in &reproduction.cases {
         let run = forces(&result.signals);
-        output.write(&format!("signals/{}.csv", result.file_stem()), |file| series::write(&[run], Format::Csv, file))?;
+        output
+            .write(&format!("signals/{}.csv", result.file_stem()), |file| series::write(&[run], Format::Csv, file))?;
     }
     output.add("tables.json", tables_json::tables_json(&reproduction.cells)?.as_bytes())?;
     output.add("report.html", html::page(reproduction, &drawn)?.as_bytes())?;
@@ -48,7 +49,8 @@ fn drawn(named: NamedFigure) -> Result<Drawn, ReportError> {
 /// Time and the paper's four forces.
 fn forces(signals: &Signals) -> Run<'_> {
     let mut run = Run::of("", "", signals);
-    let wanted = |column: &Column<'_>| column.name == "time" || Channel::FORCES.iter().any(|force| force.name() == column.name);
+    let wanted =
+        |column: &Column<'_>| column.name == "time" || Channel::FORCES.iter().any(|force| force.name() == column.name);
     run.columns.retain(wanted);
     run
 }

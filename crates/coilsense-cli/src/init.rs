@@ -1,0 +1,54 @@
+//! `coilsense init`.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::bail;
+use coilsense_lab::output::Output;
+use coilsense_lab::spec;
+
+/// Options of `coilsense init`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Start from a spring of the paper: S_T or S_A; without it, from a spring by geometry
+    #[arg(long, value_name = "NAME")]
+    from: Option<String>,
+    /// Write to this file, which must not be there yet, in place of the terminal
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// List the sensor catalogue in place of a spec
+    #[arg(long, conflicts_with_all = ["from", "out"])]
+    sensors: bool,
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let text = if arguments.sensors { spec::classes()? } else { spec::template(arguments.from.as_deref())? };
+    let Some(path) = &arguments.out else {
+        // A reader that closes the pipe early has all it wants.
+        let _ = write!(anstream::stdout().lock(), "{text}");
+        return Ok(());
+    };
+    if path.exists() {
+        bail!("{}: is there already; name a file that is not, or remove it", path.display());
+    }
+    write_one(path, |file| file.write_all(text.as_bytes()))?;
+    let _ =
+        writeln!(anstream::stdout().lock(), "{}; next: coilsense analyze {} --out DIR", path.display(), path.display());
+    Ok(())
+}
+
+/// Writes one file, whole or not at all.
+pub fn write_one(
+    path: &Path,
+    write: impl FnOnce(&mut std::io::BufWriter<std::fs::File>) -> std::io::Result<()>,
+) -> anyhow::Result<()> {
+    let Some(name) = path.file_name().and_then(std::ffi::OsStr::to_str) else {
+        bail!("{}: is no name of a file", path.display());
+    };
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut output = Output::begin(folder)?;
+    output.write(name, write)?;
+    output.commit()?;
+    Ok(())
+}

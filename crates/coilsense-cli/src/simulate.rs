@@ -1,0 +1,80 @@
+//! `coilsense simulate`.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+use coilsense_lab::analysis::{AnalysisError, simulate};
+use coilsense_lab::output::Output;
+use coilsense_lab::series::{self, Format, Run};
+use coilsense_lab::spec::Spec;
+
+use crate::progress::Watch;
+
+/// Options of `coilsense simulate`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The spec
+    #[arg(value_name = "SPEC")]
+    spec: PathBuf,
+    /// File for time, u1, u2, F_i, F_o, F_x, F_L, L and what each sensor reads; its ending says the format: csv, json or parquet.
+    /// Several conditions or dampings make one CSV each, named FILE-<condition>-<damping>.csv
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Put everything into one CSV, with the columns condition and damping in front
+    #[arg(long)]
+    one_file: bool,
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let begun = Instant::now();
+    let (folder, stem, ending) = parts(&arguments.out)?;
+    let known = Format::ALL.iter().map(|(ending, _)| *ending).collect::<Vec<_>>().join(", ");
+    let wrong = || format!("{}: must end in one of {known}", arguments.out.display());
+    let format = Format::of_ending(&ending).with_context(wrong)?;
+    let mut output = Output::begin(&folder)?;
+    let spec = Spec::read(&arguments.spec)?;
+    let watch = Watch::begin("simulating")?;
+    let cases = simulate(&spec, &|done, of| watch.tell(done, of))?;
+    let runs: Vec<Run<'_>> = cases.iter().map(|case| case.series(&spec, &spec.sensors)).collect();
+    let apart = format == Format::Csv && runs.len() > 1 && !arguments.one_file;
+    if apart {
+        for (case, run) in cases.iter().zip(&runs) {
+            let damping = &spec.mount.cases[case.damping].stem;
+            let condition = spec.conditions[case.condition].stem();
+            let name = format!("{stem}-{condition}-{damping}.{ending}");
+            output.write(&name, |file| series::write(std::slice::from_ref(run), format, file))?;
+        }
+    } else {
+        output.write(&format!("{stem}.{ending}"), |file| series::write(&runs, format, file))?;
+    }
+    watch.end();
+    if watch.is_stopped() {
+        return Err(AnalysisError::Interrupted.into());
+    }
+    let files = output.commit()?;
+    let samples: usize = cases.iter().map(|case| case.signals.time().len()).sum();
+    let plural = if files == 1 { "file" } else { "files" };
+    // A reader that closes the pipe early has all it wants.
+    let _ = writeln!(
+        anstream::stdout().lock(),
+        "{samples} samples of {} run{} in {files} {plural} in {} in {:.2} s",
+        runs.len(),
+        if runs.len() == 1 { "" } else { "s" },
+        folder.display(),
+        begun.elapsed().as_secs_f64()
+    );
+    Ok(())
+}
+
+/// Folder, stem and ending of a file's path.
+fn parts(path: &Path) -> anyhow::Result<(PathBuf, String, String)> {
+    let text = |part: Option<&std::ffi::OsStr>| part.and_then(std::ffi::OsStr::to_str).map(str::to_owned);
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match (text(path.file_stem()), text(path.extension())) {
+        (Some(stem), ending) => Ok((folder.to_owned(), stem, ending.unwrap_or_default())),
+        _ => bail!("{}: is no name of a file", path.display()),
+    }
+}

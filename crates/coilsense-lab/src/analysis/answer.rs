@@ -1,0 +1,148 @@
+//! The answer in five lines: which sensor, at which end, meets the goal; which condition breaks it; what would fix it.
+//!
+//! Next door: the whole report (`report`).
+
+use super::verdict::Verdict;
+use super::{Analysis, Subject};
+
+/// The answer, one sentence or two per line, at most five lines.
+pub fn answer(analysis: &Analysis) -> Vec<String> {
+    let mut lines = vec![best(analysis)];
+    lines.extend(failing(analysis));
+    lines.extend(fixes(analysis));
+    lines.push(damping(analysis));
+    lines.push(warned(analysis));
+    lines
+}
+
+fn name<'a>(analysis: &'a Analysis, verdict: &Verdict) -> &'a str {
+    &analysis.sensors[verdict.sensor].name
+}
+
+/// `1.23 N (1.01 % of F_nom)`.
+fn force(analysis: &Analysis, newton: f64) -> String {
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    format!("{} N ({} % of F_nom)", digits(newton), digits(100.0 * newton / nominal))
+}
+
+/// Three significant digits, as people write them.
+pub(crate) fn digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// In which condition, and under which damping where there are several.
+fn place(analysis: &Analysis, verdict: &Verdict) -> String {
+    let case = &analysis.cases[verdict.worst];
+    let condition = &analysis.spec.conditions[case.condition].name;
+    let dampings = &analysis.spec.mount.cases;
+    if dampings.len() > 1 { format!("{condition}, {}", dampings[case.damping].label) } else { condition.clone() }
+}
+
+fn best(analysis: &Analysis) -> String {
+    let Some(first) = analysis.verdicts.first() else { return String::new() };
+    let most = format!("at most {} in {}", force(analysis, first.combined()), place(analysis, first));
+    let Some(goal) = analysis.spec.goal.error else {
+        return format!(
+            "Least uncertain is {}: {most}. The spec sets no [goal], so nothing is judged.",
+            name(analysis, first)
+        );
+    };
+    let wanted = match analysis.spec.goal.bandwidth {
+        Some(bandwidth) => format!("{} up to {} Hz", force(analysis, goal), digits(bandwidth)),
+        None => force(analysis, goal),
+    };
+    let meeting: Vec<&Verdict> = analysis.verdicts.iter().filter(|v| v.meets_always() == Some(true)).collect();
+    match meeting.first() {
+        None => format!("No sensor meets the goal of {wanted}; nearest is {}: {most}.", name(analysis, first)),
+        Some(best) => {
+            let most = format!("at most {} in {}", force(analysis, best.combined()), place(analysis, best));
+            let of = match (meeting.len(), analysis.verdicts.len()) {
+                (1, 1) => "It meets".to_owned(),
+                (all, of) if all == of => format!("All {of} sensors meet"),
+                (1, of) => format!("One of {of} sensors meets"),
+                (some, of) => format!("{some} of {of} sensors meet"),
+            };
+            format!("Choose {}. {of} the goal of {wanted}; it is off by {most}.", name(analysis, best))
+        }
+    }
+}
+
+/// Those that miss the goal, and where.
+fn failing(analysis: &Analysis) -> Option<String> {
+    let each: Vec<String> = analysis
+        .verdicts
+        .iter()
+        .filter(|verdict| verdict.meets_always() == Some(false))
+        .map(|verdict| match verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
+            true => format!("{} (reaches {} Hz only)", name(analysis, verdict), digits(verdict.bandwidth)),
+            false => {
+                let of = &verdict.budget.budget;
+                let largest = of.contributions().iter().max_by(|a, b| a.contribution.total_cmp(&b.contribution));
+                let cause = largest.map_or("", |line| line.name.as_ref());
+                format!(
+                    "{} ({} N in {}, mostly {cause})",
+                    name(analysis, verdict),
+                    digits(verdict.combined()),
+                    place(analysis, verdict)
+                )
+            }
+        })
+        .collect();
+    if each.is_empty() { None } else { Some(format!("Missed by: {}.", each.join("; "))) }
+}
+
+fn fixes(analysis: &Analysis) -> Option<String> {
+    let failing: Vec<&Verdict> =
+        analysis.verdicts.iter().filter(|verdict| verdict.meets_always() == Some(false)).collect();
+    if failing.is_empty() {
+        return None;
+    }
+    let each: Vec<String> = failing
+        .iter()
+        .map(|verdict| match verdict.fixes.first() {
+            Some(fix) => {
+                let lag = if fix.lag > 5e-5 { format!(", {:.1} ms late", 1e3 * fix.lag) } else { String::new() };
+                format!("{}: {} ({} N{lag})", name(analysis, verdict), fix.change, digits(fix.combined))
+            }
+            None => format!("{}: no single change that was tried", name(analysis, verdict)),
+        })
+        .collect();
+    Some(format!("What would fix it: {}.", each.join("; ")))
+}
+
+fn damping(analysis: &Analysis) -> String {
+    let dampings = &analysis.spec.mount.cases;
+    if !analysis.spec.mount.is_band {
+        let labels: Vec<&str> = dampings.iter().map(|case| case.label.as_str()).collect();
+        return format!("Damping as the spec says: {}.", labels.join(", "));
+    }
+    let turn: Vec<String> = analysis
+        .verdicts
+        .iter()
+        .filter(|verdict| verdict.meets.iter().any(|m| *m) && verdict.meets.iter().any(|m| !m))
+        .map(|verdict| {
+            let meeting =
+                verdict.meets.iter().zip(dampings).filter(|(meets, _)| **meets).map(|(_, case)| case.label.as_str());
+            format!("{} meets it at {} only", name(analysis, verdict), meeting.collect::<Vec<_>>().join(", "))
+        })
+        .collect();
+    let band = "Damping is not given, so all holds for ζ from 0 (the paper's case) to 0.02";
+    if turn.is_empty() { format!("{band}.") } else { format!("{band}; {}.", turn.join("; ")) }
+}
+
+fn warned(analysis: &Analysis) -> String {
+    let count = |subject| analysis.warnings.iter().filter(|warning| warning.subject == subject).count();
+    let kinds = [
+        (Subject::Clash, "windings touch"),
+        (Subject::Length, "a length leaves the range in use"),
+        (Subject::Alias, "sampling folds surge lines down"),
+        (Subject::Range, "a load cell is overloaded"),
+        (Subject::Neighbour, "torsional or lateral motion lies below the first surge"),
+    ];
+    let each: Vec<&str> = kinds.into_iter().filter(|(subject, _)| count(*subject) > 0).map(|(_, text)| text).collect();
+    if each.is_empty() { "No warnings.".to_owned() } else { format!("Mind the warnings: {}.", each.join("; ")) }
+}

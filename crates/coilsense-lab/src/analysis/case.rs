@@ -1,0 +1,177 @@
+//! One condition under one damping: the motion, what each sensor reads, and the paper's measures.
+//!
+//! Next door: sensors on the spring (`instrument`), the judgement over all cases (`verdict`).
+
+use std::ops::Range;
+
+use coilsense::inductance::MaxwellSum;
+use coilsense::measures::Spectrum;
+use coilsense::signals::sampled_window;
+use coilsense::{Calibration, Channel, Clash, Deviation, End, Error, InductanceSensor, Motion, Signals};
+
+use super::frames::Frames;
+use super::instrument::Instrument;
+use crate::series::{Column, Run};
+use crate::spec::{Quantity, SensorSpec, Spec};
+
+/// A simulation that was run.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Number of its condition in the spec.
+    pub condition: usize,
+    /// Number of its damping in the spec.
+    pub damping: usize,
+    /// u1, u2, F_i, F_o, F_x, F_L, L from t = 0 on.
+    pub signals: Signals,
+    /// The samples that are judged.
+    pub judged: Range<usize>,
+    /// One per sensor.
+    pub readings: Vec<Reading>,
+    /// Deviation of each of the paper's forces from the true one \[N\], over the judged samples.
+    pub ideal: Vec<(Channel, Deviation)>,
+    /// Spectrum of each of the paper's forces \[N\], over the judged samples.
+    pub spectra: Vec<(Channel, Spectrum)>,
+    /// How near the windings come.
+    pub clash: Clash,
+    /// Shortest and longest length of the spring \[m\].
+    pub lengths: (f64, f64),
+    /// Where the windings are, thinned out.
+    pub frames: Frames,
+}
+
+/// What a sensor reads.
+#[derive(Debug, Clone)]
+pub struct Reading {
+    /// In its native unit, from t = 0 on.
+    pub native: Vec<f64>,
+    /// The force that it means \[N\].
+    pub force: Vec<f64>,
+    /// The same without noise and resolution: oscillation through the sensor's own dynamics \[N\].
+    pub steady: Vec<f64>,
+    /// Deviation of `force` from the true one \[N\], over the judged samples.
+    pub deviation: Deviation,
+}
+
+impl Case {
+    pub(super) fn run(
+        spec: &Spec,
+        sensors: &[SensorSpec],
+        coil: &MaxwellSum,
+        condition: usize,
+        damping: usize,
+    ) -> Result<Self, Error> {
+        let asked = &spec.conditions[condition];
+        let spring = &spec.spring.spring;
+        let times = sampled_window(asked.sample_rate, 0.0, asked.duration)?;
+        let motion = Motion::mounted(spring, &spec.mount.cases[damping].mount, &asked.excitation)?;
+        let windings = motion.windings(&times)?;
+        let mut signals = motion.signals(&times)?;
+        let inductance = coil.series(&windings);
+        let mean_length = asked.excitation.mean_length();
+        let calibration = Calibration::theoretical(spring, coil, mean_length)?;
+        let sensor = InductanceSensor::new(spring, calibration);
+        signals.insert(Channel::InductanceForce, sensor.force(&inductance))?;
+        signals.insert(Channel::Inductance, inductance)?;
+
+        let judged = judged(&times, asked.window);
+        let truth = &signals.channel(spec.goal.force)?[judged.clone()];
+        let mut ideal = Vec::new();
+        let mut spectra = Vec::new();
+        for force in Channel::FORCES {
+            let series = &signals.channel(force)?[judged.clone()];
+            ideal.push((force, Deviation::between(series, truth)?));
+            spectra.push((force, Spectrum::of(&times[judged.clone()], series)?));
+        }
+        let seed =
+            |sensor: usize| spec.uncertainty.seed.wrapping_add(((condition * 64 + damping) * 1024 + sensor) as u64);
+        let read = |(index, sensor): (usize, &SensorSpec)| {
+            let instrument = Instrument::new(sensor, spring, coil, mean_length)?;
+            Reading::of(&instrument, &signals, truth, &judged, seed(index))
+        };
+        Ok(Self {
+            condition,
+            damping,
+            readings: sensors.iter().enumerate().map(read).collect::<Result<_, _>>()?,
+            ideal,
+            spectra,
+            clash: Clash::seen(&motion, &times, &windings)?,
+            lengths: lengths(&signals)?,
+            frames: Frames::of(&windings, &times, judged.start, 1.0 / spring.surge_frequency()),
+            signals,
+            judged,
+        })
+    }
+
+    /// Its series for a file: time, the paper's channels, then what each sensor reads, in its native unit and as the force it means.
+    pub fn series<'a>(&'a self, spec: &'a Spec, sensors: &'a [SensorSpec]) -> Run<'a> {
+        let (condition, damping) = (&spec.conditions[self.condition].name, &spec.mount.cases[self.damping].label);
+        let mut run = Run::of(condition, damping, &self.signals);
+        for (sensor, reading) in sensors.iter().zip(&self.readings) {
+            let unit = sensor.quantity.unit();
+            run.columns.push(Column::new(sensor.name.as_str(), unit, &reading.native));
+            if unit != "N" {
+                run.columns.push(Column::new(sensor.name.as_str(), "N", &reading.force));
+            }
+        }
+        run
+    }
+
+    /// Amplitude of what a sensor watches at a frequency \[Hz\], as a force \[N\]; zero above half of the simulation's sample rate.
+    pub(super) fn line_amplitude(&self, sensor: &SensorSpec, frequency: f64) -> f64 {
+        let watched = match sensor.quantity {
+            Quantity::Force(End::One) | Quantity::TwoEncoder { .. } => Channel::InputForce,
+            Quantity::Force(End::Two) => Channel::OutputForce,
+            Quantity::Deflection => Channel::DeflectionForce,
+            Quantity::Inductance { .. } => Channel::InductanceForce,
+        };
+        let spectrum = self.spectra.iter().find(|(channel, _)| *channel == watched);
+        let near = |spectrum: &Spectrum| {
+            let frequencies = spectrum.frequencies();
+            let next = frequencies.partition_point(|&f| f < frequency);
+            let around = next.saturating_sub(2)..(next + 2).min(frequencies.len());
+            if next == frequencies.len() {
+                0.0
+            } else {
+                spectrum.amplitudes()[around].iter().fold(0.0, |a: f64, b| a.max(*b))
+            }
+        };
+        spectrum.map_or(0.0, |(_, spectrum)| near(spectrum))
+    }
+
+    /// Times of the judged samples \[s\].
+    pub fn judged_times(&self) -> &[f64] {
+        &self.signals.time()[self.judged.clone()]
+    }
+}
+
+impl Reading {
+    fn of(
+        instrument: &Instrument,
+        signals: &Signals,
+        truth: &[f64],
+        judged: &Range<usize>,
+        seed: u64,
+    ) -> Result<Self, Error> {
+        let quantity = instrument.quantity(signals)?;
+        let native = instrument.readout().series(signals.time(), &quantity, seed)?;
+        let force = instrument.forces(&native);
+        let steady = instrument.forces(&instrument.readout().ideal_series(signals.time(), &quantity)?);
+        let deviation = Deviation::between(&force[judged.clone()], truth)?;
+        Ok(Self { native, force, steady, deviation })
+    }
+}
+
+/// The samples inside of a window \[s\], both ends included.
+fn judged(times: &[f64], (from, to): (f64, f64)) -> Range<usize> {
+    // A bound that rounds just past a sample still means that sample.
+    let slack = if times.len() > 1 { 1e-6 * (times[1] - times[0]) } else { 0.0 };
+    let start = times.partition_point(|&time| time < from - slack);
+    let end = times.partition_point(|&time| time <= to + slack);
+    start.min(times.len().saturating_sub(1))..end.max(start + 1).min(times.len())
+}
+
+fn lengths(signals: &Signals) -> Result<(f64, f64), Error> {
+    let ends = signals.channel(Channel::U1)?.iter().zip(signals.channel(Channel::U2)?);
+    let wider = |(least, most): (f64, f64), length: f64| (least.min(length), most.max(length));
+    Ok(ends.map(|(u1, u2)| u2 - u1).fold((f64::INFINITY, f64::NEG_INFINITY), wider))
+}

@@ -1,0 +1,154 @@
+//! A spec worked off: every condition under every damping, every sensor judged, what breaks the goal and what would meet it.
+//!
+//! ```text
+//! Spec ─► Case (condition × damping) ─► Verdict per sensor ─► answer, warnings ─► report
+//! ```
+//!
+//! Next door: what a spec says (`spec`), how an analysis is shown (`report`).
+
+mod answer;
+mod budget;
+mod case;
+mod fix;
+mod frames;
+mod instrument;
+mod verdict;
+mod warnings;
+
+pub use answer::answer;
+pub(crate) use answer::digits;
+pub use budget::SensorBudget;
+pub use case::{Case, Reading};
+pub use fix::Fix;
+pub use frames::Frames;
+pub use instrument::Instrument;
+pub use verdict::Verdict;
+pub use warnings::{Subject, Warning};
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use coilsense::Error;
+use coilsense::inductance::MaxwellSum;
+use rayon::prelude::*;
+
+use crate::data_sheet::DataSheet;
+use crate::spec::{Quantity, SensorSpec, Spec};
+
+/// Why an analysis did not come to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum AnalysisError {
+    /// The spec has nothing to work off.
+    #[error("{0}: no [[condition]] says what is done to the spring; give at least one")]
+    NoCondition(String),
+    /// The science refuses.
+    #[error("{place}: {reason}")]
+    Case {
+        /// The spec's file, the condition's name and the damping.
+        place: String,
+        /// What the science says.
+        reason: Box<Error>,
+    },
+    /// The science refuses outside of any case.
+    #[error("{0}")]
+    Science(#[from] Error),
+    /// Somebody stopped it.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
+}
+
+/// Told how much is done, and of how much; whether to go on.
+pub type Progress<'a> = dyn Fn(usize, usize) -> bool + Sync + 'a;
+
+/// A spec, worked off.
+#[derive(Debug, Clone)]
+pub struct Analysis {
+    /// What was asked.
+    pub spec: Spec,
+    /// The sensors that were judged: the spec's, or perfect ones where it has none.
+    pub sensors: Vec<SensorSpec>,
+    /// Every condition under every damping, condition by condition.
+    pub cases: Vec<Case>,
+    /// The sensors, best first.
+    pub verdicts: Vec<Verdict>,
+    /// What a reader must know before using the numbers.
+    pub warnings: Vec<Warning>,
+    /// What follows from the spring alone.
+    pub data_sheet: DataSheet,
+}
+
+/// Simulates every condition under every damping.
+///
+/// # Errors
+/// [`AnalysisError`] for a spec without conditions, the first case that the science refuses, or where `progress` says stop.
+pub fn simulate(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
+    simulate_watched(spec, &spec.sensors, progress)
+}
+
+fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
+    if spec.conditions.is_empty() {
+        return Err(AnalysisError::NoCondition(spec.file.clone()));
+    }
+    let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    let dampings = spec.mount.cases.len();
+    let count = spec.conditions.len() * dampings;
+    let done = AtomicUsize::new(0);
+    if !progress(0, count) {
+        return Err(AnalysisError::Interrupted);
+    }
+    let one = |index: usize| {
+        let (condition, damping) = (index / dampings, index % dampings);
+        if !progress(done.load(Ordering::Relaxed), count) {
+            return Err(AnalysisError::Interrupted);
+        }
+        let case = Case::run(spec, sensors, &coil, condition, damping).map_err(|reason| {
+            let (condition, damping) = (&spec.conditions[condition].name, &spec.mount.cases[damping].label);
+            let place = format!("{}: {condition}, {damping}", spec.file);
+            AnalysisError::Case { place, reason: Box::new(reason) }
+        })?;
+        match progress(done.fetch_add(1, Ordering::Relaxed) + 1, count) {
+            true => Ok(case),
+            false => Err(AnalysisError::Interrupted),
+        }
+    };
+    (0..count).into_par_iter().map(one).collect()
+}
+
+impl Analysis {
+    /// Works off a spec.
+    ///
+    /// # Errors
+    /// As [`simulate`].
+    pub fn run(spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
+        let sensors = if spec.sensors.is_empty() { perfect_sensors(&spec) } else { spec.sensors.clone() };
+        let cases = simulate_watched(&spec, &sensors, progress)?;
+        let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+        let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases };
+        let mut verdicts: Vec<Verdict> = (0..sensors.len())
+            .into_par_iter()
+            .map(|index| judge.verdict(index, &sensors[index]))
+            .collect::<Result<_, _>>()?;
+        verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
+        let data_sheet = DataSheet::of(&spec)?;
+        let warnings = warnings::of(&spec, &sensors, &cases, &data_sheet);
+        Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet })
+    }
+
+    /// The conditions' case under a damping.
+    pub fn case(&self, condition: usize, damping: usize) -> Option<&Case> {
+        self.cases.get(condition * self.spec.mount.cases.len() + damping)
+    }
+}
+
+/// The paper's sensors, without any limits of their own: what the spring alone does to a force.
+fn perfect_sensors(spec: &Spec) -> Vec<SensorSpec> {
+    let nominal = spec.spring.spring.nominal_force();
+    let load_cell = |end, name| SensorSpec::perfect(name, Quantity::Force(end), nominal);
+    let coil = Quantity::Inductance { uncalibrated: false, form: 0.0 };
+    let (shortest, longest) = spec.spring.spring.operating_range();
+    vec![
+        load_cell(coilsense::End::One, "perfect load cell, end 1"),
+        load_cell(coilsense::End::Two, "perfect load cell, end 2"),
+        SensorSpec::perfect("perfect deflection sensor", Quantity::Deflection, longest - shortest),
+        SensorSpec::perfect("perfect inductance meter", coil, 1.0),
+    ]
+}

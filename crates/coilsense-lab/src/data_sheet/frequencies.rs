@@ -1,0 +1,90 @@
+//! Surge frequencies on every mount, and what else swings near them.
+//!
+//! Next door: single numbers of the data sheet (`rows`).
+
+use std::f64::consts::TAU;
+
+use coilsense::modes::{ChainModes, continuous_frequencies, third_rule_error};
+use coilsense::neighbours::{lateral_frequency, torsional_frequency};
+use coilsense::{Error, FarEnd, Spring};
+
+use crate::spec::SpringSpec;
+
+/// Surge frequencies on a mount.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MountFrequencies {
+    /// The mount in words.
+    pub mount: String,
+    /// Whether it is the spec's own.
+    pub is_the_specs: bool,
+    /// The first modes of the chain \[Hz\].
+    pub chain_hz: Vec<f64>,
+    /// The same of the continuous coil \[Hz\].
+    pub continuous_hz: Vec<f64>,
+    /// How far √(k/(M + m/3)) lies above the continuous first mode \[1\]; where an end is free to move.
+    pub third_rule_error: Option<f64>,
+}
+
+/// How many modes are told.
+const MODES: usize = 3;
+
+/// Held, free, and with end masses: the spec's own, or as heavy as the spring and three times that.
+pub(super) fn on_every_mount(spring: &Spring, own: FarEnd) -> Result<Vec<MountFrequencies>, Error> {
+    let mass = spring.mass();
+    let mut mounts =
+        vec![("both ends held".to_owned(), FarEnd::Position), ("end 2 free (under a force)".to_owned(), FarEnd::Force)];
+    match own {
+        FarEnd::Mass(end_mass) => mounts.push((format!("end mass of {:.4} kg", end_mass), own)),
+        _ => {
+            mounts.push(("end mass as heavy as the spring".to_owned(), FarEnd::Mass(mass)));
+            mounts.push(("end mass three times the spring".to_owned(), FarEnd::Mass(3.0 * mass)));
+        }
+    }
+    mounts.into_iter().map(|(words, far_end)| of_mount(spring, words, far_end, far_end == own)).collect()
+}
+
+fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool) -> Result<MountFrequencies, Error> {
+    let chain = ChainModes::mounted(spring, far_end);
+    let third_rule_error = match far_end {
+        FarEnd::Position => None,
+        FarEnd::Force => Some(third_rule_error(spring, 0.0)?),
+        FarEnd::Mass(end_mass) => Some(third_rule_error(spring, end_mass)?),
+    };
+    Ok(MountFrequencies {
+        mount,
+        is_the_specs,
+        chain_hz: chain.frequencies().iter().take(MODES).map(|angular| angular / TAU).collect(),
+        continuous_hz: continuous_frequencies(spring, far_end, MODES)?
+            .into_iter()
+            .map(|angular| angular / TAU)
+            .collect(),
+        third_rule_error,
+    })
+}
+
+/// A motion that the axial model leaves out; both ends held.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Neighbour {
+    /// `torsional` or `lateral`.
+    pub name: &'static str,
+    /// At which length, where that matters.
+    pub place: String,
+    /// Its first frequency \[Hz\], an estimate; `None` where the spring buckles.
+    pub frequency_hz: Option<f64>,
+}
+
+/// Torsional, and lateral at both ends and in the middle of the range.
+pub(super) fn neighbours(spring: &SpringSpec) -> Result<Vec<Neighbour>, Error> {
+    let (geometry, mass) = (&spring.geometry, spring.spring.mass());
+    let torsional = torsional_frequency(geometry, mass)?;
+    let mut all =
+        vec![Neighbour { name: "torsional", place: "(at any length)".to_owned(), frequency_hz: Some(torsional) }];
+    let (shortest, longest) = spring.spring.operating_range();
+    for length in [shortest, spring.spring.mid_length(), longest] {
+        let force = spring.spring.static_force(length);
+        // The only error left here is a push beyond buckling.
+        let frequency_hz = lateral_frequency(geometry, mass, length, force).ok();
+        all.push(Neighbour { name: "lateral", place: format!("at {:.1} mm", 1e3 * length), frequency_hz });
+    }
+    Ok(all)
+}

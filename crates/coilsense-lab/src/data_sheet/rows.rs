@@ -1,0 +1,196 @@
+//! Single numbers of a data sheet, under headings.
+//!
+//! Next door: frequencies (`frequencies`).
+
+use coilsense::Error;
+use coilsense::inductance::MaxwellSum;
+
+use crate::spec::SpringSpec;
+
+/// One number: for machines in SI, for people in the unit they use.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Its key in JSON, with its SI unit as suffix.
+    pub key: &'static str,
+    /// What it is, with its letter.
+    pub label: &'static str,
+    /// Its value in SI; `None` where it is not known.
+    pub value: Option<f64>,
+    /// What takes the SI value to the unit that people read.
+    scale: f64,
+    /// That unit.
+    pub unit: &'static str,
+}
+
+impl Row {
+    fn new(
+        key: &'static str,
+        label: &'static str,
+        value: impl Into<Option<f64>>,
+        scale: f64,
+        unit: &'static str,
+    ) -> Self {
+        Self { key, label, value: value.into(), scale, unit }
+    }
+
+    /// The value as people read it, without its unit: five significant digits.
+    pub fn shown(&self) -> String {
+        let Some(value) = self.value else { return "not known".to_owned() };
+        let value = value * self.scale;
+        if value == 0.0 {
+            return "0".to_owned();
+        }
+        let decimals = (4 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
+        let text = format!("{value:.decimals$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    }
+}
+
+pub(super) fn groups(spec: &SpringSpec, solid_length: f64) -> Result<Vec<(&'static str, Vec<Row>)>, Error> {
+    Ok(vec![
+        ("Spring", of_spring(spec)),
+        ("Lengths", of_lengths(spec, solid_length)),
+        ("Stress", of_stress(spec)),
+        ("Surge wave", of_wave(spec)),
+        ("Inductance", of_inductance(spec)),
+    ])
+}
+
+const MM: f64 = 1e3;
+
+fn of_spring(spec: &SpringSpec) -> Vec<Row> {
+    let (spring, geometry) = (&spec.spring, &spec.geometry);
+    let mut rows = vec![
+        Row::new("stiffness_n_per_m", "k, spring rate", spring.stiffness(), 1.0, "N/m"),
+        Row::new("mass_kg", "m, mass of the active windings", spring.mass(), 1e3, "g"),
+        Row::new("windings", "N, active windings", spring.windings(), 1.0, ""),
+        Row::new("wire_diameter_m", "d, wire diameter", spring.wire_diameter(), MM, "mm"),
+        Row::new("coil_diameter_m", "D, mean coil diameter", 2.0 * spring.coil_radius(), MM, "mm"),
+        Row::new("spring_index", "D/d, spring index", geometry.index(), 1.0, ""),
+        Row::new("nominal_force_n", "F_nom, largest static force in use", spring.nominal_force(), 1.0, "N"),
+    ];
+    if spec.by_geometry {
+        let mid = spring.mid_length();
+        rows.push(Row::new("total_mass_kg", "mass of all windings", geometry.total_mass(), 1e3, "g"));
+        rows.push(Row::new(
+            "pitch_corrected_stiffness_n_per_m",
+            "k at mid range with the pitch of the helix",
+            geometry.pitch_corrected_stiffness(mid),
+            1.0,
+            "N/m",
+        ));
+    } else {
+        let (stiffness, mass) = (geometry.stiffness(), geometry.active_mass());
+        rows.push(Row::new("stiffness_by_geometry_n_per_m", "k that wire and coil would give", stiffness, 1.0, "N/m"));
+        rows.push(Row::new("mass_by_geometry_kg", "m that wire and coil would give", mass, 1e3, "g"));
+    }
+    if spec.initial_tension > 0.0 {
+        rows.push(Row::new("initial_tension_n", "F_0, initial tension", spec.initial_tension, 1.0, "N"));
+    }
+    if spec.stiffness_tolerance > 0.0 {
+        rows.push(Row::new("stiffness_tolerance", "tolerance of k, either way", spec.stiffness_tolerance, 100.0, "%"));
+    }
+    rows
+}
+
+fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
+    let spring = &spec.spring;
+    let (shortest, longest) = spring.operating_range();
+    let speed = |length: f64| (length - spring.solid_length()) / spring.transit_time();
+    let mut rows = vec![Row::new("rest_length_m", "l0, length without force", spec.closed_length, MM, "mm")];
+    if spec.initial_tension > 0.0 {
+        let label = "l0 − F_0/k, where the line of force crosses zero";
+        rows.push(Row::new("effective_rest_length_m", label, spring.rest_length(), MM, "mm"));
+    }
+    rows.extend([
+        Row::new("min_length_m", "shortest length in use", shortest, MM, "mm"),
+        Row::new("max_length_m", "longest length in use", longest, MM, "mm"),
+        Row::new("solid_length_m", "solid length", solid_length, MM, "mm"),
+        Row::new(
+            "gap_at_min_length_m",
+            "gap from wire to wire at the shortest length",
+            spring.pitch_at(shortest) - spring.wire_diameter(),
+            MM,
+            "mm",
+        ),
+        Row::new("clash_speed_at_min_m_per_s", "clash speed at the shortest length", speed(shortest), 1.0, "m/s"),
+        Row::new("clash_speed_at_max_m_per_s", "clash speed at the longest length", speed(longest), 1.0, "m/s"),
+    ]);
+    rows
+}
+
+fn of_stress(spec: &SpringSpec) -> Vec<Row> {
+    let (geometry, force) = (&spec.geometry, spec.spring.nominal_force());
+    vec![
+        Row::new("wahl_factor", "Wahl's factor", geometry.wahl_factor(), 1.0, ""),
+        Row::new("shear_stress_pa", "shear stress at F_nom, uncorrected", geometry.shear_stress(force), 1e-6, "MPa"),
+        Row::new(
+            "corrected_shear_stress_pa",
+            "shear stress at F_nom, with Wahl's factor",
+            geometry.corrected_shear_stress(force),
+            1e-6,
+            "MPa",
+        ),
+        Row::new(
+            "impact_stress_pa_per_m_per_s",
+            "impact stress per m/s",
+            geometry.material().impact_stress(1.0),
+            1e-6,
+            "MPa",
+        ),
+    ]
+}
+
+fn of_wave(spec: &SpringSpec) -> Vec<Row> {
+    let spring = &spec.spring;
+    vec![
+        Row::new(
+            "surge_frequency_hz",
+            "f1, first surge frequency, both ends held",
+            spring.surge_frequency(),
+            1.0,
+            "Hz",
+        ),
+        Row::new(
+            "surge_frequency_en13906_hz",
+            "the same by EN 13906-1, from wire and coil",
+            spec.geometry.surge_frequency_en13906(),
+            1.0,
+            "Hz",
+        ),
+        Row::new("transit_time_s", "τ = √(m/k), once through the coil", spring.transit_time(), 1e3, "ms"),
+        Row::new(
+            "wave_impedance_n_s_per_m",
+            "√(km), wave impedance: force per m/s of impact",
+            spring.wave_impedance(),
+            1.0,
+            "N s/m",
+        ),
+        Row::new(
+            "impact_force_share_per_m_per_s",
+            "the same as a share of F_nom, per m/s",
+            spring.wave_impedance() / spring.nominal_force(),
+            100.0,
+            "%",
+        ),
+    ]
+}
+
+fn of_inductance(spec: &SpringSpec) -> Vec<Row> {
+    let spring = &spec.spring;
+    let coil = MaxwellSum::new(spring, spec.self_distance);
+    let (shortest, longest) = spring.operating_range();
+    let (short, long) = (coil.at_length(shortest), coil.at_length(longest));
+    vec![
+        Row::new("inductance_at_min_h", "L at the shortest length", short, 1e6, "µH"),
+        Row::new("inductance_at_max_h", "L at the longest length", long, 1e6, "µH"),
+        Row::new(
+            "inductance_per_length_h_per_m",
+            "mean slope over the range",
+            (long - short) / (longest - shortest),
+            1e3,
+            "µH/mm",
+        ),
+        Row::new("wire_resistance_ohm", "resistance of the wire", spec.geometry.wire_resistance(), 1e3, "mΩ"),
+    ]
+}

@@ -1,0 +1,29 @@
+//! An analysis as people and machines read it: terminal text, HTML, JSON, and its series.
+//!
+//! Next door: what is computed (`analysis`), the writer of series (`series`).
+
+mod json;
+mod text;
+
+pub use text::analysis_text;
+
+use super::ReportError;
+use crate::analysis::Analysis;
+use crate::output::Output;
+use crate::series::{self, Format, Run};
+
+/// Adds all files of an analysis to `output`: `report.html`, `results.json`, and the series of every case as `signals.parquet`, or, in a
+/// build without Parquet, `signals.csv`.
+///
+/// # Errors
+/// [`ReportError`] for the first part that fails.
+pub fn add_analysis(analysis: &Analysis, date: &str, output: &mut Output) -> Result<(), ReportError> {
+    let runs: Vec<Run<'_>> = analysis.cases.iter().map(|case| case.series(&analysis.spec, &analysis.sensors)).collect();
+    #[cfg(feature = "parquet")]
+    let (name, format) = ("signals.parquet", Format::Parquet);
+    #[cfg(not(feature = "parquet"))]
+    let (name, format) = ("signals.csv", Format::Csv);
+    output.write(name, |file| series::write(&runs, format, file))?;
+    output.add("results.json", json::results_json(analysis, date)?.as_bytes())?;
+    Ok(())
+}

@@ -1,0 +1,59 @@
+//! An analysis in the terminal: the answer, the sensors, the warnings.
+//!
+//! Next door: the same as a page (`html`) and for machines (`json`).
+
+use std::fmt::Write;
+
+use anstyle::{AnsiColor, Style};
+
+use crate::analysis::{Analysis, Verdict, answer, digits};
+
+const BOLD: Style = Style::new().bold();
+const GOOD: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default();
+const MARK: Style = AnsiColor::Yellow.on_default();
+
+/// The answer in the first lines, then a table of sensors and the warnings.
+pub fn analysis_text(analysis: &Analysis) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    for (index, line) in answer(analysis).into_iter().enumerate() {
+        let _ = if index == 0 { writeln!(text, "{BOLD}{line}{BOLD:#}") } else { writeln!(text, "{line}") };
+    }
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    let widest = analysis.sensors.iter().map(|sensor| sensor.name.chars().count()).max().unwrap_or(0).max(6);
+    let _ = writeln!(
+        text,
+        "\n{BOLD}{:widest$}  {:>12}  {:>12}  {:>10}  {:>8}  worst in{BOLD:#}",
+        "sensor", "u [N]", "u [% F_nom]", "−3 dB [Hz]", "lag [ms]"
+    );
+    for verdict in &analysis.verdicts {
+        let sensor = &analysis.sensors[verdict.sensor].name;
+        let case = &analysis.cases[verdict.worst];
+        let style = style(verdict);
+        let _ = writeln!(
+            text,
+            "{sensor:widest$}  {style}{:>12}  {:>12}{style:#}  {:>10}  {:>8}  {}, {}",
+            digits(verdict.combined()),
+            digits(100.0 * verdict.combined() / nominal),
+            if verdict.bandwidth.is_finite() { digits(verdict.bandwidth) } else { "–".to_owned() },
+            format!("{:.2}", 1e3 * verdict.lag),
+            analysis.spec.conditions[case.condition].name,
+            analysis.spec.mount.cases[case.damping].label,
+        );
+    }
+    let _ = writeln!(text, "u: combined standard uncertainty in the worst case; F_nom = {} N", digits(nominal));
+    for warning in &analysis.warnings {
+        let _ = writeln!(text, "{MARK}Warning:{MARK:#} {}", warning.text);
+    }
+    text
+}
+
+/// Green where the goal is met, red where it is not.
+fn style(verdict: &Verdict) -> Style {
+    match verdict.meets_always() {
+        Some(true) => GOOD,
+        Some(false) => BAD,
+        None => Style::new(),
+    }
+}

@@ -1,0 +1,186 @@
+//! The tables `[[condition]]`: what is done to the spring.
+//!
+//! Next door: sines, steps and the like (`drive`), recorded files (`recorded`), what they mean (`coilsense::excitation`).
+
+use coilsense::excitation::traverse_velocity;
+use coilsense::{EndInput, Error, Excitation, FarEnd, Spring, Start, VelocityProfile};
+
+use super::drive::{self, Drive};
+use super::recorded::Recorded;
+use super::section::{Document, Section};
+use super::{Files, SpecError};
+use crate::quantity::Dimension;
+
+/// Every kind of condition, by its word in a spec.
+pub const KINDS: [&str; 8] = ["impact", "end-stop", "harmonic", "sweep", "step", "ramp", "pulse", "recorded"];
+
+/// One thing that is done to the spring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConditionSpec {
+    /// Its name.
+    pub name: String,
+    /// Its kind, one of [`KINDS`].
+    pub kind: &'static str,
+    /// What the ends do and how the windings start.
+    pub excitation: Excitation,
+    /// How long is simulated \[s\].
+    pub duration: f64,
+    /// The part that is judged \[s\].
+    pub window: (f64, f64),
+    /// Samples per second of the simulation \[Hz\].
+    pub sample_rate: f64,
+    /// What a recorded file says of itself: its comment lines.
+    pub remarks: Vec<String>,
+}
+
+/// Most samples of one condition, and most winding positions: what fits into memory and into a minute.
+const MOST_SAMPLES: f64 = 5e6;
+const MOST_POSITIONS: f64 = 2e8;
+
+/// What conditions are read against.
+pub(super) struct Setting<'a> {
+    pub spring: &'a Spring,
+    pub far_end: FarEnd,
+    pub files: &'a Files<'a>,
+}
+
+impl ConditionSpec {
+    pub(super) fn parse_all(document: &Document<'_>, setting: &Setting<'_>) -> Result<Vec<Self>, SpecError> {
+        let mut conditions: Vec<Self> = Vec::new();
+        for section in document.sections("condition")? {
+            let condition = Self::parse(&section, setting)?;
+            if let Some(other) = conditions.iter().find(|other| other.stem() == condition.stem()) {
+                let text = format!(
+                    "{:?} makes the same file names as {:?}; give each condition its own name",
+                    condition.name, other.name
+                );
+                return Err(section.refuse("name", text));
+            }
+            conditions.push(condition);
+        }
+        Ok(conditions)
+    }
+
+    fn parse(section: &Section<'_>, setting: &Setting<'_>) -> Result<Self, SpecError> {
+        let kind = section.word("kind", &KINDS)?;
+        section.only_of(kind, &format!("kind \"{kind}\""))?;
+        let name = section.optional_text("name")?.unwrap_or_else(|| kind.to_owned());
+        let recorded = if kind == "recorded" { Some(Recorded::read(section, setting)?) } else { None };
+        let told = section.above_zero("duration", Dimension::Time)?;
+        let duration = told.or(recorded.as_ref().map(Recorded::duration)).unwrap_or(1.0);
+        let sample_rate = section.above_zero("sample_rate", Dimension::Frequency)?.unwrap_or(10_000.0);
+        let window = window(section, duration)?;
+        check_size(section, setting, duration * sample_rate)?;
+        let remarks = recorded.as_ref().map_or_else(Vec::new, |recorded| recorded.remarks.clone());
+        let excitation = match kind {
+            "impact" | "end-stop" => moving(section, setting, kind)?,
+            _ => driven(section, setting, kind, duration, recorded)?,
+        };
+        Ok(Self { name, kind, excitation, duration, window, sample_rate, remarks })
+    }
+
+    /// Its name as part of a file's.
+    pub fn stem(&self) -> String {
+        super::stem(&self.name)
+    }
+}
+
+/// Both ends held while the windings still move.
+fn moving(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Excitation, SpecError> {
+    let spring = setting.spring;
+    let profile = match section.optional_word("profile", &["uniform", "linear"])? {
+        Some("uniform") => VelocityProfile::Uniform,
+        Some(_) => VelocityProfile::Linear,
+        None if kind == "impact" => VelocityProfile::Uniform,
+        None => VelocityProfile::Linear,
+    };
+    let velocity = section.optional_quantity("velocity", Dimension::Velocity)?;
+    let (length, velocity) = if kind == "impact" {
+        section.quantity("velocity", Dimension::Velocity)?;
+        (length(section, spring)?.unwrap_or(spring.mid_length()), velocity.unwrap_or_default())
+    } else {
+        let (shortest, longest) = spring.operating_range();
+        let (end, sign) = if section.word("at", &["min", "max"])? == "max" { (longest, 1.0) } else { (shortest, -1.0) };
+        let speed = section.above_zero("velocity", Dimension::Velocity)?.unwrap_or(traverse_velocity(spring));
+        (length(section, spring)?.unwrap_or(end), sign * speed)
+    };
+    let start = Start::Moving { velocity, profile };
+    Excitation::new(length, EndInput::Held, EndInput::Held, start).map_err(|error| refuse(section, &error))
+}
+
+/// One or both ends driven.
+fn driven(
+    section: &Section<'_>,
+    setting: &Setting<'_>,
+    kind: &str,
+    duration: f64,
+    recorded: Option<Recorded>,
+) -> Result<Excitation, SpecError> {
+    let length = length(section, setting.spring)?.unwrap_or(setting.spring.mid_length());
+    let start = match section.optional_word("start", &["rest", "massless"])? {
+        Some("massless") => Start::Massless,
+        _ => Start::Rest,
+    };
+    let [one, two] = match recorded {
+        Some(recorded) => recorded.inputs,
+        None => Drive { section, setting, duration }.inputs(kind)?,
+    };
+    let excitation = Excitation::new(length, one, two, start).map_err(|error| refuse(section, &error))?;
+    let shortest = excitation.length_bounds().0;
+    if setting.far_end == FarEnd::Position && shortest <= 0.0 {
+        let key = section.first_of(&["amplitude", "file", "length"]).unwrap_or("length");
+        let text = format!(
+            "the ends meet: length {length} m less the ends' motion leaves {shortest} m; it must stay above zero"
+        );
+        return Err(section.refuse(key, text));
+    }
+    Ok(excitation)
+}
+
+/// The mean length \[m\], where it is given.
+fn length(section: &Section<'_>, spring: &Spring) -> Result<Option<f64>, SpecError> {
+    let (shortest, longest) = spring.operating_range();
+    if let Ok(Some(word)) = section.optional_word("length", &["min", "mid", "max"]) {
+        return Ok(Some(match word {
+            "min" => shortest,
+            "max" => longest,
+            _ => spring.mid_length(),
+        }));
+    }
+    let given = section.optional_any_quantity("length", &[Dimension::Length, Dimension::Share]);
+    let given = given.map_err(|error| error.or_also("\"min\", \"mid\" or \"max\""))?;
+    let Some((dimension, value)) = given else { return Ok(None) };
+    let length = if dimension == Dimension::Share { shortest + value * (longest - shortest) } else { value };
+    section.check("length", length.is_finite() && length > 0.0, length, "above zero and finite").map(Some)
+}
+
+fn window(section: &Section<'_>, duration: f64) -> Result<(f64, f64), SpecError> {
+    let Some([(_, from), (_, to)]) = section.pair("window", &[Dimension::Time])? else {
+        return Ok((0.0, duration));
+    };
+    let holds = from >= 0.0 && to > from && to <= duration;
+    section.check(
+        "window",
+        holds,
+        from,
+        &format!("from 0 s up, not empty, and end within the duration of {duration} s"),
+    )?;
+    Ok((from, to))
+}
+
+fn check_size(section: &Section<'_>, setting: &Setting<'_>, samples: f64) -> Result<(), SpecError> {
+    let masses = setting.spring.chain_masses() as f64;
+    let most = MOST_SAMPLES.min(MOST_POSITIONS / masses);
+    if samples <= most && samples >= 8.0 {
+        return Ok(());
+    }
+    let key = section.first_of(&["sample_rate", "duration", "file"]).unwrap_or("duration");
+    let text =
+        format!("duration × sample_rate is {samples:.0} samples; from 8 to {most:.0} are taken with {masses} windings");
+    Err(section.refuse(key, text))
+}
+
+/// An error of the science at the key it is about.
+pub(super) fn refuse(section: &Section<'_>, error: &Error) -> SpecError {
+    section.refuse_science(error, &drive::ALIASES)
+}

@@ -1,0 +1,112 @@
+//! Every key that a spec may hold, with its meaning: what the reader accepts, `coilsense init` writes and `docs/spec.md` lists.
+//!
+//! Next door: reading them (`section` and one file per table), the commented template (`template`).
+
+mod conditions;
+mod sensors;
+mod springs;
+
+/// One key of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// The key.
+    pub name: &'static str,
+    /// A value as it is written in a spec.
+    pub example: &'static str,
+    /// What it means, in a sentence.
+    pub meaning: &'static str,
+    /// What holds where it is left out; `None` where it must be there, or only one of several need be.
+    pub default: Option<&'static str>,
+    /// The kinds to which it applies; all where empty.
+    pub kinds: &'static [&'static str],
+}
+
+/// One table of a spec.
+#[derive(Debug, Clone, Copy)]
+pub struct Table {
+    /// Its name without brackets.
+    pub name: &'static str,
+    /// Whether there may be several: `[[name]]`.
+    pub repeats: bool,
+    /// What it is for, in a sentence.
+    pub meaning: &'static str,
+    /// Its keys.
+    pub keys: &'static [Key],
+}
+
+/// All tables, in the order in which one writes them.
+pub const TABLES: [&Table; 6] = [
+    &springs::SPRING,
+    &springs::MOUNT,
+    &conditions::CONDITION,
+    &sensors::SENSOR,
+    &sensors::GOAL,
+    &sensors::UNCERTAINTY,
+];
+
+/// A key that must be there.
+const fn needed(name: &'static str, example: &'static str, meaning: &'static str) -> Key {
+    Key { name, example, meaning, default: None, kinds: &[] }
+}
+
+/// A key that may be left out.
+const fn optional(name: &'static str, example: &'static str, meaning: &'static str, default: &'static str) -> Key {
+    Key { name, example, meaning, default: Some(default), kinds: &[] }
+}
+
+impl Key {
+    /// The same for some kinds only.
+    const fn of(self, kinds: &'static [&'static str]) -> Self {
+        Self { kinds, ..self }
+    }
+
+    /// Whether it applies to a kind.
+    pub fn applies_to(&self, kind: Option<&str>) -> bool {
+        self.kinds.is_empty() || kind.is_none_or(|kind| self.kinds.contains(&kind))
+    }
+}
+
+impl Table {
+    /// The table of a name.
+    pub(super) fn named(name: &str) -> Option<&'static Self> {
+        TABLES.into_iter().find(|table| table.name == name)
+    }
+
+    /// Names of the keys that apply to a kind, or of all.
+    pub(super) fn names(&self, kind: Option<&str>) -> Vec<&'static str> {
+        self.keys.iter().filter(|key| key.applies_to(kind)).map(|key| key.name).collect()
+    }
+
+    /// As a spec writes it: `[name]` or `[[name]]`.
+    pub fn heading(&self) -> String {
+        if self.repeats { format!("[[{}]]", self.name) } else { format!("[{}]", self.name) }
+    }
+}
+
+/// The reference of all keys, as Markdown: `docs/spec.md`.
+pub fn markdown() -> String {
+    let mut text = String::from(INTRODUCTION);
+    for table in TABLES {
+        text.push_str(&format!(
+            "\n## `{}`\n\n{}\n\n| key | example | meaning | default |\n|---|---|---|---|\n",
+            table.heading(),
+            table.meaning
+        ));
+        for key in table.keys {
+            let kinds = if key.kinds.is_empty() { String::new() } else { format!(" *({})*", key.kinds.join(", ")) };
+            let default = key.default.unwrap_or("needed");
+            text.push_str(&format!("| `{}` | `{}` | {}{kinds} | {default} |\n", key.name, key.example, key.meaning));
+        }
+    }
+    text
+}
+
+const INTRODUCTION: &str = "# The spec file
+
+A spec is a TOML file: one spring, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.
+`coilsense init` writes a commented one. `coilsense spring`, `simulate` and `analyze` all read it.
+
+Quantities are texts of a number and a unit, such as `\"760 N/m\"`; pure numbers carry no quotes. An unknown key is an error that names the
+nearest known one. Where a kind stands in brackets, the key belongs to that kind only. This page is made from the table that the reader
+itself uses (`crates/coilsense-lab/src/spec/keys`); a test keeps the two equal.
+";

@@ -1,0 +1,134 @@
+//! Keys of `[spring]` and `[mount]`.
+
+use super::{Table, needed, optional};
+
+/// The ways to describe a spring.
+const TABLE_I: &[&str] = &["by values"];
+const GEOMETRY: &[&str] = &["by geometry"];
+
+pub(super) const SPRING: Table = Table {
+    name: "spring",
+    repeats: false,
+    meaning: "The spring, either *by values* (stiffness, mass, radii, as in Table I of the paper) or *by geometry* (wire, coil and material); \
+              the presence of `wire_diameter` or `coil_diameter` means the latter.",
+    keys: &[
+        needed("name", "\"S_T\"", "what people call it"),
+        needed(
+            "rest_length",
+            "\"104 mm\"",
+            "l0, the length without force (of an extension spring with initial tension: its closed length)",
+        ),
+        needed("min_length", "\"196 mm\"", "shortest length in use"),
+        needed("max_length", "\"264 mm\"", "longest length in use"),
+        needed("windings", "52", "N, active windings; may be fractional"),
+        needed("stiffness", "\"760 N/m\"", "k").of(TABLE_I),
+        needed("mass", "\"65 g\"", "m, of the active windings").of(TABLE_I),
+        needed("coil_radius", "\"8 mm\"", "r, from the axis to the centre of the wire").of(TABLE_I),
+        needed("wire_radius", "\"1 mm\"", "rho, half of the wire's diameter").of(TABLE_I),
+        needed("wire_diameter", "\"2 mm\"", "d").of(GEOMETRY),
+        needed("coil_diameter", "\"16 mm\"", "D, mean diameter, from wire centre to wire centre").of(GEOMETRY),
+        optional(
+            "total_windings",
+            "54",
+            "with those that end 1 and end 2 rest on",
+            "`windings` and what `end_type` adds",
+        )
+        .of(GEOMETRY),
+        optional(
+            "end_type",
+            "\"closed-ground\"",
+            "`hooks`, `open`, `open-ground`, `closed` or `closed-ground`",
+            "`hooks`",
+        ),
+        optional(
+            "material",
+            "\"steel EN 10270-1\"",
+            "a name of the material table (`coilsense spring --materials` lists it)",
+            "`steel EN 10270-1`",
+        ),
+        optional("shear_modulus", "\"81.5 GPa\"", "G, in place of the material's", "the material's"),
+        optional("youngs_modulus", "\"206 GPa\"", "E, in place of the material's", "the material's"),
+        optional("density", "\"7850 kg/m3\"", "in place of the material's", "the material's"),
+        optional(
+            "shear_modulus_temperature",
+            "\"-0.025 %/K\"",
+            "(dG/dT)/G, in place of the material's",
+            "the material's, else 0",
+        ),
+        optional("resistivity", "\"0.18 uOhm m\"", "of the wire, in place of the material's", "the material's"),
+        optional("relative_permeability", "100", "of the wire, in place of the material's", "the material's"),
+        optional(
+            "initial_tension",
+            "\"5 N\"",
+            "F_0, what a close-wound extension spring pulls before it opens",
+            "`\"0 N\"`",
+        ),
+        optional(
+            "nominal_force",
+            "\"121.6 N\"",
+            "F_nom, to which errors are related",
+            "eq. (14): the largest static force in use",
+        ),
+        optional("inductance_windings", "51.5", "windings that carry the current", "`windings`"),
+        optional(
+            "self_distance",
+            "\"as-printed\"",
+            "self term of a winding: `as-printed` (eq. 10) or `geometric-mean` (Maxwell)",
+            "`as-printed`",
+        ),
+        optional(
+            "stiffness_tolerance",
+            "\"5 %\"",
+            "how far k may be off, either way",
+            "by geometry from the tolerances below, else none",
+        ),
+        optional("rest_length_tolerance", "\"0.5 mm\"", "how far l0 may be off, either way", "none"),
+        optional("wire_diameter_tolerance", "\"0.5 %\"", "how far d may be off, either way", "none").of(GEOMETRY),
+        optional("coil_diameter_tolerance", "\"1 %\"", "how far D may be off, either way", "none").of(GEOMETRY),
+        optional("windings_tolerance", "\"0.5 %\"", "how far n may be off, either way", "none").of(GEOMETRY),
+        optional("shear_modulus_tolerance", "\"1 %\"", "how far G may be off, either way", "none").of(GEOMETRY),
+    ],
+};
+
+const MASS: &[&str] = &["mass"];
+
+pub(super) const MOUNT: Table = Table {
+    name: "mount",
+    repeats: false,
+    meaning: "What end 2 is tied to, and what damps the windings. End 1 always has a prescribed position. Without any damping key every result is \
+              given for ζ = 0 (the paper's case), 0.001, 0.005 and 0.02: no measured range of ζ for coil springs is known.",
+    keys: &[
+        optional(
+            "end2",
+            "\"held\"",
+            "`held` (a prescribed position), `force` (a prescribed force) or `mass`",
+            "`held`",
+        ),
+        needed("end_mass", "\"2 kg\"", "the mass at end 2").of(MASS),
+        optional(
+            "damping_ratio",
+            "0.005",
+            "ζ of every mode; a list such as `[0.0, 0.01]` gives results for each",
+            "`[0.0, 0.001, 0.005, 0.02]`",
+        ),
+        optional(
+            "first_mode_damping_ratio",
+            "0.3",
+            "ζ of the first mode only, the swing of the end mass on the spring",
+            "`damping_ratio`",
+        )
+        .of(MASS),
+        optional(
+            "mass_damping",
+            "\"2 1/s\"",
+            "α of ζ_j = α/2ω_j, as in a viscous fluid, in place of `damping_ratio`",
+            "none",
+        ),
+        optional(
+            "stiffness_damping",
+            "\"20 us\"",
+            "β of ζ_j = βω_j/2, a dashpot beside every segment, in place of `damping_ratio`",
+            "none",
+        ),
+    ],
+};

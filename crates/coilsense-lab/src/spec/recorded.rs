@@ -1,0 +1,117 @@
+//! The file of a `[[condition]]` of kind `recorded`: time and the ends' motion as CSV.
+//!
+//! Next door: the rest of a condition (`condition`).
+
+use coilsense::excitation::Sampled;
+use coilsense::{EndInput, FarEnd};
+
+use super::SpecError;
+use super::condition::Setting;
+use super::section::Section;
+use crate::quantity::Dimension;
+
+/// A recorded motion of one end or both.
+pub(super) struct Recorded {
+    /// The inputs of end 1 and end 2.
+    pub inputs: [EndInput; 2],
+    /// Its comment lines, without the `#`.
+    pub remarks: Vec<String>,
+    last: f64,
+}
+
+/// A column of the file: which one, and what takes its numbers to SI.
+struct Column {
+    index: usize,
+    factor: f64,
+}
+
+impl Recorded {
+    pub fn read(section: &Section<'_>, setting: &Setting<'_>) -> Result<Self, SpecError> {
+        let file = section.text("file")?;
+        let text = (setting.files)(&file).map_err(|message| section.refuse("file", message))?;
+        Self::parse(&text, setting.far_end).map_err(|message| section.refuse("file", message))
+    }
+
+    /// The time of the last sample \[s\].
+    pub fn duration(&self) -> f64 {
+        self.last
+    }
+
+    fn parse(text: &str, far_end: FarEnd) -> Result<Self, String> {
+        let is_remark = |line: &&str| line.trim_start().starts_with('#');
+        let remarks =
+            text.lines().filter(is_remark).map(|line| line.trim_start_matches(['#', ' ']).to_owned()).collect();
+        let mut reader =
+            csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+        let header = reader.headers().map_err(|error| error.to_string())?.clone();
+        let end2 = if far_end == FarEnd::Position { ("u2", Dimension::Length) } else { ("F_2", Dimension::Force) };
+        let wanted = [("time", Dimension::Time), ("u1", Dimension::Length), end2];
+        let mut columns: [Option<Column>; 3] = [None, None, None];
+        for (index, title) in header.iter().enumerate() {
+            let place = wanted.iter().position(|(name, _)| title.split([' ', '[']).next() == Some(name));
+            let Some(place) = place else {
+                let names = wanted.map(|(name, _)| name).join(", ");
+                return Err(format!(
+                    "column {} is {title:?}; allowed: {names}, each with its unit, as in \"u1 [mm]\"",
+                    index + 1
+                ));
+            };
+            columns[place] = Some(Column::of(index, title, wanted[place].1)?);
+        }
+        let [Some(time), first, second] = columns else {
+            return Err("the column \"time [s]\" is missing".to_owned());
+        };
+        if first.is_none() && second.is_none() {
+            return Err(format!("neither a column \"u1\" nor \"{}\" is there: one end must be driven", end2.0));
+        }
+        Self::rows(&mut reader, &time, [first, second], remarks)
+    }
+
+    fn rows(
+        reader: &mut csv::Reader<&[u8]>,
+        time: &Column,
+        ends: [Option<Column>; 2],
+        remarks: Vec<String>,
+    ) -> Result<Self, String> {
+        let mut times = Vec::new();
+        let mut values: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
+        for row in reader.records() {
+            let row = row.map_err(|error| error.to_string())?;
+            times.push(time.value(&row)?);
+            for (column, values) in ends.iter().zip(&mut values) {
+                if let Some(column) = column {
+                    values.push(column.value(&row)?);
+                }
+            }
+        }
+        let last = times.last().copied().ok_or("no samples are below its header")?;
+        if times.first().is_some_and(|first| *first < 0.0) {
+            return Err(format!("time starts at {} s; it must not be below zero", times[0]));
+        }
+        let [first, second] = values;
+        let input = |values: Vec<f64>| match values.is_empty() {
+            true => Ok(EndInput::Held),
+            false => Sampled::new(times.clone(), values).map(EndInput::Sampled).map_err(|error| error.to_string()),
+        };
+        Ok(Self { inputs: [input(first)?, input(second)?], remarks, last })
+    }
+}
+
+impl Column {
+    /// A column `name [unit]`.
+    fn of(index: usize, title: &str, dimension: Dimension) -> Result<Self, String> {
+        let unit = title.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map(|(unit, _)| unit.trim());
+        let factor = unit.and_then(|unit| dimension.parse(&format!("1 {unit}")));
+        let wrong = || format!("column {}, {title:?}: its unit must be that of {}", index + 1, dimension.expectation());
+        Ok(Self { index, factor: factor.ok_or_else(wrong)? })
+    }
+
+    fn value(&self, row: &csv::StringRecord) -> Result<f64, String> {
+        let text = row.get(self.index).unwrap_or_default();
+        let line = row.position().map_or(0, csv::Position::line);
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value * self.factor),
+            _ => Err(format!("row {line}, column {}: {text:?} is no finite number", self.index + 1)),
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! A commented spec to start from: `coilsense init`.
+//!
+//! Next door: every key (`keys`), the springs that it can start from (`data/springs`).
+
+use super::SpecError;
+
+/// Springs of the paper.
+const SPRINGS: [(&str, &str); 2] = [
+    ("S_T", include_str!("../../../../data/springs/S_T.toml")),
+    ("S_A", include_str!("../../../../data/springs/S_A.toml")),
+];
+
+/// A spring by geometry, as a beginning of one's own.
+const OWN: &str = r#"# A spec of coilsense. Every key is described in docs/spec.md. Change what differs, delete what you do not need, then run
+#   coilsense spring FILE       the spring's data sheet
+#   coilsense analyze FILE --out DIR
+
+[spring]
+name = "my spring"
+rest_length = "104 mm"      # length without force
+min_length = "196 mm"       # range in use
+max_length = "264 mm"
+windings = 52               # active ones
+wire_diameter = "2 mm"
+coil_diameter = "16 mm"     # mean diameter, wire centre to wire centre
+end_type = "hooks"          # hooks, open, open-ground, closed, closed-ground
+material = "steel EN 10270-1" # or shear_modulus = "81.5 GPa", density = "7850 kg/m3", …
+# initial_tension = "5 N"   # of a close-wound extension spring
+# Known stiffness and mass? Then give, in place of wire_diameter, coil_diameter and material:
+# stiffness = "760 N/m"
+# mass = "65 g"
+# coil_radius = "8 mm"
+# wire_radius = "1 mm"
+"#;
+
+/// What comes after the spring.
+const REST: &str = r#"
+[mount]
+end2 = "held"               # or "force", or "mass" with end_mass = "2 kg"
+# damping_ratio = 0.005     # without it: results for 0 (the paper's case), 0.001, 0.005 and 0.02
+
+[[condition]]
+name = "heel strike"
+kind = "impact"             # both ends stop dead while the windings still move
+length = "mid"
+velocity = "0.25 m/s"
+duration = "1 s"
+window = ["0.75 s", "1 s"]  # the part that is judged
+sample_rate = "10 kHz"
+
+[[condition]]
+name = "end stop max"
+kind = "end-stop"           # stopped at an end of the range, traversed in 1 s
+at = "max"
+duration = "1 s"
+window = ["0.75 s", "1 s"]
+
+[[condition]]
+name = "end stop min"
+kind = "end-stop"
+at = "min"
+profile = "uniform"         # as the paper's printed tables have it; its text says linear
+duration = "1 s"
+window = ["0.75 s", "1 s"]
+
+[[condition]]
+name = "half resonance"
+kind = "harmonic"
+frequency = "0.5 f1"        # f1 is the first surge frequency
+amplitude = "1 %"           # of the range in use
+phase = "-90 deg"
+start = "massless"
+duration = "1 s"
+window = ["0.75 s", "1 s"]
+
+[[condition]]
+name = "resonance"
+kind = "harmonic"
+frequency = "1 f1"
+amplitude = "0.1 %"
+phase = "-90 deg"
+start = "massless"
+duration = "1 s"
+window = ["0.75 s", "1 s"]
+
+[[sensor]]
+name = "load cell, motor side"
+kind = "load-cell"
+end = 1
+bandwidth = "1 kHz"
+sample_rate = "2.5 kHz"
+noise = "0.02 %"            # of its range
+accuracy_full_scale = "0.1 %"
+
+[[sensor]]
+name = "load cell, load side"
+kind = "load-cell"
+end = 2
+bandwidth = "1 kHz"
+sample_rate = "2.5 kHz"
+noise = "0.02 %"
+accuracy_full_scale = "0.1 %"
+
+[[sensor]]
+name = "laser"
+kind = "deflection"
+sample_rate = "2.5 kHz"
+resolution = "10 um"
+accuracy_full_scale = "0.1 %"
+
+[[sensor]]
+name = "LCR meter"
+kind = "inductance"
+averaging = "20 ms"
+accuracy_reading = "0.05 %"
+
+[goal]
+error = "1 %"               # of F_nom, as standard uncertainty
+bandwidth = "20 Hz"         # up to where the force is wanted
+"#;
+
+/// A commented spec with a spring of the paper (`S_T`, `S_A`), or with one by geometry.
+///
+/// # Errors
+/// [`SpecError`] for a name that is not there.
+pub fn template(from: Option<&str>) -> Result<String, SpecError> {
+    let Some(from) = from else {
+        return Ok(format!("{OWN}{REST}"));
+    };
+    let found = SPRINGS.iter().find(|(name, _)| *name == from);
+    let names = SPRINGS.map(|(name, _)| name).join(", ");
+    match found {
+        Some((_, spring)) => Ok(format!("{spring}{REST}")),
+        None => Err(SpecError(format!("--from {from}: no spring of that name; there are {names}"))),
+    }
+}
