@@ -25,6 +25,12 @@ fn force(analysis: &Analysis, newton: f64) -> String {
     format!("{} N ({} % of F_nom)", digits(newton), digits(100.0 * newton / nominal))
 }
 
+/// `1.22 N (1 % of F_nom)`.
+fn wish(analysis: &Analysis, newton: f64) -> String {
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    format!("{} N ({} % of F_nom)", plainly(newton), plainly(100.0 * newton / nominal))
+}
+
 /// Three significant digits, as people write them.
 pub(crate) fn digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -32,6 +38,12 @@ pub(crate) fn digits(value: f64) -> String {
     }
     let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
     format!("{value:.decimals$}")
+}
+
+/// The same without zeros behind: for what a person has set.
+pub(crate) fn plainly(value: f64) -> String {
+    let text = digits(value);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// In which condition, and under which damping where there are several.
@@ -52,8 +64,8 @@ fn best(analysis: &Analysis) -> String {
         );
     };
     let wanted = match analysis.spec.goal.bandwidth {
-        Some(bandwidth) => format!("{} up to {} Hz", force(analysis, goal), digits(bandwidth)),
-        None => force(analysis, goal),
+        Some(bandwidth) => format!("{} up to {} Hz", wish(analysis, goal), plainly(bandwidth)),
+        None => wish(analysis, goal),
     };
     let meeting: Vec<&Verdict> = analysis.verdicts.iter().filter(|v| v.meets_always() == Some(true)).collect();
     match meeting.first() {

@@ -16,7 +16,7 @@ mod verdict;
 mod warnings;
 
 pub use answer::answer;
-pub(crate) use answer::digits;
+pub(crate) use answer::{digits, plainly};
 pub use budget::SensorBudget;
 pub use case::{Case, Reading};
 pub use fix::Fix;

@@ -42,7 +42,7 @@ impl Picture {
         let mut encoder = Encoder::new(&mut file, self.columns as u32, self.rows() as u32);
         encoder.set_color(ColorType::Indexed);
         encoder.set_depth(BitDepth::Eight);
-        encoder.set_compression(Compression::High);
+        encoder.set_compression(Compression::Balanced);
         encoder.set_palette(self.palette.iter().flat_map(|colour| colour.unwrap_or_default()).collect::<Vec<u8>>());
         let opacities = self.palette.iter().map(|colour| if colour.is_some() { 255 } else { 0 });
         encoder.set_trns(opacities.collect::<Vec<u8>>());

@@ -2,8 +2,11 @@
 //!
 //! Next door: what is computed (`analysis`), the writer of series (`series`).
 
+mod figures;
+mod html;
 mod json;
 mod text;
+mod viewer_data;
 
 pub use text::analysis_text;
 
@@ -24,6 +27,7 @@ pub fn add_analysis(analysis: &Analysis, date: &str, output: &mut Output) -> Res
     #[cfg(not(feature = "parquet"))]
     let (name, format) = ("signals.csv", Format::Csv);
     output.write(name, |file| series::write(&runs, format, file))?;
+    output.add("report.html", html::page(analysis, date)?.as_bytes())?;
     output.add("results.json", json::results_json(analysis, date)?.as_bytes())?;
     Ok(())
 }

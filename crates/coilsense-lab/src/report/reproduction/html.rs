@@ -29,6 +29,7 @@ pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<Strin
     let protocols: Vec<&str> = reproduction.protocols.iter().map(|protocol| protocol.name()).collect();
     let page = environment.get_template("page")?.render(context! {
         version => env!("CARGO_PKG_VERSION"),
+        style => include_str!("../style.css"),
         summary => summary(reproduction),
         finding => finding(reproduction),
         warnings => reproduction.warnings(),

@@ -1,0 +1,196 @@
+//! The figures of an analysis: sensors ranked, spectra with surge lines, winding maps, budgets.
+//!
+//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+
+use coilsense::Channel;
+use coilsense::modes::ChainModes;
+
+use crate::analysis::{Analysis, Case, Verdict, digits};
+use crate::plot::{
+    Axis, Band, Bar, Bars, Colour, Curve, Dash, Figure, HeatMap, Mark, MarkedCells, Panel, Scale, Stroke,
+};
+
+/// Width of a figure \[px\].
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 300.0;
+/// Surge lines that are drawn.
+const LINES: usize = 8;
+
+/// The sensors by their combined uncertainty, best first, and the goal.
+pub(super) fn ranking(analysis: &Analysis) -> Figure {
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    let bar = |verdict: &Verdict| {
+        let percent = 100.0 * verdict.combined() / nominal;
+        let (group, colour) = match verdict.meets_always() {
+            Some(false) => ("misses the goal", Colour::Red),
+            Some(true) => ("meets the goal", Colour::Blue),
+            None => ("", Colour::Blue),
+        };
+        let name = plain(&analysis.sensors[verdict.sensor].name);
+        Bar {
+            name,
+            value: percent,
+            text: format!("{} %", digits(percent)),
+            group: group.into(),
+            colour,
+            ..Bar::default()
+        }
+    };
+    let goal = analysis.spec.goal.error.map(|error| Mark { x: 100.0 * error / nominal, label: "goal".into() });
+    bars_figure(
+        analysis.verdicts.iter().map(bar).collect(),
+        "Combined standard uncertainty in the worst case [% of F_{nom}]",
+        goal.into_iter().collect(),
+    )
+}
+
+/// The lines of a sensor's budget, the largest first.
+pub(super) fn budget(analysis: &Analysis, verdict: &Verdict) -> Figure {
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    let budget = &verdict.budget.budget;
+    let mut lines: Vec<(String, f64)> =
+        budget.contributions().iter().map(|line| (line.name.to_string(), line.contribution)).collect();
+    lines.push(("bias of the oscillation, uncorrected".to_owned(), budget.bias().abs()));
+    lines.retain(|(_, newton)| *newton > 1e-9 * nominal);
+    lines.sort_by(|a, b| b.1.total_cmp(&a.1));
+    lines.push(("combined".to_owned(), verdict.combined()));
+    let bar = |(name, newton): (String, f64)| {
+        let percent = 100.0 * newton / nominal;
+        let colour = if name == "combined" { Colour::Ink } else { Colour::Blue };
+        Bar { name, value: percent, text: format!("{} %", digits(percent)), colour, ..Bar::default() }
+    };
+    let goal = analysis.spec.goal.error.map(|error| Mark { x: 100.0 * error / nominal, label: "goal".into() });
+    let axis = "Contribution to the standard uncertainty [% of F_{nom}]";
+    bars_figure(lines.into_iter().map(bar).collect(), axis, goal.into_iter().collect())
+}
+
+fn bars_figure(bars: Vec<Bar>, label: &str, marks: Vec<Mark>) -> Figure {
+    let bars = Bars { bars, second: String::new() };
+    let panel_height = bars.panel_height(WIDTH);
+    let reach = bars.bars.iter().map(|bar| bar.value).chain(marks.iter().map(|mark| mark.x)).fold(0.0, f64::max);
+    // Room behind the longest bar for its number.
+    let x = Axis { label: label.into(), range: Some((0.0, 1.12 * reach.max(1e-12))), ..Axis::default() };
+    let panel = Panel { x, marks, bars: Some(bars), ..Panel::default() };
+    Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height }
+}
+
+/// Amplitudes of a condition's forces at one damping; the load-side force over all dampings as a band.
+pub(super) fn spectra(analysis: &Analysis, condition: usize, shown: usize) -> Option<Figure> {
+    let case = analysis.case(condition, shown)?;
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    let lines = surge_lines(analysis);
+    let rate = analysis.spec.conditions[condition].sample_rate;
+    let highest = lines.last().map_or(0.5 * rate, |last| (1.1 * last).min(0.5 * rate));
+    let percent = |amplitudes: &[f64]| -> Vec<f64> { amplitudes.iter().map(|a| 100.0 * a / nominal).collect() };
+    let looks = [
+        (Channel::OutputForce, Colour::Red, Dash::Solid),
+        (Channel::InputForce, Colour::Blue, Dash::DashDot),
+        (Channel::DeflectionForce, Colour::Green, Dash::Dotted),
+        (Channel::InductanceForce, Colour::Ink, Dash::Dashed),
+    ];
+    let frequencies = spectrum(case, Channel::OutputForce)?.frequencies();
+    let count = frequencies.partition_point(|frequency| *frequency <= highest).max(2);
+    // The mean is no oscillation.
+    let part = 1.min(count)..count;
+    let curve = |(channel, colour, dash): (Channel, Colour, Dash)| {
+        let y = percent(&spectrum(case, channel)?.amplitudes()[part.clone()]);
+        let stroke = Stroke { colour, dash, width: 1.4 };
+        Some(Curve { label: channel.name().into(), x: frequencies[part.clone()].to_vec(), y, stroke })
+    };
+    let curves: Vec<Curve> = looks.into_iter().filter_map(curve).collect();
+    let peak = curves.iter().flat_map(|curve| &curve.y).fold(0.0_f64, |peak, y| peak.max(*y));
+    let panel = Panel {
+        x: Axis { label: "Frequency [Hz]".into(), range: Some((0.0, highest)), ..Axis::default() },
+        y: Axis {
+            label: "Amplitude [% of F_{nom}]".into(),
+            range: Some((1e-5 * peak.max(1e-9), 2.0 * peak.max(1e-9))),
+            scale: Scale::Log10,
+        },
+        bands: band(analysis, condition, &frequencies, part.clone()).into_iter().collect(),
+        curves,
+        marks: lines.iter().enumerate().map(|(j, x)| Mark { x: *x, label: format!("f_{}", j + 1) }).collect(),
+        ..Panel::default()
+    };
+    Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
+}
+
+/// F_o over all dampings, where there are several.
+fn band(analysis: &Analysis, condition: usize, frequencies: &[f64], part: std::ops::Range<usize>) -> Option<Band> {
+    let dampings = &analysis.spec.mount.cases;
+    if dampings.len() < 2 {
+        return None;
+    }
+    let nominal = analysis.spec.spring.spring.nominal_force();
+    let of_damping = |damping: usize| {
+        let amplitudes = spectrum(analysis.case(condition, damping)?, Channel::OutputForce)?.amplitudes();
+        amplitudes.get(part.clone())
+    };
+    let all: Vec<&[f64]> = (0..dampings.len()).filter_map(of_damping).collect();
+    let extreme = |pick: fn(f64, f64) -> f64, from: f64| -> Vec<f64> {
+        let of_line = |index: usize| 100.0 / nominal * all.iter().map(|series| series[index]).fold(from, pick);
+        (0..part.len()).map(of_line).collect()
+    };
+    Some(Band {
+        label: format!("F_o, {} to {}", dampings[0].label, dampings[dampings.len() - 1].label),
+        x: frequencies[part.clone()].to_vec(),
+        lower: extreme(f64::min, f64::INFINITY),
+        upper: extreme(f64::max, 0.0),
+        colour: Colour::Red,
+    })
+}
+
+fn spectrum(case: &Case, channel: Channel) -> Option<&coilsense::measures::Spectrum> {
+    case.spectra.iter().find(|(of, _)| *of == channel).map(|(_, spectrum)| spectrum)
+}
+
+fn surge_lines(analysis: &Analysis) -> Vec<f64> {
+    let modes = ChainModes::mounted(&analysis.spec.spring.spring, analysis.spec.mount.far_end());
+    modes.frequencies().iter().take(LINES).map(|angular| angular / std::f64::consts::TAU).collect()
+}
+
+/// How far each winding is from where it would lie in a spring without mass, over time.
+pub(super) fn map(case: &Case, wire_diameter: f64) -> Option<Figure> {
+    let frames = &case.frames;
+    let (masses, count) = (frames.columns - 2, frames.times.len());
+    if masses < 2 || count < 2 {
+        return None;
+    }
+    let departures = frames.departures();
+    // The map has a row per winding, the frames a row per moment.
+    let values = (0..masses).flat_map(|winding| (0..count).map(move |frame| (winding, frame)));
+    let values: Vec<f64> = values.map(|(winding, frame)| 1e3 * departures[frame * masses + winding]).collect();
+    let touches = |winding: usize, frame: usize| {
+        let row = frames.row(frame);
+        // Pitches stand between x_i and x_{i+1}; a winding touches where either of its pitches does.
+        let close = |left: usize| (1..masses).contains(&left) && row[left + 1] - row[left] < wire_diameter;
+        close(winding) || close(winding + 1)
+    };
+    let cells: Vec<bool> = (0..masses)
+        .flat_map(|winding| (0..count).map(move |frame| (winding, frame)))
+        .map(|(w, f)| touches(w, f))
+        .collect();
+    let marked = cells.contains(&true).then_some(MarkedCells { label: "windings touch".into(), cells });
+    let step = frames.times[1] - frames.times[0];
+    let heat = HeatMap {
+        label: "Displacement [mm]".into(),
+        rows: masses,
+        values,
+        x: (frames.times[0] - 0.5 * step, frames.times[count - 1] + 0.5 * step),
+        y: (0.5, masses as f64 + 0.5),
+        range: None,
+        smooth: true,
+        marked,
+    };
+    let panel = Panel {
+        x: Axis { label: "Time [s]".into(), range: Some(heat.x), ..Axis::default() },
+        y: Axis { label: "Winding, from end 1 [1]".into(), range: Some(heat.y), ..Axis::default() },
+        heat: Some(heat),
+        ..Panel::default()
+    };
+    Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
+}
+
+/// A name that the figures' lettering prints as it is.
+fn plain(name: &str) -> String {
+    name.replace('_', "\\_").replace('^', "\\^")
+}

@@ -1,0 +1,237 @@
+//! `report.html`: one page that needs no other file and no network; the answer first.
+//!
+//! Next door: its layout (`page.html`), its figures (`figures`), its interactive part (`viewer_data`, `report/viewer`).
+
+use coilsense::Channel;
+use minijinja::{AutoEscape, Environment, Value, context};
+use rayon::prelude::*;
+
+use super::figures;
+use super::viewer_data::viewer_json;
+use crate::analysis::{Analysis, Verdict, answer, digits, plainly};
+use crate::plot::{Figure, Theme};
+use crate::report::ReportError;
+
+/// The page of an analysis.
+pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_template("page", include_str!("page.html"))?;
+    let spec = &analysis.spec;
+    let conditions: Vec<usize> = (0..spec.conditions.len()).collect();
+    let verdicts: Vec<Value> =
+        analysis.verdicts.par_iter().map(|verdict| verdict_value(analysis, verdict)).collect::<Result<_, _>>()?;
+    let page = environment.get_template("page")?.render(context! {
+        version => env!("CARGO_PKG_VERSION"),
+        date,
+        spring => &spec.spring.name,
+        file => file_name(&spec.file),
+        text => &spec.text,
+        answer => answer(analysis),
+        goal => goal(analysis),
+        warnings => analysis.warnings.iter().map(|warning| warning.text.clone()).collect::<Vec<_>>(),
+        ranking => drawn("ranking", &figures::ranking(analysis))?,
+        verdicts,
+        dampings => spec.mount.cases.iter().map(|case| case.label.clone()).collect::<Vec<_>>(),
+        is_band => spec.mount.is_band,
+        rows => conditions.iter().map(|&condition| condition_value(analysis, condition)).collect::<Vec<_>>(),
+        figures => conditions.par_iter().map(|&condition| figures_of(analysis, condition)).collect::<Result<Vec<_>, _>>()?,
+        groups => groups(analysis),
+        surge => surge(analysis),
+        neighbours => neighbours(analysis),
+        material => &analysis.data_sheet.material,
+        reference => spec.goal.force.name(),
+        nominal => digits(spec.spring.spring.nominal_force()),
+        coverage => plainly(100.0 * spec.uncertainty.coverage),
+        trials => spec.uncertainty.trials,
+        seed => spec.uncertainty.seed,
+        temperature => plainly(spec.uncertainty.temperature_change),
+        remarks => spec.conditions.iter().flat_map(|condition| condition.remarks.clone()).collect::<Vec<_>>(),
+        style => include_str!("../style.css"),
+        viewer_style => concat!(include_str!("../viewer/uPlot.min.css"), include_str!("../viewer/viewer.css")),
+        licence => include_str!("../viewer/uPlot.LICENSE"),
+        uplot => include_str!("../viewer/uPlot.iife.min.js"),
+        viewer => VIEWER,
+        data => viewer_json(analysis)?,
+    })?;
+    Ok(page)
+}
+
+/// The interactive part: pieces of one function, which join in this order.
+const VIEWER: &str = concat!(
+    include_str!("../viewer/data.js"),
+    include_str!("../viewer/looks.js"),
+    include_str!("../viewer/charts.js"),
+    include_str!("../viewer/readout.js"),
+    include_str!("../viewer/spring.js"),
+    include_str!("../viewer/choice.js"),
+);
+
+/// A file's own name: where it lay is the reader's matter, and would differ from machine to machine.
+fn file_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
+fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
+    let refuse = |source| ReportError::Figure { name: name.to_owned(), source };
+    let (light, dark) = (figure.to_svg(Theme::Light).map_err(refuse)?, figure.to_svg(Theme::Dark).map_err(refuse)?);
+    Ok(context! { light, dark })
+}
+
+/// `1.22 N (1 % of F_nom) up to 20 Hz`, where there is a goal.
+fn goal(analysis: &Analysis) -> Option<String> {
+    let spec = &analysis.spec;
+    let error = spec.goal.error?;
+    let percent = plainly(100.0 * error / spec.spring.spring.nominal_force());
+    let band = spec.goal.bandwidth.map_or(String::new(), |bandwidth| format!(" up to {} Hz", plainly(bandwidth)));
+    Some(format!("{} N ({percent} % of F_nom){band}", plainly(error)))
+}
+
+fn verdict_value(analysis: &Analysis, verdict: &Verdict) -> Result<Value, ReportError> {
+    let spec = &analysis.spec;
+    let (sensor, worst) = (&analysis.sensors[verdict.sensor], &analysis.cases[verdict.worst]);
+    let budget = &verdict.budget;
+    let lines: Vec<Value> = budget
+        .budget
+        .contributions()
+        .iter()
+        .map(|line| {
+            context! {
+                name => line.name.as_ref(),
+                standard => scientific(line.standard_uncertainty),
+                sensitivity => scientific(line.sensitivity),
+                contribution => digits(line.contribution),
+                share => format!("{:.0}", 100.0 * line.share),
+            }
+        })
+        .collect();
+    let fixes: Vec<Value> = verdict
+        .fixes
+        .iter()
+        .map(|fix| context! { change => &fix.change, combined => digits(fix.combined), lag => format!("{:.1}", 1e3 * fix.lag) })
+        .collect();
+    let figure = drawn(&format!("budget of {}", sensor.name), &figures::budget(analysis, verdict))?;
+    Ok(context! {
+        name => &sensor.name,
+        kind => sensor.quantity.kind(),
+        percent => digits(100.0 * verdict.combined() / spec.spring.spring.nominal_force()),
+        newton => digits(verdict.combined()),
+        meets => verdict.meets_always(),
+        too_slow => verdict.too_slow,
+        by_damping => spec.mount.cases.iter().zip(&verdict.meets).map(|(case, meets)| context! { label => &case.label, meets }).collect::<Vec<_>>(),
+        bandwidth => if verdict.bandwidth.is_finite() { digits(verdict.bandwidth) } else { "no limit".to_owned() },
+        lag => format!("{:.2}", 1e3 * verdict.lag),
+        worst => format!("{}, {}", spec.conditions[worst.condition].name, spec.mount.cases[worst.damping].label),
+        fixes,
+        lines,
+        figure,
+        force => digits(budget.force),
+        bias => digits(budget.budget.bias()),
+        combined => digits(budget.budget.combined()),
+        coverage_factor => format!("{:.2}", budget.coverage_factor),
+        expanded => digits(budget.expanded),
+        monte_carlo => digits(budget.standard),
+        interval => format!("{:.2} … {:.2}", budget.interval.0, budget.interval.1),
+        agrees => budget.agreement.holds(),
+        difference => digits(budget.agreement.low.max(budget.agreement.high)),
+        tolerance => digits(budget.agreement.tolerance),
+    })
+}
+
+/// A number over many decades: three significant digits, with a power of ten where that is shorter.
+fn scientific(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { digits(value) } else { format!("{value:.2e}") }
+}
+
+/// Percent as a table shows it: three significant digits, but no more than three decimals.
+fn percent_text(percent: f64) -> String {
+    match percent.abs() {
+        tiny if tiny < 5e-4 => "0".to_owned(),
+        small if small < 1.0 => format!("{percent:.3}"),
+        _ => digits(percent),
+    }
+    .replace('-', "\u{2212}")
+}
+
+/// A condition's rows in the table of measures: each force and each sensor, one cell per damping.
+fn condition_value(analysis: &Analysis, condition: usize) -> Value {
+    let spec = &analysis.spec;
+    let nominal = spec.spring.spring.nominal_force();
+    let dampings = 0..spec.mount.cases.len();
+    let percent = |newton: f64| percent_text(100.0 * newton / nominal);
+    let of_force = |force: Channel| {
+        let cells = dampings.clone().filter_map(|damping| {
+            let (_, deviation) = analysis.case(condition, damping)?.ideal.iter().find(|(of, _)| *of == force)?;
+            Some(context! {
+                rmsd => percent(deviation.rmsd), most => percent(deviation.maximum_absolute), mean => percent(deviation.mean),
+            })
+        });
+        context! { name => force.name(), ideal => true, cells => cells.collect::<Vec<_>>() }
+    };
+    let of_sensor = |(index, name): (usize, &str)| {
+        let verdict = analysis.verdicts.iter().find(|verdict| verdict.sensor == index);
+        let cells = dampings.clone().filter_map(|damping| {
+            let deviation = analysis.case(condition, damping)?.readings[index].deviation;
+            let combined = verdict?.assessments[condition * spec.mount.cases.len() + damping].combined;
+            let over = spec.goal.error.is_some_and(|goal| combined > goal);
+            Some(context! {
+                rmsd => percent(deviation.rmsd), most => percent(deviation.maximum_absolute), mean => percent(deviation.mean),
+                combined => percent(combined), over,
+            })
+        });
+        context! { name, ideal => false, cells => cells.collect::<Vec<_>>() }
+    };
+    let forces = Channel::FORCES.into_iter().filter(|force| *force != spec.goal.force).map(of_force);
+    let sensors = analysis.sensors.iter().map(|sensor| sensor.name.as_str()).enumerate().map(of_sensor);
+    let asked = &spec.conditions[condition];
+    context! {
+        name => &asked.name,
+        kind => asked.kind,
+        window => format!("{}–{} s", asked.window.0, asked.window.1),
+        rows => forces.chain(sensors).collect::<Vec<_>>(),
+    }
+}
+
+/// Spectrum and winding map of a condition, at the first damping: the largest ringing.
+fn figures_of(analysis: &Analysis, condition: usize) -> Result<Value, ReportError> {
+    let name = &analysis.spec.conditions[condition].name;
+    let shown = 0;
+    let spectrum = figures::spectra(analysis, condition, shown);
+    let spectrum = spectrum.map(|figure| drawn(&format!("spectrum of {name}"), &figure)).transpose()?;
+    let wire = analysis.spec.spring.spring.wire_diameter();
+    let map = analysis.case(condition, shown).and_then(|case| figures::map(case, wire));
+    let map = map.map(|figure| drawn(&format!("map of {name}"), &figure)).transpose()?;
+    Ok(context! { name, damping => &analysis.spec.mount.cases[shown].label, spectrum, map })
+}
+
+fn groups(analysis: &Analysis) -> Vec<Value> {
+    let group = |(heading, rows): &(&'static str, Vec<crate::data_sheet::Row>)| {
+        let row =
+            |row: &crate::data_sheet::Row| context! { label => row.label, shown => row.shown(), unit => row.unit };
+        context! { heading => *heading, rows => rows.iter().map(row).collect::<Vec<_>>() }
+    };
+    analysis.data_sheet.groups.iter().map(group).collect()
+}
+
+fn surge(analysis: &Analysis) -> Vec<Value> {
+    let hertz = |values: &[f64]| values.iter().map(|value| format!("{value:.2}")).collect::<Vec<_>>();
+    let mount = |mount: &crate::data_sheet::MountFrequencies| {
+        context! {
+            mount => &mount.mount,
+            own => mount.is_the_specs,
+            chain => hertz(&mount.chain_hz),
+            continuous => hertz(&mount.continuous_hz),
+            rule => mount.third_rule_error.map(|error| format!("{:+.2} %", 100.0 * error)),
+        }
+    };
+    analysis.data_sheet.surge.iter().map(mount).collect()
+}
+
+fn neighbours(analysis: &Analysis) -> Vec<Value> {
+    let one = |neighbour: &crate::data_sheet::Neighbour| {
+        let shown =
+            neighbour.frequency_hz.map_or_else(|| "buckles".to_owned(), |frequency| format!("{frequency:.1} Hz"));
+        context! { name => format!("{} {}", neighbour.name, neighbour.place), shown }
+    };
+    analysis.data_sheet.neighbours.iter().map(one).collect()
+}
