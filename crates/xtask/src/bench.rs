@@ -1,8 +1,8 @@
 //! `cargo xtask bench`: coilsense and its peers on the same jobs in one run; medians, for single runs vary by a third.
 //!
-//! Next door: the jobs and the peers (`bench/README.md`), what the whole command takes (`reproduce`).
+//! Next door: the jobs and the peers (`bench/README.md`), the goals (`goals`).
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -10,7 +10,7 @@ use anyhow::{Context, bail};
 use serde::{Deserialize, Serialize};
 
 use crate::python::{self, Environment};
-use crate::{cargo, root};
+use crate::{cargo, commands, root};
 
 /// What to measure.
 #[derive(clap::Args)]
@@ -53,7 +53,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let jobs = root().join("target/bench-jobs");
     let environment = python::environment("bench/.venv", "bench/python/requirements.txt")?;
     make_jobs(&environment, &jobs)?;
-    let mut measurements = vec![reproduce()?];
+    let mut measurements = whole_commands()?;
     let mut ours = cargo(&["bench", "--quiet", "--package", "coilsense", "--bench", "jobs", "--"]);
     ours.arg(&jobs);
     measurements.extend(measure("coilsense", ours)?);
@@ -109,41 +109,48 @@ fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measurement>>
     lines.map(|line| serde_json::from_str(line).with_context(|| format!("not a measurement: {line}"))).collect()
 }
 
-/// The whole command `coilsense reproduce`.
-fn reproduce() -> anyhow::Result<Measurement> {
-    eprintln!("== measuring coilsense reproduce");
-    if !cargo(&["build", "--release", "--package", "coilsense-cli"]).status()?.success() {
-        bail!("the release build failed");
+/// Whole commands: `coilsense reproduce`, and `coilsense analyze` on every example.
+fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
+    let executable = commands::executable()?;
+    let mut all = vec![whole(&executable, "reproduce", &["reproduce"])?];
+    for spec in commands::examples()? {
+        let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
+        let path = spec.display().to_string();
+        all.push(whole(&executable, &format!("{ANALYZE}{name}"), &["analyze", &path])?);
     }
-    let mut times = (0..RUNS).map(|_| reproduce_once()).collect::<anyhow::Result<Vec<f64>>>()?;
+    Ok(all)
+}
+
+/// The job of an example's analysis begins so.
+pub const ANALYZE: &str = "analyze ";
+
+/// Median time of a command that writes a folder.
+fn whole(executable: &Path, job: &str, arguments: &[&str]) -> anyhow::Result<Measurement> {
+    eprintln!("== measuring coilsense {job}");
+    let mut times = (0..RUNS).map(|_| once(executable, arguments)).collect::<anyhow::Result<Vec<f64>>>()?;
     times.sort_by(f64::total_cmp);
     Ok(Measurement {
-        job: "reproduce".to_owned(),
+        job: job.to_owned(),
         system: "coilsense".to_owned(),
         setting: format!("whole command, {} threads", std::thread::available_parallelism()?),
         median_ms: Some(times[times.len() / 2]),
         max_rel_error: None,
-        note: format!("{RUNS} runs; all tables, figures and files of the paper"),
+        note: format!("{RUNS} runs; all figures and files"),
     })
 }
 
 /// One run \[ms\].
-fn reproduce_once() -> anyhow::Result<f64> {
+fn once(executable: &Path, arguments: &[&str]) -> anyhow::Result<f64> {
     let place = tempfile::tempdir()?;
-    let mut command = Command::new(executable());
-    command.args(["reproduce", "--out"]).arg(place.path().join("paper")).stdout(Stdio::null());
+    let mut command = Command::new(executable);
+    command.args(arguments).arg("--out").arg(place.path().join("out")).stdout(Stdio::null());
     let begun = Instant::now();
     let status = command.status().context("the release build of coilsense cannot be started")?;
     let elapsed = begun.elapsed();
     if !status.success() {
-        bail!("coilsense reproduce failed");
+        bail!("coilsense {} failed", arguments.join(" "));
     }
     Ok(1e3 * elapsed.as_secs_f64())
-}
-
-fn executable() -> PathBuf {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-    target.join("release/coilsense")
 }
 
 /// Rows job by job; the first of coilsense on a job is 1.

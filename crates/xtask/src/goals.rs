@@ -2,7 +2,7 @@
 //!
 //! Next door: the rows (`bench`).
 
-use crate::bench::Row;
+use crate::bench::{ANALYZE, Row};
 
 /// At least so many times faster than a peer on a job.
 struct Goal {
@@ -73,6 +73,18 @@ pub fn print(rows: &[Row]) {
         println!("  {verdict}  {job}: error {worst:.1e} of the peak (goal {LARGEST_ERROR:e})");
     }
     print_growth(rows);
+    print_analyses(rows);
+}
+
+/// Time that the analysis of an example may take \[ms\].
+const LONGEST_ANALYSIS: f64 = 2000.0;
+
+fn print_analyses(rows: &[Row]) {
+    for row in rows.iter().filter(|row| row.job.starts_with(ANALYZE)) {
+        let Some(median) = row.median_ms else { continue };
+        let verdict = if median <= LONGEST_ANALYSIS { "met   " } else { "MISSED" };
+        println!("  {verdict}  {}: {:.2} s (goal {} s)", row.job, 1e-3 * median, 1e-3 * LONGEST_ANALYSIS);
+    }
 }
 
 /// Time must not grow faster than windings times samples.

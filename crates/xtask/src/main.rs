@@ -1,6 +1,8 @@
 //! coilsense's own chores. `cargo xtask test` is the one door to all checks; `cargo xtask bench` measures.
 
 mod bench;
+mod browser;
+mod commands;
 mod goals;
 mod python;
 mod test;
@@ -20,14 +22,14 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Chore {
     /// Run every check; with CI=true a part that cannot run is a failure
-    Test,
+    Test(test::Arguments),
     /// Measure coilsense and its peers on the same jobs, print a table, write target/bench.json
     Bench(bench::Arguments),
 }
 
 fn main() -> ExitCode {
     let result = match Arguments::parse().chore {
-        Chore::Test => test::run(),
+        Chore::Test(arguments) => test::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
     };
     match result {

@@ -4,7 +4,15 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::cargo;
+use crate::{browser, cargo, commands};
+
+/// What the checks may do.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Install system packages that a part needs; CI=true does, too
+    #[arg(long)]
+    install: bool,
+}
 
 /// How a part went.
 enum Outcome {
@@ -17,27 +25,30 @@ enum Outcome {
 /// A part of the checks.
 struct Part {
     name: &'static str,
-    run: fn() -> anyhow::Result<Outcome>,
+    run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 6] = [
+const PARTS: [Part; 9] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
     Part { name: "vector paths", run: vector_paths },
     Part { name: "docs", run: docs },
-    Part { name: "reproduce", run: reproduce },
+    Part { name: "no Parquet", run: without_parquet },
+    Part { name: "README", run: readme },
+    Part { name: "examples", run: examples },
+    Part { name: "report page", run: report_page },
 ];
 
 /// Runs every part, also after one has failed.
-pub fn run() -> anyhow::Result<()> {
-    let strict = std::env::var("CI").is_ok_and(|value| value == "true");
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let strict = strict();
     let mut lines = Vec::new();
     let mut broken = Vec::new();
     for part in PARTS {
         println!("== {}", part.name);
         let begun = Instant::now();
-        let outcome = (part.run)().with_context(|| format!("part {}", part.name))?;
+        let outcome = (part.run)(arguments).with_context(|| format!("part {}", part.name))?;
         let seconds = begun.elapsed().as_secs_f64();
         let verdict = match outcome {
             Outcome::Passed => "passed".to_owned(),
@@ -61,6 +72,11 @@ pub fn run() -> anyhow::Result<()> {
     Ok(())
 }
 
+/// With CI=true a part that cannot run is a failure.
+fn strict() -> bool {
+    std::env::var("CI").is_ok_and(|value| value == "true")
+}
+
 /// Runs a command; its own output tells what is wrong.
 fn outcome(mut command: std::process::Command) -> anyhow::Result<Outcome> {
     let status = command.status().with_context(|| format!("cannot start {command:?}"))?;
@@ -72,14 +88,14 @@ fn has_component(name: &str) -> bool {
     cargo(&[name, "--version"]).output().is_ok_and(|output| output.status.success())
 }
 
-fn format() -> anyhow::Result<Outcome> {
+fn format(_: &Arguments) -> anyhow::Result<Outcome> {
     if !has_component("fmt") {
         return Ok(Outcome::Missing("no rustfmt; install it with: rustup component add rustfmt".to_owned()));
     }
     outcome(cargo(&["fmt", "--all", "--", "--check"]))
 }
 
-fn clippy() -> anyhow::Result<Outcome> {
+fn clippy(_: &Arguments) -> anyhow::Result<Outcome> {
     if !has_component("clippy") {
         return Ok(Outcome::Missing("no clippy; install it with: rustup component add clippy".to_owned()));
     }
@@ -87,13 +103,13 @@ fn clippy() -> anyhow::Result<Outcome> {
 }
 
 /// Unit, integration and property tests, the examples' build, and every code block of documentation and README.
-fn tests() -> anyhow::Result<Outcome> {
+fn tests(_: &Arguments) -> anyhow::Result<Outcome> {
     outcome(cargo(&["test", "--workspace", "--all-features"]))
 }
 
 /// The science once more for each path of vector instructions; `tests` has run it on the widest. A path that this processor lacks is
 /// refused by name, and so skipped.
-fn vector_paths() -> anyhow::Result<Outcome> {
+fn vector_paths(_: &Arguments) -> anyhow::Result<Outcome> {
     for path in ["scalar", "avx2"] {
         let mut command = cargo(&["test", "--quiet", "--package", "coilsense", "--lib", "--tests"]);
         command.env("COILSENSE_SIMD", path);
@@ -119,20 +135,35 @@ fn supports(_: &str) -> bool {
     false
 }
 
-fn docs() -> anyhow::Result<Outcome> {
+fn docs(_: &Arguments) -> anyhow::Result<Outcome> {
     let mut command = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--document-private-items"]);
     command.env("RUSTDOCFLAGS", "-D warnings");
     outcome(command)
 }
 
-/// The README's first command, as a new user types it but for the folder.
-fn reproduce() -> anyhow::Result<Outcome> {
-    let place = tempfile::tempdir()?;
-    let out = place.path().join("paper");
-    let mut command = cargo(&["run", "--release", "--", "reproduce", "--out"]);
-    command.arg(&out);
-    match outcome(command)? {
-        Outcome::Passed if out.join("report.html").is_file() => Ok(Outcome::Passed),
-        _ => Ok(Outcome::Failed),
+/// Files for people without what cannot be built everywhere.
+fn without_parquet(_: &Arguments) -> anyhow::Result<Outcome> {
+    outcome(cargo(&["check", "--quiet", "--package", "coilsense-lab", "--no-default-features"]))
+}
+
+fn readme(_: &Arguments) -> anyhow::Result<Outcome> {
+    passed(commands::readme()?)
+}
+
+fn examples(_: &Arguments) -> anyhow::Result<Outcome> {
+    passed(commands::every_example()?)
+}
+
+/// A report in a real browser, which is installed where that is asked for.
+fn report_page(arguments: &Arguments) -> anyhow::Result<Outcome> {
+    let may_install = strict() || arguments.install;
+    if browser::find().is_none() && !(may_install && browser::install()) {
+        return Ok(Outcome::Missing(format!("no browser; install one with: {}", browser::INSTALL)));
     }
+    let Some(found) = browser::find() else { return Ok(Outcome::Failed) };
+    passed(browser::report(&found)?)
+}
+
+fn passed(success: bool) -> anyhow::Result<Outcome> {
+    Ok(if success { Outcome::Passed } else { Outcome::Failed })
 }

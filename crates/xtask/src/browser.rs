@@ -1,0 +1,85 @@
+//! A report opened in a real browser: its script runs through, draws its charts, and asks for nothing.
+//!
+//! Next door: the other checks (`test`).
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use anyhow::{Context, bail};
+
+use crate::commands;
+use crate::root;
+
+/// Names under which the browser is installed.
+const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/// What installs it on Debian.
+pub const INSTALL: &str = "apt-get install --yes chromium";
+
+/// The browser, where there is one.
+pub fn find() -> Option<PathBuf> {
+    let folders = std::env::var_os("PATH")?;
+    let places = std::env::split_paths(&folders).flat_map(|folder| NAMES.map(|name| folder.join(name)));
+    places.into_iter().find(|path| path.is_file())
+}
+
+/// Installs the browser from the system's packages; whether it is there then.
+pub fn install() -> bool {
+    let run = |line: &str| {
+        let mut words = line.split(' ');
+        let program = words.next().unwrap_or_default();
+        println!("{line}");
+        Command::new(program).args(words).stdin(Stdio::null()).status().is_ok_and(|status| status.success())
+    };
+    run("apt-get update") && run(INSTALL) && find().is_some()
+}
+
+/// Opens the report of an example; whether it draws what it should, without an error.
+pub fn report(browser: &Path) -> anyhow::Result<bool> {
+    let place = tempfile::tempdir()?;
+    let spec = root().join("examples/sea-ankle.toml");
+    let out = place.path().join("report");
+    let mut analyze = Command::new(commands::executable()?);
+    analyze.arg("analyze").arg(&spec).arg("--out").arg(&out).stdout(Stdio::null());
+    if !analyze.status()?.success() {
+        bail!("coilsense analyze failed");
+    }
+    let page = out.join("report.html");
+    let (dom, log) = opened(browser, &page, place.path())?;
+    let drawn = ["class=\"uplot", "id=\"coilsense-spring\"", "<canvas"];
+    let missing: Vec<&str> = drawn.into_iter().filter(|part| !dom.contains(part)).collect();
+    let complaints: Vec<&str> = log.lines().filter(|line| line.contains("CONSOLE")).collect();
+    for complaint in &complaints {
+        println!("the page's console: {complaint}");
+    }
+    for part in &missing {
+        println!("the page has no {part}");
+    }
+    Ok(missing.is_empty() && complaints.is_empty() && has_no_address(&page)?)
+}
+
+/// The page as its script leaves it, and what the browser says.
+fn opened(browser: &Path, page: &Path, profile: &Path) -> anyhow::Result<(String, String)> {
+    let mut command = Command::new(browser);
+    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]);
+    command.args([
+        "--disable-component-update",
+        "--disable-sync",
+        "--enable-logging=stderr",
+        "--virtual-time-budget=5000",
+    ]);
+    command.arg(format!("--user-data-dir={}", profile.join("profile").display()));
+    command.arg("--dump-dom").arg(format!("file://{}", page.display())).stdin(Stdio::null());
+    let output = command.output().with_context(|| format!("cannot start {}", browser.display()))?;
+    let text = |bytes: Vec<u8>| String::from_utf8_lossy(&bytes).into_owned();
+    Ok((text(output.stdout), text(output.stderr)))
+}
+
+/// Whether the page loads nothing from elsewhere: no source and no style sheet by address.
+fn has_no_address(page: &Path) -> anyhow::Result<bool> {
+    let text = std::fs::read_to_string(page)?;
+    let loaded = ["src=\"http", "src=\"//", "<link", "@import"].into_iter().find(|part| text.contains(part));
+    if let Some(part) = loaded {
+        println!("the page loads something: {part}");
+    }
+    Ok(loaded.is_none())
+}

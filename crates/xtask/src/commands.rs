@@ -1,0 +1,94 @@
+//! Checks of the whole command: what the README says to type, and every example.
+//!
+//! Next door: the other checks (`test`), how long commands take (`bench`).
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+use anyhow::{Context, bail};
+
+use crate::{cargo, root};
+
+/// How the README calls the command from a checkout.
+const PREFIX: &str = "cargo run --release -- ";
+
+/// The release build of the command.
+pub fn executable() -> anyhow::Result<PathBuf> {
+    if !cargo(&["build", "--release", "--package", "coilsense-cli"]).status()?.success() {
+        bail!("the release build failed");
+    }
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    Ok(target.join("release/coilsense"))
+}
+
+/// Every example's spec.
+pub fn examples() -> anyhow::Result<Vec<PathBuf>> {
+    let files = std::fs::read_dir(root().join("examples")).context("examples cannot be read")?;
+    let paths = files.map(|file| Ok(file?.path())).collect::<anyhow::Result<Vec<_>>>()?;
+    let mut specs: Vec<PathBuf> =
+        paths.into_iter().filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    specs.sort();
+    if specs.is_empty() {
+        bail!("no example is there");
+    }
+    Ok(specs)
+}
+
+/// Types the README's commands in a folder of their own that has the examples; whether all of them succeed.
+pub fn readme() -> anyhow::Result<bool> {
+    let executable = executable()?;
+    let place = tempfile::tempdir()?;
+    copy_examples(&place.path().join("examples"))?;
+    let text = std::fs::read_to_string(root().join("README.md")).context("README.md cannot be read")?;
+    let lines = text.lines().filter_map(|line| line.strip_prefix(PREFIX));
+    let mut typed = 0;
+    for line in lines {
+        let words = line.split('#').next().unwrap_or_default().split_whitespace();
+        println!("coilsense {}", line.trim_end());
+        if !Command::new(&executable).args(words).current_dir(place.path()).status()?.success() {
+            return Ok(false);
+        }
+        typed += 1;
+    }
+    println!("{typed} commands of the README");
+    Ok(typed > 0)
+}
+
+/// Runs `spring`, `simulate` and `analyze` on every example; whether all succeed and leave what they should.
+pub fn every_example() -> anyhow::Result<bool> {
+    let executable = executable()?;
+    let place = tempfile::tempdir()?;
+    for spec in examples()? {
+        let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default().to_owned();
+        println!("== {name}");
+        let run = |arguments: &[&str]| -> anyhow::Result<bool> {
+            let begun = Instant::now();
+            let mut command = Command::new(&executable);
+            command.arg(arguments[0]).arg(&spec).args(&arguments[1..]).current_dir(place.path());
+            let success = command.status()?.success();
+            println!("({} took {:.2} s)", arguments[0], begun.elapsed().as_secs_f64());
+            Ok(success)
+        };
+        let series = format!("{name}.parquet");
+        if !(run(&["spring"])? && run(&["simulate", "--out", &series])? && run(&["analyze", "--out", &name])?) {
+            return Ok(false);
+        }
+        let made = ["report.html", "results.json", "signals.parquet"].map(|file| place.path().join(&name).join(file));
+        if let Some(missing) = made.iter().find(|path| !path.is_file()) {
+            bail!("{} is missing", missing.display());
+        }
+    }
+    Ok(true)
+}
+
+fn copy_examples(to: &Path) -> anyhow::Result<()> {
+    std::fs::create_dir_all(to)?;
+    for file in std::fs::read_dir(root().join("examples")).context("examples cannot be read")? {
+        let path = file?.path();
+        if let (true, Some(name)) = (path.is_file(), path.file_name()) {
+            std::fs::copy(&path, to.join(name))?;
+        }
+    }
+    Ok(())
+}
