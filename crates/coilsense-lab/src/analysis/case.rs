@@ -94,7 +94,7 @@ impl Case {
             readings: sensors.iter().enumerate().map(read).collect::<Result<_, _>>()?,
             ideal,
             spectra,
-            clash: Clash::seen(&motion, &times, &windings)?,
+            clash: Clash::seen(&motion, &times, &windings, spec.spring.contact_pitch())?,
             lengths: lengths(&signals)?,
             frames: Frames::of(&windings, &times, judged.start, 1.0 / spring.surge_frequency()),
             signals,

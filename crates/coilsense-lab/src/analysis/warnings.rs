@@ -83,7 +83,7 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
         spec.mount.cases[nearest.damping].label,
         1e3 * nearest.clash.smallest_pitch,
         nearest.clash.time,
-        1e3 * nearest.clash.wire_diameter,
+        1e3 * nearest.clash.contact_pitch,
     );
     Some(Warning { subject: Subject::Clash, text })
 }

@@ -34,7 +34,7 @@ pub(super) fn on_every_mount(spring: &Spring, own: FarEnd) -> Result<Vec<MountFr
     let mut mounts =
         vec![("both ends held".to_owned(), FarEnd::Position), ("end 2 free (under a force)".to_owned(), FarEnd::Force)];
     match own {
-        FarEnd::Mass(end_mass) => mounts.push((format!("end mass of {:.4} kg", end_mass), own)),
+        FarEnd::Mass(end_mass) => mounts.push((format!("end mass of {end_mass} kg"), own)),
         _ => {
             mounts.push(("end mass as heavy as the spring".to_owned(), FarEnd::Mass(mass)));
             mounts.push(("end mass three times the spring".to_owned(), FarEnd::Mass(3.0 * mass)));
@@ -62,7 +62,7 @@ fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool)
     })
 }
 
-/// A motion that the axial model leaves out; both ends held.
+/// A motion that the axial model leaves out: ends held in place, free to tilt.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Neighbour {
     /// `torsional` or `lateral`.

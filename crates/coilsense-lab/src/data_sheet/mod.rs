@@ -10,7 +10,7 @@ pub use rows::Row;
 
 use coilsense::Error;
 
-use crate::spec::Spec;
+use crate::spec::{Spec, SpringSpec};
 
 /// The data sheet of a spec's spring.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +27,42 @@ pub struct DataSheet {
     pub neighbours: Vec<Neighbour>,
     /// Length with all windings touching \[m\].
     pub solid_length: f64,
+    /// What does not fit together, a sentence each.
+    pub doubts: Vec<String>,
+}
+
+/// From so large a departure on, stiffness or mass are not those of the wire, coil and material that the spec names.
+const DOUBTFUL: f64 = 0.05;
+
+/// What does not fit together in a spring.
+fn doubts(spring: &SpringSpec, solid: f64) -> Vec<String> {
+    let mut doubts = Vec::new();
+    let shortest = spring.spring.operating_range().0;
+    if shortest < solid * (1.0 - 1e-9) {
+        let text = format!(
+            "the shortest length in use, {:.2} mm, is below the solid length of {:.2} mm: the windings touch before it is reached.",
+            1e3 * shortest,
+            1e3 * solid
+        );
+        doubts.push(text);
+    }
+    let both = [
+        ("k", spring.geometry.stiffness(), spring.spring.stiffness(), 1.0, "N/m"),
+        ("m", spring.geometry.active_mass(), spring.spring.mass(), 1e3, "g"),
+    ];
+    for (letter, wound, given, scale, unit) in both {
+        let departure = wound / given - 1.0;
+        if departure.abs() > DOUBTFUL {
+            doubts.push(format!(
+                "wire, coil and {} would give {letter} = {:.4} {unit}, {:+.0} % from the {:.4} {unit} given: another material, or another coil?",
+                spring.material,
+                scale * wound,
+                100.0 * departure,
+                scale * given
+            ));
+        }
+    }
+    doubts
 }
 
 impl DataSheet {
@@ -37,8 +73,7 @@ impl DataSheet {
     pub fn of(spec: &Spec) -> Result<Self, Error> {
         let spring = &spec.spring;
         let assumed = if spring.material_is_given { "" } else { " (assumed)" };
-        // A spring by values tells of its active windings only; by geometry, end windings count too.
-        let solid = if spring.by_geometry { spring.geometry.solid_length() } else { spring.spring.solid_length() };
+        let solid = spring.solid_length();
         Ok(Self {
             name: spring.name.clone(),
             material: format!("{}{assumed}", spring.material),
@@ -46,6 +81,7 @@ impl DataSheet {
             surge: frequencies::on_every_mount(&spring.spring, spec.mount.far_end())?,
             neighbours: frequencies::neighbours(spring)?,
             solid_length: solid,
+            doubts: doubts(spring, solid),
         })
     }
 
@@ -60,7 +96,7 @@ impl DataSheet {
             if let Some((frequency, place)) = lowest.filter(|(frequency, _)| *frequency < first) {
                 sentences.push(format!(
                     "{name} motion starts at about {frequency:.0} Hz {place}, below the first axial mode of {first:.1} Hz: the axial \
-                     model leaves it out."
+                     model leaves it out (an estimate)."
                 ));
             }
         }

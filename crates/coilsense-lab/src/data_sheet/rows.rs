@@ -96,7 +96,7 @@ fn of_spring(spec: &SpringSpec) -> Vec<Row> {
 fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
     let spring = &spec.spring;
     let (shortest, longest) = spring.operating_range();
-    let speed = |length: f64| (length - spring.solid_length()) / spring.transit_time();
+    let speed = |length: f64| (length - solid_length) / spring.transit_time();
     let mut rows = vec![Row::new("rest_length_m", "l0, length without force", spec.closed_length, MM, "mm")];
     if spec.initial_tension > 0.0 {
         let label = "l0 − F_0/k, where the line of force crosses zero";
@@ -109,7 +109,7 @@ fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
         Row::new(
             "gap_at_min_length_m",
             "gap from wire to wire at the shortest length",
-            spring.pitch_at(shortest) - spring.wire_diameter(),
+            (shortest - solid_length) / spring.windings(),
             MM,
             "mm",
         ),

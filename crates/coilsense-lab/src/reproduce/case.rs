@@ -175,7 +175,7 @@ impl CaseResult {
                 self.title(),
                 1e3 * self.clash.smallest_pitch,
                 self.clash.time,
-                1e3 * self.clash.wire_diameter,
+                1e3 * self.clash.contact_pitch,
             ));
         }
         warnings

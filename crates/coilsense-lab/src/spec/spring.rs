@@ -69,6 +69,20 @@ impl SpringSpec {
         Self::parse(&path.display().to_string(), &read_text(path)?)
     }
 
+    /// Length with all windings touching \[m\]: of a compression spring by geometry with its end windings, else N · 2ρ.
+    pub fn solid_length(&self) -> f64 {
+        match self.by_geometry && !self.geometry.parameters().end_type.is_extension() {
+            true => self.geometry.solid_length(),
+            false => self.spring.solid_length(),
+        }
+    }
+
+    /// Distance between neighbours of the chain at which windings touch \[m\]: l_s over the chain's masses, since its pitch is the length
+    /// over its masses, dead end windings included.
+    pub fn contact_pitch(&self) -> f64 {
+        self.solid_length() / self.spring.chain_masses() as f64
+    }
+
     /// Reads the table `[spring]`.
     pub(super) fn of(section: &Section<'_>) -> Result<Self, SpecError> {
         let by_geometry = section.first_of(&["wire_diameter", "coil_diameter"]).is_some();

@@ -14,8 +14,8 @@ pub struct Clash {
     pub time: f64,
     /// The lower-numbered of the two windings, 1…N−1.
     pub winding: usize,
-    /// 2ρ: at this pitch windings touch \[m\].
-    pub wire_diameter: f64,
+    /// At this pitch windings touch \[m\]: 2ρ, or what [`Clash::seen`] was told.
+    pub contact_pitch: f64,
     /// First time at which they touch \[s\]; `None` where they stay clear.
     pub first_contact: Option<f64>,
 }
@@ -34,27 +34,31 @@ impl Clash {
     pub fn of(motion: &Motion, times: &[f64]) -> Result<Self, Error> {
         crate::error::at_least_one("times", times.len())?;
         let times = crate::signals::increasing(times)?;
-        Self::seen(motion, times, &motion.windings(times)?)
+        Self::seen(motion, times, &motion.windings(times)?, motion.spring().wire_diameter())
     }
 
-    /// The same where the positions at `times` are at hand: `windings` of [`Motion::windings`].
+    /// The same where the positions at `times` are at hand (`windings` of [`Motion::windings`]) and contact is at another pitch than 2ρ:
+    /// a spring whose length counts dead end windings has p = l/N larger than the pitch of its active ones, and touches at
+    /// p = l_s/N with l_s its solid length.
+    ///
+    /// - `contact_pitch`: \[m\], above zero
     ///
     /// # Errors
-    /// [`Error::Count`] where there is not one time for each sample of the positions.
-    pub fn seen(motion: &Motion, times: &[f64], windings: &Windings) -> Result<Self, Error> {
+    /// [`Error::Count`] where there is not one time for each sample of the positions; [`Error::Value`] for a pitch that is not above zero.
+    pub fn seen(motion: &Motion, times: &[f64], windings: &Windings, contact_pitch: f64) -> Result<Self, Error> {
         crate::error::count("times", times.len(), windings.samples())?;
-        let wire_diameter = motion.spring().wire_diameter();
+        crate::error::above_zero("contact pitch", contact_pitch, "m")?;
         let mut clash =
-            Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, wire_diameter, first_contact: None };
+            Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact: None };
         for (sample, &time) in times.iter().enumerate() {
             let (pitch, winding) = smallest_pitch(windings.row(sample));
             if pitch < clash.smallest_pitch {
                 (clash.smallest_pitch, clash.winding, clash.time) = (pitch, winding, time);
             }
-            if pitch < wire_diameter && clash.first_contact.is_none() {
+            if pitch < contact_pitch && clash.first_contact.is_none() {
                 clash.first_contact = Some(match sample {
                     0 => time,
-                    _ => contact_between(motion, times[sample - 1], time)?,
+                    _ => contact_between(motion, contact_pitch, times[sample - 1], time)?,
                 });
             }
         }
@@ -68,12 +72,12 @@ impl Clash {
 
     /// Smallest distance between the wires' surfaces \[m\], below zero where they would overlap.
     pub fn clearance(&self) -> f64 {
-        self.smallest_pitch - self.wire_diameter
+        self.smallest_pitch - self.contact_pitch
     }
 }
 
 /// Bisects the moment of contact between a time without and a time with it.
-fn contact_between(motion: &Motion, clear: f64, touching: f64) -> Result<f64, Error> {
+fn contact_between(motion: &Motion, contact_pitch: f64, clear: f64, touching: f64) -> Result<f64, Error> {
     let (mut clear, mut touching) = (clear, touching);
     while touching - clear > 1e-12 {
         let middle = 0.5 * (clear + touching);
@@ -81,7 +85,7 @@ fn contact_between(motion: &Motion, clear: f64, touching: f64) -> Result<f64, Er
             break;
         }
         let windings: Windings = motion.windings(&[middle])?;
-        if smallest_pitch(windings.row(0)).0 < motion.spring().wire_diameter() {
+        if smallest_pitch(windings.row(0)).0 < contact_pitch {
             touching = middle;
         } else {
             clear = middle;

@@ -149,7 +149,7 @@ fn surge_lines(analysis: &Analysis) -> Vec<f64> {
 }
 
 /// How far each winding is from where it would lie in a spring without mass, over time.
-pub(super) fn map(case: &Case, wire_diameter: f64) -> Option<Figure> {
+pub(super) fn map(case: &Case) -> Option<Figure> {
     let frames = &case.frames;
     let (masses, count) = (frames.columns - 2, frames.times.len());
     if masses < 2 || count < 2 {
@@ -162,7 +162,7 @@ pub(super) fn map(case: &Case, wire_diameter: f64) -> Option<Figure> {
     let touches = |winding: usize, frame: usize| {
         let row = frames.row(frame);
         // Pitches stand between x_i and x_{i+1}; a winding touches where either of its pitches does.
-        let close = |left: usize| (1..masses).contains(&left) && row[left + 1] - row[left] < wire_diameter;
+        let close = |left: usize| (1..masses).contains(&left) && row[left + 1] - row[left] < case.clash.contact_pitch;
         close(winding) || close(winding + 1)
     };
     let cells: Vec<bool> = (0..masses)

@@ -27,7 +27,7 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         spring => &spec.spring.name,
         file => file_name(&spec.file),
         text => &spec.text,
-        answer => answer(analysis),
+        answer => answer(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
         goal => goal(analysis),
         warnings => analysis.warnings.iter().map(|warning| warning.text.clone()).collect::<Vec<_>>(),
         ranking => drawn("ranking", &figures::ranking(analysis))?,
@@ -66,6 +66,17 @@ const VIEWER: &str = concat!(
     include_str!("../viewer/spring.js"),
     include_str!("../viewer/choice.js"),
 );
+
+/// A sentence whose numbers stay with their units, and `ζ = 0.02` in one piece, where a line ends.
+fn unbroken(text: &str) -> String {
+    let mut together = text.replace("ζ = ", "ζ\u{a0}=\u{a0}");
+    for unit in ["N", "%", "Hz", "ms"] {
+        for digit in '0'..='9' {
+            together = together.replace(&format!("{digit} {unit}"), &format!("{digit}\u{a0}{unit}"));
+        }
+    }
+    together
+}
 
 /// A file's own name: where it lay is the reader's matter, and would differ from machine to machine.
 fn file_name(path: &str) -> &str {
@@ -198,8 +209,7 @@ fn figures_of(analysis: &Analysis, condition: usize) -> Result<Value, ReportErro
     let shown = 0;
     let spectrum = figures::spectra(analysis, condition, shown);
     let spectrum = spectrum.map(|figure| drawn(&format!("spectrum of {name}"), &figure)).transpose()?;
-    let wire = analysis.spec.spring.spring.wire_diameter();
-    let map = analysis.case(condition, shown).and_then(|case| figures::map(case, wire));
+    let map = analysis.case(condition, shown).and_then(figures::map);
     let map = map.map(|figure| drawn(&format!("map of {name}"), &figure)).transpose()?;
     Ok(context! { name, damping => &analysis.spec.mount.cases[shown].label, spectrum, map })
 }
@@ -230,7 +240,7 @@ fn surge(analysis: &Analysis) -> Vec<Value> {
 fn neighbours(analysis: &Analysis) -> Vec<Value> {
     let one = |neighbour: &crate::data_sheet::Neighbour| {
         let shown =
-            neighbour.frequency_hz.map_or_else(|| "buckles".to_owned(), |frequency| format!("{frequency:.1} Hz"));
+            neighbour.frequency_hz.map_or_else(|| "may buckle".to_owned(), |frequency| format!("{frequency:.1} Hz"));
         context! { name => format!("{} {}", neighbour.name, neighbour.place), shown }
     };
     analysis.data_sheet.neighbours.iter().map(one).collect()

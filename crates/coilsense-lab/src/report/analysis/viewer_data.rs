@@ -113,7 +113,8 @@ fn windings(analysis: &Analysis, case: &Case) -> Value {
         "frames": frames.times.len(),
         "start_s": frames.times[0],
         "step_s": frames.times[1] - frames.times[0],
-        "wire_diameter_m": spring.wire_diameter(),
+        // What the viewer draws is the chain, whose windings touch at this distance.
+        "wire_diameter_m": case.clash.contact_pitch,
         "coil_radius_m": spring.coil_radius(),
         "metres_per_unit": unit,
         "zero_m": zero,

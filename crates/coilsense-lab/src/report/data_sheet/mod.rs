@@ -19,7 +19,8 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
     for (heading, rows) in &sheet.groups {
         let _ = writeln!(text, "\n{BOLD}{heading}{BOLD:#}");
         for row in rows {
-            let _ = writeln!(text, "  {:50}{:>12} {}", row.label, row.shown(), row.unit);
+            let line = format!("  {:50}{:>12} {}", row.label, row.shown(), row.unit);
+            let _ = writeln!(text, "{}", line.trim_end());
         }
     }
     let _ = writeln!(text, "\n{BOLD}Surge frequencies{BOLD:#}, chain of windings (continuous coil), Hz");
@@ -31,12 +32,16 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
         let _ = writeln!(text, "{star} {:34}{modes}{rule}", mount.mount);
     }
     let _ = writeln!(text, "  * the spec's own mount");
-    let _ = writeln!(text, "\n{BOLD}Neighbours{BOLD:#} that the axial model leaves out, both ends held, estimates");
+    let _ = writeln!(
+        text,
+        "\n{BOLD}Neighbours{BOLD:#} that the axial model leaves out (estimates; ends held in place, free to tilt)"
+    );
     for neighbour in &sheet.neighbours {
-        let shown = neighbour.frequency_hz.map_or_else(|| "buckles".to_owned(), |frequency| format!("{frequency:.1}"));
-        let _ = writeln!(text, "  {:50}{shown:>12} Hz", format!("{} {}", neighbour.name, neighbour.place));
+        let shown =
+            neighbour.frequency_hz.map_or_else(|| "may buckle".to_owned(), |frequency| format!("{frequency:.1} Hz"));
+        let _ = writeln!(text, "  {:50}{shown:>15}", format!("{} {}", neighbour.name, neighbour.place));
     }
-    for warning in sheet.neighbour_warnings() {
+    for warning in sheet.doubts.iter().cloned().chain(sheet.neighbour_warnings()) {
         let _ = writeln!(text, "{MARK}Warning:{MARK:#} {warning}");
     }
     text
@@ -72,6 +77,9 @@ pub(super) fn data_sheet_value(sheet: &DataSheet) -> Value {
         |neighbour| json!({ "name": neighbour.name, "place": neighbour.place, "frequency_hz": neighbour.frequency_hz }),
     );
     object.insert("neighbours".into(), neighbours.collect());
-    object.insert("warnings".into(), json!(sheet.neighbour_warnings()));
+    object.insert(
+        "warnings".into(),
+        json!(sheet.doubts.iter().cloned().chain(sheet.neighbour_warnings()).collect::<Vec<_>>()),
+    );
     Value::Object(object)
 }
