@@ -19,7 +19,8 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
     for (heading, rows) in &sheet.groups {
         let _ = writeln!(text, "\n{BOLD}{heading}{BOLD:#}");
         for row in rows {
-            let _ = writeln!(text, "  {:50}{:>12} {}", row.label, row.shown(), row.unit);
+            let line = format!("  {:50}{:>12} {}", row.label, row.shown(), row.unit);
+            let _ = writeln!(text, "{}", line.trim_end());
         }
     }
     let _ = writeln!(text, "\n{BOLD}Surge frequencies{BOLD:#}, chain of windings (continuous coil), Hz");
