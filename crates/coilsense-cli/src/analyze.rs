@@ -28,9 +28,10 @@ pub struct Arguments {
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let begun = Instant::now();
-    let mut output = Output::begin(&arguments.out)?;
     let spec = Spec::read(&arguments.spec)?;
+    // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("simulating")?;
+    let mut output = Output::begin(&arguments.out)?;
     let analysis = Analysis::run(spec, &|done, of| watch.tell(done, of))?;
     let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
     add_analysis(&analysis, &date, &mut output)?;

@@ -5,9 +5,12 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::ValueEnum;
+use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_reproduction, reproduction_text};
 use coilsense_lab::reproduce::{PaperSprings, Protocol, reproduce};
+
+use crate::progress::Watch;
 
 /// Options of `coilsense reproduce`.
 #[derive(clap::Args)]
@@ -47,9 +50,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Some(folder) => PaperSprings::read(folder)?,
         None => PaperSprings::built_in()?,
     };
+    let watch = Watch::begin("reproducing")?;
     let mut output = Output::begin(&arguments.out)?;
     let reproduction = reproduce(springs, arguments.protocol.protocols())?;
     add_reproduction(&reproduction, &mut output)?;
+    if watch.is_stopped() {
+        return Err(AnalysisError::Interrupted.into());
+    }
     let files = output.commit()?;
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early (`| head`) has all it wants: the files are written.

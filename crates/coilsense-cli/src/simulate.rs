@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Several conditions or dampings make one CSV each, named FILE-<condition>-<damping>.csv
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// Put everything into one CSV, with the columns condition and damping in front
+    /// Put everything into one CSV, with the columns condition and damping in front where there are several
     #[arg(long)]
     one_file: bool,
 }
@@ -34,9 +34,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let known = Format::ALL.iter().map(|(ending, _)| *ending).collect::<Vec<_>>().join(", ");
     let wrong = || format!("{}: must end in one of {known}", arguments.out.display());
     let format = Format::of_ending(&ending).with_context(wrong)?;
-    let mut output = Output::begin(&folder)?;
     let spec = Spec::read(&arguments.spec)?;
+    // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("simulating")?;
+    let mut output = Output::begin(&folder)?;
     let cases = simulate(&spec, &|done, of| watch.tell(done, of))?;
     let runs: Vec<Run<'_>> = cases.iter().map(|case| case.series(&spec, &spec.sensors)).collect();
     let apart = format == Format::Csv && runs.len() > 1 && !arguments.one_file;

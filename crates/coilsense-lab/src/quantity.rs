@@ -87,7 +87,9 @@ impl Dimension {
     /// The units it may be written in, the SI unit first.
     fn units(self) -> &'static [Unit] {
         match self {
-            Self::Length => &[("m", Ten(0)), ("cm", Ten(-2)), ("mm", Ten(-3)), ("um", Ten(-6)), ("µm", Ten(-6))],
+            Self::Length => {
+                &[("m", Ten(0)), ("cm", Ten(-2)), ("mm", Ten(-3)), ("um", Ten(-6)), ("µm", Ten(-6)), ("nm", Ten(-9))]
+            }
             Self::Mass => &[("kg", Ten(0)), ("g", Ten(-3)), ("mg", Ten(-6))],
             Self::Stiffness => &[("N/m", Ten(0)), ("kN/m", Ten(3)), ("N/mm", Ten(3))],
             Self::Force => &[("N", Ten(0)), ("kN", Ten(3)), ("mN", Ten(-3))],
@@ -108,7 +110,15 @@ impl Dimension {
         }
     }
 
-    /// What a value of this dimension looks like, for error texts: `a length with its unit (m, cm, mm, um, µm)`.
+    /// The symbol of its SI unit; a share's is that of all.
+    pub fn si_unit(self) -> &'static str {
+        match self {
+            Self::Share => "",
+            _ => self.units().first().map_or("", |(symbol, _)| symbol),
+        }
+    }
+
+    /// What a value of this dimension looks like, for error texts: `a length with its unit (m, cm, mm, um, µm, nm)`.
     pub fn expectation(self) -> String {
         let symbols: Vec<&str> = self.units().iter().map(|(symbol, _)| *symbol).collect();
         format!("{} with its unit ({})", self.name(), symbols.join(", "))

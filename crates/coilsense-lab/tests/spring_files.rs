@@ -75,8 +75,12 @@ fn each_fault_is_named_with_its_place_and_value() {
             "max_length = \"190 mm\"",
             "S.toml:13: max_length = \"190 mm\": max length must be above the min length of 0.196 m, got 0.19 m",
         ),
-        ("name", "name = \"\"", "S.toml:5: name = \"\": must be a text in quotes"),
-        ("name", "", "S.toml:4: [spring] lacks the key \"name\": a text in quotes"),
+        ("name", "name = \"\"", "S.toml:5: name = \"\": must be a text in quotes, on one line, of 1 to 200 characters"),
+        (
+            "name",
+            "",
+            "S.toml:4: [spring] lacks the key \"name\": a text in quotes, on one line, of 1 to 200 characters",
+        ),
     ];
     for (key, line, expected) in cases {
         assert_eq!(refusal(&with(key, line)), expected);
@@ -91,7 +95,7 @@ fn an_unknown_key_is_named_with_the_nearest_known_one() {
         "{message}"
     );
     let message = refusal("[sprung]\nname = \"x\"");
-    assert!(message.starts_with("S.toml:1: unknown key \"sprung\"; did you mean \"spring\"?"), "{message}");
+    assert!(message.starts_with("S.toml:1: unknown table \"sprung\"; did you mean \"spring\"?"), "{message}");
 }
 
 #[test]

@@ -43,9 +43,13 @@ pub enum Error {
     MissingSignal(&'static str),
 }
 
+/// Above this a number is written with an exponent.
+const LONGEST: f64 = 1e15;
+
 /// `value unit`, without a trailing blank where there is no unit.
 fn number(value: f64, unit: &str) -> String {
-    if unit.is_empty() { format!("{value}") } else { format!("{value} {unit}") }
+    let value = if value.is_finite() && value.abs() > LONGEST { format!("{value:e}") } else { format!("{value}") };
+    if unit.is_empty() { value } else { format!("{value} {unit}") }
 }
 
 /// What a spring, a drive or a time can be in SI units: far beyond every spring, and far from where squares overflow.
@@ -58,7 +62,7 @@ pub(crate) fn above_zero(quantity: &'static str, value: f64, unit: &'static str)
     if (1.0 / LARGEST..=LARGEST).contains(&value) {
         return Ok(value);
     }
-    check(false, quantity, value, unit, format!("from {:e} to {LARGEST:e} {unit}", 1.0 / LARGEST))
+    check(false, quantity, value, unit, format!("from {:e} to {LARGEST:e} {unit}", 1.0 / LARGEST).trim_end().to_owned())
 }
 
 /// Lets through a finite value.

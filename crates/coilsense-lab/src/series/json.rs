@@ -6,7 +6,7 @@ use std::io;
 
 use serde_json::{Map, Value, json};
 
-use super::{Column, Run};
+use super::{Column, Run, key_of};
 
 /// `{"schema": …, "runs": [{"condition", "damping", "columns": {"time_s": […], …}}]}`.
 pub(super) fn write(runs: &[Run<'_>], out: &mut impl io::Write) -> io::Result<()> {
@@ -21,9 +21,7 @@ pub(super) fn write(runs: &[Run<'_>], out: &mut impl io::Write) -> io::Result<()
     writeln!(out, "]}}")
 }
 
-/// `f_i_n`: the name in snake case with its unit behind.
+/// `f_i_n`: the name as a key with its unit behind.
 fn key(column: &Column<'_>) -> String {
-    let plain = |c: char| if c.is_alphanumeric() { c } else { '_' };
-    let name: String = column.name.to_lowercase().chars().map(plain).collect();
-    format!("{name}_{}", column.unit.to_lowercase())
+    format!("{}_{}", key_of(&column.name), column.unit.to_lowercase())
 }

@@ -87,6 +87,12 @@ impl<'a> Column<'a> {
     }
 }
 
+/// A name in snake case, as JSON's keys have it: two columns of one unit must differ in it.
+pub(crate) fn key_of(name: &str) -> String {
+    let plain = |c: char| if c.is_alphanumeric() { c } else { '_' };
+    name.to_lowercase().chars().map(plain).collect()
+}
+
 /// Writes runs, which all have the same columns. CSV of a single run has numbers only; of several, `condition` and `damping` come first, as
 /// they always do in Parquet.
 ///

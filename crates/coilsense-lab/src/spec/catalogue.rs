@@ -6,8 +6,9 @@ use coilsense::geometry::MaterialParameters;
 use serde::Deserialize;
 
 use super::SpecError;
-use super::section::Document;
-use super::sensor::{Quantity, SensorSpec};
+use super::document::Document;
+use super::measurand::Quantity;
+use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
 
 /// The material of a spec that names none.

@@ -5,10 +5,12 @@
 use coilsense::excitation::traverse_velocity;
 use coilsense::{EndInput, Error, Excitation, FarEnd, Spring, Start, VelocityProfile};
 
+use super::document::Document;
 use super::drive::{self, Drive};
+use super::mount::MountSpec;
 use super::recorded::Recorded;
-use super::section::{Document, Section};
-use super::{Files, SpecError};
+use super::section::Section;
+use super::{Files, SpecError, size};
 use crate::quantity::Dimension;
 
 /// Every kind of condition, by its word in a spec.
@@ -33,14 +35,10 @@ pub struct ConditionSpec {
     pub remarks: Vec<String>,
 }
 
-/// Most samples of one condition, and most winding positions: what fits into memory and into a minute.
-const MOST_SAMPLES: f64 = 5e6;
-const MOST_POSITIONS: f64 = 2e8;
-
 /// What conditions are read against.
 pub(super) struct Setting<'a> {
     pub spring: &'a Spring,
-    pub far_end: FarEnd,
+    pub mount: &'a MountSpec,
     pub files: &'a Files<'a>,
 }
 
@@ -57,6 +55,7 @@ impl ConditionSpec {
                 return Err(section.refuse("name", text));
             }
             conditions.push(condition);
+            size::check_total(&section, setting, &conditions)?;
         }
         Ok(conditions)
     }
@@ -69,8 +68,8 @@ impl ConditionSpec {
         let told = section.above_zero("duration", Dimension::Time)?;
         let duration = told.or(recorded.as_ref().map(Recorded::duration)).unwrap_or(1.0);
         let sample_rate = section.above_zero("sample_rate", Dimension::Frequency)?.unwrap_or(10_000.0);
-        let window = window(section, duration)?;
-        check_size(section, setting, duration * sample_rate)?;
+        size::check(section, setting, duration * sample_rate)?;
+        let window = size::window(section, duration, sample_rate)?;
         let remarks = recorded.as_ref().map_or_else(Vec::new, |recorded| recorded.remarks.clone());
         let excitation = match kind {
             "impact" | "end-stop" => moving(section, setting, kind)?,
@@ -94,10 +93,9 @@ fn moving(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Ex
         None if kind == "impact" => VelocityProfile::Uniform,
         None => VelocityProfile::Linear,
     };
-    let velocity = section.optional_quantity("velocity", Dimension::Velocity)?;
     let (length, velocity) = if kind == "impact" {
-        section.quantity("velocity", Dimension::Velocity)?;
-        (length(section, spring)?.unwrap_or(spring.mid_length()), velocity.unwrap_or_default())
+        let velocity = section.quantity("velocity", Dimension::Velocity)?;
+        (length(section, spring)?.unwrap_or(spring.mid_length()), velocity)
     } else {
         let (shortest, longest) = spring.operating_range();
         let (end, sign) = if section.word("at", &["min", "max"])? == "max" { (longest, 1.0) } else { (shortest, -1.0) };
@@ -121,16 +119,22 @@ fn driven(
         Some("massless") => Start::Massless,
         _ => Start::Rest,
     };
-    let [one, two] = match recorded {
-        Some(recorded) => recorded.inputs,
-        None => Drive { section, setting, duration }.inputs(kind)?,
+    let ([one, two], least) = match recorded {
+        Some(recorded) => (recorded.inputs, recorded.shortest),
+        None => {
+            let inputs = Drive { section, setting, duration }.inputs(kind)?;
+            let least = drive::least(&inputs);
+            (inputs, least)
+        }
     };
     let excitation = Excitation::new(length, one, two, start).map_err(|error| refuse(section, &error))?;
-    let shortest = excitation.length_bounds().0;
-    if setting.far_end == FarEnd::Position && shortest <= 0.0 {
+    let shortest = length + least;
+    if setting.mount.far_end() == FarEnd::Position && shortest <= 0.0 {
         let key = section.first_of(&["amplitude", "file", "length"]).unwrap_or("length");
         let text = format!(
-            "the ends meet: length {length} m less the ends' motion leaves {shortest} m; it must stay above zero"
+            "the ends meet: of a mean length of {:.3} mm the ends' motion leaves {:.3} mm; it must stay above zero",
+            1e3 * length,
+            1e3 * shortest
         );
         return Err(section.refuse(key, text));
     }
@@ -152,32 +156,6 @@ fn length(section: &Section<'_>, spring: &Spring) -> Result<Option<f64>, SpecErr
     let Some((dimension, value)) = given else { return Ok(None) };
     let length = if dimension == Dimension::Share { shortest + value * (longest - shortest) } else { value };
     section.check("length", length.is_finite() && length > 0.0, length, "above zero and finite").map(Some)
-}
-
-fn window(section: &Section<'_>, duration: f64) -> Result<(f64, f64), SpecError> {
-    let Some([(_, from), (_, to)]) = section.pair("window", &[Dimension::Time])? else {
-        return Ok((0.0, duration));
-    };
-    let holds = from >= 0.0 && to > from && to <= duration;
-    section.check(
-        "window",
-        holds,
-        from,
-        &format!("from 0 s up, not empty, and end within the duration of {duration} s"),
-    )?;
-    Ok((from, to))
-}
-
-fn check_size(section: &Section<'_>, setting: &Setting<'_>, samples: f64) -> Result<(), SpecError> {
-    let masses = setting.spring.chain_masses() as f64;
-    let most = MOST_SAMPLES.min(MOST_POSITIONS / masses);
-    if samples <= most && samples >= 8.0 {
-        return Ok(());
-    }
-    let key = section.first_of(&["sample_rate", "duration", "file"]).unwrap_or("duration");
-    let text =
-        format!("duration × sample_rate is {samples:.0} samples; from 8 to {most:.0} are taken with {masses} windings");
-    Err(section.refuse(key, text))
 }
 
 /// An error of the science at the key it is about.

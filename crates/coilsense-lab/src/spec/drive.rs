@@ -53,7 +53,7 @@ impl Drive<'_> {
     /// How far the end moves \[m\], or how far its force changes \[N\].
     fn amplitude(&self, end: u64) -> Result<f64, SpecError> {
         let spring = self.setting.spring;
-        let is_force = end == 2 && self.setting.far_end != FarEnd::Position;
+        let is_force = end == 2 && self.setting.mount.far_end() != FarEnd::Position;
         let native = if is_force { Dimension::Force } else { Dimension::Length };
         let (dimension, value) = self.section.any_quantity("amplitude", &[native, Dimension::Share])?;
         let (shortest, longest) = spring.operating_range();
@@ -69,14 +69,9 @@ impl Drive<'_> {
     }
 
     fn frequencies(&self) -> Result<[f64; 2], SpecError> {
-        let Some(pair) = self.section.pair("frequency", &FREQUENCY)? else {
-            return Err(self
-                .section
-                .refuse("frequency", "lacks: a list of two, from and to, such as [\"5 Hz\", \"1.2 f1\"]"));
-        };
-        let [from, to] = pair.map(|given| self.hertz(given));
-        let holds = [from, to].iter().all(|frequency| frequency.is_finite() && *frequency >= 0.0);
-        self.section.check("frequency", holds, from, "zero or above, and finite")?;
+        let [from, to] = self.section.pair("frequency", &FREQUENCY)?.map(|given| self.hertz(given));
+        let holds = [from, to].iter().all(|frequency| frequency.is_finite() && *frequency >= 0.0) && from.max(to) > 0.0;
+        self.section.check("frequency", holds, from, "zero or above, finite, and not both zero")?;
         Ok([from, to])
     }
 
@@ -94,9 +89,21 @@ impl Drive<'_> {
     }
 
     fn lasting(&self, key: &str) -> Result<f64, SpecError> {
-        self.section.quantity(key, Dimension::Time)?;
-        Ok(self.section.above_zero(key, Dimension::Time)?.unwrap_or_default())
+        self.section.positive(key, Dimension::Time)
     }
 }
 
 const FREQUENCY: [Dimension; 2] = [Dimension::Frequency, Dimension::SurgeMultiple];
+
+/// The least that u2 − u1 becomes \[m\], of inputs that are no recordings.
+pub(super) fn least(inputs: &[EndInput; 2]) -> f64 {
+    let of = |input: &EndInput, sign: f64| match input {
+        EndInput::Harmonics(each) => -each.iter().map(|sine| sine.amplitude.abs()).sum::<f64>(),
+        EndInput::Chirp { amplitude, .. } => -amplitude.abs(),
+        EndInput::Step { height, .. } | EndInput::Ramp { height, .. } | EndInput::HalfSine { height, .. } => {
+            (sign * height).min(0.0)
+        }
+        EndInput::Held | EndInput::Sampled(_) => 0.0,
+    };
+    of(&inputs[0], -1.0) + of(&inputs[1], 1.0)
+}

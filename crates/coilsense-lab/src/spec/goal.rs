@@ -5,7 +5,7 @@
 use coilsense::{Channel, Spring};
 
 use super::SpecError;
-use super::section::Document;
+use super::document::Document;
 use crate::quantity::Dimension;
 
 /// What the force signal should achieve.
@@ -42,6 +42,7 @@ impl Goal {
         };
         let (dimension, value) = section.any_quantity("error", &[Dimension::Force, Dimension::Share])?;
         section.check("error", value.is_finite() && value > 0.0, value, "above zero and finite")?;
+        section.check("error", value <= 1e9, value, "at most 1e9 N")?;
         let error = if dimension == Dimension::Share { value * spring.nominal_force() } else { value };
         let forces = [Channel::DeflectionForce, Channel::InputForce, Channel::OutputForce];
         let word = section.optional_word("force", &forces.map(Channel::name))?;
@@ -60,7 +61,11 @@ impl UncertaintySpec {
         let trials = section.optional_whole("trials", 1000, 10_000_000)?;
         Ok(Self {
             temperature_change: section
-                .not_negative("temperature_change", Dimension::Temperature)?
+                .optional_quantity("temperature_change", Dimension::Temperature)?
+                .map(|kelvin| {
+                    section.check("temperature_change", (0.0..=1000.0).contains(&kelvin), kelvin, "from 0 to 1000 K")
+                })
+                .transpose()?
                 .unwrap_or(UNSAID.temperature_change),
             coverage,
             trials: trials.map_or(UNSAID.trials, |trials| trials as usize),

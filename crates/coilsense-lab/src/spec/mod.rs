@@ -5,30 +5,39 @@
 
 mod catalogue;
 mod condition;
+mod document;
 mod drive;
 mod goal;
 mod keys;
+mod material;
+mod measurand;
 mod mount;
 mod recorded;
 mod section;
 mod sensor;
+mod size;
 mod spring;
 mod template;
+mod tolerance;
+mod value;
 
 pub use catalogue::{classes, materials};
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use goal::{Goal, UncertaintySpec};
 pub use keys::{Key, TABLES, Table, markdown};
+pub use measurand::{KINDS as SENSOR_KINDS, Quantity};
 pub use mount::{BAND, DampingCase, MountSpec};
-pub use sensor::{KINDS as SENSOR_KINDS, Quantity, SensorSpec};
+pub use sensor::SensorSpec;
 pub use spring::SpringSpec;
 pub use template::template;
 
 use std::fmt::Display;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use condition::Setting;
-use section::Document;
+use document::Document;
 
 /// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.
 pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
@@ -63,7 +72,7 @@ impl Spec {
         let document = Document::parse(file, text)?;
         let spring = SpringSpec::of(&document.section("spring")?)?;
         let mount = MountSpec::parse(&document, &spring.spring)?;
-        let setting = Setting { spring: &spring.spring, far_end: mount.far_end(), files };
+        let setting = Setting { spring: &spring.spring, mount: &mount, files };
         Ok(Self {
             conditions: ConditionSpec::parse_all(&document, &setting)?,
             sensors: SensorSpec::parse_all(&document, &spring)?,
@@ -84,15 +93,27 @@ impl Spec {
         let beside = path.parent().unwrap_or(Path::new("")).to_owned();
         let files = move |name: &str| {
             let path = beside.join(name);
-            std::fs::read_to_string(&path).map_err(|error| format!("{} cannot be read: {error}", path.display()))
+            bounded(&path, MOST_RECORDED).map_err(|error| format!("{} cannot be read: {error}", path.display()))
         };
         Self::parse(&path.display().to_string(), &read_text(path)?, &files)
     }
 }
 
-/// The text of a file, or why it cannot be had.
+/// Most bytes of a spec, which a person writes, and of a recorded file: an hour at 10 kHz.
+const MOST_WRITTEN: u64 = 1 << 20;
+const MOST_RECORDED: u64 = 1 << 30;
+
+/// The text of a spec file, or why it cannot be had.
 fn read_text(path: &Path) -> Result<String, SpecError> {
-    std::fs::read_to_string(path).map_err(|error| SpecError(format!("{}: cannot be read: {error}", path.display())))
+    bounded(path, MOST_WRITTEN).map_err(|error| SpecError(format!("{}: cannot be read: {error}", path.display())))
+}
+
+/// The text of a file of at most so many bytes: a wrong name may be that of a disk image, or of a device that never ends.
+fn bounded(path: &Path, most: u64) -> Result<String, String> {
+    let mut text = String::new();
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    let read = file.take(most + 1).read_to_string(&mut text).map_err(|error| error.to_string())?;
+    if read as u64 > most { Err(format!("it is larger than {} MiB", most >> 20)) } else { Ok(text) }
 }
 
 /// A name as part of a file's: lower case letters, digits and hyphens.
@@ -116,6 +137,11 @@ impl SpecError {
     fn or_also(self, allowed: &str) -> Self {
         Self(format!("{}, or {allowed}", self.0))
     }
+}
+
+/// A number as part of a name: its digits, or with an exponent where they would be many.
+fn plain(value: f64) -> String {
+    if value == 0.0 || (1e-6..1e7).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
 }
 
 /// `file:line: text`.

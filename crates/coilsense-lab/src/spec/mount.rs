@@ -5,8 +5,9 @@
 use coilsense::modes::ChainModes;
 use coilsense::{Damping, FarEnd, Mount, Spring};
 
-use super::SpecError;
-use super::section::{Document, Section};
+use super::document::Document;
+use super::section::Section;
+use super::{SpecError, plain};
 use crate::quantity::Dimension;
 
 /// Damping ratios for which results are given where a spec says nothing: none is the paper's case, and no measured range is known.
@@ -51,38 +52,70 @@ impl MountSpec {
         if let [first, second, ..] = given.as_slice() {
             return Err(section.refuse(second, format!("only one kind of damping can be given, and {first} is")));
         }
-        let one = |case: Result<DampingCase, coilsense::Error>, key: &str| {
-            let case = case.map_err(|error| section.refuse(key, error))?;
-            Ok(Self { cases: vec![case], is_band: false })
-        };
-        if let Some(rate) = section.not_negative("mass_damping", Dimension::Rate)? {
-            let label = format!("α = {rate} 1/s");
-            let damping = Damping::MassProportional { rate };
-            return one(DampingCase::of(label, format!("alpha-{rate}"), far_end, damping), "mass_damping");
-        }
-        if let Some(time) = section.not_negative("stiffness_damping", Dimension::Time)? {
-            let label = format!("β = {} µs", 1e6 * time);
-            let damping = Damping::StiffnessProportional { time };
-            return one(DampingCase::of(label, format!("beta-{time}"), far_end, damping), "stiffness_damping");
+        if let Some(case) = proportional(&section, spring, far_end)? {
+            return Ok(Self { cases: vec![case], is_band: false });
         }
         let given = section.optional_numbers("damping_ratio")?;
         let is_band = given.is_none();
-        let cases = given.unwrap_or(BAND.to_vec()).into_iter().map(|ratio| modal(&section, spring, far_end, ratio));
+        let ratios = given.unwrap_or(BAND.to_vec());
+        check_ratios(&section, &ratios)?;
+        let cases = ratios.into_iter().map(|ratio| modal(&section, spring, far_end, ratio));
         Ok(Self { cases: cases.collect::<Result<_, _>>()?, is_band })
     }
 }
 
 /// The highest damping ratio taken: a coil that hardly moves.
 const HIGHEST_RATIO: f64 = 10.0;
+/// Most dampings in a list: what a report can show, and what the seeds of sensor noise tell apart.
+const MOST_RATIOS: usize = 64;
+
+/// Each ratio is one that is taken, and gives results of its own name.
+fn check_ratios(section: &Section<'_>, ratios: &[f64]) -> Result<(), SpecError> {
+    for (index, ratio) in ratios.iter().enumerate() {
+        section.check("damping_ratio", (0.0..=HIGHEST_RATIO).contains(ratio), *ratio, "from 0 to 10")?;
+        if ratios[..index].contains(ratio) {
+            return Err(section.refuse("damping_ratio", format!("{} is there twice; give each once", ratio + 0.0)));
+        }
+    }
+    if ratios.len() > MOST_RATIOS {
+        let text = format!("must be at most {MOST_RATIOS} ratios, got {}", ratios.len());
+        return Err(section.refuse("damping_ratio", text));
+    }
+    Ok(())
+}
+
+/// Damping in proportion to mass or stiffness, where it is given.
+fn proportional(section: &Section<'_>, spring: &Spring, far_end: FarEnd) -> Result<Option<DampingCase>, SpecError> {
+    let lowest = ChainModes::mounted(spring, far_end).frequencies().first().copied().unwrap_or(f64::INFINITY);
+    let rounded = |value: f64| format!("{value:.4e}").parse().map_or_else(|_| plain(value), plain);
+    let (key, most, unit, case) = if let Some(rate) = section.not_negative("mass_damping", Dimension::Rate)? {
+        let label = format!("α = {} 1/s", plain(rate));
+        let case =
+            DampingCase::of(label, format!("alpha-{}", plain(rate)), far_end, Damping::MassProportional { rate });
+        ("mass_damping", 2.0 * HIGHEST_RATIO * lowest, (rate, "1/s"), case)
+    } else if let Some(time) = section.not_negative("stiffness_damping", Dimension::Time)? {
+        let label = format!("β = {} µs", plain(1e6 * time));
+        let case =
+            DampingCase::of(label, format!("beta-{}", plain(time)), far_end, Damping::StiffnessProportional { time });
+        ("stiffness_damping", 2.0 * HIGHEST_RATIO / lowest, (time, "s"), case)
+    } else {
+        return Ok(None);
+    };
+    if let Some(key) = section.first_of(&["first_mode_damping_ratio"]) {
+        return Err(section.refuse(key, "goes with damping_ratio only"));
+    }
+    let allowed = format!("at most {} {}, where the first mode's ζ is 10", rounded(most), unit.1);
+    section.check(key, unit.0 <= most, unit.0, &allowed)?;
+    case.map(Some).map_err(|error| section.refuse(key, error))
+}
 
 /// Damping by ratios: the same in every mode, but for the swing of an end mass where that is given.
 fn modal(section: &Section<'_>, spring: &Spring, far_end: FarEnd, ratio: f64) -> Result<DampingCase, SpecError> {
-    let allowed = |ratio: f64| (0.0..=HIGHEST_RATIO).contains(&ratio);
-    section.check("damping_ratio", allowed(ratio), ratio, "from 0 to 10")?;
     let damping = match section.optional_number("first_mode_damping_ratio")? {
         None => Damping::Modal(ratio),
         Some(first) => {
-            section.check("first_mode_damping_ratio", allowed(first), first, "from 0 to 10")?;
+            let holds = (0.0..=HIGHEST_RATIO).contains(&first);
+            section.check("first_mode_damping_ratio", holds, first, "from 0 to 10")?;
             let mut ratios = vec![ratio; ChainModes::mounted(spring, far_end).count()];
             ratios[0] = first;
             Damping::ModalEach(ratios)
@@ -93,7 +126,9 @@ fn modal(section: &Section<'_>, spring: &Spring, far_end: FarEnd, ratio: f64) ->
 
 impl DampingCase {
     fn modal(far_end: FarEnd, ratio: f64, damping: Damping) -> Result<Self, coilsense::Error> {
-        let case = Self::of(format!("ζ = {ratio}"), format!("zeta-{ratio}"), far_end, damping)?;
+        // −0 is 0.
+        let name = plain(ratio + 0.0);
+        let case = Self::of(format!("ζ = {name}"), format!("zeta-{name}"), far_end, damping)?;
         Ok(Self { ratio: Some(ratio), ..case })
     }
 
@@ -108,8 +143,7 @@ fn far_end(section: &Section<'_>) -> Result<FarEnd, SpecError> {
     Ok(match word {
         "force" => FarEnd::Force,
         "mass" => {
-            section.quantity("end_mass", Dimension::Mass)?;
-            let mass = section.above_zero("end_mass", Dimension::Mass)?.unwrap_or_default();
+            let mass = section.positive("end_mass", Dimension::Mass)?;
             // Here, so that the error stands at its key.
             Mount::new(FarEnd::Mass(mass), Damping::None).map_err(|error| section.refuse("end_mass", error))?;
             FarEnd::Mass(mass)

@@ -10,13 +10,15 @@ use super::condition::Setting;
 use super::section::Section;
 use crate::quantity::Dimension;
 
-/// A recorded motion of one end or both.
+/// A recorded motion of one end or both, or of end 1 and the force at end 2.
 pub(super) struct Recorded {
     /// The inputs of end 1 and end 2.
     pub inputs: [EndInput; 2],
     /// Its comment lines, without the `#`.
     pub remarks: Vec<String>,
     last: f64,
+    /// The least that u2 − u1 becomes \[m\].
+    pub shortest: f64,
 }
 
 /// A column of the file: which one, and what takes its numbers to SI.
@@ -29,7 +31,7 @@ impl Recorded {
     pub fn read(section: &Section<'_>, setting: &Setting<'_>) -> Result<Self, SpecError> {
         let file = section.text("file")?;
         let text = (setting.files)(&file).map_err(|message| section.refuse("file", message))?;
-        Self::parse(&text, setting.far_end).map_err(|message| section.refuse("file", message))
+        Self::parse(&text, setting.mount.far_end()).map_err(|message| section.refuse("file", message))
     }
 
     /// The time of the last sample \[s\].
@@ -56,6 +58,9 @@ impl Recorded {
                     index + 1
                 ));
             };
+            if columns[place].is_some() {
+                return Err(format!("column {} is {:?} again; give it once", index + 1, wanted[place].0));
+            }
             columns[place] = Some(Column::of(index, title, wanted[place].1)?);
         }
         let [Some(time), first, second] = columns else {
@@ -76,8 +81,12 @@ impl Recorded {
         let mut times = Vec::new();
         let mut values: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
         for row in reader.records() {
-            let row = row.map_err(|error| error.to_string())?;
-            times.push(time.value(&row)?);
+            let row = row.map_err(|error| of_row(&error))?;
+            let (now, line) = (time.value(&row)?, row.position().map_or(0, csv::Position::line));
+            if let Some(before) = times.last().filter(|before| now <= **before) {
+                return Err(format!("line {line}: time must be above the {before} s before it, got {now} s"));
+            }
+            times.push(now);
             for (column, values) in ends.iter().zip(&mut values) {
                 if let Some(column) = column {
                     values.push(column.value(&row)?);
@@ -85,15 +94,34 @@ impl Recorded {
             }
         }
         let last = times.last().copied().ok_or("no samples are below its header")?;
+        if times.len() < 2 {
+            return Err("a single sample is below its header; at least two are needed".to_owned());
+        }
         if times.first().is_some_and(|first| *first < 0.0) {
             return Err(format!("time starts at {} s; it must not be below zero", times[0]));
         }
         let [first, second] = values;
+        let at = |values: &[f64], index: usize| values.get(index).copied().unwrap_or(0.0);
+        let shortest = (0..times.len()).map(|index| at(&second, index) - at(&first, index)).fold(0.0, f64::min);
         let input = |values: Vec<f64>| match values.is_empty() {
             true => Ok(EndInput::Held),
             false => Sampled::new(times.clone(), values).map(EndInput::Sampled).map_err(|error| error.to_string()),
         };
-        Ok(Self { inputs: [input(first)?, input(second)?], remarks, last })
+        Ok(Self { inputs: [input(first)?, input(second)?], remarks, last, shortest })
+    }
+}
+
+/// Largest value in SI units, as the science takes it.
+const LARGEST: f64 = 1e9;
+
+/// What is wrong with a row, without the reader's own words.
+fn of_row(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            format!("line {line}: it has {len} columns where the header has {expected_len}")
+        }
+        _ => error.to_string(),
     }
 }
 
@@ -109,9 +137,12 @@ impl Column {
     fn value(&self, row: &csv::StringRecord) -> Result<f64, String> {
         let text = row.get(self.index).unwrap_or_default();
         let line = row.position().map_or(0, csv::Position::line);
-        match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(value * self.factor),
-            _ => Err(format!("row {line}, column {}: {text:?} is no finite number", self.index + 1)),
+        match text.parse::<f64>().map(|value| value * self.factor) {
+            Ok(value) if value.abs() <= LARGEST => Ok(value),
+            _ => Err(format!(
+                "line {line}, column {}: {text:?} must be a number, in SI units up to {LARGEST:e} either way",
+                self.index + 1
+            )),
         }
     }
 }

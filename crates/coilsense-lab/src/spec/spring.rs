@@ -4,12 +4,15 @@
 
 use std::path::Path;
 
-use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material, MaterialParameters, Sensitivities};
+use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material};
 use coilsense::inductance::SelfDistance;
 use coilsense::{Spring, SpringParameters};
 
-use super::section::{Document, Section};
-use super::{SpecError, catalogue, read_text};
+use super::document::Document;
+use super::material::material;
+use super::section::Section;
+use super::tolerance::{rest_length_tolerance, stiffness_tolerance};
+use super::{SpecError, read_text};
 use crate::quantity::Dimension;
 
 /// A spring and what people say of it.
@@ -51,6 +54,10 @@ const ENDS: [(&str, EndType); 5] = [
 /// Quantities of the science and the keys that set them, where the words differ.
 const ALIASES: [(&str, &str); 3] =
     [("active windings", "windings"), ("coil radius", "coil_diameter"), ("wire radius", "wire_diameter")];
+
+/// The same of a spring by values.
+const RADII: [(&str, &str); 3] =
+    [("active windings", "windings"), ("coil diameter", "coil_radius"), ("wire diameter", "wire_radius")];
 
 impl SpringSpec {
     /// Reads a spring from the text of a spec, whose other tables are left alone; `file` names it in errors.
@@ -114,7 +121,7 @@ impl SpringSpec {
             initial_tension,
             self_distance,
             stiffness_tolerance: stiffness_tolerance(section, by_geometry)?,
-            rest_length_tolerance: section.not_negative("rest_length_tolerance", Dimension::Length)?.unwrap_or(0.0),
+            rest_length_tolerance: rest_length_tolerance(section, closed_length)?,
             spring,
         })
     }
@@ -168,10 +175,14 @@ impl SpringSpec {
         let refuse = |error: coilsense::Error| section.refuse_science(&error, &[]);
         let closed = Spring::new(values.clone()).map_err(refuse)?;
         let shifted = rest_length - initial_tension / closed.stiffness();
-        section.check("initial_tension", shifted > 0.0, initial_tension, "below stiffness × rest_length")?;
+        let most = format!("below {:.6} N, stiffness times rest length", closed.stiffness() * rest_length);
+        section.check("initial_tension", shifted > 0.0, initial_tension, &most)?;
+        let end_type = end_type(section)?;
+        let opens = end_type.is_extension() || initial_tension == 0.0;
+        section.check("initial_tension", opens, initial_tension, "zero for a compression spring")?;
         let spring = Spring::new(SpringParameters { rest_length: shifted, ..values }).map_err(refuse)?;
-        let geometry = Geometry::of_spring(&closed, end_type(section)?, material);
-        Ok((spring, geometry.map_err(|error| section.refuse_science(&error, &[("wire diameter", "wire_radius")]))?))
+        let geometry = Geometry::of_spring(&closed, end_type, material);
+        Ok((spring, geometry.map_err(|error| section.refuse_science(&error, &RADII))?))
     }
 }
 
@@ -194,58 +205,4 @@ fn in_use(section: &Section<'_>) -> Result<SpringParameters, SpecError> {
 fn end_type(section: &Section<'_>) -> Result<EndType, SpecError> {
     let word = section.optional_word("end_type", &ENDS.map(|(word, _)| word))?;
     Ok(ENDS.into_iter().find(|(end, _)| Some(*end) == word).map_or(EndType::Hooks, |(_, end_type)| end_type))
-}
-
-/// The named material with what the table says in place of its values; and what to call it.
-fn material(section: &Section<'_>) -> Result<(String, Material), SpecError> {
-    let name = section.optional_text("material")?.unwrap_or_else(|| catalogue::USUAL_MATERIAL.to_owned());
-    let named = catalogue::material(&name).map_err(|message| section.refuse("material", message))?;
-    let keys = [
-        "shear_modulus",
-        "youngs_modulus",
-        "density",
-        "shear_modulus_temperature",
-        "resistivity",
-        "relative_permeability",
-    ];
-    let own: Vec<&str> = keys.into_iter().filter(|key| section.has(key)).collect();
-    let quantity = |key, dimension| section.optional_quantity(key, dimension);
-    let parameters = MaterialParameters {
-        shear_modulus: quantity("shear_modulus", Dimension::Modulus)?.unwrap_or(named.shear_modulus),
-        youngs_modulus: quantity("youngs_modulus", Dimension::Modulus)?.unwrap_or(named.youngs_modulus),
-        density: quantity("density", Dimension::Density)?.unwrap_or(named.density),
-        shear_modulus_temperature: quantity("shear_modulus_temperature", Dimension::PerKelvin)?
-            .or(named.shear_modulus_temperature),
-        resistivity: quantity("resistivity", Dimension::Resistivity)?.or(named.resistivity),
-        relative_permeability: section.optional_number("relative_permeability")?.or(named.relative_permeability),
-        ..named
-    };
-    let material = Material::new(parameters).map_err(|error| section.refuse_science(&error, &[]))?;
-    let label =
-        if own.is_empty() { name } else { format!("{name}, with its own {}", own.join(", ").replace('_', " ")) };
-    Ok((label, material))
-}
-
-/// As it is given, or by what the tolerances of wire, coil and material do to k = G d⁴/(8 D³ n) at their worst.
-fn stiffness_tolerance(section: &Section<'_>, by_geometry: bool) -> Result<f64, SpecError> {
-    let share = |key| -> Result<Option<f64>, SpecError> {
-        let given = section.not_negative(key, Dimension::Share)?;
-        given.map(|value| section.check(key, value < 1.0, value, "below 100 %")).transpose()
-    };
-    if let Some(tolerance) = share("stiffness_tolerance")? {
-        return Ok(tolerance);
-    }
-    if !by_geometry {
-        return Ok(0.0);
-    }
-    let sensitivities = Sensitivities::of_stiffness();
-    let each = [
-        ("wire_diameter_tolerance", sensitivities.wire_diameter),
-        ("coil_diameter_tolerance", sensitivities.coil_diameter),
-        ("windings_tolerance", sensitivities.active_windings),
-        ("shear_modulus_tolerance", sensitivities.shear_modulus),
-    ];
-    // Independent limits of error add up as their squares do.
-    let squares = each.into_iter().map(|(key, slope)| Ok((slope * share(key)?.unwrap_or(0.0)).powi(2)));
-    Ok(squares.sum::<Result<f64, SpecError>>()?.sqrt())
 }

@@ -20,7 +20,7 @@ pub(super) const SENSOR: Table = Table {
         optional("name", "\"laser\"", "what people call it; no two alike", "the kind, or the class"),
         optional(
             "class",
-            "\"strain-gauge load cell\"",
+            "\"strain-gauge load cell with bridge converter\"",
             "a name of the sensor catalogue (`coilsense init --sensors` lists it); keys given here replace the catalogue's",
             "none",
         ),
@@ -43,7 +43,12 @@ pub(super) const SENSOR: Table = Table {
         optional("sample_rate", "\"1 kHz\"", "it holds each reading until the next", "that of the simulation"),
         optional("noise", "\"0.1 %\"", "rms, of every reading: native unit or a share of `range`", "none"),
         optional("resolution", "\"10 um\"", "smallest step: native unit or a share of `range`", "none"),
-        optional("accuracy_full_scale", "\"0.1 %\"", "limits of error, as a share of `range`", "none"),
+        optional(
+            "accuracy_full_scale",
+            "\"0.1 %\"",
+            "limits of error, the same for every reading: native unit or a share of `range`",
+            "none",
+        ),
         optional("accuracy_reading", "\"0.2 %\"", "limits of error, as a share of the reading", "none"),
         optional(
             "calibration_uncertainty",

@@ -1,0 +1,89 @@
+//! `coilsense init` and `coilsense spring`.
+
+use std::fs;
+
+use serde_json::Value;
+
+use super::{done, names, path, place, refused};
+
+#[test]
+fn init_writes_a_spec_that_the_other_commands_take() {
+    let place = tempfile::tempdir().unwrap();
+    for (name, from) in [("own.toml", None), ("s_t.toml", Some("S_T")), ("s_a.toml", Some("S_A"))] {
+        let arguments = from.map_or(vec!["init"], |from| vec!["init", "--from", from]);
+        let printed = done(&arguments);
+        let file = place.path().join(name);
+        let said = done(&[arguments, vec!["--out", path(&file)]].concat());
+        assert!(said.contains("next: coilsense analyze"), "{said}");
+        assert_eq!(fs::read_to_string(&file).unwrap(), printed, "the file is what the terminal gets");
+        assert!(done(&["spring", path(&file)]).contains("F_nom"));
+    }
+    assert_eq!(names(place.path()), ["own.toml", "s_a.toml", "s_t.toml"]);
+}
+
+#[test]
+fn init_keeps_what_is_there_and_knows_its_springs() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("spec.toml");
+    fs::write(&file, "mine").unwrap();
+    let message = refused(&["init", "--out", path(&file)]);
+    assert_eq!(
+        message,
+        format!("error: {}: is there already; name a file that is not, or remove it\n", file.display())
+    );
+    assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+    let message = refused(&["init", "--from", "S_X"]);
+    assert_eq!(message, "error: --from S_X: no spring of that name; there are S_T, S_A\n");
+    let inside = file.join("spec.toml");
+    assert!(refused(&["init", "--out", path(&inside)]).contains(path(&file)));
+    assert!(refused(&["init", "--out", "/proc/spec.toml"]).contains("/proc"));
+    assert!(refused(&["init", "--out", ".."]).contains(".."));
+    assert_eq!(names(place.path()), ["spec.toml"]);
+}
+
+#[test]
+fn init_lists_the_sensor_catalogue_and_spring_the_materials() {
+    assert!(done(&["init", "--sensors"]).contains("class = \"magnetic linear encoder\""));
+    let materials = done(&["spring", "--materials"]);
+    assert!(materials.contains("steel EN 10270-1") && materials.contains("source: "), "{materials}");
+}
+
+#[test]
+fn spring_tells_the_key_figures() {
+    let (_place, spec) = place("");
+    let sheet = done(&["spring", path(&spec)]);
+    for words in
+        ["S_T, steel EN 10270-1 (assumed)", "760 N/m", "121.6 N", "54.065 Hz", "9.248 ms", "7.0285 N s/m", "104 mm"]
+    {
+        assert!(sheet.contains(words), "{words} in {sheet}");
+    }
+    assert!(!sheet.contains('\u{1b}'), "colour although it is no terminal");
+}
+
+/// Every key of a JSON value.
+fn keys(value: &Value) -> Vec<String> {
+    match value {
+        Value::Object(map) => map.iter().flat_map(|(key, value)| [vec![key.clone()], keys(value)].concat()).collect(),
+        Value::Array(each) => each.iter().flat_map(keys).collect(),
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn spring_as_json_is_for_machines() {
+    let (_place, spec) = place("");
+    let sheet: Value = serde_json::from_str(&done(&["spring", path(&spec), "--json"])).unwrap();
+    assert_eq!(sheet["schema"], "coilsense/data-sheet/1");
+    assert_eq!(sheet["nominal_force_n"], 760.0 * (0.264 - 0.104));
+    let snake = |key: &String| key.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+    let others: Vec<String> = keys(&sheet).into_iter().filter(|key| !snake(key)).collect();
+    assert!(others.is_empty(), "{others:?}");
+}
+
+#[test]
+fn a_spring_that_is_not_there_is_refused() {
+    assert!(refused(&["spring", "none.toml"]).starts_with("error: none.toml: cannot be read: "));
+    let (_place, spec) = place("[mount]\nend2 = \"loose\"\n");
+    let message = refused(&["spring", path(&spec)]);
+    assert!(message.contains("spec.toml:15: end2 = \"loose\": must be one of"), "{message}");
+}

@@ -1,0 +1,113 @@
+//! A spec file as TOML: its tables, which must all be known.
+//!
+//! Next door: which tables there are (`keys`), one table read key by key (`section`).
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::keys::{TABLES, Table};
+use super::section::{Section, clipped};
+use super::{SpecError, located};
+
+/// A spec file, parsed as TOML, whose tables are all known.
+pub(super) struct Document<'a> {
+    file: &'a str,
+    text: &'a str,
+    table: Spanned<DeTable<'a>>,
+    /// Whether keys that a spec does not know may stand here.
+    lenient: bool,
+}
+
+impl<'a> Document<'a> {
+    pub(super) fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
+        let document = Self { lenient: false, ..Self::catalogue(file, text)? };
+        let names: Vec<&str> = TABLES.iter().map(|table| table.name).collect();
+        reject_unknown(file, text, document.table.get_ref(), &names, "")?;
+        Ok(document)
+    }
+
+    /// A catalogue, whose tables hold notes and sources beside the keys of a spec.
+    pub(super) fn catalogue(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
+        let table = DeTable::parse(text).map_err(|error| {
+            let offset = error.span().map_or(0, |span| span.start);
+            located(file, text, offset, format!("not TOML: {}", error.message().replace('\n', ", ")))
+        })?;
+        Ok(Self { file, text, table, lenient: true })
+    }
+
+    /// The table `[name]`, which must be there.
+    pub(super) fn section(&self, name: &'static str) -> Result<Section<'_>, SpecError> {
+        self.optional_section(name)?.ok_or_else(|| SpecError(format!("{}: the table [{name}] is missing", self.file)))
+    }
+
+    /// The table `[name]`, where it is there.
+    pub(super) fn optional_section(&self, name: &'static str) -> Result<Option<Section<'_>>, SpecError> {
+        let Some(value) = self.table.get_ref().get(name) else {
+            return Ok(None);
+        };
+        let Some(inner) = value.get_ref().as_table() else {
+            let message = format!("{name} must be a table [{name}]");
+            return Err(located(self.file, self.text, value.span().start, message));
+        };
+        Ok(Some(self.reading(name, format!("[{name}]"), inner, value.span())?))
+    }
+
+    /// All tables `[[name]]`, in order.
+    pub(super) fn sections(&self, name: &'static str) -> Result<Vec<Section<'_>>, SpecError> {
+        let Some(value) = self.table.get_ref().get(name) else {
+            return Ok(Vec::new());
+        };
+        let message = || format!("{name} must be tables [[{name}]]");
+        let fault = |offset: usize| located(self.file, self.text, offset, message());
+        let each = value.get_ref().as_array().ok_or_else(|| fault(value.span().start))?;
+        let section = |(index, item): (usize, &'_ Spanned<DeValue<'a>>)| match item.get_ref().as_table() {
+            Some(_) => Ok((index, item.span())),
+            None => Err(fault(item.span().start)),
+        };
+        let places: Vec<(usize, Range<usize>)> = each.iter().enumerate().map(section).collect::<Result<_, _>>()?;
+        let tables = each.iter().filter_map(|item| item.get_ref().as_table());
+        places
+            .into_iter()
+            .zip(tables)
+            .map(|((index, span), table)| self.reading(name, format!("[[{name}]] {}", index + 1), table, span))
+            .collect()
+    }
+
+    fn reading<'s>(
+        &'s self,
+        name: &str,
+        label: String,
+        table: &'s DeTable<'s>,
+        span: Range<usize>,
+    ) -> Result<Section<'s>, SpecError> {
+        let documented =
+            Table::named(name).ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
+        let section = Section { file: self.file, text: self.text, documented, label, table, span };
+        if !self.lenient {
+            reject_unknown(self.file, self.text, table, &documented.names(None), &format!(" in {}", section.label))?;
+        }
+        Ok(section)
+    }
+}
+
+/// The first key of `table` that is not known is an error that names the nearest known one.
+fn reject_unknown(file: &str, text: &str, table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), SpecError> {
+    let stranger =
+        table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())).min_by_key(|key| key.span().start);
+    let Some(stranger) = stranger else {
+        return Ok(());
+    };
+    let name = clipped(stranger.get_ref());
+    let nearest = known
+        .iter()
+        .max_by(|a, b| strsim::jaro_winkler(&name, a).total_cmp(&strsim::jaro_winkler(&name, b)))
+        .copied()
+        .unwrap_or_default();
+    let inner = table.get(stranger.get_ref().as_ref()).map(Spanned::get_ref);
+    let is_table = place.is_empty() && inner.is_some_and(|value| value.is_table() || value.is_array());
+    let what = if is_table { "table" } else { "key" };
+    let message = format!("unknown {what} {name:?}{place}; did you mean \"{nearest}\"? Allowed: {}", known.join(", "));
+    Err(located(file, text, stranger.span().start, message))
+}

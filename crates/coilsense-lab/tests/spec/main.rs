@@ -1,0 +1,17 @@
+//! Specs as people write them: what is wrong with one is said in a line, and nothing that anybody sends makes the reader fall over.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `springs`, `conditions`, `sensors` | tables of faults, each with its message |
+//! | `files` | what cannot be read from disk |
+//! | `keys` | that what is documented is what is read, with every template, material and sensor class |
+//! | `hostile` | random edits and random trees, read and simulated |
+//! | `fixtures` | the good specs |
+
+mod conditions;
+mod files;
+mod fixtures;
+mod hostile;
+mod keys;
+mod sensors;
+mod springs;
