@@ -207,6 +207,17 @@ fn every_key_takes_or_refuses_every_hostile_value() {
     }
 }
 
+/// A line with its number, a quantity or a pure one, times a factor; others as they are.
+fn scaled(line: &str, factor: f64) -> String {
+    let grown = || {
+        let (key, value) = line.split_once(" = ")?;
+        let (quote, value) = value.strip_prefix('"').map_or(("", value), |value| ("\"", value));
+        let (number, rest) = value.split_at(value.find([' ', '"']).unwrap_or(value.len()));
+        Some(format!("{key} = {quote}{}{rest}", number.parse::<f64>().ok()? * factor))
+    };
+    grown().unwrap_or_else(|| line.to_owned())
+}
+
 /// An edit of a text: where, of how much, and what comes there.
 fn edited(good: &str, (at, length, with): &(usize, usize, Vec<u8>)) -> Vec<u8> {
     let bytes = good.as_bytes();
@@ -261,6 +272,20 @@ proptest! {
             }
         }
         check(&text);
+    }
+
+    #[test]
+    fn no_size_of_a_value_makes_the_simulation_panic(
+        geometry: bool,
+        grown in proptest::collection::vec((any::<prop::sample::Index>(), -3.0..3.0_f64), 1..8),
+    ) {
+        let text = full(if geometry { BY_GEOMETRY } else { BY_VALUES });
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        for (place, decades) in &grown {
+            let place = place.index(lines.len());
+            lines[place] = scaled(&lines[place], 10_f64.powf(*decades));
+        }
+        check(&lines.join("\n"));
     }
 
     #[test]
