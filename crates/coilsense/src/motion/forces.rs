@@ -247,7 +247,7 @@ impl Straight {
 }
 
 /// Whether times are equidistant to rounding, in order, not before the start, and worth working off together.
-fn is_equidistant(times: &[f64]) -> bool {
+pub(super) fn is_equidistant(times: &[f64]) -> bool {
     if times.len() < FEWEST_TOGETHER {
         return false;
     }

@@ -14,6 +14,7 @@ mod start;
 mod stream;
 mod stride;
 mod truncated;
+mod walk;
 mod windings;
 
 pub use stream::{ForceSample, Live, Stream};
@@ -21,6 +22,7 @@ use windings::Place;
 pub use windings::Windings;
 
 pub use forces::EndForces;
+use forces::is_equidistant;
 
 use crate::error::{Error, at_least_one, check};
 use crate::excitation::{End, EndInput, Excitation};
@@ -163,6 +165,10 @@ impl Motion {
     fn for_each_sample(&self, times: &[f64], mut visit: impl FnMut(usize, f64, &[f64])) -> Result<(), Error> {
         check_times(times)?;
         if let Some(closed) = &self.closed {
+            if is_equidistant(times) {
+                walk::along(closed, times, step_of(times), |sample, q| visit(sample, times[sample], q));
+                return Ok(());
+            }
             let mut state = ModalState::zero(self.modes.count());
             for (sample, &time) in times.iter().enumerate() {
                 closed.state_into(time, &mut state);
