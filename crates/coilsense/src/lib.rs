@@ -80,6 +80,8 @@ pub mod uncertainty;
 
 pub mod error;
 
+mod quadrature;
+
 pub mod simd;
 
 pub use calibrate::Calibration;

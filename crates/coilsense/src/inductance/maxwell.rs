@@ -6,6 +6,7 @@ use super::carry::Carry;
 use super::mutual::{MU_0, mutual_inductance};
 use super::pairs;
 use super::self_term::SelfDistance;
+use super::theories::Coil;
 use crate::motion::Windings;
 use crate::spring::Spring;
 
@@ -44,15 +45,24 @@ pub struct MaxwellSum {
 impl MaxwellSum {
     /// The sum for a spring.
     pub fn new(spring: &Spring, self_distance: SelfDistance) -> Self {
-        let windings = spring.inductance_windings();
-        let turns = windings.round().max(1.0);
         let own = self_distance.of_wire(spring.wire_radius());
+        Self::with_chain(spring.inductance_windings(), spring.coil_radius(), own, spring.chain_masses())
+    }
+
+    /// The sum for a coil by itself: a chain of as many masses as turns.
+    pub fn of_coil(coil: &Coil, self_distance: SelfDistance) -> Self {
+        let own = self_distance.of_wire(coil.wire_radius());
+        Self::with_chain(coil.windings(), coil.coil_radius(), own, coil.windings().round() as usize)
+    }
+
+    fn with_chain(windings: f64, coil_radius: f64, own: f64, chain_masses: usize) -> Self {
+        let turns = windings.round().max(1.0);
         Self {
-            coil_radius: spring.coil_radius(),
+            coil_radius,
             windings,
-            self_part: windings * mutual_inductance(spring.coil_radius(), own),
+            self_part: windings * mutual_inductance(coil_radius, own),
             places: (0..turns as usize).map(|index| 0.5 + (index as f64 - 0.5 * (turns - 1.0)) / windings).collect(),
-            chain_masses: spring.chain_masses(),
+            chain_masses,
         }
     }
 

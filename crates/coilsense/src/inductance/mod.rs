@@ -1,5 +1,7 @@
 //! The spring as a coil: complete elliptic integrals, the mutual inductance of two rings, Maxwell's sum over the windings.
 //!
+//! Theories of the whole coil, from the ideal solenoid to the helix, stand side by side in `theories`.
+//!
 //! Next door: where the windings are (`motion`), what a meter makes of L (`calibrate`, `sensors`).
 
 mod carry;
@@ -15,6 +17,7 @@ mod quadratic;
 mod reduced;
 mod second_order;
 mod self_term;
+pub mod theories;
 mod within;
 
 pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};

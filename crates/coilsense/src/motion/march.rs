@@ -7,21 +7,12 @@ use super::oscillator::Oscillator;
 use super::stride::{Stride, Sums};
 use crate::excitation::{EndInput, Kick};
 use crate::modes::ChainModes;
+use crate::quadrature::GAUSS_12;
 use crate::simd::dispatch;
 
-/// Largest angle that a mode and a drive may run through within one panel of [`NODES`] Gauss points: the rule is then exact to
+/// Largest angle that a mode and a drive may run through within one panel of [`GAUSS_12`]: the rule is then exact to
 /// 1e-16, as its error term (n!)⁴ x²ⁿ / ((2n+1) (2n)!³) says for n = 12, x = 8.
 const PANEL_ANGLE: f64 = 8.0;
-
-/// Gauss–Legendre abscissae and weights on (−1, 1), the positive half; n = 12, `[DLMF]` 3.5.
-const NODES: [(f64, f64); 6] = [
-    (0.125_233_408_511_468_9, 0.249_147_045_813_402_8),
-    (0.367_831_498_998_180_2, 0.233_492_536_538_354_8),
-    (0.587_317_954_286_617_4, 0.203_167_426_723_065_93),
-    (0.769_902_674_194_304_7, 0.160_078_328_543_346_24),
-    (0.904_117_256_370_474_8, 0.106_939_325_995_318_43),
-    (0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
-];
 
 /// State and settings of a march.
 #[derive(Debug, Clone)]
@@ -167,7 +158,7 @@ impl March {
         }
         let step_of = |oscillator: &Oscillator| oscillator.increment(step);
         self.stride.set(self.oscillators.iter().map(step_of));
-        let both = NODES.into_iter().flat_map(|(x, weight)| [(x, weight), (-x, weight)]);
+        let both = GAUSS_12.into_iter().flat_map(|(x, weight)| [(x, weight), (-x, weight)]);
         let node = |(x, weight): (f64, f64)| {
             let place = 0.5 * step * (1.0 + x);
             let left: Vec<[f64; 4]> = self.oscillators.iter().map(|mode| mode.increment(step - place)).collect();

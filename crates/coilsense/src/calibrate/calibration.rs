@@ -1,7 +1,9 @@
-//! From inductance to length: the fit of eq. (13).
+//! The relation of eq. (13) alone: what a sensor needs.
 //!
-//! Next door: the theory that can stand in for measured points (`inductance`), the sensor that uses the fit (`sensors`).
+//! Next door: fits to measured points with their diagnostics (`inverse_length`, `inductance`), the theory that can stand in for measured
+//! points (`crate::inductance`), the sensor that uses the relation (`crate::sensors`).
 
+use super::line::slope_about;
 use crate::error::{Error, all_finite, check, count, finite};
 use crate::inductance::MaxwellSum;
 use crate::spring::Spring;
@@ -40,14 +42,9 @@ impl Calibration {
             check(holds, "calibration length", value, "m", "above zero and finite")?;
         }
         finite("preload inductance", inductance, "H")?;
-        let (mut product, mut square) = (0.0, 0.0);
-        for (l, henry) in lengths.iter().zip(inductances) {
-            let step = henry - inductance;
-            product += step * (1.0 / l - 1.0 / length);
-            square += step * step;
-        }
+        let inverse: Vec<f64> = lengths.iter().map(|l| 1.0 / l).collect();
+        let (alpha, square) = slope_about(inductances, &inverse, [inductance, 1.0 / length]);
         check(square > 0.0, "spread of the inductances", square.sqrt(), "H", "above zero")?;
-        let alpha = product / square;
         finite("alpha of the fit", alpha, "1/(H m)")?;
         Ok(Self { alpha, beta: 1.0 / length - alpha * inductance })
     }
@@ -65,6 +62,10 @@ impl Calibration {
         Self::through(preload, &lengths, &inductances)
     }
 
+    pub(super) fn of(alpha: f64, beta: f64) -> Self {
+        Self { alpha, beta }
+    }
+
     /// α \[1/(H m)\].
     pub fn alpha(&self) -> f64 {
         self.alpha
@@ -78,5 +79,10 @@ impl Calibration {
     /// Length \[m\] that the fit reads from an inductance L \[H\]: 1 / (αL + β).
     pub fn length(&self, inductance: f64) -> f64 {
         1.0 / (self.alpha * inductance + self.beta)
+    }
+
+    /// Inductance \[H\] at which the relation reads a length l \[m\]: (1/l − β) / α.
+    pub fn inductance(&self, length: f64) -> f64 {
+        (1.0 / length - self.beta) / self.alpha
     }
 }

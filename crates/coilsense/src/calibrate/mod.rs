@@ -1,0 +1,19 @@
+//! From inductance to length: fits to measured points, how well they do, and how well the theories of a coil do beside them.
+//!
+//! Next door: the theories (`inductance::theories`), the sensor that uses a fit (`sensors`).
+
+mod calibration;
+mod inductance;
+mod inverse_length;
+mod inversion;
+mod line;
+mod misfit;
+mod points;
+
+pub use calibration::{CALIBRATION_LENGTHS, Calibration};
+pub use inductance::InductanceFit;
+pub use inverse_length::InverseLengthFit;
+pub use inversion::Inversion;
+pub use line::FitMethod;
+pub use misfit::Misfit;
+pub use points::CalibrationPoints;
