@@ -56,11 +56,14 @@ fn place(analysis: &Analysis, verdict: &Verdict) -> String {
 
 fn best(analysis: &Analysis) -> String {
     let Some(first) = analysis.verdicts.first() else { return String::new() };
-    let most = format!("at most {} in {}", force(analysis, first.combined()), place(analysis, first));
+    let of = analysis.verdicts.len();
+    let at_most =
+        |verdict: &Verdict| format!("at most {} in {}", force(analysis, verdict.combined()), place(analysis, verdict));
+    let (name_of_first, most) = (name(analysis, first), at_most(first));
     let Some(goal) = analysis.spec.goal.error else {
+        let least = if of == 1 { "" } else { "Least uncertain is " };
         return format!(
-            "Least uncertain is {}: {most}. The spec sets no [goal], so nothing is judged.",
-            name(analysis, first)
+            "{least}{name_of_first}, with a standard uncertainty of {most}. The spec sets no [goal], so nothing is judged."
         );
     };
     let wanted = match analysis.spec.goal.bandwidth {
@@ -68,19 +71,22 @@ fn best(analysis: &Analysis) -> String {
         None => wish(analysis, goal),
     };
     let meeting: Vec<&Verdict> = analysis.verdicts.iter().filter(|v| v.meets_always() == Some(true)).collect();
-    match meeting.first() {
-        None => format!("No sensor meets the goal of {wanted}; nearest is {}: {most}.", name(analysis, first)),
-        Some(best) => {
-            let most = format!("at most {} in {}", force(analysis, best.combined()), place(analysis, best));
-            let of = match (meeting.len(), analysis.verdicts.len()) {
-                (1, 1) => "It meets".to_owned(),
-                (all, of) if all == of => format!("All {of} sensors meet"),
-                (1, of) => format!("One of {of} sensors meets"),
-                (some, of) => format!("{some} of {of} sensors meet"),
-            };
-            format!("Choose {}. {of} the goal of {wanted}; it is off by {most}.", name(analysis, best))
-        }
-    }
+    let Some(best) = meeting.first() else {
+        let none = match of {
+            1 => format!("{name_of_first} does not meet the goal of {wanted}"),
+            _ => format!("No sensor meets the goal of {wanted}; nearest is {name_of_first}"),
+        };
+        return format!("{none}: its standard uncertainty is {most}.");
+    };
+    let all = match (meeting.len(), of) {
+        (1, 1) => "It meets".to_owned(),
+        (2, 2) => "Both sensors meet".to_owned(),
+        (all, of) if all == of => format!("All {of} sensors meet"),
+        (1, of) => format!("One of {of} sensors meets"),
+        (some, of) => format!("{some} of {of} sensors meet"),
+    };
+    let (best_name, most) = (name(analysis, best), at_most(best));
+    format!("Choose {best_name}. {all} the goal of {wanted}; its standard uncertainty is {most}.")
 }
 
 /// Those that miss the goal, and where.
@@ -91,20 +97,26 @@ fn failing(analysis: &Analysis) -> Option<String> {
         .filter(|verdict| verdict.meets_always() == Some(false))
         .map(|verdict| match verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
             true => format!("{} (reaches {} Hz only)", name(analysis, verdict), digits(verdict.bandwidth)),
-            false => {
-                let of = &verdict.budget.budget;
-                let largest = of.contributions().iter().max_by(|a, b| a.contribution.total_cmp(&b.contribution));
-                let cause = largest.map_or("", |line| line.name.as_ref());
-                format!(
-                    "{} ({} N in {}, mostly {cause})",
-                    name(analysis, verdict),
-                    digits(verdict.combined()),
-                    place(analysis, verdict)
-                )
-            }
+            false => format!(
+                "{} ({} N in {}, mostly {})",
+                name(analysis, verdict),
+                digits(verdict.combined()),
+                place(analysis, verdict),
+                cause(verdict)
+            ),
         })
         .collect();
     if each.is_empty() { None } else { Some(format!("Missed by: {}.", each.join("; "))) }
+}
+
+/// What the uncertainty of the worst case is mostly made of: a mean error, or the largest line of the budget.
+fn cause(verdict: &Verdict) -> String {
+    let budget = &verdict.budget.budget;
+    let largest = budget.contributions().iter().max_by(|a, b| a.contribution.total_cmp(&b.contribution));
+    match largest {
+        Some(line) if line.contribution >= budget.bias().abs() => line.name.to_string(),
+        _ => format!("a mean error of {} N", digits(budget.bias()).replace('-', "−")),
+    }
 }
 
 fn fixes(analysis: &Analysis) -> Option<String> {
@@ -153,6 +165,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Alias, "sampling folds surge lines down"),
         (Subject::Range, "a load cell is overloaded"),
+        (Subject::Temperature, "a drift with temperature is not known"),
         (Subject::Neighbour, "torsional or lateral motion lies below the first surge"),
     ];
     let each: Vec<&str> = kinds.into_iter().filter(|(subject, _)| count(*subject) > 0).map(|(_, text)| text).collect();

@@ -7,12 +7,12 @@ use std::ops::Range;
 use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Channel, Clash, Deviation, End, Error, InductanceSensor, Motion, Signals};
+use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor, Motion, Signals};
 
 use super::frames::Frames;
 use super::instrument::Instrument;
 use crate::series::{Column, Run};
-use crate::spec::{Quantity, SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec};
 
 /// A simulation that was run.
 #[derive(Debug, Clone)]
@@ -82,11 +82,12 @@ impl Case {
             ideal.push((force, Deviation::between(series, truth)?));
             spectra.push((force, Spectrum::of(&times[judged.clone()], series)?));
         }
-        let seed =
-            |sensor: usize| spec.uncertainty.seed.wrapping_add(((condition * 64 + damping) * 1024 + sensor) as u64);
+        let number = condition * spec.mount.cases.len() + damping;
         let read = |(index, sensor): (usize, &SensorSpec)| {
             let instrument = Instrument::new(sensor, spring, coil, mean_length)?;
-            Reading::of(&instrument, &signals, truth, &judged, seed(index))
+            // Each sensor in each case has noise of its own.
+            let seed = spec.uncertainty.seed.wrapping_add((number * sensors.len() + index) as u64);
+            Reading::of(&instrument, &signals, truth, &judged, seed)
         };
         Ok(Self {
             condition,
@@ -116,28 +117,6 @@ impl Case {
         run
     }
 
-    /// Amplitude of what a sensor watches at a frequency \[Hz\], as a force \[N\]; zero above half of the simulation's sample rate.
-    pub(super) fn line_amplitude(&self, sensor: &SensorSpec, frequency: f64) -> f64 {
-        let watched = match sensor.quantity {
-            Quantity::Force(End::One) | Quantity::TwoEncoder { .. } => Channel::InputForce,
-            Quantity::Force(End::Two) => Channel::OutputForce,
-            Quantity::Deflection => Channel::DeflectionForce,
-            Quantity::Inductance { .. } => Channel::InductanceForce,
-        };
-        let spectrum = self.spectra.iter().find(|(channel, _)| *channel == watched);
-        let near = |spectrum: &Spectrum| {
-            let frequencies = spectrum.frequencies();
-            let next = frequencies.partition_point(|&f| f < frequency);
-            let around = next.saturating_sub(2)..(next + 2).min(frequencies.len());
-            if next == frequencies.len() {
-                0.0
-            } else {
-                spectrum.amplitudes()[around].iter().fold(0.0, |a: f64, b| a.max(*b))
-            }
-        };
-        spectrum.map_or(0.0, |(_, spectrum)| near(spectrum))
-    }
-
     /// Times of the judged samples \[s\].
     pub fn judged_times(&self) -> &[f64] {
         &self.signals.time()[self.judged.clone()]
@@ -153,9 +132,16 @@ impl Reading {
         seed: u64,
     ) -> Result<Self, Error> {
         let quantity = instrument.quantity(signals)?;
-        let native = instrument.readout().series(signals.time(), &quantity, seed)?;
-        let force = instrument.forces(&native);
-        let steady = instrument.forces(&instrument.readout().ideal_series(signals.time(), &quantity)?);
+        let ideal = instrument.readout().ideal_series(signals.time(), &quantity)?;
+        let steady = instrument.forces(&ideal);
+        let settings = instrument.readout().parameters();
+        let (native, force) = if settings.noise == 0.0 && settings.resolution.is_none() {
+            (ideal, steady.clone())
+        } else {
+            let native = instrument.readout().series(signals.time(), &quantity, seed)?;
+            let force = instrument.forces(&native);
+            (native, force)
+        };
         let deviation = Deviation::between(&force[judged.clone()], truth)?;
         Ok(Self { native, force, steady, deviation })
     }

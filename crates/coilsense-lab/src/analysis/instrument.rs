@@ -87,6 +87,26 @@ impl Instrument {
         readings.iter().map(|&reading| self.force(reading)).collect()
     }
 
+    /// The reading that an error of the gain leaves as it is, in the native unit: none, or of a length the one that means no force.
+    ///
+    /// A gauge of length has its zero where it was mounted; taken at the rest length, a gain that is off by a share puts the force off by
+    /// that share.
+    pub fn zero(&self) -> f64 {
+        match &self.conversion {
+            Conversion::Deflection(spring) => spring.rest_length(),
+            Conversion::TwoEncoder(encoders) => encoders.zero(),
+            Conversion::Force(_) | Conversion::Inductance(_) => 0.0,
+        }
+    }
+
+    /// dF/dl of its estimate \[N/m\]: the stiffness of `spring`, or of spring and drive train in series.
+    pub fn stiffness(&self, spring: &Spring) -> f64 {
+        match &self.conversion {
+            Conversion::TwoEncoder(encoders) => encoders.stiffness(),
+            _ => spring.stiffness(),
+        }
+    }
+
     /// What it reads over all of `signals`, in its native unit, without noise and resolution.
     ///
     /// # Errors

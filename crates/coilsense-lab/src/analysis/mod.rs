@@ -4,14 +4,19 @@
 //! Spec ─► Case (condition × damping) ─► Verdict per sensor ─► answer, warnings ─► report
 //! ```
 //!
+//! **What counts as error** is the force a sensor tells less the true force *at the same instant*. A reading that comes late is off where the
+//! force moves, by its lag times the force's rate, and nothing is shifted in time to make it look better: a controller has no such shift.
+//!
 //! Next door: what a spec says (`spec`), how an analysis is shown (`report`).
 
 mod answer;
+mod band;
 mod budget;
 mod case;
 mod fix;
 mod frames;
 mod instrument;
+mod tighter;
 mod verdict;
 mod warnings;
 
@@ -129,7 +134,7 @@ impl Analysis {
             .collect::<Result<_, _>>()?;
         verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
         let data_sheet = DataSheet::of(&spec)?;
-        let warnings = warnings::of(&spec, &sensors, &cases, &data_sheet);
+        let warnings = warnings::of(&judge, &sensors, &data_sheet)?;
         Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet })
     }
 

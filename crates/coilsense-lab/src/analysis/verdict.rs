@@ -2,10 +2,12 @@
 //!
 //! Next door: what makes a force uncertain (`budget`), what would help (`fix`).
 
-use coilsense::inductance::MaxwellSum;
-use coilsense::measures::Spectrum;
-use coilsense::{Error, Signals};
+use std::borrow::Cow;
 
+use coilsense::Error;
+use coilsense::inductance::MaxwellSum;
+
+use super::band;
 use super::budget::{Model, SensorBudget, with_bias};
 use super::case::Case;
 use super::fix::{self, Fix};
@@ -19,7 +21,7 @@ pub struct Verdict {
     pub sensor: usize,
     /// One per case.
     pub assessments: Vec<Assessment>,
-    /// Number of the case with the largest combined uncertainty.
+    /// Number of the case with the largest combined uncertainty, the first of them where several are alike.
     pub worst: usize,
     /// The budget of that case.
     pub budget: SensorBudget,
@@ -38,7 +40,8 @@ pub struct Verdict {
 /// A sensor in a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assessment {
-    /// Rms deviation from the true force within the wanted bandwidth, without noise and resolution \[N\].
+    /// Rms deviation from the true force at the same instant within the wanted bandwidth, without noise and resolution \[N\]: surge,
+    /// and the lag behind a moving force.
     pub oscillation: f64,
     /// Combined standard uncertainty, with the bias that stays uncorrected \[N\].
     pub combined: f64,
@@ -57,6 +60,7 @@ impl Verdict {
 }
 
 /// What sensors are judged by.
+#[derive(Clone, Copy)]
 pub(super) struct Judge<'a> {
     pub spec: &'a Spec,
     pub coil: &'a MaxwellSum,
@@ -66,8 +70,7 @@ pub(super) struct Judge<'a> {
 impl Judge<'_> {
     /// The verdict on a sensor of the analysis.
     pub fn verdict(&self, index: usize, sensor: &SensorSpec) -> Result<Verdict, Error> {
-        let steady = |case: &Case| Ok(case.readings[index].steady.clone());
-        let assessments = self.assessments(sensor, steady)?;
+        let assessments = self.assessments(sensor, |case, _| Ok(Cow::Borrowed(&case.readings[index].steady)))?;
         let worst = worst(&assessments);
         let case = &self.cases[worst];
         let instrument = self.instrument(sensor, case)?;
@@ -93,14 +96,14 @@ impl Judge<'_> {
     }
 
     /// A sensor in every case; `steady` gives the force that it reads without noise and resolution.
-    fn assessments(
-        &self,
+    fn assessments<'c>(
+        &'c self,
         sensor: &SensorSpec,
-        steady: impl Fn(&Case) -> Result<Vec<f64>, Error>,
+        steady: impl Fn(&'c Case, &Instrument) -> Result<Cow<'c, [f64]>, Error>,
     ) -> Result<Vec<Assessment>, Error> {
-        let assess = |case: &Case| {
+        let assess = |case: &'c Case| {
             let instrument = self.instrument(sensor, case)?;
-            let model = self.model(sensor, &instrument, case, &steady(case)?)?;
+            let model = self.model(sensor, &instrument, case, &steady(case, &instrument)?)?;
             let oscillation = rms(&model.errors);
             Ok(Assessment { oscillation, combined: with_bias(&model.budget()?) })
         };
@@ -109,9 +112,8 @@ impl Judge<'_> {
 
     /// The largest combined uncertainty of a sensor that the analysis does not have, and whether it reaches the wanted bandwidth.
     pub fn trial(&self, sensor: &SensorSpec) -> Result<Trial, Error> {
-        let assessments = self.assessments(sensor, |case| {
-            let instrument = self.instrument(sensor, case)?;
-            Ok(instrument.forces(&instrument.steady_readings(&case.signals)?))
+        let assessments = self.assessments(sensor, |case, instrument| {
+            Ok(instrument.forces(&instrument.steady_readings(&case.signals)?).into())
         })?;
         let readout = coilsense::sensors::Readout::new(sensor.readout.clone())?;
         let wanted = self.spec.goal.bandwidth;
@@ -122,7 +124,8 @@ impl Judge<'_> {
         })
     }
 
-    fn instrument(&self, sensor: &SensorSpec, case: &Case) -> Result<Instrument, Error> {
+    /// A sensor as it is set up for a case.
+    pub fn instrument(&self, sensor: &SensorSpec, case: &Case) -> Result<Instrument, Error> {
         let mean_length = self.spec.conditions[case.condition].excitation.mean_length();
         Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
     }
@@ -134,17 +137,18 @@ impl Judge<'_> {
         case: &Case,
         steady: &[f64],
     ) -> Result<Model<'m>, Error> {
-        let truth = &case.signals.channel(self.spec.goal.force)?[case.judged.clone()];
-        let errors: Vec<f64> =
-            steady[case.judged.clone()].iter().zip(truth).map(|(force, truth)| force - truth).collect();
-        let largest = (0..truth.len()).max_by(|&a, &b| truth[a].abs().total_cmp(&truth[b].abs())).unwrap_or(0);
+        let truth = case.signals.channel(self.spec.goal.force)?;
+        let errors: Vec<f64> = steady.iter().zip(truth).map(|(force, truth)| force - truth).collect();
+        let by_size = |a: &usize, b: &usize| truth[*a].abs().total_cmp(&truth[*b].abs());
+        let largest = case.judged.clone().max_by(by_size).unwrap_or(case.judged.start);
         let quantity = instrument.quantity(&case.signals)?;
         Ok(Model {
             spec: self.spec,
+            coil: self.coil,
             sensor,
             instrument,
-            reading: quantity[case.judged.start + largest],
-            errors: within(&errors, &case.signals, case, self.spec.goal.bandwidth)?,
+            reading: quantity[largest],
+            errors: band::within(&errors, case.signals.time(), &case.judged, self.spec.goal.bandwidth)?,
             sample_rate: self.spec.conditions[case.condition].sample_rate,
         })
     }
@@ -170,21 +174,10 @@ pub(super) struct Trial {
     pub lag: f64,
 }
 
+/// Number of the case with the largest uncertainty; of cases that are alike, the first.
 fn worst(assessments: &[Assessment]) -> usize {
     let by_size = |a: &usize, b: &usize| assessments[*a].combined.total_cmp(&assessments[*b].combined);
-    (0..assessments.len()).max_by(by_size).unwrap_or(0)
-}
-
-/// Errors as they count: all of them, or scaled to the rms that they have within a bandwidth \[Hz\], about the same mean.
-fn within(errors: &[f64], signals: &Signals, case: &Case, bandwidth: Option<f64>) -> Result<Vec<f64>, Error> {
-    let Some(bandwidth) = bandwidth else { return Ok(errors.to_vec()) };
-    let spectrum = Spectrum::of(&signals.time()[case.judged.clone()], errors)?;
-    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-    let inside = spectrum.rms_within(0.0, bandwidth);
-    let scatter = (inside * inside - mean * mean).max(0.0).sqrt();
-    let all = (errors.iter().map(|e| (e - mean) * (e - mean)).sum::<f64>() / errors.len() as f64).sqrt();
-    let scale = if all > 0.0 { (scatter / all).min(1.0) } else { 0.0 };
-    Ok(errors.iter().map(|e| mean + scale * (e - mean)).collect())
+    (0..assessments.len()).rev().max_by(by_size).unwrap_or(0)
 }
 
 fn rms(errors: &[f64]) -> f64 {

@@ -2,11 +2,14 @@
 //!
 //! Next door: the judgement of sensors (`verdict`).
 
-use coilsense::measures::alias_of;
+use coilsense::Error;
+use coilsense::measures::{Spectrum, alias_of};
 use coilsense::modes::ChainModes;
+use coilsense::sensors::{Readout, ReadoutParameters};
 
+use super::answer::digits;
 use super::case::Case;
-use super::instrument::Instrument;
+use super::verdict::Judge;
 use crate::data_sheet::DataSheet;
 use crate::spec::{SensorSpec, Spec};
 
@@ -30,6 +33,8 @@ pub enum Subject {
     Alias,
     /// A reading above full scale.
     Range,
+    /// A drift that is not known.
+    Temperature,
     /// Torsional or lateral motion.
     Neighbour,
 }
@@ -42,6 +47,7 @@ impl Subject {
             Self::Length => "length",
             Self::Alias => "alias",
             Self::Range => "range",
+            Self::Temperature => "temperature",
             Self::Neighbour => "neighbour",
         }
     }
@@ -51,7 +57,8 @@ impl Subject {
 const LEAST_LINE: f64 = 1e-4;
 
 /// All warnings, the gravest first.
-pub(super) fn of(spec: &Spec, sensors: &[SensorSpec], cases: &[Case], sheet: &DataSheet) -> Vec<Warning> {
+pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -> Result<Vec<Warning>, Error> {
+    let (spec, cases) = (judge.spec, judge.cases);
     let mut warnings = Vec::new();
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
@@ -59,11 +66,12 @@ pub(super) fn of(spec: &Spec, sensors: &[SensorSpec], cases: &[Case], sheet: &Da
         warnings.extend(length(spec, &of_condition, sheet));
     }
     for (index, sensor) in sensors.iter().enumerate() {
-        warnings.extend(alias(spec, sensor, cases));
+        warnings.extend(alias(judge, sensor)?);
         warnings.extend(range(spec, index, sensor, cases));
     }
+    warnings.extend(temperature(spec, sensors));
     warnings.extend(sheet.neighbour_warnings().into_iter().map(|text| Warning { subject: Subject::Neighbour, text }));
-    warnings
+    Ok(warnings)
 }
 
 /// Windings that touch, under the damping where they come nearest.
@@ -118,31 +126,54 @@ fn length(spec: &Spec, cases: &[&Case], sheet: &DataSheet) -> Option<Warning> {
 }
 
 /// Surge lines above half of a sensor's sample rate that get through its filter.
-fn alias(spec: &Spec, sensor: &SensorSpec, cases: &[Case]) -> Option<Warning> {
-    let rate = sensor.readout.sample_rate?;
-    let coil = coilsense::inductance::MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
-    let instrument = Instrument::new(sensor, &spec.spring.spring, &coil, spec.spring.spring.mid_length()).ok()?;
-    let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
-    let least = LEAST_LINE * spec.spring.spring.nominal_force();
-    let mut folded = Vec::new();
-    for angular in modes.frequencies() {
-        let line = angular / std::f64::consts::TAU;
-        let passes = instrument.readout().response(line).norm();
-        let amplitude = cases.iter().map(|case| passes * case.line_amplitude(sensor, line)).fold(0.0, f64::max);
-        if line > 0.5 * rate && amplitude > least {
-            folded.push((line, alias_of(line, rate), amplitude));
+fn alias(judge: &Judge<'_>, sensor: &SensorSpec) -> Result<Option<Warning>, Error> {
+    let Some(rate) = sensor.readout.sample_rate else { return Ok(None) };
+    let spring = &judge.spec.spring.spring;
+    let modes = ChainModes::mounted(spring, judge.spec.mount.far_end());
+    let surge = modes.frequencies().iter().map(|angular| angular / std::f64::consts::TAU);
+    let lines: Vec<f64> = surge.filter(|line| *line > 0.5 * rate).collect();
+    if lines.is_empty() {
+        return Ok(None);
+    }
+    // What is there at the moment of sampling: the hold comes after it and takes nothing from what it folds.
+    let ahead = Readout::new(ReadoutParameters { sample_rate: None, ..sensor.readout.clone() })?;
+    let mut amplitudes = vec![0.0_f64; lines.len()];
+    for case in judge.cases {
+        let instrument = judge.instrument(sensor, case)?;
+        let watched = instrument.forces(&instrument.quantity(&case.signals)?[case.judged.clone()]);
+        let spectrum = Spectrum::of(case.judged_times(), &watched)?;
+        let frequencies = spectrum.frequencies();
+        for (line, amplitude) in lines.iter().zip(&mut amplitudes) {
+            let passes = ahead.response(*line).norm();
+            *amplitude = amplitude.max(passes * line_amplitude(&frequencies, spectrum.amplitudes(), *line));
         }
     }
-    let (line, to, amplitude) = folded.iter().copied().max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let least = LEAST_LINE * spring.nominal_force();
+    let folded: Vec<(f64, f64)> =
+        lines.into_iter().zip(amplitudes).filter(|(_, amplitude)| *amplitude > least).collect();
+    let Some(&(line, amplitude)) = folded.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(None) };
+    let (plural, verb) = if folded.len() == 1 { ("", "gets") } else { ("s", "get") };
     let text = format!(
-        "{}: {} surge line{} above half of its sample rate of {rate:.0} Hz get{} through its filter; the largest, {line:.0} Hz with {amplitude:.2} N, \
-         shows up at {to:.1} Hz.",
+        "{}: {} surge line{plural} above half of its sample rate of {} Hz {verb} through its filter; the largest, {line:.0} Hz with {} N, \
+         shows up at {:.1} Hz.",
         sensor.name,
         folded.len(),
-        if folded.len() == 1 { "" } else { "s" },
-        if folded.len() == 1 { "s" } else { "" },
+        digits(rate),
+        digits(amplitude),
+        alias_of(line, rate),
     );
-    Some(Warning { subject: Subject::Alias, text })
+    Ok(Some(Warning { subject: Subject::Alias, text }))
+}
+
+/// Amplitude of the line nearest to a frequency \[Hz\], which may lie between two; zero above the spectrum's end.
+fn line_amplitude(frequencies: &[f64], amplitudes: &[f64], frequency: f64) -> f64 {
+    let next = frequencies.partition_point(|&f| f < frequency);
+    if next == frequencies.len() {
+        return 0.0;
+    }
+    // The mean is no line, however near it lies where the window is short.
+    let around = next.saturating_sub(2).max(1).min(next)..(next + 2).min(frequencies.len());
+    amplitudes[around].iter().fold(0.0, |most: f64, amplitude| most.max(*amplitude))
 }
 
 /// A load cell that sees more than its full scale.
@@ -152,8 +183,9 @@ fn range(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Opti
     }
     let peak = |case: &Case| case.readings[index].native.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
     let (case, most) = cases.iter().map(|case| (case, peak(case))).max_by(|a, b| a.1.total_cmp(&b.1))?;
-    // A held spring rings about F_nom itself: its full scale is meant with a margin.
-    if most <= 1.25 * sensor.range {
+    // F_nom is the full scale where nobody chose one, and a spring held there rings about it: that one is meant with a margin.
+    let margin = if sensor.range == spec.spring.spring.nominal_force() { 1.25 } else { 1.0 };
+    if most <= margin * sensor.range {
         return None;
     }
     let text = format!(
@@ -165,4 +197,20 @@ fn range(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Opti
         sensor.range
     );
     Some(Warning { subject: Subject::Range, text })
+}
+
+/// Sensors that estimate a force by a length, of a spring whose drift with temperature nobody knows.
+fn temperature(spec: &Spec, sensors: &[SensorSpec]) -> Option<Warning> {
+    let unknown = spec.spring.geometry.material().stiffness_temperature().is_none();
+    let estimates: Vec<&str> =
+        sensors.iter().filter(|sensor| sensor.quantity.unit() != "N").map(|sensor| sensor.name.as_str()).collect();
+    if !unknown || estimates.is_empty() || spec.uncertainty.temperature_change == 0.0 {
+        return None;
+    }
+    let text = format!(
+        "{}: how the stiffness of {} drifts with temperature is not known here, so it is left out of their budgets; steel drifts by 0.35 % in 10 K.",
+        estimates.join(", "),
+        spec.spring.material
+    );
+    Some(Warning { subject: Subject::Temperature, text })
 }

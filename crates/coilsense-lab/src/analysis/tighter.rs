@@ -1,0 +1,98 @@
+//! What would fix a sensor by knowing something better: each line of its budget made as small as the goal needs it.
+//!
+//! Next door: changes of place and of dynamics, and the trial of all of them (`fix`).
+
+use super::fix::{Change, written};
+use super::verdict::Verdict;
+use crate::quantity::Dimension;
+use crate::spec::{Quantity, SensorSpec, Spec};
+
+/// A limit of error that must shrink to less than this share of itself is another instrument.
+const LEAST_SHARE: f64 = 0.05;
+
+/// For each line of the worst case's budget that alone stands between the sensor and the goal \[N\], the change that makes it fit.
+pub(super) fn all(spec: &Spec, sensor: &SensorSpec, verdict: &Verdict, goal: f64) -> Vec<Change> {
+    let lines = verdict.budget.budget.contributions().iter();
+    let change = |name: &str, contribution: f64| {
+        // What the other lines and the mean error leave of the goal.
+        let room = goal * goal - (verdict.combined().powi(2) - contribution.powi(2));
+        let share = room.max(0.0).sqrt() / contribution;
+        if !(LEAST_SHARE..1.0).contains(&share) {
+            return None;
+        }
+        of_sensor(name, sensor, share).or_else(|| of_spring(name, spec, sensor, share))
+    };
+    lines.filter_map(|line| change(line.name.as_ref(), line.contribution)).collect()
+}
+
+/// A better instrument: the limit behind a line of the budget, times `share`.
+fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
+    let mut sensor = sensor.clone();
+    let readout = &mut sensor.readout;
+    let words = match line {
+        "sensor: accuracy of full scale" => {
+            let text = percent(&mut sensor.accuracy_full_scale, share)?;
+            format!("an accuracy of {text} of full scale")
+        }
+        "sensor: accuracy of reading" => {
+            let text = percent(&mut sensor.accuracy_reading, share)?;
+            format!("an accuracy of {text} of the reading")
+        }
+        "calibration" => format!("a gain calibrated to {}", percent(&mut sensor.calibration_uncertainty, share)?),
+        "sensor: noise" => {
+            let text = percent(&mut readout.noise, share / sensor.range)?;
+            readout.noise *= sensor.range;
+            format!("noise of {text} of full scale")
+        }
+        "sensor: resolution" => {
+            let step = readout.resolution.as_mut()?;
+            let text = percent(step, share / sensor.range)?;
+            *step *= sensor.range;
+            format!("a resolution of {text} of full scale")
+        }
+        "calibration form: measured springs" => {
+            let Quantity::Inductance { form, .. } = &mut sensor.quantity else { return None };
+            format!("a calibration that fits within {} of the travel", percent(form, share)?)
+        }
+        _ => return None,
+    };
+    Some(Change { words, sensor, spec: None })
+}
+
+/// A spring that is known better: the limit behind a line of the budget, times `share`.
+fn of_spring(line: &str, spec: &Spec, sensor: &SensorSpec, share: f64) -> Option<Change> {
+    let mut spec = spec.clone();
+    let words = match line {
+        "temperature" => {
+            let kelvin = cut(share * spec.uncertainty.temperature_change);
+            let (value, text) = written(Dimension::Temperature, format!("{kelvin} K"))?;
+            spec.uncertainty.temperature_change = value;
+            format!("a temperature within ±{text} of the calibration's")
+        }
+        "tolerance of the stiffness" => {
+            format!("a stiffness known within ±{}", percent(&mut spec.spring.stiffness_tolerance, share)?)
+        }
+        "tolerance of the rest length" => {
+            let length = cut(1e3 * share * spec.spring.rest_length_tolerance);
+            let (value, text) = written(Dimension::Length, format!("{length} mm"))?;
+            spec.spring.rest_length_tolerance = value;
+            format!("a rest length known within ±{text}")
+        }
+        _ => return None,
+    };
+    Some(Change { words, sensor: sensor.clone(), spec: Some(spec) })
+}
+
+/// Makes a value `share` times itself, as a percentage that can be written, and says which.
+fn percent(value: &mut f64, share: f64) -> Option<String> {
+    let (short, text) = written(Dimension::Share, format!("{} %", cut(100.0 * share * *value)))?;
+    *value = short;
+    Some(text)
+}
+
+/// Two significant digits, the rest cut off, so that what is named does not ask for less than it takes.
+fn cut(value: f64) -> String {
+    let decimals = (1 - value.log10().floor() as i32).clamp(0, 12);
+    let power = 10_f64.powi(decimals);
+    format!("{:.*}", decimals as usize, (value * power).floor() / power)
+}

@@ -1,0 +1,83 @@
+//! Ranking, the goal under each damping, and the words of the answer.
+
+use coilsense_lab::analysis::answer;
+use coilsense_lab::spec::template;
+
+use super::{HEEL_STRIKE, S_T, STILL, run, undamped, verdict};
+
+#[test]
+fn sensors_are_ranked_by_their_worst_case_and_the_first_of_equal_cases_is_named() {
+    let analysis = run(&template(Some("S_T")).unwrap());
+    let combined: Vec<f64> = analysis.verdicts.iter().map(|verdict| verdict.combined()).collect();
+    assert!(combined.is_sorted(), "{combined:?}");
+    for verdict in &analysis.verdicts {
+        let largest = verdict.assessments.iter().map(|a| a.combined).fold(0.0, f64::max);
+        assert_eq!(verdict.combined(), largest);
+        assert_eq!(verdict.assessments.iter().position(|a| a.combined == largest), Some(verdict.worst));
+    }
+    // A laser looks at the ends only: damping changes nothing for it, and blaming the last would mislead.
+    let laser = verdict(&analysis, "laser");
+    assert_eq!(analysis.spec.mount.cases[analysis.cases[laser.worst].damping].label, "ζ = 0");
+}
+
+#[test]
+fn without_a_damping_the_goal_is_judged_for_four_and_the_papers_is_marked() {
+    // Up to 200 Hz the surge counts: undamped it is 1.3 % of F_nom, at ζ = 0.02 it is gone by 0.75 s.
+    let goal = "[goal]\nerror = \"1 %\"\nbandwidth = \"200 Hz\"\n";
+    let analysis = run(&format!("{S_T}\n{HEEL_STRIKE}[[sensor]]\nkind = \"load-cell\"\n{goal}"));
+    let labels: Vec<&str> = analysis.spec.mount.cases.iter().map(|case| case.label.as_str()).collect();
+    assert_eq!(labels, ["ζ = 0", "ζ = 0.001", "ζ = 0.005", "ζ = 0.02"]);
+    assert!(analysis.spec.mount.is_band);
+    let verdict = &analysis.verdicts[0];
+    assert_eq!((verdict.meets.as_slice(), verdict.meets_always()), (&[false, true, true, true][..], Some(false)));
+    let words = answer(&analysis).join("\n");
+    assert!(words.contains("ζ from 0 (the paper's case) to 0.02"), "{words}");
+    assert!(words.contains("load-cell meets it at ζ = 0.001, ζ = 0.005, ζ = 0.02 only"), "{words}");
+}
+
+const CELL: &str = "[[sensor]]\nkind = \"load-cell\"\nname = \"cell\"\naccuracy_full_scale = \"1 %\"\n";
+const LASER: &str = "[[sensor]]\nkind = \"deflection\"\nname = \"laser\"\n";
+const SLOW: &str = "[[sensor]]\nkind = \"deflection\"\nname = \"slow\"\naveraging = \"100 ms\"\n";
+
+/// The answer's first lines for some sensors and a goal.
+fn words(sensors: &str, goal: &str) -> Vec<String> {
+    answer(&undamped(S_T, &format!("{STILL}{sensors}{goal}")))
+}
+
+#[test]
+fn the_answer_reads_well_for_any_number_of_sensors() {
+    let goal = "[goal]\nerror = \"1 %\"\nbandwidth = \"20 Hz\"\n";
+    let strict = "[goal]\nerror = \"0.1 %\"\nbandwidth = \"20 Hz\"\n";
+    let first = |sensors: &str, goal: &str| words(sensors, goal).remove(0);
+    assert!(
+        first(CELL, goal)
+            .starts_with("Choose cell. It meets the goal of 1.22 N (1.00 % of F_nom) up to 20.0 Hz; its standard")
+    );
+    assert!(first(&format!("{CELL}{LASER}"), goal).contains("Choose laser. Both sensors meet"));
+    assert!(first(&format!("{CELL}{LASER}{SLOW}"), goal).contains("2 of 3 sensors meet"));
+    assert!(first(&format!("{CELL}{SLOW}"), goal).contains("Choose cell. One of 2 sensors meets"));
+    assert!(first(CELL, strict).starts_with("cell does not meet the goal of 0.122 N"));
+    assert!(first(&format!("{CELL}{SLOW}"), strict).starts_with("No sensor meets the goal"));
+    assert!(first(CELL, "").starts_with("cell, with a standard uncertainty of at most 0.702 N"));
+    assert!(first(&format!("{CELL}{LASER}"), "").starts_with("Least uncertain is laser, with a standard uncertainty"));
+    // Without sensors: the paper's four, without limits of their own.
+    assert!(first("", goal).contains("Choose perfect load cell, end 1. All 4 sensors meet"), "{}", first("", goal));
+    for lines in [words(CELL, goal), words("", ""), words(&format!("{CELL}{SLOW}"), strict)] {
+        assert!(lines.len() <= 5 && lines.iter().all(|line| !line.is_empty()), "{lines:?}");
+    }
+}
+
+#[test]
+fn who_misses_is_told_why() {
+    let strict = "[goal]\nerror = \"0.1 %\"\nbandwidth = \"20 Hz\"\n";
+    let lines = words(&format!("{CELL}{SLOW}"), strict);
+    assert!(lines[1].contains("cell (0.702 N in impact, mostly sensor: accuracy of full scale)"), "{lines:?}");
+    let loose = "[goal]\nerror = \"1 %\"\nbandwidth = \"20 Hz\"\n";
+    let lines = words(&format!("{CELL}{SLOW}"), loose);
+    assert!(lines[1].contains("slow (reaches 4.43 Hz only)"), "{lines:?}");
+    // A gauge that is always 20 ms late on a ramp is off by its mean.
+    let ramp = "[[condition]]\nkind = \"ramp\"\namplitude = \"-30 mm\"\nrise_time = \"1 s\"\nduration = \"1 s\"\nwindow = [\"0.5 s\", \"1 s\"]\n";
+    let late = "[[sensor]]\nkind = \"deflection\"\nname = \"late\"\ndelay = \"20 ms\"\n";
+    let lines = answer(&undamped(S_T, &format!("{ramp}{late}{strict}")));
+    assert!(lines[1].contains("mostly a mean error of −0.456 N"), "{lines:?}");
+}

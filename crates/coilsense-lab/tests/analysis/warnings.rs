@@ -1,0 +1,122 @@
+//! What a reader is warned of, and what not.
+
+use coilsense_lab::analysis::{Analysis, Subject};
+use coilsense_lab::spec::template;
+
+use super::{HEEL_STRIKE, S_A, S_T, STILL, run, undamped};
+
+fn of(analysis: &Analysis, subject: Subject) -> Vec<&str> {
+    analysis.warnings.iter().filter(|warning| warning.subject == subject).map(|warning| warning.text.as_str()).collect()
+}
+
+/// Alias warnings of one sensor in S_T's heel strike.
+fn alias(sensor: &str) -> Vec<String> {
+    let analysis = undamped(S_T, &format!("{HEEL_STRIKE}[[sensor]]\n{sensor}\n"));
+    of(&analysis, Subject::Alias).into_iter().map(str::to_owned).collect()
+}
+
+#[test]
+fn a_surge_line_above_half_the_sample_rate_is_told_with_where_it_folds_to() {
+    // 100 Hz: the first mode, 54.06 Hz, shows up at 45.9 Hz, and of 4kv/ω = 2.24 N between two lines of the spectrum 85 % are seen.
+    let [text] = &alias("kind = \"load-cell\"\nsample_rate = \"100 Hz\"")[..] else { panic!() };
+    assert!(text.contains("54 Hz with") && text.ends_with("shows up at 45.9 Hz."), "{text}");
+    let amplitude: f64 = text.split(" Hz with ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((0.84 * 2.2376..1.01 * 2.2376).contains(&amplitude), "{text}");
+    // Sampled at the line itself it stands still: all of it becomes a steady error, which the hold does not take away.
+    let [text] = &alias("kind = \"load-cell\"\nsample_rate = \"54.057 Hz\"")[..] else { panic!() };
+    assert!(text.contains("54 Hz with 1.9") && text.ends_with("shows up at 0.0 Hz."), "{text}");
+    // S_T's highest mode lies at 2N√(k/m)/2π = 1790 Hz.
+    assert_eq!(alias("kind = \"load-cell\"\nsample_rate = \"3.57 kHz\"").len(), 1);
+    assert_eq!(alias("kind = \"load-cell\"\nsample_rate = \"3.6 kHz\"").len(), 0);
+}
+
+#[test]
+fn what_carries_no_surge_or_filters_it_is_not_warned_of() {
+    assert!(alias("kind = \"load-cell\"").is_empty(), "no sampling");
+    assert!(alias("kind = \"load-cell\"\nsample_rate = \"500 Hz\"\nbandwidth = \"30 Hz\"\norder = 6").is_empty());
+    assert!(alias("kind = \"deflection\"\nsample_rate = \"100 Hz\"").is_empty(), "held ends do not move");
+    assert!(alias("kind = \"two-encoder\"\nsample_rate = \"100 Hz\"").is_empty(), "nor do encoders on them");
+    assert_eq!(
+        alias("kind = \"two-encoder\"\nsample_rate = \"100 Hz\"\ncompliance = \"100 um/N\"").len(),
+        1,
+        "a drive train yields"
+    );
+    // Nothing moves here, and the window is so short that the mean lies beside every line.
+    let still = undamped(S_T, &format!("{STILL}[[sensor]]\nkind = \"load-cell\"\nsample_rate = \"100 Hz\"\n"));
+    assert!(of(&still, Subject::Alias).is_empty());
+}
+
+#[test]
+fn s_a_clashes_at_resonance_and_s_t_does_not() {
+    let undamped_template = |spring: &str| {
+        let text = template(Some(spring)).unwrap().replace("# damping_ratio = 0.005", "damping_ratio = 0 #");
+        run(&text)
+    };
+    let analysis = undamped_template("S_A");
+    let [clash] = of(&analysis, Subject::Clash)[..] else { panic!("{:?}", analysis.warnings) };
+    // Findings, section 3: from t = 0.53 s on, down to 2.44 mm.
+    assert!(clash.contains("resonance, ζ = 0: windings touch from t = 0.529 s on (2.44 mm"), "{clash}");
+    assert!(of(&undamped_template("S_T"), Subject::Clash).is_empty());
+}
+
+#[test]
+fn lengths_below_solid_or_out_of_the_range_in_use_are_told() {
+    let swing = |length: &str, amplitude: &str| {
+        format!(
+            "[[condition]]\nname = \"swing\"\nkind = \"harmonic\"\nlength = \"{length}\"\nfrequency = \"5 Hz\"\namplitude = \"{amplitude}\"\n\
+                 start = \"massless\"\n"
+        )
+    };
+    let lengths = |spring: &str, condition: String| {
+        let analysis = undamped(spring, &condition);
+        of(&analysis, Subject::Length).into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    // S_A: 25 windings of 3.2 mm.
+    let solid = lengths(S_A, swing("84 mm", "6 mm"));
+    assert!(
+        solid.len() == 1 && solid[0].contains("78.00 mm long at its shortest, below its solid length of 80.00 mm"),
+        "{solid:?}"
+    );
+    let long = lengths(S_T, swing("max", "5 mm"));
+    assert!(long.len() == 1 && long[0].contains("to 269.00 mm leave the range in use, 196.00–264.00 mm"), "{long:?}");
+    assert!(lengths(S_T, swing("mid", "34 mm")).is_empty(), "the range itself is in use");
+}
+
+#[test]
+fn a_load_cell_beyond_its_full_scale_is_told() {
+    let ranges = |range: &str| {
+        let analysis =
+            undamped(S_T, &format!("{HEEL_STRIKE}[[sensor]]\nkind = \"load-cell\"\nname = \"cell\"\n{range}"));
+        of(&analysis, Subject::Range).len()
+    };
+    // 95.8 N, and an impact of 1.8 N about it that the chain's last windings overshoot.
+    assert_eq!((ranges("range = \"90 N\""), ranges("range = \"96 N\""), ranges("range = \"100 N\"")), (1, 1, 0));
+    assert_eq!(ranges(""), 0, "F_nom, which nobody chose, is no limit of an instrument");
+}
+
+#[test]
+fn a_drift_that_is_not_known_is_told_and_not_taken_for_none() {
+    let bronze = S_T.replace("[spring]", "[spring]\nmaterial = \"CuBe2\"");
+    let with = |spring: &str, sensor: &str| {
+        of(&undamped(spring, &format!("{STILL}[[sensor]]\nkind = \"{sensor}\"\n")), Subject::Temperature).len()
+    };
+    assert_eq!((with(&bronze, "deflection"), with(&bronze, "load-cell"), with(S_T, "deflection")), (1, 0, 0));
+    let known = bronze.replace("[spring]", "[spring]\nshear_modulus_temperature = \"-0.03 %/K\"");
+    assert_eq!(with(&known, "deflection"), 0);
+}
+
+#[test]
+fn neighbours_below_the_first_surge_of_the_specs_own_mount_are_told() {
+    let neighbours = |mount: &str| {
+        let analysis =
+            run(&format!("{S_T}\n[mount]\n{mount}\ndamping_ratio = 0\n[uncertainty]\ntrials = 1000\n{STILL}"));
+        of(&analysis, Subject::Neighbour).into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let held = neighbours("end2 = \"held\"");
+    // A string of S_T's mass under 70 N; its torsion, at 60 Hz, lies above the surge.
+    assert!(held.len() == 1 && held[0].starts_with("lateral motion starts at about 38 Hz at 196.0 mm"), "{held:?}");
+    assert!(
+        neighbours("end2 = \"mass\"\nend_mass = \"2 kg\"").is_empty(),
+        "a heavy end swings at 3 Hz, below them all"
+    );
+}
