@@ -1,4 +1,5 @@
-//! Numbers with units as people write them, `"104 mm"`, and their SI values: the one place where units are converted.
+//! Numbers with units as people write them, `"104 mm"`, and their SI values: the one place where units are converted; and numbers as people read
+//! them.
 //!
 //! Next door: the files that hold such strings (`spec`).
 
@@ -158,6 +159,21 @@ fn scaled(text: &str, exponent: i32) -> Option<f64> {
         None => (text, 0),
     };
     format!("{mantissa}e{}", own.saturating_add(exponent)).parse().ok()
+}
+
+/// Three significant digits, as people write them.
+pub(crate) fn digits(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// The same without zeros behind: for what a person has set.
+pub(crate) fn plainly(value: f64) -> String {
+    let text = digits(value);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 #[cfg(test)]

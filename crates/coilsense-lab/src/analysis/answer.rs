@@ -4,6 +4,7 @@
 
 use super::verdict::Verdict;
 use super::{Analysis, Subject};
+use crate::quantity::{digits, plainly};
 
 /// The answer, one sentence or two per line, at most five lines.
 pub fn answer(analysis: &Analysis) -> Vec<String> {
@@ -31,27 +32,14 @@ fn wish(analysis: &Analysis, newton: f64) -> String {
     format!("{} N ({} % of F_nom)", plainly(newton), plainly(100.0 * newton / nominal))
 }
 
-/// Three significant digits, as people write them.
-pub(crate) fn digits(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return format!("{value}");
-    }
-    let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
-    format!("{value:.decimals$}")
-}
-
-/// The same without zeros behind: for what a person has set.
-pub(crate) fn plainly(value: f64) -> String {
-    let text = digits(value);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-}
-
 /// In which condition, and under which damping where there are several.
 fn place(analysis: &Analysis, verdict: &Verdict) -> String {
     let case = &analysis.cases[verdict.worst];
     let condition = &analysis.spec.conditions[case.condition].name;
     let dampings = &analysis.spec.mount.cases;
-    if dampings.len() > 1 { format!("{condition}, {}", dampings[case.damping].label) } else { condition.clone() }
+    let place =
+        if dampings.len() > 1 { format!("{condition}, {}", dampings[case.damping].label) } else { condition.clone() };
+    if case.clash.happens() { format!("{place}, where windings would touch") } else { place }
 }
 
 fn best(analysis: &Analysis) -> String {
@@ -163,6 +151,7 @@ fn warned(analysis: &Analysis) -> String {
     let kinds = [
         (Subject::Clash, "windings touch"),
         (Subject::Length, "a length leaves the range in use"),
+        (Subject::Doubt, "values of the spring do not fit together"),
         (Subject::Alias, "sampling folds surge lines down"),
         (Subject::Range, "a load cell is overloaded"),
         (Subject::Temperature, "a drift with temperature is not known"),

@@ -55,6 +55,8 @@ pub(super) struct Model<'a> {
     pub errors: Vec<f64>,
     /// Samples per second of the simulation \[Hz\].
     pub sample_rate: f64,
+    /// Force at the mean length, where instruments are set to zero \[N\].
+    pub mean_force: f64,
 }
 
 /// An input of the model, by its place in the vector of inputs.
@@ -73,6 +75,8 @@ enum Place {
     RestLength,
     /// Added to the length that is read from an inductance \[m\].
     Form,
+    /// Added to the drive train's compliance \[m/N\].
+    Compliance,
 }
 
 impl Model<'_> {
@@ -102,7 +106,7 @@ impl Model<'_> {
 
     /// F of the inputs: the reading as the sensor errs, the force that the estimate makes of it as the spring errs, and the oscillation.
     fn force(&self, places: &[Place], values: &[f64]) -> f64 {
-        let [mut oscillation, mut added, mut gain, mut kelvin, mut stiffness, mut longer] = [0.0; 6];
+        let [mut oscillation, mut added, mut gain, mut kelvin, mut stiffness, mut longer, mut softer] = [0.0; 7];
         for (place, value) in places.iter().zip(values) {
             match place {
                 Place::Oscillation => oscillation += value,
@@ -112,6 +116,7 @@ impl Model<'_> {
                 Place::Stiffness => stiffness += value,
                 Place::RestLength => longer -= value,
                 Place::Form => longer += value,
+                Place::Compliance => softer += value,
             }
         }
         let zero = self.instrument.zero();
@@ -125,7 +130,9 @@ impl Model<'_> {
         let change = (1.0 + stiffness) * (1.0 + self.modulus_drift() * kelvin) - 1.0;
         // In series with a drive train a spring's change shows in part only: dk_s/k_s = (k_s/k) dk/k.
         let share = 1.0 + slope / spring.stiffness() * change;
-        (estimate + slope * longer) * share + oscillation
+        // Set to zero at the mean length, a drive train that is softer than thought shows in what the force is off its mean.
+        let bent = slope * softer * (estimate - self.mean_force);
+        (estimate + slope * longer) * share + bent + oscillation
     }
 
     /// (dk/dT)/k \[1/K\]; zero, with a warning elsewhere, where the material table does not know it.
@@ -163,6 +170,10 @@ impl Model<'_> {
             let (stiffness, length) = (spec.spring.stiffness_tolerance, spec.spring.rest_length_tolerance);
             add(Place::Stiffness, "tolerance of the stiffness", stiffness, limits(stiffness));
             add(Place::RestLength, "tolerance of the rest length", length, limits(length));
+            if let Quantity::TwoEncoder { compliance, .. } = sensor.quantity {
+                let softer = sensor.compliance_tolerance * compliance;
+                add(Place::Compliance, "tolerance of the drive train's compliance", softer, limits(softer));
+            }
         }
         let places = lines.iter().map(|(place, ..)| *place).collect();
         let input = |(_, name, distribution): (Place, &'static str, Distribution)| Input::new(name, 0.0, distribution);

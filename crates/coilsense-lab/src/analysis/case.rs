@@ -82,6 +82,8 @@ impl Case {
             ideal.push((force, Deviation::between(series, truth)?));
             spectra.push((force, Spectrum::of(&times[judged.clone()], series)?));
         }
+        // What comes after the judged part concerns nobody.
+        let clash = Clash::seen(&motion, &times[..judged.end], &windings, spec.spring.contact_pitch())?;
         let number = condition * spec.mount.cases.len() + damping;
         let read = |(index, sensor): (usize, &SensorSpec)| {
             let instrument = Instrument::new(sensor, spring, coil, mean_length)?;
@@ -95,7 +97,7 @@ impl Case {
             readings: sensors.iter().enumerate().map(read).collect::<Result<_, _>>()?,
             ideal,
             spectra,
-            clash: Clash::seen(&motion, &times, &windings, spec.spring.contact_pitch())?,
+            clash,
             lengths: lengths(&signals)?,
             frames: Frames::of(&windings, &times, judged.start, 1.0 / spring.surge_frequency()),
             signals,

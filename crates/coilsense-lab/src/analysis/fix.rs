@@ -5,10 +5,10 @@
 use coilsense::sensors::ReadoutParameters;
 use coilsense::{End, Error};
 
-use super::answer::digits;
 use super::tighter;
 use super::verdict::{Judge, Verdict};
 use crate::quantity::Dimension;
+use crate::quantity::digits;
 use crate::spec::{Quantity, SensorSpec, Spec};
 
 /// A change with which a sensor meets the goal.

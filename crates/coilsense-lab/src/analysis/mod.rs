@@ -21,7 +21,6 @@ mod verdict;
 mod warnings;
 
 pub use answer::answer;
-pub(crate) use answer::{digits, plainly};
 pub use budget::SensorBudget;
 pub use case::{Case, Reading};
 pub use fix::Fix;
@@ -130,8 +129,11 @@ impl Analysis {
         let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases };
         let mut verdicts: Vec<Verdict> = (0..sensors.len())
             .into_par_iter()
-            .map(|index| judge.verdict(index, &sensors[index]))
-            .collect::<Result<_, _>>()?;
+            .map(|index| match progress(cases.len(), cases.len()) {
+                true => Ok(judge.verdict(index, &sensors[index])?),
+                false => Err(AnalysisError::Interrupted),
+            })
+            .collect::<Result<_, AnalysisError>>()?;
         verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
         let data_sheet = DataSheet::of(&spec)?;
         let warnings = warnings::of(&judge, &sensors, &data_sheet)?;

@@ -126,7 +126,7 @@ impl Judge<'_> {
 
     /// A sensor as it is set up for a case.
     pub fn instrument(&self, sensor: &SensorSpec, case: &Case) -> Result<Instrument, Error> {
-        let mean_length = self.spec.conditions[case.condition].excitation.mean_length();
+        let mean_length = self.mean_length(case);
         Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
     }
 
@@ -150,7 +150,12 @@ impl Judge<'_> {
             reading: quantity[largest],
             errors: band::within(&errors, case.signals.time(), &case.judged, self.spec.goal.bandwidth)?,
             sample_rate: self.spec.conditions[case.condition].sample_rate,
+            mean_force: self.spec.spring.spring.static_force(self.mean_length(case)),
         })
+    }
+
+    fn mean_length(&self, case: &Case) -> f64 {
+        self.spec.conditions[case.condition].excitation.mean_length()
     }
 
     fn meets(&self, assessments: &[Assessment]) -> Vec<bool> {

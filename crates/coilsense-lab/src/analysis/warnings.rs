@@ -7,10 +7,10 @@ use coilsense::measures::{Spectrum, alias_of};
 use coilsense::modes::ChainModes;
 use coilsense::sensors::{Readout, ReadoutParameters};
 
-use super::answer::digits;
 use super::case::Case;
 use super::verdict::Judge;
 use crate::data_sheet::DataSheet;
+use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec};
 
 /// Something that a reader must know.
@@ -29,6 +29,8 @@ pub enum Subject {
     Clash,
     /// A length out of range.
     Length,
+    /// Values of the spring that do not fit together.
+    Doubt,
     /// A surge line above half a sample rate.
     Alias,
     /// A reading above full scale.
@@ -45,6 +47,7 @@ impl Subject {
         match self {
             Self::Clash => "clash",
             Self::Length => "length",
+            Self::Doubt => "doubt",
             Self::Alias => "alias",
             Self::Range => "range",
             Self::Temperature => "temperature",
@@ -65,6 +68,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
         warnings.extend(clash(spec, &of_condition));
         warnings.extend(length(spec, &of_condition, sheet));
     }
+    warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
         warnings.extend(alias(judge, sensor)?);
         warnings.extend(range(spec, index, sensor, cases));
@@ -83,15 +87,17 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
         .filter(|case| !case.clash.happens())
         .map(|case| spec.mount.cases[case.damping].label.as_str())
         .collect();
+    let touching = cases.iter().filter(|case| case.clash.happens() && case.damping != nearest.damping);
+    let too: Vec<&str> = touching.map(|case| spec.mount.cases[case.damping].label.as_str()).collect();
+    let also = if too.is_empty() { String::new() } else { format!(" They touch at {} too.", too.join(", ")) };
     let until = if clear.is_empty() { String::new() } else { format!(" They stay clear at {}.", clear.join(", ")) };
     let text = format!(
-        "{}, {}: windings touch from t = {contact:.3} s on ({:.2} mm from winding to winding at t = {:.3} s, wire {:.2} mm). The \
-         numbers after that lie beyond what this spring can do.{until}",
+        "{}, {}: windings touch from t = {contact:.3} s on; at t = {:.3} s they would overlap by {:.2} mm. The numbers after that \
+         lie beyond what this spring can do.{also}{until}",
         spec.conditions[nearest.condition].name,
         spec.mount.cases[nearest.damping].label,
-        1e3 * nearest.clash.smallest_pitch,
         nearest.clash.time,
-        1e3 * nearest.clash.contact_pitch,
+        -1e3 * nearest.clash.clearance(),
     );
     Some(Warning { subject: Subject::Clash, text })
 }

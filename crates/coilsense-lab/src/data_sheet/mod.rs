@@ -10,6 +10,7 @@ pub use rows::Row;
 
 use coilsense::Error;
 
+use crate::quantity::digits;
 use crate::spec::{Spec, SpringSpec};
 
 /// The data sheet of a spec's spring.
@@ -54,11 +55,11 @@ fn doubts(spring: &SpringSpec, solid: f64) -> Vec<String> {
         let departure = wound / given - 1.0;
         if departure.abs() > DOUBTFUL {
             doubts.push(format!(
-                "wire, coil and {} would give {letter} = {:.4} {unit}, {:+.0} % from the {:.4} {unit} given: another material, or another coil?",
+                "wire, coil and {} would give {letter} = {} {unit}, {:+.0} % from the {} {unit} given: another material, or another coil?",
                 spring.material,
-                scale * wound,
+                digits(scale * wound),
                 100.0 * departure,
-                scale * given
+                digits(scale * given)
             ));
         }
     }
@@ -104,7 +105,7 @@ impl DataSheet {
             self.neighbours.iter().filter(|n| n.frequency_hz.is_none()).map(|n| n.place.as_str()).collect();
         if !buckled.is_empty() {
             sentences.push(format!(
-                "the spring buckles {} unless it is guided; the axial model leaves that out.",
+                "the spring may buckle {} where its ends can tilt (flat seats and guides prevent it); the axial model leaves that out.",
                 buckled.join(" and ")
             ));
         }

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::SpecError;
 use super::document::Document;
-use super::measurand::Quantity;
+use super::measurand::{KINDS, Quantity};
 use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
 
@@ -84,6 +84,13 @@ pub(super) fn material(name: &str) -> Result<MaterialParameters, String> {
         resistivity: optional(&found.resistivity, Dimension::Resistivity)?,
         relative_permeability: found.relative_permeability,
     })
+}
+
+/// The kind of a class, by its word in a spec.
+pub(super) fn kind_of(name: &str) -> Option<&'static str> {
+    let all = all_classes().ok()?;
+    let class = all.iter().find(|class| class.class == name)?;
+    KINDS.into_iter().find(|kind| *kind == class.kind)
 }
 
 /// A sensor of a class; the error says which there are of its kind.

@@ -34,8 +34,12 @@ pub struct SensorSpec {
     pub calibration_uncertainty: f64,
     /// Of the gain \[1/K\].
     pub temperature_coefficient: f64,
+    /// How far the drive train's compliance may be off, either way, as a share \[1\].
+    pub compliance_tolerance: f64,
 }
 
+/// A drive train's compliance is seldom known better.
+const COMPLIANCE_TOLERANCE: f64 = 0.1;
 /// Most sensors: each reads every case.
 const MOST_SENSORS: usize = 256;
 
@@ -70,12 +74,18 @@ impl SensorSpec {
     }
 
     fn parse(section: &Section<'_>, spring: &Spring, coil: &MaxwellSum) -> Result<Self, SpecError> {
-        let kind = section.word("kind", &KINDS)?;
+        let class = section.optional_text("class")?;
+        // A class says its kind; a kind that is given must be that one.
+        let kind = match section.has("kind") {
+            false => class.as_deref().and_then(catalogue::kind_of),
+            true => None,
+        };
+        let kind = kind.map_or_else(|| section.word("kind", &KINDS), Ok)?;
         section.only_of(kind, &format!("kind \"{kind}\""))?;
         let quantity = measurand(section, kind)?;
         let natural = quantity.natural_range(spring, coil);
         let range = section.above_zero("range", quantity.dimension())?.unwrap_or(natural);
-        let base = match section.optional_text("class")? {
+        let base = match class {
             Some(class) => {
                 catalogue::class(&class, quantity, range).map_err(|message| section.refuse("class", message))?
             }
@@ -95,6 +105,7 @@ impl SensorSpec {
             accuracy_reading: 0.0,
             calibration_uncertainty: 0.0,
             temperature_coefficient: 0.0,
+            compliance_tolerance: 0.0,
         }
     }
 
@@ -119,6 +130,10 @@ impl SensorSpec {
                 .map_or(self.accuracy_full_scale, |limit| limit / range),
             accuracy_reading: section.share("accuracy_reading")?.unwrap_or(self.accuracy_reading),
             calibration_uncertainty: section.share("calibration_uncertainty")?.unwrap_or(self.calibration_uncertainty),
+            compliance_tolerance: match quantity {
+                Quantity::TwoEncoder { .. } => section.share("compliance_tolerance")?.unwrap_or(COMPLIANCE_TOLERANCE),
+                _ => 0.0,
+            },
             temperature_coefficient: section
                 .optional_quantity("temperature_coefficient", Dimension::PerKelvin)?
                 .unwrap_or(self.temperature_coefficient),

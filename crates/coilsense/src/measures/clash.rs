@@ -44,9 +44,10 @@ impl Clash {
     /// - `contact_pitch`: \[m\], above zero
     ///
     /// # Errors
-    /// [`Error::Count`] where there is not one time for each sample of the positions; [`Error::Value`] for a pitch that is not above zero.
+    /// [`Error::Count`] for no times, or more than there are samples of the positions (later ones are left out); [`Error::Value`] for a pitch that is not above zero.
     pub fn seen(motion: &Motion, times: &[f64], windings: &Windings, contact_pitch: f64) -> Result<Self, Error> {
-        crate::error::count("times", times.len(), windings.samples())?;
+        crate::error::at_least_one("times", times.len())?;
+        crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
         crate::error::above_zero("contact pitch", contact_pitch, "m")?;
         let mut clash =
             Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact: None };

@@ -5,10 +5,11 @@
 use coilsense::Channel;
 use coilsense::modes::ChainModes;
 
-use crate::analysis::{Analysis, Case, Verdict, digits};
+use crate::analysis::{Analysis, Case, Verdict};
 use crate::plot::{
     Axis, Band, Bar, Bars, Colour, Curve, Dash, Figure, HeatMap, Mark, MarkedCells, Panel, Scale, Stroke,
 };
+use crate::quantity::digits;
 
 /// Width of a figure \[px\].
 const WIDTH: f64 = 760.0;

@@ -8,8 +8,9 @@ use rayon::prelude::*;
 
 use super::figures;
 use super::viewer_data::viewer_json;
-use crate::analysis::{Analysis, Verdict, answer, digits, plainly};
+use crate::analysis::{Analysis, Verdict, answer};
 use crate::plot::{Figure, Theme};
+use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
 
 /// The page of an analysis.
@@ -144,6 +145,7 @@ fn verdict_value(analysis: &Analysis, verdict: &Verdict) -> Result<Value, Report
         monte_carlo => digits(budget.standard),
         interval => format!("{:.2} … {:.2}", budget.interval.0, budget.interval.1),
         agrees => budget.agreement.holds(),
+        decided => budget.agreement.decided(),
         difference => digits(budget.agreement.low.max(budget.agreement.high)),
         tolerance => digits(budget.agreement.tolerance),
     })

@@ -75,6 +75,7 @@ fn budget_value(budget: &SensorBudget) -> Value {
             "standard_n": budget.standard,
             "interval_n": [budget.interval.0, budget.interval.1],
             "agrees": budget.agreement.holds(),
+            "decided": budget.agreement.decided(),
             "difference_n": [budget.agreement.low, budget.agreement.high],
             "tolerance_n": budget.agreement.tolerance,
         },

@@ -6,7 +6,8 @@ use std::fmt::Write;
 
 use anstyle::{AnsiColor, Style};
 
-use crate::analysis::{Analysis, Verdict, answer, digits};
+use crate::analysis::{Analysis, Verdict, answer};
+use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
 const GOOD: Style = AnsiColor::Green.on_default();

@@ -15,7 +15,7 @@ pub(super) const SENSOR: Table = Table {
             "kind",
             "\"load-cell\"",
             "`load-cell` (F_i or F_o), `deflection` (potentiometer, encoder, laser: u2 − u1), `two-encoder` (a motor-side encoder behind a \
-               drive train, and one at end 2) or `inductance` (the spring's own)",
+               drive train, and one at end 2) or `inductance` (the spring's own); a `class` says it too",
         ),
         optional("name", "\"laser\"", "what people call it; no two alike", "the kind, or the class"),
         optional(
@@ -49,7 +49,7 @@ pub(super) const SENSOR: Table = Table {
             "limits of error, the same for every reading: native unit or a share of `range`",
             "none",
         ),
-        optional("accuracy_reading", "\"0.2 %\"", "limits of error, as a share of the reading", "none"),
+        optional("accuracy_reading", "\"0.2 %\"", "limits of error, as a share of the reading, counted from the length without force", "none"),
         optional(
             "calibration_uncertainty",
             "\"0.1 %\"",
@@ -57,9 +57,21 @@ pub(super) const SENSOR: Table = Table {
             "none",
         ),
         optional("temperature_coefficient", "\"0.01 %/K\"", "of the sensor's gain", "none"),
-        optional("compliance", "\"2 um/N\"", "of the drive train between motor-side encoder and end 1", "none")
-            .of(ENCODERS),
-        optional("backlash", "\"20 um\"", "of that drive train, as its whole play", "none").of(ENCODERS),
+        optional(
+            "compliance",
+            "\"2 um/N\"",
+            "of the drive train between motor-side encoder and end 1; its static part counts as calibrated, but for `compliance_tolerance`",
+            "none",
+        )
+        .of(ENCODERS),
+        optional("compliance_tolerance", "\"10 %\"", "how far that compliance may be off, either way", "`\"10 %\"`").of(ENCODERS),
+        optional(
+            "backlash",
+            "\"20 um\"",
+            "of that drive train, as its whole play; without effect as long as the force keeps its sign",
+            "none",
+        )
+        .of(ENCODERS),
         optional(
             "calibration",
             "\"fitted\"",
