@@ -12,6 +12,7 @@ use crate::analysis::{Analysis, Verdict, answer};
 use crate::plot::{Figure, Theme};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
+use crate::spec::Spec;
 
 /// The page of an analysis.
 pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportError> {
@@ -47,7 +48,7 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         trials => spec.uncertainty.trials,
         seed => spec.uncertainty.seed,
         temperature => plainly(spec.uncertainty.temperature_change),
-        remarks => spec.conditions.iter().flat_map(|condition| condition.remarks.clone()).collect::<Vec<_>>(),
+        remarks => remarks(spec),
         style => include_str!("../style.css"),
         viewer_style => concat!(include_str!("../viewer/uPlot.min.css"), include_str!("../viewer/viewer.css")),
         licence => include_str!("../viewer/uPlot.LICENSE"),
@@ -56,6 +57,19 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         data => viewer_json(analysis)?,
     })?;
     Ok(page)
+}
+
+/// What each recorded input says of itself: conditions that read one file share a line.
+fn remarks(spec: &Spec) -> Vec<String> {
+    let mut shared: Vec<(Vec<&str>, String)> = Vec::new();
+    for condition in spec.conditions.iter().filter(|condition| !condition.remarks.is_empty()) {
+        let said = condition.remarks.join("; ");
+        match shared.iter_mut().find(|(_, text)| *text == said) {
+            Some((names, _)) => names.push(&condition.name),
+            None => shared.push((vec![&condition.name], said)),
+        }
+    }
+    shared.into_iter().map(|(names, said)| format!("{}: {said}.", names.join(", "))).collect()
 }
 
 /// The interactive part: pieces of one function, which join in this order.
