@@ -2,7 +2,7 @@
 //!
 //! Ranges are judged by `ruler`, and the room for bars, once it is known, by `bars`.
 
-use super::{Band, Curve, Figure, HeatMap, Panel, PlotError};
+use super::{Band, Curve, Figure, HeatMap, Panel, PlotError, Points};
 
 /// Refuses a figure whose parts do not fit together.
 pub(super) fn figure(figure: &Figure) -> Result<(), PlotError> {
@@ -13,6 +13,7 @@ pub(super) fn figure(figure: &Figure) -> Result<(), PlotError> {
     for panel in &figure.panels {
         panel.curves.iter().try_for_each(curve)?;
         panel.bands.iter().try_for_each(band)?;
+        panel.points.iter().try_for_each(points)?;
         panel.heat.iter().try_for_each(heat)?;
         bars(panel)?;
     }
@@ -37,6 +38,14 @@ fn band(band: &Band) -> Result<(), PlotError> {
         return Ok(());
     }
     Err(PlotError::BandLengths { label: band.label.clone(), x, lower, upper })
+}
+
+fn points(points: &Points) -> Result<(), PlotError> {
+    let [x, y, errors] = [&points.x, &points.y, &points.errors].map(Vec::len);
+    if x == y && (errors == 0 || errors == x) {
+        return Ok(());
+    }
+    Err(PlotError::PointLengths { label: points.label.clone(), x, y, errors })
 }
 
 fn heat(heat: &HeatMap) -> Result<(), PlotError> {
@@ -64,6 +73,7 @@ fn bars(panel: &Panel) -> Result<(), PlotError> {
     if bars.bars.is_empty() {
         return Err(PlotError::NoBars { label });
     }
-    let alone = panel.curves.is_empty() && panel.bands.is_empty() && panel.limits.is_empty() && panel.heat.is_none();
+    let unjoined = panel.bands.is_empty() && panel.points.is_empty();
+    let alone = panel.curves.is_empty() && unjoined && panel.limits.is_empty() && panel.heat.is_none();
     if alone { Ok(()) } else { Err(PlotError::BarsNotAlone { label }) }
 }

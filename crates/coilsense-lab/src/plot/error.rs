@@ -38,6 +38,18 @@ pub enum PlotError {
         /// Number of upper ends.
         upper: usize,
     },
+    /// Points' series do not go together.
+    #[error("points `{label}` need as many x as y values and no error bars or as many, got {x}, {y} and {errors}")]
+    PointLengths {
+        /// Label of the points.
+        label: String,
+        /// Number of abscissae.
+        x: usize,
+        /// Number of ordinates.
+        y: usize,
+        /// Number of error bars.
+        errors: usize,
+    },
     /// A colour map's values do not fill its rows, or there are none.
     #[error("colour map `{label}` needs values that fill its rows evenly, got {values} in {rows} rows")]
     Cells {

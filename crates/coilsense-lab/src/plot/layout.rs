@@ -9,7 +9,7 @@ use super::legend::Legend;
 use super::ruler::Ruler;
 use super::scene::Scene;
 use super::sheet::EDGE;
-use super::{Figure, Panel, PlotError, Theme, bars, check, panel};
+use super::{Figure, Panel, PlotError, Points, Theme, bars, check, panel};
 
 /// Draws the whole figure.
 pub(super) fn draw(figure: &Figure, theme: Theme) -> Result<Drawing, PlotError> {
@@ -49,12 +49,13 @@ fn rulers(panel: &Panel, width: f64) -> Result<[Ruler; 2], PlotError> {
     if let Some(bars) = &panel.bars {
         return bars::rulers(panel, bars, width);
     }
-    let (curves, bands, heat) = (&panel.curves, &panel.bands, panel.heat.iter());
+    let (curves, bands, points, heat) = (&panel.curves, &panel.bands, &panel.points, panel.heat.iter());
     let xs = curves.iter().flat_map(|curve| &curve.x).chain(bands.iter().flat_map(|band| &band.x));
+    let xs = xs.chain(points.iter().flat_map(|points| &points.x));
     let xs = xs.copied().chain(heat.clone().flat_map(|heat| [heat.x.0, heat.x.1]));
     let edges = bands.iter().flat_map(|band| band.lower.iter().chain(&band.upper));
     let ys = curves.iter().flat_map(|curve| &curve.y).chain(edges);
-    let ys = ys.copied().chain(panel.limits.iter().map(|limit| limit.y));
+    let ys = ys.copied().chain(points.iter().flat_map(Points::reach)).chain(panel.limits.iter().map(|limit| limit.y));
     let ys = ys.chain(heat.flat_map(|heat| [heat.y.0, heat.y.1]));
     let slack = if panel.heat.is_some() { 0.0 } else { 0.05 };
     Ok([Ruler::new(&panel.x, xs, 0.0)?, Ruler::new(&panel.y, ys, slack)?])

@@ -5,7 +5,7 @@
 use super::band;
 use super::drawing::{Anchor, Frame, Pen, Shape, Text};
 use super::lettering::width;
-use super::{Colour, Figure, Panel, Stroke, Theme};
+use super::{Colour, Figure, Marker, Panel, Stroke, Theme};
 
 /// Height of one row \[px\].
 const ROW: f64 = 18.0;
@@ -25,6 +25,7 @@ const LETTERS: f64 = 12.0;
 enum Sample {
     Line(Stroke),
     Band(Colour),
+    Marker(Colour, Marker),
     Block(Colour),
     /// The grey of second bars.
     Second,
@@ -91,19 +92,21 @@ fn length(entries: &[Entry]) -> f64 {
 fn named(panel: &Panel) -> impl Iterator<Item = Entry<'_>> {
     let curves = panel.curves.iter().map(|curve| (curve.label.as_str(), Sample::Line(curve.stroke)));
     let bands = panel.bands.iter().map(|band| (band.label.as_str(), Sample::Band(band.colour)));
+    let points = panel.points.iter();
+    let points = points.map(|points| (points.label.as_str(), Sample::Marker(points.colour, points.marker)));
     let marked = panel.heat.iter().filter_map(|heat| heat.marked.as_ref());
     let marked = marked.map(|marked| (marked.label.as_str(), Sample::Block(Colour::Ink)));
     let bars = panel.bars.iter().flat_map(|bars| &bars.bars);
     let bars = bars.map(|bar| (bar.group.as_str(), Sample::Block(bar.colour)));
     let second = panel.bars.iter().map(|bars| (bars.second.as_str(), Sample::Second));
-    curves.chain(bands).chain(marked).chain(bars).chain(second)
+    curves.chain(bands).chain(points).chain(marked).chain(bars).chain(second)
 }
 
 impl Sample {
     fn width(self) -> f64 {
         match self {
             Self::Line(_) | Self::Band(_) => SAMPLE,
-            Self::Block(_) | Self::Second => BLOCK,
+            Self::Block(_) | Self::Second | Self::Marker(..) => BLOCK,
         }
     }
 
@@ -113,6 +116,10 @@ impl Sample {
             Self::Line(Stroke { colour, dash, width }) => {
                 let pen = Pen { ink: theme.shade(colour), width, dashes: dash.lengths(width) };
                 return Shape::Lines { runs: vec![vec![[x, y], [x + SAMPLE, y]]], pen };
+            }
+            Self::Marker(colour, marker) => {
+                let outlines = vec![marker.outline([x + 0.5 * BLOCK, y])];
+                return Shape::Area { outlines, ink: theme.shade(colour), opacity: 1.0 };
             }
             Self::Band(colour) => (theme.shade(colour), band::opacity(theme)),
             Self::Block(colour) => (theme.shade(colour), 1.0),

@@ -1,7 +1,7 @@
 //! Figures for reports and papers: curves, bands, bars and colour maps, drawn as SVG or PNG.
 //!
 //! This file holds what every figure is made of: [`Figure`], [`Panel`], [`Axis`], [`Curve`],
-//! [`Mark`], [`HorizontalMark`]. Next door: `band`, `bars` and `heat` (what else fills a panel),
+//! [`Mark`], [`HorizontalMark`]. Next door: `band`, `bars`, `heat` and `points` (what else fills a panel),
 //! `stroke` and `colour_map` (colours and dashes), `ruler` and `ticks` (ranges and what stands
 //! along them), `trace` (samples to a short polyline), `lettering` (sub- and superscripts),
 //! `layout` (what goes where: `grid`, `legend`, `panel`, and round its frame `head` and
@@ -30,6 +30,7 @@ mod legend;
 mod lettering;
 mod panel;
 mod picture;
+mod points;
 mod raster;
 mod resample;
 mod ruler;
@@ -48,6 +49,7 @@ pub use band::Band;
 pub use bars::{Bar, Bars};
 pub use error::PlotError;
 pub use heat::{HeatMap, MarkedCells};
+pub use points::{Marker, Points};
 pub use raster::PNG_SCALE;
 pub use stroke::{Colour, Dash, Stroke, Theme};
 
@@ -77,6 +79,8 @@ pub struct Panel {
     pub y: Axis,
     /// The curves, the last one on top.
     pub curves: Vec<Curve>,
+    /// Points that are not joined, with error bars, over all curves.
+    pub points: Vec<Points>,
     /// Areas between two curves, behind all curves.
     pub bands: Vec<Band>,
     /// Vertical reference lines.

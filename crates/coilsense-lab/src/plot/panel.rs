@@ -10,7 +10,7 @@ use super::scene::Scene;
 use super::sheet::{EDGE, LETTERS, LINE, SMALL, TICK_ROOM};
 use super::ticks::{Ticks, ticks};
 use super::trace::runs;
-use super::{Colour, PlotError, Scale, band, bar_shapes, beside, head};
+use super::{Colour, PlotError, Scale, band, bar_shapes, beside, head, points};
 
 /// Length of a labelled tick, outwards \[px\].
 const TICK: f64 = 4.5;
@@ -35,6 +35,7 @@ pub(super) fn draw(scene: &Scene, shapes: &mut Vec<Shape>) -> Result<(), PlotErr
         None => shapes.push(head::mark_lines(scene)),
     }
     curves(scene, shapes);
+    points::shapes(scene, shapes);
     shapes.extend(beside::limit_lines(scene));
     shapes.push(axes(scene, &x, &y));
     x_letters(scene, &x, shapes);

@@ -21,6 +21,7 @@ fn panel(panel: &Panel) -> String {
     let marked = panel.heat.iter().filter_map(|heat| heat.marked.as_ref());
     let parts = [
         clause("; ", panel.curves.iter().map(|curve| plain(&curve.label))),
+        clause("; points: ", panel.points.iter().map(|points| plain(&points.label))),
         clause("; shaded: ", panel.bands.iter().map(|band| plain(&band.label))),
         clause("; limits: ", panel.limits.iter().map(|limit| plain(&limit.label))),
         clause("; marked: ", marked.map(|marked| plain(&marked.label))),
