@@ -1,0 +1,47 @@
+//! The two kinds of number: what a step needs of either.
+//!
+//! Next door: everything that is generic over it.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `f32` or `f64`; no other type can be one.
+pub trait Real:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + sealed::Sealed
+{
+    /// 0.
+    const ZERO: Self;
+    /// 1.
+    const ONE: Self;
+    /// 2⁻⁸.
+    const TWO_TO_MINUS_8: Self;
+}
+
+impl Real for f32 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const TWO_TO_MINUS_8: Self = 0.003_906_25;
+}
+
+impl Real for f64 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const TWO_TO_MINUS_8: Self = 0.003_906_25;
+}
+
+mod sealed {
+    /// Keeps the number types to those whose rounding has been tested.
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
