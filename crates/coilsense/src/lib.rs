@@ -62,6 +62,8 @@ pub mod transmittance;
 
 pub mod two_port;
 
+pub mod control;
+
 pub mod excitation;
 
 pub mod motion;

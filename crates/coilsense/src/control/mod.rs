@@ -1,0 +1,50 @@
+//! A force loop closed through the spring: where the sensor may sit, how fast the loop may be, what the world then feels.
+//!
+//! ```text
+//! reference ─►(−)─► Controller ─► Drive ─► y = −u1 ─► spring (exact two-port) with its load ─► F_i, F_o, F_x or F_L ─┐
+//!              ▲                                                                                              delay  │
+//!              └─────────────────────────────────────────────────────────────────────────────────────────────────────┘
+//! ```
+//!
+//! Over frequency no mode is left out: the spring is [`crate::two_port::TwoPort`]. The sampled loop ([`SampledLoop`]) sums all modes of the
+//! chain, sample to sample without error for an ideal velocity source, and [`simulate`] runs it on the engine of [`crate::motion::Live`].
+//!
+//! ```
+//! # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
+//! #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
+//! #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+//! use coilsense::control::{Controller, Drive, Environment, ForceLoop, Plant};
+//! use coilsense::{Channel, Damping};
+//!
+//! let plant = Plant::new(&spring, Damping::Modal(0.005), Drive::IDEAL_VELOCITY, Environment::Held)?;
+//! // A velocity in proportion to the force error is integral force control;
+//! let integral = Controller::proportional(1.0 / spring.stiffness())?; // crossover at 1 rad/s without the spring's mass
+//! let load_side = ForceLoop::new(plant, integral, Channel::OutputForce, 0.0)?;
+//! let surge = coilsense::modes::ChainModes::of(&spring).frequencies()[0];
+//! // Stable only for a crossover below ζ ω_1.
+//! assert!((load_side.margins()?.gain_limit / (0.005 * surge) - 1.0).abs() < 5e-3);
+//! # Ok::<(), coilsense::Error>(())
+//! ```
+//!
+//! Next door: the spring over frequency (`two_port`), its motion (`motion`).
+
+mod controller;
+mod drive;
+mod force_loop;
+mod margins;
+mod plant;
+mod rational;
+mod rendered;
+mod sampled;
+mod simulate;
+mod trace;
+
+pub use controller::{Controller, Gains};
+pub use drive::Drive;
+pub use force_loop::ForceLoop;
+pub use margins::Margins;
+pub use plant::{Environment, Plant, Response};
+pub use rendered::{Passivity, rendered_stiffness};
+pub use sampled::SampledLoop;
+pub use simulate::{Run, simulate};
+pub use trace::{Point, Trace};

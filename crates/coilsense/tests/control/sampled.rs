@@ -1,0 +1,101 @@
+//! The sampled loop: its formula, its limit, and the run over time.
+
+use coilsense::control::{Controller, Drive, Environment, ForceLoop, Gains, Plant, SampledLoop, simulate};
+use coilsense::{Channel, Damping};
+
+use crate::integral_loop;
+use crate::paper_springs::s_t;
+
+/// Growth of the ringing from the first quarter of a run to its last.
+fn growth(sampled: &SampledLoop, gain: f64, samples: usize) -> f64 {
+    let run = simulate(sampled, gain, 1.0, samples).unwrap();
+    let force = &run.output;
+    if force.len() < samples {
+        return f64::INFINITY; // ran away
+    }
+    let swing = |part: &[f64]| {
+        let mean = part.iter().sum::<f64>() / part.len() as f64;
+        part.iter().map(|value| (value - mean).abs()).fold(0.0, f64::max)
+    };
+    swing(&force[samples - samples / 8..]) / swing(&force[samples / 2..samples / 2 + samples / 8])
+}
+
+#[test]
+fn the_run_over_time_loses_stability_at_the_predicted_gain() {
+    for (feedback, late, seconds) in [
+        (Channel::OutputForce, 0, 20.0),
+        (Channel::OutputForce, 2, 20.0),
+        (Channel::InputForce, 1, 4.0),
+        (Channel::DeflectionForce, 3, 2.0),
+    ] {
+        let step = 4e-4;
+        let looped = integral_loop(0.005, feedback, f64::from(late) * step);
+        let sampled = SampledLoop::new(&looped, step).unwrap();
+        let limit = sampled.margins().unwrap().gain_limit;
+        let samples = (seconds / step) as usize;
+        let (mut low, mut high) = (0.9 * limit, 1.1 * limit);
+        assert!(growth(&sampled, low, samples) < 1.0 && growth(&sampled, high, samples) > 1.0, "{feedback:?}, {late}");
+        for _ in 0..7 {
+            let middle = 0.5 * (low + high);
+            if growth(&sampled, middle, samples) < 1.0 { low = middle } else { high = middle }
+        }
+        let off = 0.5 * (low + high) / limit - 1.0;
+        println!(
+            "{feedback:?}, {late} steps late: crossover limit {limit:.3} rad/s, the run loses it {:.3} % off",
+            100.0 * off
+        );
+        // The issue asks for 2 %; what bisection and the length of the run leave is less.
+        assert!(off.abs() < 5e-3, "{feedback:?}, {late}: {off}");
+    }
+}
+
+#[test]
+fn modes_and_sampling_copies_give_one_response() {
+    for (feedback, tolerance) in
+        [(Channel::OutputForce, 1e-3), (Channel::InductanceForce, 1e-3), (Channel::InputForce, 2e-2)]
+    {
+        let sampled = SampledLoop::new(&integral_loop(0.01, feedback, 0.0), 4e-4).unwrap();
+        // A lag far above the chain's cut-off changes nothing but the way of computing.
+        let plant =
+            Plant::new(&s_t(), Damping::Modal(0.01), Drive::Velocity { bandwidth: Some(1e9) }, Environment::Held);
+        let lagged =
+            ForceLoop::new(plant.unwrap(), Controller::proportional(1.0 / 760.0).unwrap(), feedback, 0.0).unwrap();
+        let copies = SampledLoop::new(&lagged, 4e-4).unwrap();
+        for hertz in [1.0, 20.0, 50.0, 54.1, 80.0, 108.0, 300.0, 700.0, 1200.0] {
+            let [exact, summed] = [&sampled, &copies].map(|looped| looped.at(std::f64::consts::TAU * hertz).unwrap());
+            // 81 copies of a response that falls with the square of frequency leave this.
+            assert!(
+                (exact - summed).norm() < tolerance * exact.norm().max(1e-4),
+                "{feedback:?} at {hertz} Hz: {exact} {summed}"
+            );
+        }
+    }
+}
+
+#[test]
+fn ever_faster_samples_become_the_continuous_loop() {
+    let looped = integral_loop(0.01, Channel::OutputForce, 0.0);
+    let omega = std::f64::consts::TAU * 30.0;
+    let exact = looped.at(omega).unwrap();
+    // A command held for h is late by h/2; that taken off, what is left falls with the square of the step.
+    let error = |step: f64| {
+        let sampled = SampledLoop::new(&looped, step).unwrap().at(omega).unwrap();
+        (sampled * num_complex::Complex64::from_polar(1.0, 0.5 * omega * step) - exact).norm()
+    };
+    let order = (error(2e-4) / error(1e-4)).log2();
+    assert!((order - 2.0).abs() < 0.05, "order {order}");
+}
+
+#[test]
+fn an_end_mass_and_an_observer_run_as_predicted() {
+    let environment = Environment::Impedance { mass: 1.0, damping: 0.0, stiffness: 0.0 };
+    let plant = Plant::new(&s_t(), Damping::Modal(0.02), Drive::IDEAL_VELOCITY, environment).unwrap();
+    let gains = Gains { proportional: 1.0 / 760.0, observer_bandwidth: Some(0.1), ..Gains::default() };
+    let looped = ForceLoop::new(plant, Controller::new(gains).unwrap(), Channel::InputForce, 4e-4).unwrap();
+    let sampled = SampledLoop::new(&looped, 4e-4).unwrap();
+    let limit = sampled.margins().unwrap().gain_limit;
+    assert!(limit.is_finite() && limit > 0.0);
+    let samples = 20_000;
+    assert!(growth(&sampled, 0.95 * limit, samples) < 1.0, "{limit}");
+    assert!(growth(&sampled, 1.05 * limit, samples) > 1.0, "{limit}");
+}
