@@ -4,6 +4,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod analyze;
+mod calibrate;
 mod init;
 mod progress;
 mod reproduce;
@@ -33,6 +34,8 @@ enum Command {
     Simulate(simulate::Arguments),
     /// How far off is each force signal, why, and what to choose: simulate, judge, report
     Analyze(analyze::Arguments),
+    /// From inductance to length and force: fit a measured log, say how far to trust it, and set the theories beside it
+    Calibrate(calibrate::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
@@ -51,6 +54,7 @@ fn main() -> ExitCode {
         Command::Spring(arguments) => spring::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Analyze(arguments) => analyze::run(&arguments),
+        Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {

@@ -24,6 +24,8 @@ pub mod analysis;
 
 pub mod data_sheet;
 
+pub mod calibration;
+
 pub mod plot;
 
 pub mod report;

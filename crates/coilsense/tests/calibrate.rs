@@ -7,7 +7,9 @@
 //! | `Inversion::Exact` | the theory put in again |
 
 use coilsense::Calibration;
-use coilsense::calibrate::{CalibrationPoints, FitMethod, InductanceFit, InverseLengthFit, Inversion, Misfit};
+use coilsense::calibrate::{
+    CalibrationPoints, FitMethod, InductanceFit, InverseLengthFit, Inversion, Misfit, ReadingUncertainty,
+};
 use coilsense::inductance::theories::{Coil, Theory};
 use rand_distr::{Distribution, Normal};
 use rand_pcg::Pcg64;
@@ -148,6 +150,33 @@ fn standard_errors_are_the_scatter_of_repeated_runs() {
             assert!(relative(stated, scatter) < 0.02);
         }
     }
+}
+
+#[test]
+fn the_uncertainty_of_a_reading_is_the_scatter_of_readings_about_fits() {
+    // One more reading, at the edge of the range, where leverage is largest.
+    let next = ALPHA / 0.118 + BETA;
+    let normal = Normal::new(0.0, 4e-3).unwrap();
+    for method in methods() {
+        let mut generator = Pcg64::seed_from_u64(11);
+        let (mut stated, mut scatter) = (0.0, 0.0);
+        for _ in 0..20_000 {
+            let mut noisy = |length: f64| 1.0 / (1.0 / length + normal.sample(&mut generator));
+            let metres: Vec<f64> = lengths().into_iter().map(&mut noisy).collect();
+            let its_length = noisy(0.118);
+            let points = CalibrationPoints::new(&metres, &inductances()).unwrap();
+            let reading = ReadingUncertainty::new(&points, method).unwrap().unwrap();
+            let read = InverseLengthFit::new(&points, method).unwrap().calibration().length(next);
+            stated += reading.length(next).powi(2);
+            scatter += (read - its_length).powi(2);
+            assert_eq!(reading.degrees_of_freedom(), if matches!(method, FitMethod::Through { .. }) { 10 } else { 9 });
+        }
+        println!("{method:?}: stated {:e}, scatter {:e}", (stated / 2e4).sqrt(), (scatter / 2e4).sqrt());
+        // The scatter of 20 000 draws is itself known to 0.5 %.
+        assert!(relative(stated.sqrt(), scatter.sqrt()) < 0.02, "{method:?}");
+    }
+    let two = CalibrationPoints::new(&lengths()[..2], &inductances()[..2]).unwrap();
+    assert_eq!(ReadingUncertainty::new(&two, FitMethod::first_and_last(&two)).unwrap(), None);
 }
 
 #[test]

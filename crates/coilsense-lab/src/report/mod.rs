@@ -1,12 +1,15 @@
 //! Results as people and machines read them: terminal text, HTML, JSON.
 //!
-//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`), how files come to disk whole (`output`).
+//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`, `calibration`), how files come to disk whole (`output`).
 
 mod analysis;
+mod calibration;
 mod data_sheet;
+mod prose;
 mod reproduction;
 
 pub use analysis::{add_analysis, analysis_text};
+pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use reproduction::{add_reproduction, reproduction_text};
 

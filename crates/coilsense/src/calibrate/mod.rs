@@ -9,6 +9,7 @@ mod inversion;
 mod line;
 mod misfit;
 mod points;
+mod reading;
 
 pub use calibration::{CALIBRATION_LENGTHS, Calibration};
 pub use inductance::InductanceFit;
@@ -17,3 +18,4 @@ pub use inversion::Inversion;
 pub use line::FitMethod;
 pub use misfit::Misfit;
 pub use points::CalibrationPoints;
+pub use reading::ReadingUncertainty;

@@ -10,6 +10,7 @@ use crate::plot::{
     Axis, Band, Bar, Bars, Colour, Curve, Dash, Figure, HeatMap, Mark, MarkedCells, Panel, Scale, Stroke,
 };
 use crate::quantity::digits;
+use crate::report::prose::plain;
 
 /// Width of a figure \[px\].
 const WIDTH: f64 = 760.0;
@@ -189,9 +190,4 @@ pub(super) fn map(case: &Case) -> Option<Figure> {
         ..Panel::default()
     };
     Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
-}
-
-/// A name that the figures' lettering prints as it is.
-fn plain(name: &str) -> String {
-    name.replace('_', "\\_").replace('^', "\\^")
 }

@@ -12,6 +12,7 @@ use crate::analysis::{Analysis, Verdict, answer};
 use crate::plot::{Figure, Theme};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
+use crate::report::prose::{file_name, unbroken};
 use crate::spec::Spec;
 
 /// The page of an analysis.
@@ -81,22 +82,6 @@ const VIEWER: &str = concat!(
     include_str!("../viewer/spring.js"),
     include_str!("../viewer/choice.js"),
 );
-
-/// A sentence whose numbers stay with their units, and `ζ = 0.02` in one piece, where a line ends.
-fn unbroken(text: &str) -> String {
-    let mut together = text.replace("ζ = ", "ζ\u{a0}=\u{a0}");
-    for unit in ["N", "%", "Hz", "ms"] {
-        for digit in '0'..='9' {
-            together = together.replace(&format!("{digit} {unit}"), &format!("{digit}\u{a0}{unit}"));
-        }
-    }
-    together
-}
-
-/// A file's own name: where it lay is the reader's matter, and would differ from machine to machine.
-fn file_name(path: &str) -> &str {
-    path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
 
 fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
     let refuse = |source| ReportError::Figure { name: name.to_owned(), source };

@@ -1,0 +1,35 @@
+//! A calibration: measured pairs of length and inductance, the curve through them, and the theories beside it.
+//!
+//! `measured` holds the pairs and where they come from, `lab_data` reads one rig's files, `plan` says what is wanted, `outcome` works it
+//! off, `force` goes on to newtons, `answer` puts it into words. Next door: the formulas (`coilsense::calibrate`), how it looks (`report`).
+
+mod answer;
+mod force;
+mod lab_data;
+mod measured;
+mod outcome;
+mod plan;
+
+pub use answer::answer;
+pub(crate) use answer::with_error;
+pub use force::ForceLaw;
+pub use lab_data::read_lab_data;
+pub use measured::Measured;
+pub use outcome::{Judged, Outcome};
+pub use plan::{Method, Plan, Preload};
+
+/// A calibration that cannot be made: one line with the file or quantity, the value and what is allowed.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct CalibrationError(String);
+
+impl CalibrationError {
+    pub(crate) fn new(message: impl std::fmt::Display) -> Self {
+        Self(message.to_string())
+    }
+
+    /// Of a file, with what is wrong in it.
+    pub(crate) fn of(file: &str, message: impl std::fmt::Display) -> Self {
+        Self(format!("{file}: {message}"))
+    }
+}

@@ -1,0 +1,113 @@
+//! What comes of a calibration.
+//!
+//! Next door: what was asked (`plan`), what the science does (`coilsense::calibrate`), the words (`answer`).
+
+use coilsense::calibrate::{FitMethod, InductanceFit, InverseLengthFit, Misfit, ReadingUncertainty};
+use coilsense::inductance::theories::Theory;
+
+use super::{CalibrationError, Measured, Method, Plan};
+
+/// A calibration with all that is known of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// The points.
+    pub measured: Measured,
+    /// What was asked.
+    pub plan: Plan,
+    /// Eq. (13), squares of 1/l.
+    pub inverse_length: InverseLengthFit,
+    /// L = α/l + β, squares of L.
+    pub inductance: InductanceFit,
+    /// What a length read by eq. (13) is worth; none where no point is left to tell.
+    pub reading: Option<ReadingUncertainty>,
+    /// The other methods by eq. (13), for comparison: those that need nothing more than what was given.
+    pub others: Vec<(Method, Misfit)>,
+    /// The theories beside it, in the order of [`Theory::ALL`].
+    pub theories: Vec<Judged>,
+}
+
+/// A theory on the points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judged {
+    /// Which one.
+    pub theory: Theory,
+    /// L \[H\] of each point's length.
+    pub inductances: Vec<f64>,
+    /// How far off it is, or why that cannot be said.
+    pub misfit: Result<Misfit, String>,
+}
+
+impl Outcome {
+    /// Works a plan off.
+    ///
+    /// # Errors
+    /// [`CalibrationError`] for points that no curve can be put through, or a preload that is not there.
+    pub fn new(measured: Measured, plan: Plan) -> Result<Self, CalibrationError> {
+        let points = &measured.points;
+        let refuse = |error: coilsense::Error| CalibrationError::of(&measured.file, error);
+        let method = plan.method.fit(points, plan.preload)?;
+        let inverse_length = InverseLengthFit::new(points, method).map_err(refuse)?;
+        let inductance = InductanceFit::new(points, method).map_err(refuse)?;
+        let reading = ReadingUncertainty::new(points, method).map_err(refuse)?;
+        let others = Method::ALL.into_iter().filter(|(_, other)| *other != plan.method).filter_map(|(_, other)| {
+            let fit = other.fit(points, plan.preload).ok()?;
+            Some((other, InverseLengthFit::new(points, fit).ok()?.misfit))
+        });
+        let others = others.collect();
+        let theories = plan.coil.iter().flat_map(|coil| Theory::ALL.map(|theory| (coil, theory)));
+        let judge = |(coil, theory): (&_, Theory)| {
+            let relation = |length: f64| theory.inductance(coil, length);
+            let misfit = plan.inversion.judge(points, relation).map_err(|error| error.to_string());
+            Judged { theory, inductances: points.lengths().iter().map(|&l| relation(l)).collect(), misfit }
+        };
+        let theories = theories.map(judge).collect();
+        Ok(Self { measured, plan, inverse_length, inductance, reading, others, theories })
+    }
+
+    /// What the fit goes by.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn fit_method(&self) -> Result<FitMethod, CalibrationError> {
+        self.plan.method.fit(&self.measured.points, self.plan.preload)
+    }
+
+    /// The largest residual either way \[m\], and its point.
+    pub fn worst(&self) -> (f64, usize) {
+        let residuals = self.inverse_length.misfit.residuals.iter().copied().enumerate();
+        let worst = residuals.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        worst.map_or((0.0, 0), |(index, residual)| (residual, index))
+    }
+
+    /// Displacement that the scatter of the readings explains, root mean square over the points \[m\]; none where each point is one reading.
+    ///
+    /// u(l) = u(L) / |dL/dl|, with dL/dl = −1/(α l²) of eq. (13)
+    pub fn noise(&self) -> Option<f64> {
+        let errors = &self.measured.standard_errors;
+        if errors.is_empty() {
+            return None;
+        }
+        let lengths = self.measured.points.lengths();
+        let squares = errors.iter().zip(lengths).map(|(error, l)| (error * self.inverse_length.alpha * l * l).powi(2));
+        Some((squares.sum::<f64>() / lengths.len() as f64).sqrt())
+    }
+
+    /// The theory that needs no measured point and is nearest to them.
+    pub fn best_theory(&self) -> Option<(&'static str, &Misfit)> {
+        let judged =
+            self.theories.iter().filter_map(|judged| Some((judged.theory.name(), judged.misfit.as_ref().ok()?)));
+        judged.min_by(|a, b| a.1.rmse.total_cmp(&b.1.rmse))
+    }
+
+    /// Each point's force by eq. (13) and its standard uncertainty \[N\], where a stiffness is given.
+    pub fn forces(&self) -> Option<Vec<(f64, Option<f64>)>> {
+        let law = self.plan.force?;
+        let calibration = self.inverse_length.calibration();
+        let force = |&henry: &f64| {
+            let length = calibration.length(henry);
+            let uncertainty = self.reading.map(|reading| law.uncertainty(length, reading.length(henry)));
+            (law.force(length), uncertainty)
+        };
+        Some(self.measured.points.inductances().iter().map(force).collect())
+    }
+}

@@ -1,0 +1,121 @@
+//! `report.html` of a calibration: one page that needs no other file and no network; the answer first.
+//!
+//! Next door: its layout (`page.html`), its figures (`figures`).
+
+use coilsense::calibrate::{Inversion, Misfit};
+use minijinja::{AutoEscape, Environment, Value, context};
+
+use super::text::windings;
+use crate::calibration::{Outcome, answer, with_error};
+use crate::quantity::{digits, plainly};
+use crate::report::prose::{file_name, signed, unbroken};
+use crate::report::{Drawn, ReportError};
+
+/// The page of a calibration.
+pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_template("page", include_str!("page.html"))?;
+    let measured = &outcome.measured;
+    let figure = |figure: &Drawn| {
+        context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
+    };
+    let page = environment.get_template("page")?.render(context! {
+        version => env!("CARGO_PKG_VERSION"),
+        style => include_str!("../style.css"),
+        date,
+        file => file_name(&measured.file),
+        simulated => measured.simulated,
+        answer => answer(outcome).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+        figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+        curves => curves(outcome),
+        theories => theories(outcome),
+        windings => outcome.plan.coil.map(|coil| windings(coil.windings())),
+        coil => outcome.plan.coil.map(|coil| context! {
+            radius => plainly(1e3 * coil.coil_radius()), wire => plainly(2e3 * coil.wire_radius()),
+        }),
+        authors_inversion => matches!(outcome.plan.inversion, Inversion::TwentyFiveLengths { .. }),
+        place => measured.place_name(),
+        zero_length => measured.zero_length.map(|length| plainly_long(1e3 * length)),
+        force => force(outcome),
+        degrees => outcome.reading.map(|reading| reading.degrees_of_freedom()),
+        points => points(outcome),
+        account => &measured.account,
+    })?;
+    Ok(page)
+}
+
+/// All digits that a person has set.
+fn plainly_long(value: f64) -> String {
+    format!("{value:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn misfit_value(misfit: &Misfit) -> Value {
+    context! {
+        r2 => signed(&format!("{:.5}", misfit.r2)),
+        rmse => digits(1e3 * misfit.rmse),
+        percent => format!("{:.3}", 100.0 * misfit.rmse_share_of_range),
+    }
+}
+
+fn curves(outcome: &Outcome) -> [Value; 2] {
+    let (inverse, direct) = (&outcome.inverse_length, &outcome.inductance);
+    let micro = |value: f64, error: Option<f64>| signed(&with_error(1e6 * value, error.map(|error| 1e6 * error)));
+    [
+        context! {
+            name => "1/l = αL + β, eq. (13)", squares => "1/l",
+            alpha => signed(&with_error(inverse.alpha, inverse.alpha_se)), alpha_unit => "1/(H m)",
+            beta => signed(&with_error(inverse.beta, inverse.beta_se)), beta_unit => "1/m",
+            misfit => misfit_value(&inverse.misfit),
+        },
+        context! {
+            name => "L = α/l + β", squares => "L",
+            alpha => micro(direct.alpha, direct.alpha_se), alpha_unit => "µH m",
+            beta => micro(direct.beta, direct.beta_se), beta_unit => "µH",
+            misfit => misfit_value(&direct.misfit),
+        },
+    ]
+}
+
+fn theories(outcome: &Outcome) -> Vec<Value> {
+    let one = |judged: &crate::calibration::Judged| {
+        context! {
+            name => judged.theory.name(),
+            fractions => judged.theory.fractions(),
+            misfit => judged.misfit.as_ref().ok().map(misfit_value),
+            refused => judged.misfit.as_ref().err(),
+        }
+    };
+    outcome.theories.iter().map(one).collect()
+}
+
+fn force(outcome: &Outcome) -> Option<Value> {
+    let law = outcome.plan.force?;
+    Some(context! {
+        stiffness => digits(law.stiffness), stiffness_u => digits(law.stiffness_u),
+        rest_length => plainly_long(1e3 * law.rest_length), rest_length_u => digits(1e3 * law.rest_length_u),
+    })
+}
+
+fn points(outcome: &Outcome) -> Vec<Value> {
+    let measured = &outcome.measured;
+    let calibration = outcome.inverse_length.calibration();
+    let zero = measured.zero_length.unwrap_or(0.0);
+    let forces = outcome.forces();
+    let one = |(index, place): (usize, f64)| {
+        let henry = measured.points.inductances()[index];
+        let force = forces.as_ref().map(|forces| forces[index]);
+        context! {
+            row => measured.rows[index],
+            place => format!("{:.3}", 1e3 * place),
+            henry => format!("{:.4}", 1e6 * henry),
+            henry_se => measured.standard_errors.get(index).map(|error| format!("{:.4}", 1e6 * error)),
+            read => format!("{:.3}", 1e3 * (calibration.length(henry) - zero)),
+            read_u => outcome.reading.map(|reading| format!("{:.3}", 1e3 * reading.length(henry))),
+            residual => signed(&format!("{:+.3}", 1e3 * outcome.inverse_length.misfit.residuals[index])),
+            force => force.map(|(force, _)| signed(&format!("{force:.3}"))),
+            force_u => force.and_then(|(_, uncertainty)| uncertainty).map(digits),
+        }
+    };
+    measured.places().into_iter().enumerate().map(one).collect()
+}
