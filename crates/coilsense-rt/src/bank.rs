@@ -32,9 +32,18 @@ pub struct BankState<T, const MODES: usize, const MEMBERS: usize> {
 }
 
 impl<T: Real, const MODES: usize, const MEMBERS: usize> Bank<T, MODES, MEMBERS> {
-    /// The state of a spring at rest with its ends at u1, u2 \[m\].
-    pub fn settled(&self, ends: [T; 2]) -> BankState<T, MODES, MEMBERS> {
-        BankState { members: self.members.map(|member| member.settled(ends)), scores: [T::ZERO; MEMBERS] }
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> Bank<U, MODES, MEMBERS> {
+        Bank {
+            members: self.members.map(|member| member.map(change)),
+            forgetting: change(self.forgetting),
+            sharpness: change(self.sharpness),
+        }
+    }
+
+    /// The state of a spring at rest on which this is measured.
+    pub fn settled(&self, measured: &Measured<T>) -> BankState<T, MODES, MEMBERS> {
+        BankState { members: self.members.map(|member| member.settled(measured)), scores: [T::ZERO; MEMBERS] }
     }
 
     /// Takes F_i, u1 and u2 in and gives both end forces; the surprise is the weighted mean of the members'.

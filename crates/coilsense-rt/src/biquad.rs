@@ -28,6 +28,12 @@ pub struct Biquad<T> {
 }
 
 impl<T: Real> Biquad<T> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U) -> Biquad<U> {
+        let [b0, b1, b2, a1, a2] = [self.b0, self.b1, self.b2, self.a1, self.a2].map(change);
+        Biquad { b0, b1, b2, a1, a2 }
+    }
+
     /// s1, s2 and the output after the input has been `x` for ever; the gain at rest must be finite.
     fn settled(&self, x: T) -> ([T; 2], T) {
         let y = (self.b0 + self.b1 + self.b2) / (T::ONE + self.a1 + self.a2) * x;
@@ -64,6 +70,11 @@ pub struct Cascade<T, const SECTIONS: usize> {
 pub struct CascadeState<T, const SECTIONS: usize>([[T; 2]; SECTIONS]);
 
 impl<T: Real, const SECTIONS: usize> Cascade<T, SECTIONS> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> Cascade<U, SECTIONS> {
+        Cascade { sections: self.sections.map(|section| section.map(change)) }
+    }
+
     /// The state after the input has been `x` for ever.
     pub fn settled(&self, x: T) -> CascadeState<T, SECTIONS> {
         let mut state = [[T::ZERO; 2]; SECTIONS];

@@ -44,6 +44,11 @@ pub struct BoxcarState<T, const N: usize> {
 }
 
 impl<T: Real> Boxcar<T> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U) -> Boxcar<U> {
+        Boxcar { whole: self.whole, fraction: change(self.fraction), scale: change(self.scale) }
+    }
+
     /// The state after the input has been `x` for ever.
     pub fn settled<const N: usize>(&self, x: T) -> BoxcarState<T, N> {
         let mut sum = T::ZERO;
@@ -100,6 +105,11 @@ pub struct DoubleBoxcar<T> {
 pub struct DoubleBoxcarState<T, const N: usize>([BoxcarState<T, N>; 2]);
 
 impl<T: Real> DoubleBoxcar<T> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> DoubleBoxcar<U> {
+        DoubleBoxcar { first: self.first.map(change), second: self.second.map(change) }
+    }
+
     /// The state after the input has been `x` for ever.
     pub fn settled<const N: usize>(&self, x: T) -> DoubleBoxcarState<T, N> {
         DoubleBoxcarState([self.first.settled(x), self.second.settled(x)])

@@ -44,6 +44,11 @@ pub struct CombState<T, const N: usize> {
 }
 
 impl<T: Real> Comb<T> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> Comb<U> {
+        Comb { period: self.period.map(change), radius: change(self.radius), feedback: change(self.feedback) }
+    }
+
     /// The state after the input has been `x` for ever; a comb's gain there is 1.
     pub fn settled<const N: usize>(&self, x: T) -> CombState<T, N> {
         let mut inputs = self.period.settled(x);

@@ -21,6 +21,13 @@ pub struct Delay<T> {
     pub fraction: T,
 }
 
+impl<T: Copy> Delay<T> {
+    /// The same with its number changed, into another precision.
+    pub fn map<U>(&self, change: impl FnOnce(T) -> U) -> Delay<U> {
+        Delay { whole: self.whole, fraction: change(self.fraction) }
+    }
+}
+
 /// The last `N` samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ring<T, const N: usize> {

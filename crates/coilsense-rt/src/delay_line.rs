@@ -10,7 +10,8 @@ use crate::real::Real;
 ///
 /// F_i = L − Z v1, L the wave that arrives at end 1; measured, L is put right by g (F − F_i);
 /// what leaves end 1, R = F_i − Z v1, arrives at end 2 after τ: F_o = R(t − τ) + Z v2, and L(t + τ) = F_o + Z v2.
-/// On each way a share λ of what departs from the static force k (u2 − u1 − l0) is lost.
+/// On each way a share λ of what departs from the static force k (u2 − u1 − l0) is lost; what the force
+/// was off that at rest, at the beginning, counts as static.
 ///
 /// - `stiffness`: k \[N/m\]; `rest_length`: l0 \[m\]; `impedance`: Z = √(k m) \[N s/m\]
 /// - `transit`: τ \[samples\], at least 1, at most two less than the rings hold; `rate`: the sampling rate \[1/s\]
@@ -37,19 +38,35 @@ pub struct DelayLineObserver<T> {
     pub loss: T,
 }
 
-/// What a [`DelayLineObserver`] remembers: the waves on their way, `N` samples each, and where the ends were.
+/// What a [`DelayLineObserver`] remembers: the waves on their way, `N` samples each, where the ends were, and by
+/// what the force at rest was off k (u2 − u1 − l0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DelayLineState<T, const N: usize> {
     rightward: Ring<T, N>,
     leftward: Ring<T, N>,
     ends: [T; 2],
+    offset: T,
 }
 
 impl<T: Real> DelayLineObserver<T> {
-    /// The state after the ends have stood at u1, u2 \[m\] for ever.
-    pub fn settled<const N: usize>(&self, ends: [T; 2]) -> DelayLineState<T, N> {
-        let still = Ring::filled(self.static_force(ends));
-        DelayLineState { rightward: still, leftward: still, ends }
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U) -> DelayLineObserver<U> {
+        DelayLineObserver {
+            stiffness: change(self.stiffness),
+            rest_length: change(self.rest_length),
+            impedance: change(self.impedance),
+            rate: change(self.rate),
+            transit: self.transit.map(&change),
+            gain: change(self.gain),
+            loss: change(self.loss),
+        }
+    }
+
+    /// The state of a spring at rest on which this is measured.
+    pub fn settled<const N: usize>(&self, measured: &Measured<T>) -> DelayLineState<T, N> {
+        let still = Ring::filled(measured.force);
+        let offset = measured.force - self.static_force(measured.ends);
+        DelayLineState { rightward: still, leftward: still, ends: measured.ends, offset }
     }
 
     /// Takes F_i, u1 and u2 in and gives F_o \[N\].
@@ -59,7 +76,7 @@ impl<T: Real> DelayLineObserver<T> {
         let [before1, before2] = state.ends;
         let (push1, push2) = (self.swing(first - before1), self.swing(second - before2));
         state.ends = measured.ends;
-        let resting = self.static_force(measured.ends);
+        let resting = self.static_force(measured.ends) + state.offset;
         // The rings' last push was one step ago.
         let back = Delay { whole: self.transit.whole.saturating_sub(1), fraction: self.transit.fraction };
         let predicted = state.leftward.delayed(&back) - push1;

@@ -39,6 +39,11 @@ pub struct FusionState<T, const N: usize> {
 }
 
 impl<T: Real> Fusion<T> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> Fusion<U> {
+        Fusion { gain: change(self.gain), lateness: self.lateness.map(change) }
+    }
+
     /// The state after both forces have been so for ever.
     pub fn settled<const N: usize>(&self, fast: T, slow: T) -> FusionState<T, N> {
         FusionState { bias: slow - fast, fast: Ring::filled(fast) }

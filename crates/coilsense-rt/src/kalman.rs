@@ -24,18 +24,18 @@ pub struct Estimate<T> {
     pub surprise: T,
 }
 
-/// One mode (q, q̇/ω) over one sample.
+/// One mode (q, q̇/ω) over one sample; q in any unit, such as the force that it adds to F_i.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mode<T> {
     /// (q, q̇/ω) after a sample from those before: rows \[1\].
     pub turn: [[T; 2]; 2],
-    /// What a jump of velocity of each end adds to q̇/ω \[s\]: −c1/ω, −c2/ω.
+    /// What a jump of velocity of each end adds to q̇/ω \[unit of q per m/s\].
     pub kick: [T; 2],
-    /// F_i per q \[N/m\].
+    /// F_i per q \[N per unit of q\].
     pub input: T,
-    /// F_o per q \[N/m\].
+    /// F_o per q \[N per unit of q\].
     pub output: T,
-    /// What a surprise adds to (q, q̇/ω) \[m/N\].
+    /// What a surprise adds to (q, q̇/ω) \[unit of q per N\].
     pub gain: [T; 2],
 }
 
@@ -73,17 +73,33 @@ pub struct KalmanState<T, const MODES: usize> {
 }
 
 impl<T: Real, const MODES: usize> ModalKalman<T, MODES> {
-    /// The state of a spring at rest with its ends at u1, u2 \[m\].
-    pub fn settled(&self, ends: [T; 2]) -> KalmanState<T, MODES> {
-        KalmanState { modes: [[T::ZERO; 2]; MODES], bias: T::ZERO, ends, velocities: [T::ZERO; 2] }
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> ModalKalman<U, MODES> {
+        ModalKalman {
+            stiffness: change(self.stiffness),
+            rest_length: change(self.rest_length),
+            rate: change(self.rate),
+            bias_gain: change(self.bias_gain),
+            modes: self.modes.map(|mode| mode.map(change)),
+        }
+    }
+
+    /// The state of a spring at rest on which this is measured: what k does not explain of the force is taken for bias.
+    pub fn settled(&self, measured: &Measured<T>) -> KalmanState<T, MODES> {
+        let bias = measured.force - self.static_force(measured.ends);
+        KalmanState { modes: [[T::ZERO; 2]; MODES], bias, ends: measured.ends, velocities: [T::ZERO; 2] }
+    }
+
+    #[inline]
+    fn static_force(&self, [first, second]: [T; 2]) -> T {
+        self.stiffness * (second - first - self.rest_length)
     }
 
     /// Takes F_i, u1 and u2 in and gives both end forces.
     #[inline]
     pub fn step(&self, state: &mut KalmanState<T, MODES>, measured: &Measured<T>) -> Estimate<T> {
         let jumps = self.jumps(state, measured.ends);
-        let [first, second] = measured.ends;
-        let still = self.stiffness * (second - first - self.rest_length) + state.bias;
+        let still = self.static_force(measured.ends) + state.bias;
         let mut predicted = still;
         for (mode, place) in self.modes.iter().zip(&mut state.modes) {
             *place = mode.turned(*place, jumps);
@@ -112,6 +128,17 @@ impl<T: Real, const MODES: usize> ModalKalman<T, MODES> {
 }
 
 impl<T: Real> Mode<T> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> Mode<U> {
+        Mode {
+            turn: self.turn.map(|row| row.map(change)),
+            kick: self.kick.map(change),
+            input: change(self.input),
+            output: change(self.output),
+            gain: self.gain.map(change),
+        }
+    }
+
     /// The mode a sample later, kicked at its beginning.
     #[inline]
     fn turned(&self, [position, swing]: [T; 2], jumps: [T; 2]) -> [T; 2] {

@@ -37,6 +37,13 @@ pub struct Shaper<T, const IMPULSES: usize> {
 }
 
 impl<T: Real, const IMPULSES: usize> Shaper<T, IMPULSES> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U + Copy) -> Shaper<U, IMPULSES> {
+        let each =
+            |impulse: Impulse<T>| Impulse { amplitude: change(impulse.amplitude), delay: impulse.delay.map(change) };
+        Shaper { impulses: self.impulses.map(each) }
+    }
+
     /// The state after the command has been `x` for ever.
     pub fn settled<const N: usize>(&self, x: T) -> Ring<T, N> {
         Ring::filled(x)

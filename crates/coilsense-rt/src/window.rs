@@ -26,6 +26,11 @@ pub struct Window<T, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Window<T, N> {
+    /// The same with every number changed, into another precision.
+    pub fn map<U>(&self, change: impl Fn(T) -> U) -> Window<U, N> {
+        Window { taps: self.taps.map(change) }
+    }
+
     /// The state after the input has been `x` for ever.
     pub fn settled(&self, x: T) -> Ring<T, N> {
         Ring::filled(x)

@@ -6,6 +6,8 @@ use coilsense_rt::{Bank, Delay, DelayLineObserver, KalmanState, Measured, ModalK
 
 const REST: f64 = 0.104;
 const STIFFNESS: f64 = 760.0;
+/// S_T at rest, 230 mm long.
+const AT_REST: Measured<f64> = Measured { force: STIFFNESS * (0.23 - REST), ends: [0.0, 0.23] };
 
 /// A spring whose wave takes `transit` samples at 2.5 kHz.
 fn waves(gain: f64, transit: f64) -> DelayLineObserver<f64> {
@@ -30,7 +32,7 @@ fn the_square_wave_of_an_impact_arrives_at_the_other_end_mirrored() {
     let observer = waves(1.0, 23.0);
     let ends = [0.0, 0.23];
     let still = STIFFNESS * (0.23 - REST);
-    let mut state = observer.settled::<32>(ends);
+    let mut state = observer.settled::<32>(&AT_REST);
     for sample in 0..400 {
         let wave = 0.25 * observer.impedance * square(sample, 23);
         let output = observer.step(&mut state, &Measured { force: still + wave, ends });
@@ -45,7 +47,7 @@ fn the_square_wave_of_an_impact_arrives_at_the_other_end_mirrored() {
 fn waves_run_as_a_simulation_with_no_gain_and_keep_what_they_carry() {
     // A velocity of end 1 that lasts one transit: a wave of −Z v, seen at end 2 doubled, and reflected for ever.
     let observer = waves(0.0, 23.0);
-    let mut state = observer.settled::<32>([0.0, 0.23]);
+    let mut state = observer.settled::<32>(&AT_REST);
     let still = STIFFNESS * (0.23 - REST);
     let speed = 0.1;
     let mut outputs = Vec::new();
@@ -68,7 +70,7 @@ fn a_low_gain_averages_noise_of_the_motor_side_and_still_finds_the_impact() {
     let observer = waves(0.2, 23.0);
     let ends = [0.0, 0.23];
     let still = STIFFNESS * (0.23 - REST);
-    let mut state = observer.settled::<32>(ends);
+    let mut state = observer.settled::<32>(&AT_REST);
     let mut error = 0.0;
     for sample in 0..3000 {
         let wave = 0.25 * observer.impedance * square(sample, 23);
@@ -98,7 +100,7 @@ fn one_mode(gain: [f64; 2], bias_gain: f64) -> ModalKalman<f64, 1> {
 #[test]
 fn without_gains_a_mode_answers_a_ramp_as_an_oscillator_does() {
     let filter = one_mode([0.0; 2], 0.0);
-    let mut state = filter.settled([0.0, 0.23]);
+    let mut state = filter.settled(&AT_REST);
     let speed = 0.05;
     for sample in 1..2000 {
         let time = sample as f64 * STEP;
@@ -122,7 +124,7 @@ fn ringing(sample: usize, amplitude: f64, offset: f64) -> f64 {
 fn an_offset_goes_into_the_bias_and_a_ringing_into_the_mode() {
     let filter = one_mode([2e-4, 1e-4], 0.05);
     let ends = [0.0, 0.23];
-    let mut state = filter.settled(ends);
+    let mut state = filter.settled(&AT_REST);
     let mut last = None;
     for sample in 0..2000 {
         let estimate = filter.step(&mut state, &Measured { force: ringing(sample, 0.002, 3.0), ends });
@@ -136,14 +138,28 @@ fn an_offset_goes_into_the_bias_and_a_ringing_into_the_mode() {
 }
 
 #[test]
+fn what_the_stiffness_does_not_explain_at_rest_is_bias_from_the_beginning() {
+    let filter = one_mode([2e-4, 1e-4], 0.05);
+    let measured = Measured { force: 1.1 * AT_REST.force, ends: AT_REST.ends };
+    let mut state = filter.settled(&measured);
+    let observer = DelayLineObserver { loss: 0.1, ..waves(0.2, 23.0) };
+    let mut of_waves = observer.settled::<32>(&measured);
+    for _ in 0..100 {
+        // Sums of four numbers near 100.
+        assert!((filter.step(&mut state, &measured).output - measured.force).abs() < 1e-12);
+        assert!((observer.step(&mut of_waves, &measured) - measured.force).abs() < 1e-10);
+    }
+}
+
+#[test]
 fn a_bank_believes_the_member_whose_spring_it_is() {
     let mut off = one_mode([2e-5, 1e-5], 0.005);
     let (sine, cosine) = (0.9 * OMEGA * STEP).sin_cos();
     off.modes[0].turn = [[cosine, sine], [-sine, cosine]];
     let bank = Bank { members: [off, one_mode([2e-5, 1e-5], 0.005)], forgetting: 0.01, sharpness: 100.0 };
     let ends = [0.0, 0.23];
-    let mut state = bank.settled(ends);
-    let mut alone: KalmanState<f64, 1> = bank.members[1].settled(ends);
+    let mut state = bank.settled(&AT_REST);
+    let mut alone: KalmanState<f64, 1> = bank.members[1].settled(&AT_REST);
     let mut difference = 0.0;
     for sample in 0..4000 {
         let measured = Measured { force: ringing(sample, 0.002, 0.0), ends };
@@ -159,7 +175,7 @@ fn members_that_are_all_one_filter_give_what_it_gives() {
     let member = one_mode([2e-4, 1e-4], 0.05);
     let bank = Bank { members: [member; 3], forgetting: 0.1, sharpness: 10.0 };
     let ends = [0.0, 0.23];
-    let (mut state, mut alone) = (bank.settled(ends), member.settled(ends));
+    let (mut state, mut alone) = (bank.settled(&AT_REST), member.settled(&AT_REST));
     for sample in 0..200 {
         let measured = Measured { force: ringing(sample, 0.002, 1.0), ends };
         let (ours, single) = (bank.step(&mut state, &measured), member.step(&mut alone, &measured));
