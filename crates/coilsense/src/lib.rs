@@ -80,6 +80,8 @@ pub mod measures;
 
 pub mod uncertainty;
 
+pub mod mitigation;
+
 pub mod error;
 
 mod quadrature;

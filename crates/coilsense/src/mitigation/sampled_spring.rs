@@ -1,0 +1,84 @@
+//! The spring as a controller sees it: sampled, with a damping ratio for each mode.
+//!
+//! Next door: what may be off about it (`tolerance`), the designs that take it.
+
+use crate::damping::Damping;
+use crate::error::{Error, above_zero, check};
+use crate::modes::ChainModes;
+use crate::spring::Spring;
+
+/// A spring with both end positions measured, its damping, and the rate at which it is sampled.
+///
+/// ```
+/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
+/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
+/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// use coilsense::{Damping, mitigation::SampledSpring};
+/// let sampled = SampledSpring::new(&spring, &Damping::Modal(0.005), 2500.0)?;
+/// assert!((sampled.surge_period() - 46.24).abs() < 0.01);
+/// assert!(SampledSpring::new(&spring, &Damping::Modal(0.005), 100.0).is_err());
+/// # Ok::<(), coilsense::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SampledSpring {
+    spring: Spring,
+    modes: ChainModes,
+    ratios: Vec<f64>,
+    rate: f64,
+}
+
+impl SampledSpring {
+    /// The spring `spring` with `damping`, sampled at `rate` \[Hz\].
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a rate that is not above twice the first surge frequency, a damping ratio of 1 or more, or a loss factor;
+    /// [`Error::Count`] where damping for each mode is given for another number of modes.
+    pub fn new(spring: &Spring, damping: &Damping, rate: f64) -> Result<Self, Error> {
+        above_zero("sampling rate", rate, "Hz")?;
+        let first = spring.surge_frequency();
+        let allowed = format!("above twice the first surge frequency of {first:.3} Hz");
+        check(rate > 2.0 * first, "sampling rate", rate, "Hz", allowed)?;
+        let modes = ChainModes::of(spring);
+        let ratios = damping.clone().checked()?.ratios(modes.frequencies())?;
+        if let Some(mode) = ratios.iter().position(|ratio| *ratio >= 1.0) {
+            // A mode that does not swing needs nothing done about it, and stops being a pair of complex poles.
+            let quantity = format!("damping ratio of mode {}", mode + 1);
+            let few = mode < 3;
+            check(!few, quantity, ratios[mode], "", "below 1, for there is no ringing to mitigate")?;
+        }
+        Ok(Self { spring: spring.clone(), modes, ratios, rate })
+    }
+
+    /// The spring.
+    pub fn spring(&self) -> &Spring {
+        &self.spring
+    }
+
+    /// Its modes with both end positions given.
+    pub fn modes(&self) -> &ChainModes {
+        &self.modes
+    }
+
+    /// ζ_j \[1\], shape `modes`.
+    pub fn ratios(&self) -> &[f64] {
+        &self.ratios
+    }
+
+    /// Sampling rate \[Hz\].
+    pub fn rate(&self) -> f64 {
+        self.rate
+    }
+
+    /// 2τ = 1/f1 \[samples\], above 2 and rarely whole.
+    pub fn surge_period(&self) -> f64 {
+        self.rate / self.spring.surge_frequency()
+    }
+
+    /// The same damping and rate on another spring, such as a corner of the tolerances.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(crate) fn on(&self, spring: &Spring) -> Result<Self, Error> {
+        Self::new(spring, &Damping::ModalEach(self.ratios.clone()), self.rate)
+    }
+}
