@@ -5,7 +5,9 @@
 
 mod analyze;
 mod calibrate;
+mod import;
 mod init;
+mod log;
 mod progress;
 mod reproduce;
 mod simulate;
@@ -36,6 +38,8 @@ enum Command {
     Analyze(analyze::Arguments),
     /// From inductance to length and force: fit a measured log, say how far to trust it, and set the theories beside it
     Calibrate(calibrate::Arguments),
+    /// Read a log, mend what may be mended, write it in SI units on one rising clock, and account for every row
+    Import(import::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
@@ -55,6 +59,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments),
+        Command::Import(arguments) => import::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {

@@ -20,6 +20,8 @@ pub mod reproduce;
 
 pub mod series;
 
+pub mod recording;
+
 pub mod analysis;
 
 pub mod data_sheet;

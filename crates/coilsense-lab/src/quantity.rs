@@ -121,8 +121,7 @@ impl Dimension {
 
     /// What a value of this dimension looks like, for error texts: `a length with its unit (m, cm, mm, um, µm, nm)`.
     pub fn expectation(self) -> String {
-        let symbols: Vec<&str> = self.units().iter().map(|(symbol, _)| *symbol).collect();
-        format!("{} with its unit ({})", self.name(), symbols.join(", "))
+        format!("{} with its unit ({})", self.name(), self.symbols())
     }
 
     /// The SI value of `text`, such as `"104 mm"`; `None` where it is not a number followed by a unit of this dimension.
@@ -144,6 +143,42 @@ impl Dimension {
         match factor {
             Ten(exponent) => scaled(number, exponent),
             Times(factor) => Some(number.parse::<f64>().ok()? * factor),
+        }
+    }
+
+    /// What takes numbers of a unit to SI; `None` where the unit is not of this dimension.
+    pub(crate) fn scale(self, unit: &str) -> Option<Scale> {
+        let (_, factor) = self.units().iter().find(|(symbol, _)| *symbol == unit)?;
+        Some(match *factor {
+            Ten(exponent) if exponent < 0 => Scale::Over(10f64.powi(-exponent)),
+            Ten(exponent) => Scale::Times(10f64.powi(exponent)),
+            Times(factor) => Scale::Times(factor),
+        })
+    }
+
+    /// Its units, for error texts.
+    pub(crate) fn symbols(self) -> String {
+        let symbols: Vec<&str> = self.units().iter().map(|(symbol, _)| *symbol).collect();
+        symbols.join(", ")
+    }
+}
+
+/// What takes many numbers of a unit to SI. A number of millimetres is divided by 1000, which is right to the last bit more often than
+/// a product with 0.001.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Scale {
+    /// Multiply.
+    Times(f64),
+    /// Divide.
+    Over(f64),
+}
+
+impl Scale {
+    /// The SI value of a number.
+    pub fn apply(self, value: f64) -> f64 {
+        match self {
+            Self::Times(factor) => value * factor,
+            Self::Over(divisor) => value / divisor,
         }
     }
 }

@@ -109,7 +109,7 @@ fn read_text(path: &Path) -> Result<String, SpecError> {
 }
 
 /// The text of a file of at most so many bytes: a wrong name may be that of a disk image, or of a device that never ends.
-fn bounded(path: &Path, most: u64) -> Result<String, String> {
+pub(crate) fn bounded(path: &Path, most: u64) -> Result<String, String> {
     let mut text = String::new();
     let file = File::open(path).map_err(|error| error.to_string())?;
     let read = file.take(most + 1).read_to_string(&mut text).map_err(|error| error.to_string())?;

@@ -1,0 +1,109 @@
+//! A log on the command line: which file, which column is what, what may be mended. Shared by all commands that read one.
+//!
+//! Next door: what is done with it (`import`).
+
+use std::path::PathBuf;
+
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::{Mapping, Points, Recording, RecordingError, Repairs};
+
+/// Options of every command that reads a log.
+#[derive(clap::Args)]
+pub struct LogArguments {
+    /// The log: a text with columns (CSV and the like)
+    #[arg(value_name = "LOG")]
+    pub log: PathBuf,
+    /// Which column is which channel (time, u1, u2, F_i, F_o, F_x, F_L, L), by its title or, as in #3, its number; columns that carry a
+    /// channel's name need none
+    #[arg(long = "column", value_name = "NAME=\"TITLE [UNIT]\"", help_heading = LAYOUT)]
+    columns: Vec<String>,
+    /// The same, and how the text is written, as a TOML file: see docs/logs.md
+    #[arg(long, value_name = "FILE", conflicts_with = "preset", help_heading = LAYOUT)]
+    mapping: Option<PathBuf>,
+    /// A known layout: lab-data
+    #[arg(long, value_name = "NAME", help_heading = LAYOUT)]
+    preset: Option<String>,
+    /// How often a log without a time column was sampled, such as "2.5 kHz"
+    #[arg(long, value_name = "RATE", value_parser = frequency, help_heading = LAYOUT)]
+    sample_rate: Option<f64>,
+    /// Leave out rows that lack a value or cannot be read
+    #[arg(long, help_heading = REPAIRS)]
+    drop_incomplete: bool,
+    /// Put rows into the order of their times
+    #[arg(long, help_heading = REPAIRS)]
+    sort: bool,
+    /// Take the mean of rows that have the same time
+    #[arg(long, help_heading = REPAIRS)]
+    merge_repeated: bool,
+    /// Fill gaps and missing values up to this length along straight lines, such as "10 ms"
+    #[arg(long, value_name = "TIME", value_parser = positive_time, help_heading = REPAIRS)]
+    fill_gaps: Option<f64>,
+    /// Bring all channels to this rate along straight lines, such as "2.5 kHz"
+    #[arg(long, value_name = "RATE", value_parser = frequency, help_heading = REPAIRS)]
+    resample: Option<f64>,
+    /// Leave out what is before this time, such as "2 s"
+    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true, help_heading = REPAIRS)]
+    from: Option<f64>,
+    /// Leave out what is after this time
+    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true, help_heading = REPAIRS)]
+    to: Option<f64>,
+}
+
+const LAYOUT: &str = "What is in the log";
+const REPAIRS: &str = "What may be mended (by default nothing)";
+
+impl LogArguments {
+    /// The log over time.
+    pub fn recording(&self) -> Result<Recording, RecordingError> {
+        Recording::read(&self.log, &self.mapping()?, &self.repairs())
+    }
+
+    /// The log row by row, without a clock.
+    #[expect(dead_code, reason = "what calibrates takes it")]
+    pub fn points(&self) -> Result<Points, RecordingError> {
+        Points::read(&self.log, &self.mapping()?, &self.repairs())
+    }
+
+    /// Which column is which channel.
+    pub fn mapping(&self) -> Result<Mapping, RecordingError> {
+        let mut mapping = match (&self.preset, &self.mapping) {
+            (Some(name), _) => Mapping::preset(name)?,
+            (None, Some(file)) => Mapping::read(file)?,
+            (None, None) => Mapping::default(),
+        };
+        self.columns.iter().try_for_each(|column| mapping.set(column))?;
+        mapping.format.sample_rate = self.sample_rate.or(mapping.format.sample_rate);
+        Ok(mapping)
+    }
+
+    /// What may be mended.
+    pub fn repairs(&self) -> Repairs {
+        Repairs {
+            drop_incomplete: self.drop_incomplete,
+            sort: self.sort,
+            merge_repeated: self.merge_repeated,
+            fill_gaps: self.fill_gaps,
+            resample: self.resample,
+            from: self.from,
+            to: self.to,
+        }
+    }
+}
+
+/// Any time \[s\].
+fn time(text: &str) -> Result<f64, String> {
+    let parsed = Dimension::Time.parse(text).filter(|time| time.is_finite());
+    parsed.ok_or_else(|| format!("must be {}, as in \"10 ms\"", Dimension::Time.expectation()))
+}
+
+/// A time above zero \[s\].
+fn positive_time(text: &str) -> Result<f64, String> {
+    time(text).and_then(|time| if time > 0.0 { Ok(time) } else { Err("must be above zero".to_owned()) })
+}
+
+/// A frequency that instruments have \[Hz\].
+fn frequency(text: &str) -> Result<f64, String> {
+    let parsed = Dimension::Frequency.parse(text);
+    let rate = parsed.ok_or_else(|| format!("must be {}, as in \"2.5 kHz\"", Dimension::Frequency.expectation()))?;
+    if (1e-9..=1e9).contains(&rate) { Ok(rate) } else { Err("must be from 1e-9 to 1e9 Hz".to_owned()) }
+}

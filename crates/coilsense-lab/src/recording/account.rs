@@ -1,0 +1,207 @@
+//! What became of every row of a log: read, mended, left out, and why.
+//!
+//! Next door: the stages that fill it in (`order`, `complete`, `spacing`).
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::PathBuf;
+
+use crate::quantity::digits;
+
+/// Why rows are left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Reason {
+    /// The mapping says to skip them.
+    Skipped,
+    /// Before `--from` or after `--to`.
+    OutsideWindow,
+    /// They have more or fewer cells than there are columns.
+    CellCount,
+    /// A cell is not a number.
+    NoNumber,
+    /// A number is infinite, or larger than the science takes.
+    TooLarge,
+    /// A value is missing.
+    MissingValue,
+    /// They are one with another row of the same time.
+    Merged,
+    /// Before the first or after the last value of another channel.
+    Ends,
+    /// Where the other device has no values.
+    OtherDevice,
+}
+
+impl Reason {
+    /// In words, for people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Skipped => "skipped, as the mapping says",
+            Self::OutsideWindow => "outside of the window of time",
+            Self::CellCount => "with too many or too few columns",
+            Self::NoNumber => "with a cell that is not a number",
+            Self::TooLarge => "with a number that is too large",
+            Self::MissingValue => "with a missing value",
+            Self::Merged => "merged into another row of the same time",
+            Self::Ends => "before the first or after the last value of another channel",
+            Self::OtherDevice => "where the other device has no values",
+        }
+    }
+}
+
+/// How many, and where the first one is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Tally {
+    /// How many.
+    pub count: u64,
+    /// Line of the first.
+    pub line: u64,
+}
+
+/// A gap of a log: a step of time of more than one and a half times the usual one.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Gaps {
+    /// How many.
+    pub count: u64,
+    /// The longest \[s\].
+    pub longest: f64,
+    /// Line behind the first.
+    pub line: u64,
+}
+
+/// What became of a log's rows. `read` less what is left out, plus `filled_rows`, is `rows`, unless the log was resampled.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Account {
+    /// The file.
+    pub file: PathBuf,
+    /// How it is written.
+    pub description: String,
+    /// What was taken: name and column, in the order of the channels.
+    pub taken: Vec<(&'static str, String)>,
+    /// Columns that were not taken.
+    pub not_taken: Vec<String>,
+    /// Rows that were there.
+    pub read: u64,
+    /// Rows that were left out.
+    pub left_out: BTreeMap<Reason, Tally>,
+    /// Rows that stood out of order and were sorted.
+    pub sorted: u64,
+    /// Missing values that were filled, by channel, and the longest stretch \[s\] over which that was.
+    pub filled_values: BTreeMap<&'static str, (u64, f64)>,
+    /// Rows that were added in gaps.
+    pub filled_rows: u64,
+    /// Gaps as they were, before any repair.
+    pub gaps: Gaps,
+    /// The usual step of time \[s\], as it was.
+    pub interval: Option<f64>,
+    /// The smallest and the largest step of time \[s\], as they were.
+    pub steps: Option<[f64; 2]>,
+    /// The rate \[Hz\] to which it was resampled.
+    pub resampled: Option<f64>,
+    /// Rows that came out.
+    pub rows: u64,
+    /// Their first and last time \[s\].
+    pub span: Option<[f64; 2]>,
+    /// What else is to be said.
+    pub notes: Vec<String>,
+}
+
+impl Account {
+    /// Counts a row that is left out.
+    pub(super) fn leave_out(&mut self, reason: Reason, line: u64) {
+        self.left_out.entry(reason).or_insert(Tally { count: 0, line }).count += 1;
+    }
+
+    /// How many rows were left out.
+    pub fn left_out(&self) -> u64 {
+        self.left_out.values().map(|tally| tally.count).sum()
+    }
+
+    /// One line for each thing to be said.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = vec![format!("{}: {}", self.file.display(), self.description)];
+        lines.extend(self.taken.iter().map(|(name, column)| format!("  {name:4} from {column}")));
+        if !self.not_taken.is_empty() {
+            lines.push(format!("  not taken: {}", listed(&self.not_taken)));
+        }
+        let left_out =
+            if self.left_out.is_empty() { "none left out".to_owned() } else { format!("{} left out", self.left_out()) };
+        lines.push(format!("  {} rows read, {left_out}, {} kept", self.read, self.rows));
+        for (reason, tally) in &self.left_out {
+            lines.push(format!("    {} {}, the first in line {}", tally.count, reason.words(), tally.line));
+        }
+        lines.extend(self.mended());
+        lines.extend(self.timing());
+        lines.extend(self.notes.iter().map(|note| format!("  {note}")));
+        lines
+    }
+
+    fn mended(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        if self.sorted > 0 {
+            lines.push(format!("  sorted: {} rows stood out of order", self.sorted));
+        }
+        for (name, (count, longest)) in &self.filled_values {
+            lines.push(format!(
+                "  {name}: {count} missing values filled along straight lines of up to {}",
+                seconds(*longest)
+            ));
+        }
+        if self.filled_rows > 0 {
+            lines.push(format!("  {} rows added in gaps", self.filled_rows));
+        }
+        if let Some(rate) = self.resampled {
+            lines.push(format!("  resampled to {}", hertz(rate)));
+        }
+        lines
+    }
+
+    fn timing(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        if let (Some(interval), Some([least, largest])) = (self.interval, self.steps) {
+            let uneven = if largest - least > 1e-3 * interval {
+                format!(", uneven: steps from {} to {}", seconds(least), seconds(largest))
+            } else {
+                String::new()
+            };
+            lines.push(format!("  sampled at {}{uneven}", hertz(1.0 / interval)));
+        }
+        if let Some([from, to]) = self.span {
+            lines.push(format!("  from {from} s to {to} s"));
+        }
+        if self.gaps.count > 0 {
+            let Gaps { count, longest, line } = self.gaps;
+            lines.push(format!("  {count} gaps of up to {}, the first before line {line}", seconds(longest)));
+        }
+        lines
+    }
+}
+
+impl fmt::Display for Account {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.lines().join("\n"))
+    }
+}
+
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 8;
+    let shown = names.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+    if names.len() > MOST { format!("{shown} and {} more", names.len() - MOST) } else { shown }
+}
+
+/// A time as people write it.
+pub(super) fn seconds(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0 s".to_owned(),
+        size if size < 1e-3 => format!("{} us", digits(1e6 * value)),
+        size if size < 1.0 => format!("{} ms", digits(1e3 * value)),
+        _ => format!("{} s", digits(value)),
+    }
+}
+
+/// A frequency as people write it.
+pub(super) fn hertz(value: f64) -> String {
+    let (value, unit) = if value >= 1e3 { (value / 1e3, "kHz") } else { (value, "Hz") };
+    // Ten digits hide how a step of time was rounded.
+    let rounded = (value * 1e6).round() / 1e6;
+    if rounded > 0.0 { format!("{rounded} {unit}") } else { format!("{value:.3e} {unit}") }
+}

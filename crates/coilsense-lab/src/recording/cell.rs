@@ -1,0 +1,204 @@
+//! One cell of a text: a number, a time stamp, nothing, or something else; and where a line's cells begin and end.
+//!
+//! Next door: which signs part and mark them (`layout`), whole files (`text`).
+
+use std::ops::Range;
+
+/// What parts the cells of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Delimiter {
+    /// One character.
+    Sign(u8),
+    /// Any number of spaces and tabs.
+    Space,
+}
+
+/// What a cell holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Cell {
+    /// A number; may be infinite.
+    Number(f64),
+    /// A date, a time of day, or both.
+    Stamp {
+        /// Days since 1970; 0 where there is no date.
+        day: i64,
+        /// Seconds of that day.
+        second: f64,
+    },
+    /// Nothing, or one of the words that mean so.
+    Missing,
+    /// Anything else.
+    Text,
+}
+
+/// Words that mean "no value", in lower case.
+const MISSING: [&str; 9] = ["nan", "na", "n/a", "#n/a", "null", "none", "-", "--", "missing"];
+
+/// Finds the cells of a line; a delimiter between quotes does not part.
+pub(super) fn split(line: &[u8], delimiter: Delimiter, cells: &mut Vec<Range<usize>>) {
+    cells.clear();
+    let parts = |byte: u8| match delimiter {
+        Delimiter::Sign(sign) => byte == sign,
+        Delimiter::Space => byte == b' ' || byte == b'\t',
+    };
+    let (mut start, mut quoted) = (0, false);
+    for (index, &byte) in line.iter().enumerate() {
+        if byte == b'"' {
+            quoted = !quoted;
+        } else if !quoted && parts(byte) {
+            cells.push(start..index);
+            start = index + 1;
+        }
+    }
+    cells.push(start..line.len());
+    if delimiter == Delimiter::Space {
+        cells.retain(|cell| !cell.is_empty());
+    }
+}
+
+/// A cell without spaces and quotes around it.
+pub(super) fn bare(cell: &[u8]) -> &[u8] {
+    let cell = cell.trim_ascii();
+    match cell {
+        [b'"', inner @ .., b'"'] => inner.trim_ascii(),
+        _ => cell,
+    }
+}
+
+/// A cell as text; what is not UTF-8 is Latin-1, as old instruments write it.
+pub(super) fn words(cell: &[u8]) -> String {
+    let cell = bare(cell);
+    let text =
+        std::str::from_utf8(cell).map_or_else(|_| cell.iter().map(|&byte| char::from(byte)).collect(), str::to_owned);
+    text.replace("\"\"", "\"")
+}
+
+impl Cell {
+    /// Reads a cell.
+    pub fn of(cell: &[u8], decimal_comma: bool) -> Self {
+        let cell = bare(cell);
+        if cell.is_empty() {
+            return Self::Missing;
+        }
+        match number(cell, decimal_comma) {
+            Some(value) if value.is_nan() => Self::Missing,
+            Some(value) => Self::Number(value),
+            None => Self::other(cell, decimal_comma),
+        }
+    }
+
+    fn other(cell: &[u8], decimal_comma: bool) -> Self {
+        let Ok(text) = std::str::from_utf8(cell) else { return Self::Text };
+        if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) {
+            return Self::Missing;
+        }
+        let text = if decimal_comma { text.replace(',', ".") } else { text.to_owned() };
+        stamp(&text).map_or(Self::Text, |(day, second)| Self::Stamp { day, second })
+    }
+}
+
+/// Longest number that is read, in characters.
+const LONGEST_NUMBER: usize = 64;
+
+fn number(cell: &[u8], decimal_comma: bool) -> Option<f64> {
+    if cell.len() > LONGEST_NUMBER || cell.ends_with(b",") {
+        return None;
+    }
+    if !decimal_comma {
+        return std::str::from_utf8(cell).ok()?.parse().ok();
+    }
+    let mut buffer = [0; LONGEST_NUMBER];
+    let copy = buffer.get_mut(..cell.len())?;
+    for (to, &from) in copy.iter_mut().zip(cell) {
+        *to = match from {
+            b',' => b'.',
+            b'.' => return None,
+            other => other,
+        };
+    }
+    std::str::from_utf8(copy).ok()?.parse().ok()
+}
+
+/// Days since 1970 and seconds of `2026-11-21T12:00:00.5+01:00`, `2026-11-21 12:00:00`, `12:00:00.5` or `12:00`.
+fn stamp(text: &str) -> Option<(i64, f64)> {
+    let (date, clock) = match text.split_once(['T', ' ']) {
+        Some((date, clock)) => (Some(date), clock.trim_start()),
+        None => (None, text),
+    };
+    let days = date.map_or(Some(0), days_since_1970)?;
+    let (clock, zone) = match (date, clock.strip_suffix('Z'), clock.find(['+', '-'])) {
+        (Some(_), Some(clock), _) => (clock, 0.0),
+        (Some(_), None, Some(place)) => {
+            let sign = if clock[place..].starts_with('-') { -1.0 } else { 1.0 };
+            (&clock[..place], sign * time_of_day(&clock[place + 1..])?)
+        }
+        _ => (clock, 0.0),
+    };
+    Some((days, time_of_day(clock)? - zone))
+}
+
+/// `12:00`, `12:00:00` or `12:00:00.5` as seconds.
+fn time_of_day(text: &str) -> Option<f64> {
+    let mut parts = text.split(':');
+    let whole = |part: Option<&str>| part.filter(|part| part.len() <= 2)?.parse::<u8>().ok().map(f64::from);
+    let (hours, minutes) = (whole(parts.next())?, whole(parts.next())?);
+    let seconds: f64 = parts.next().map_or(Some(0.0), |part| {
+        part.starts_with(|c: char| c.is_ascii_digit()).then(|| part.parse().ok()).flatten()
+    })?;
+    let fits = parts.next().is_none() && hours <= 24.0 && minutes < 60.0 && (0.0..61.0).contains(&seconds);
+    fits.then_some(3600.0 * hours + 60.0 * minutes + seconds)
+}
+
+/// Days of `2026-11-21` since 1970-01-01 in the Gregorian calendar.
+fn days_since_1970(text: &str) -> Option<i64> {
+    let mut parts = text.split('-').map(|part| part.parse::<i64>().ok().filter(|_| part.len() <= 4));
+    let (year, month, day) = (parts.next()??, parts.next()??, parts.next()??);
+    if parts.next().is_some() || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
+        return None;
+    }
+    // Years that begin in March, so that the leap day comes last.
+    let year = if month <= 2 { year - 1 } else { year };
+    let day_of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
+    let (era, year_of_era) = (year.div_euclid(400), year.rem_euclid(400));
+    Some(era * 146_097 + year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year - 719_468)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cell, Delimiter, split, stamp};
+
+    #[test]
+    fn cells_are_numbers_stamps_gaps_or_text() {
+        assert_eq!(Cell::of(b" +1.5e-3 ", false), Cell::Number(0.0015));
+        assert_eq!(Cell::of(b"\"1,5\"", true), Cell::Number(1.5));
+        assert_eq!(Cell::of(b"1,5", false), Cell::Text);
+        assert_eq!(Cell::of(b"1.234,5", true), Cell::Text);
+        assert_eq!(Cell::of(b"1e999", false), Cell::Number(f64::INFINITY));
+        for missing in [&b""[..], b"  ", b"NaN", b"-nan", b"N/A", b"\"\""] {
+            assert_eq!(Cell::of(missing, false), Cell::Missing, "{missing:?}");
+        }
+        for text in [&b"abc"[..], b"1 N", b"0x10", b"\xb5", b"1:2:3:4", b"12:60:00"] {
+            assert_eq!(Cell::of(text, false), Cell::Text, "{text:?}");
+        }
+        assert_eq!(Cell::of(b"00:01:02,5", true), Cell::Stamp { day: 0, second: 62.5 });
+    }
+
+    #[test]
+    fn stamps_count_seconds_since_1970() {
+        assert_eq!(stamp("1970-01-02 00:00:01"), Some((1, 1.0)));
+        // date -u -d 2026-11-21T12:00:00 +%s
+        assert_eq!(stamp("2026-11-21T12:00:00Z"), Some((1_795_262_400 / 86_400, 43_200.0)));
+        assert_eq!(stamp("2026-11-21T13:00:00.25+01:00"), Some((20_778, 43_200.25)));
+        assert_eq!(stamp("2024-02-29 00:00"), Some((1_709_164_800 / 86_400, 0.0)));
+        assert_eq!(stamp("2026-13-01 00:00"), None);
+    }
+
+    #[test]
+    fn a_delimiter_between_quotes_does_not_part() {
+        let mut cells = Vec::new();
+        split(b"a,\"b,c\",d", Delimiter::Sign(b','), &mut cells);
+        assert_eq!(cells, [0..1, 2..7, 8..9]);
+        split(b"  1 \t 2 ", Delimiter::Space, &mut cells);
+        assert_eq!(cells, [2..3, 6..7]);
+    }
+}

@@ -1,0 +1,167 @@
+//! Measured logs: from a file of any layout to `Signals` in SI on one rising clock, with an account of every row.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `mapping`, `mapping_file`, `quantity`, `title` | which column is which channel, in which unit |
+//! | `selection` | finding those columns in a file |
+//! | `source`, `text`, `layout`, `cell`, `table` | where rows come from |
+//! | `repairs`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is mended on their way |
+//! | `account` | what became of every row |
+//! | `points` | logs without a clock |
+//!
+//! Next door: what writes such files (`crate::series`).
+
+mod account;
+mod cell;
+mod complete;
+mod error;
+mod layout;
+mod mapping;
+mod mapping_file;
+mod order;
+mod pipeline;
+mod points;
+mod quantity;
+mod repairs;
+mod row;
+mod selection;
+mod source;
+mod spacing;
+mod table;
+mod text;
+mod title;
+
+pub use account::{Account, Gaps, Reason, Tally};
+pub use error::RecordingError;
+pub use mapping::{Format, Mapping, PRESETS};
+pub use mapping_file::{COLUMN_KEYS, LOG_KEYS};
+pub use points::Points;
+pub use quantity::Quantity;
+pub use repairs::Repairs;
+pub use table::Table;
+pub use title::Title;
+
+use std::path::Path;
+
+use coilsense::{Channel, Signals};
+
+use account::seconds;
+use order::MOST_NUMBERS;
+use pipeline::Rows;
+use source::Source;
+
+/// A log in SI, on one rising clock.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    signals: Signals,
+    account: Account,
+    remarks: Vec<String>,
+}
+
+impl Recording {
+    /// Reads a log and mends what `repairs` allows.
+    ///
+    /// # Errors
+    /// [`RecordingError`], one line with file, line and column, for what cannot be read, is wrong, and may not be mended.
+    pub fn read(path: &Path, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+        let mut source = open(path, mapping)?;
+        let remarks = source.remarks().to_vec();
+        let rows = Rows::of(source.as_mut(), mapping, repairs)?;
+        let channels = rows.channels();
+        let mut time = Vec::new();
+        let mut values = vec![Vec::new(); channels.len()];
+        let account = rows.mend(&mut |row, _| {
+            if (time.len() + 1) * (channels.len() + 1) > MOST_NUMBERS {
+                return Err(RecordingError::of_file(
+                    path,
+                    "is too large to be held in memory; take a part of it by --from and --to",
+                ));
+            }
+            time.push(row.time);
+            for (series, value) in values.iter_mut().zip(row.values) {
+                series.push(value);
+            }
+            Ok(())
+        })?;
+        let science = |error: coilsense::Error| RecordingError::of_file(path, error);
+        let mut signals = Signals::new(time).map_err(science)?;
+        for (channel, series) in channels.into_iter().zip(values) {
+            signals.insert(channel, series).map_err(science)?;
+        }
+        Ok(Self { signals, account, remarks })
+    }
+
+    /// The signals.
+    pub fn signals(&self) -> &Signals {
+        &self.signals
+    }
+
+    /// What became of the log's rows.
+    pub fn account(&self) -> &Account {
+        &self.account
+    }
+
+    /// Comment lines and what else stands above the rows.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
+    }
+
+    /// What the log says of its being simulated, where it does: the comment line that begins with that word.
+    pub fn simulated(&self) -> Option<&str> {
+        simulated(&self.remarks)
+    }
+
+    /// A channel, shape `samples`.
+    ///
+    /// # Errors
+    /// [`RecordingError`] where the log has no such channel.
+    pub fn channel(&self, channel: Channel) -> Result<&[f64], RecordingError> {
+        self.signals.channel(channel).map_err(|_| lacks(&self.account.file, channel))
+    }
+
+    /// Samples per second \[Hz\] of a log whose times all lie within a quarter of a sample of an even clock.
+    ///
+    /// # Errors
+    /// [`RecordingError`] that names the first time which does not, and the repair.
+    pub fn sample_rate(&self) -> Result<f64, RecordingError> {
+        let time = self.signals.time();
+        let wrong = |message: String| RecordingError::of_file(&self.account.file, message);
+        let (Some(first), Some(last)) = (time.first(), time.last().filter(|_| time.len() > 1)) else {
+            return Err(wrong("a single row has no sample rate".to_owned()));
+        };
+        let interval = (last - first) / (time.len() - 1) as f64;
+        let even = |index: usize, time: f64| (time - first - index as f64 * interval).abs() <= 0.25 * interval;
+        if time.iter().enumerate().all(|(index, &time)| even(index, time)) {
+            return Ok(1.0 / interval);
+        }
+        let usual = self.account.interval.unwrap_or(interval);
+        let (step, at) = time
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0], pair[0]))
+            .fold((0.0, *first), |most, next| if next.0 > most.0 { next } else { most });
+        Err(wrong(format!(
+            "is not evenly sampled: its steps of time are usually {}, and {} at {at} s; --resample \"{}\" makes them even",
+            seconds(usual),
+            seconds(step),
+            account::hertz((1.0 / usual).round().max(1.0))
+        )))
+    }
+}
+
+/// Opens a log of any format.
+fn open(path: &Path, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
+    Ok(Box::new(text::Text::open(path, &mapping.format)?))
+}
+
+fn lacks(file: &Path, channel: Channel) -> RecordingError {
+    let (name, unit) = (channel.name(), channel.unit());
+    RecordingError::of_file(
+        file,
+        format!("has no {name}; say which column it is, as in --column {name}=\"title [{unit}]\""),
+    )
+}
+
+/// The remark that says that a log is simulated.
+fn simulated(remarks: &[String]) -> Option<&str> {
+    remarks.iter().map(|remark| remark.trim()).find(|remark| remark.to_lowercase().starts_with("simulated"))
+}

@@ -1,0 +1,162 @@
+//! From a source's rows to SI rows on one rising clock.
+//!
+//! Next door: the stages (`order`, `complete`, `spacing`), where rows come from (`source`), where they go (`mod`).
+
+use coilsense::Channel;
+
+use super::account::{Account, Reason};
+use super::complete::Complete;
+use super::error::RecordingError;
+use super::mapping::Mapping;
+use super::order::Order;
+use super::quantity::Quantity;
+use super::repairs::Repairs;
+use super::row::{Onward, Row};
+use super::selection::{Selection, Slot};
+use super::source::{Next, Source};
+use super::spacing::Spacing;
+
+/// A source whose rows are read as SI values of the columns that are taken.
+pub(super) struct Rows<'a> {
+    source: &'a mut dyn Source,
+    selection: Selection,
+    mapping: &'a Mapping,
+    repairs: &'a Repairs,
+    cells: Vec<f64>,
+    /// What became of the rows.
+    pub account: Account,
+}
+
+/// A row's line, its time where there is a column of it, and one value per channel.
+pub(super) struct Reading {
+    pub line: u64,
+    /// Its number, from 0, among all rows that are not skipped.
+    pub index: u64,
+    pub time: Option<f64>,
+    pub values: Vec<f64>,
+}
+
+impl<'a> Rows<'a> {
+    pub fn of(source: &'a mut dyn Source, mapping: &'a Mapping, repairs: &'a Repairs) -> Result<Self, RecordingError> {
+        let mut selection = Selection::of(source.file(), source.titles(), mapping)?;
+        if mapping.format.sample_rate.is_some() && selection.has_time() {
+            selection.slots.remove(0);
+        }
+        let account = Account {
+            file: source.file().to_owned(),
+            description: source.description(),
+            taken: selection.taken(source.titles()),
+            not_taken: not_taken(source, &selection),
+            ..Account::default()
+        };
+        Ok(Self { source, selection, mapping, repairs, cells: Vec::new(), account })
+    }
+
+    /// The channels that are taken, in order.
+    pub fn channels(&self) -> Vec<Channel> {
+        let channel = |slot: &Slot| match slot.quantity {
+            Quantity::Channel(channel) => Some(channel),
+            Quantity::Time => None,
+        };
+        self.selection.slots.iter().filter_map(channel).collect()
+    }
+
+    /// The next row that can be read; what cannot is left out where that is allowed.
+    pub fn next(&mut self) -> Result<Option<Reading>, RecordingError> {
+        loop {
+            let next = self.source.next(&self.selection.wanted, &mut self.cells)?;
+            let (Next::Row(line) | Next::Broken { line, .. }) = next else { return Ok(None) };
+            self.account.read += 1;
+            if self.account.read <= self.mapping.format.skip {
+                self.account.leave_out(Reason::Skipped, line);
+                continue;
+            }
+            let read = match next {
+                Next::Broken { reason, message, .. } => Err((reason, message)),
+                _ => self.reading(line),
+            };
+            match read {
+                Ok(reading) => return Ok(Some(reading)),
+                Err((reason, _)) if self.repairs.drop_incomplete => self.account.leave_out(reason, line),
+                Err((_, message)) => {
+                    let message = format!("{message}; --drop-incomplete leaves such rows out");
+                    return Err(RecordingError::of_line(self.source.file(), line, message));
+                }
+            }
+        }
+    }
+
+    fn reading(&self, line: u64) -> Result<Reading, (Reason, String)> {
+        let index = self.account.read - 1 - self.mapping.format.skip;
+        let mut reading = Reading { line, index, time: None, values: Vec::with_capacity(self.selection.slots.len()) };
+        for slot in &self.selection.slots {
+            let value = slot.value(&self.cells);
+            let (name, largest) = (slot.quantity.name(), slot.quantity.largest());
+            if value.abs() > largest {
+                let unit = slot.quantity.dimension().si_unit();
+                let message = format!("{name} = {value:e} {unit}: must be from {:e} to {largest:e} {unit}", -largest);
+                return Err((Reason::TooLarge, message));
+            }
+            match slot.quantity {
+                Quantity::Time if value.is_nan() => return Err((Reason::MissingValue, "time has no value".to_owned())),
+                Quantity::Time => reading.time = Some(value),
+                Quantity::Channel(_) => reading.values.push(value),
+            }
+        }
+        Ok(reading)
+    }
+
+    /// Runs every row through the repairs; `onward` gets complete rows on a rising clock.
+    pub fn mend(mut self, onward: &mut Onward<'_>) -> Result<Account, RecordingError> {
+        let file = self.source.file().to_owned();
+        let rate = self.mapping.format.sample_rate;
+        if !self.selection.has_time() && rate.is_none() {
+            return Err(RecordingError::of_file(
+                &file,
+                "no column is known as the time; say which it is, as in --column time=\"#1 [s]\", or how often it was sampled by --sample-rate",
+            ));
+        }
+        let names = self.channels().iter().map(|channel| channel.name()).collect();
+        let mut order = Order::new(file.clone(), *self.repairs);
+        let mut complete = Complete::new(file.clone(), *self.repairs, names);
+        let mut spacing = Spacing::new(file.clone(), *self.repairs);
+        while let Some(reading) = self.next()? {
+            let time = reading.time.or(rate.map(|rate| reading.index as f64 / rate)).unwrap_or(0.0);
+            let row = Row { line: reading.line, time, values: reading.values };
+            order.push(row, &mut self.account, &mut |row, account| {
+                complete.push(row, account, &mut |row, account| spacing.push(row, account, onward))
+            })?;
+        }
+        let mut account = self.account;
+        order.finish(&mut account, &mut |row, account| {
+            complete.push(row, account, &mut |row, account| spacing.push(row, account, onward))
+        })?;
+        complete.finish(&mut account, &mut |row, account| spacing.push(row, account, onward))?;
+        spacing.finish(&mut account, onward)?;
+        if account.rows == 0 {
+            return Err(RecordingError::of_file(&file, nothing_left(&account)));
+        }
+        Ok(account)
+    }
+}
+
+/// Why no row is left.
+pub(super) fn nothing_left(account: &Account) -> String {
+    let reasons: Vec<String> =
+        account.left_out.iter().map(|(reason, tally)| format!("{} {}", tally.count, reason.words())).collect();
+    match reasons.is_empty() {
+        true => "has no rows".to_owned(),
+        false => format!("none of its {} rows is left: {}", account.read, reasons.join(", ")),
+    }
+}
+
+fn not_taken(source: &dyn Source, selection: &Selection) -> Vec<String> {
+    let used: Vec<usize> = selection
+        .slots
+        .iter()
+        .flat_map(|slot| &slot.places)
+        .filter_map(|place| selection.wanted.get(*place).copied())
+        .collect();
+    let titles = source.titles().iter().enumerate();
+    titles.filter(|(index, _)| !used.contains(index)).map(|(index, title)| title.place(index)).collect()
+}

@@ -1,0 +1,34 @@
+//! Where rows come from: one after the other, so that a file need not fit into memory.
+//!
+//! Next door: texts (`text`), what is read at once (`table`), what becomes of the rows (`pipeline`).
+
+use std::path::Path;
+
+use super::account::Reason;
+use super::error::RecordingError;
+use super::title::Title;
+
+/// A log that hands out its rows.
+pub(super) trait Source {
+    /// The file, for messages.
+    fn file(&self) -> &Path;
+    /// How it is written, in words.
+    fn description(&self) -> String;
+    /// The titles of its columns.
+    fn titles(&self) -> &[Title];
+    /// Comment lines and what else stands above the rows.
+    fn remarks(&self) -> &[String];
+    /// The next row's cells of the columns `wanted` (indices in rising order) into `values`; NaN where there is none.
+    fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError>;
+}
+
+/// What came.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Next {
+    /// A row of numbers, and the line where it stands.
+    Row(u64),
+    /// A row that cannot be read.
+    Broken { line: u64, reason: Reason, message: String },
+    /// Nothing is left.
+    End,
+}

@@ -1,0 +1,187 @@
+//! Rows of a text file, line by line.
+//!
+//! Next door: how it is written (`layout`), its cells (`cell`).
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use super::account::Reason;
+use super::cell::{Cell, split, words};
+use super::error::{RecordingError, clipped};
+use super::layout::{Layout, Line, comment};
+use super::mapping::Format;
+use super::source::{Next, Source};
+use super::title::Title;
+
+/// A text file that is being read.
+pub(super) struct Text {
+    path: PathBuf,
+    reader: BufReader<File>,
+    layout: Layout,
+    comment: Option<String>,
+    line: u64,
+    buffer: Vec<u8>,
+    cells: Vec<Range<usize>>,
+    /// The day of the first stamp, from which time counts.
+    day: Option<i64>,
+    /// Whether what is no number is a missing one.
+    pub lenient: bool,
+}
+
+/// How much of a file is looked at to find out how it is written.
+const HEAD: u64 = 256 << 10;
+/// Most lines of that, and the longest line of a log.
+const HEAD_LINES: usize = 500;
+const LONGEST_LINE: u64 = 1 << 20;
+
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+impl Text {
+    /// Opens a file and finds out how it is written.
+    pub fn open(path: &Path, format: &Format) -> Result<Self, RecordingError> {
+        let unreadable = |error: std::io::Error| RecordingError::of_file(path, format!("cannot be read: {error}"));
+        let mut file = File::open(path).map_err(unreadable)?;
+        let mut head = Vec::new();
+        (&mut file).take(HEAD).read_to_end(&mut head).map_err(unreadable)?;
+        let whole = (head.len() as u64) < HEAD;
+        let layout = text_only(&head)
+            .and_then(|()| Layout::detect(&lines(&head, whole), format))
+            .map_err(|message| RecordingError::of_file(path, message))?;
+        file.seek(SeekFrom::Start(0)).map_err(unreadable)?;
+        Ok(Self {
+            path: path.to_owned(),
+            reader: BufReader::with_capacity(1 << 20, file),
+            layout,
+            comment: format.comment.clone(),
+            line: 0,
+            buffer: Vec::new(),
+            cells: Vec::new(),
+            day: None,
+            lenient: false,
+        })
+    }
+
+    /// Moves on to the next line; false at the end.
+    fn advance(&mut self) -> Result<bool, RecordingError> {
+        self.buffer.clear();
+        self.line += 1;
+        let read = (&mut self.reader).take(LONGEST_LINE).read_until(b'\n', &mut self.buffer);
+        let read =
+            read.map_err(|error| RecordingError::of_line(&self.path, self.line, format!("cannot be read: {error}")))?;
+        if read as u64 == LONGEST_LINE {
+            return Err(RecordingError::of_line(&self.path, self.line, "the line is longer than 1 MiB"));
+        }
+        if self.line == 1 && self.buffer.starts_with(MARK) {
+            self.buffer.drain(..MARK.len());
+        }
+        Ok(read > 0)
+    }
+
+    fn broken(&self, reason: Reason, message: String) -> Next {
+        Next::Broken { line: self.line, reason, message }
+    }
+
+    fn cell(&mut self, index: usize) -> Result<f64, Next> {
+        let Some(range) = self.cells.get(index) else { return Ok(f64::NAN) };
+        let cell = &self.buffer[range.clone()];
+        let stamps = self.layout.titles[index].stamps;
+        match Cell::of(cell, self.layout.decimal_comma) {
+            Cell::Number(value) if !stamps => Ok(value),
+            Cell::Missing => Ok(f64::NAN),
+            Cell::Stamp { day, second } if stamps => {
+                let first = *self.day.get_or_insert(day);
+                Ok(86_400.0 * (day - first) as f64 + second)
+            }
+            _ if self.lenient => Ok(f64::NAN),
+            _ => {
+                let wanted = if stamps { "a time stamp as in the first row" } else { "a number" };
+                let place = self.layout.titles[index].place(index);
+                Err(self.broken(Reason::NoNumber, format!("{place}: {} is not {wanted}", clipped(&words(cell)))))
+            }
+        }
+    }
+}
+
+impl Source for Text {
+    fn file(&self) -> &Path {
+        &self.path
+    }
+
+    fn description(&self) -> String {
+        self.layout.description()
+    }
+
+    fn titles(&self) -> &[Title] {
+        &self.layout.titles
+    }
+
+    fn remarks(&self) -> &[String] {
+        &self.layout.remarks
+    }
+
+    fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {
+        loop {
+            if !self.advance()? {
+                return Ok(Next::End);
+            }
+            if self.line < self.layout.first_row || comment(&self.buffer, self.comment.as_deref()).is_some() {
+                continue;
+            }
+            let mut end = self.buffer.len();
+            while end > 0 && matches!(self.buffer[end - 1], b'\n' | b'\r') {
+                end -= 1;
+            }
+            if self.buffer[..end].trim_ascii().is_empty() {
+                continue;
+            }
+            split(&self.buffer[..end], self.layout.delimiter, &mut self.cells);
+            break;
+        }
+        let (columns, present) = (self.layout.titles.len(), self.cells.len());
+        if present != columns {
+            let plural = if present == 1 { "column" } else { "columns" };
+            let whose = self.layout.header.map_or("the first row has".to_owned(), |line| format!("line {line} has"));
+            return Ok(self.broken(Reason::CellCount, format!("it has {present} {plural} where {whose} {columns}")));
+        }
+        values.clear();
+        for &index in wanted {
+            match self.cell(index) {
+                Ok(value) => values.push(value),
+                Err(broken) => return Ok(broken),
+            }
+        }
+        Ok(Next::Row(self.line))
+    }
+}
+
+/// Refuses what is no text, by name where its first bytes tell.
+fn text_only(head: &[u8]) -> Result<(), String> {
+    if head.is_empty() {
+        return Err("is empty".to_owned());
+    }
+    let known: [(&[u8], &str); 6] = [
+        (b"\xff\xfe", "text in UTF-16; save it as UTF-8"),
+        (b"\xfe\xff", "text in UTF-16; save it as UTF-8"),
+        (b"\x1f\x8b", "compressed by gzip; unpack it first"),
+        (b"PK\x03\x04", "an Excel file or ZIP archive; save the table as CSV"),
+        (b"\x89HDF", "HDF5, which is not read; save its columns as CSV or Parquet"),
+        (b"TDSm", "NI TDMS, which is not read; save its channels as CSV or Parquet"),
+    ];
+    match known.iter().find(|(magic, _)| head.starts_with(magic)) {
+        Some((_, what)) => Err(format!("is {what}")),
+        None if head.contains(&0) => Err("is no text: it holds zero bytes".to_owned()),
+        None => Ok(()),
+    }
+}
+
+/// The first lines with their numbers; the last one only where it is whole.
+fn lines(head: &[u8], whole: bool) -> Vec<Line<'_>> {
+    let mut all: Vec<&[u8]> = head.strip_prefix(MARK).unwrap_or(head).split(|byte| *byte == b'\n').collect();
+    if !whole && all.len() > 1 {
+        all.pop();
+    }
+    let ending = |line| <[u8]>::strip_suffix(line, b"\r").unwrap_or(line);
+    (1..).zip(all.into_iter().map(ending)).take(HEAD_LINES).collect()
+}
