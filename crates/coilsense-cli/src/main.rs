@@ -10,6 +10,7 @@ mod init;
 mod log;
 mod progress;
 mod reproduce;
+mod rig;
 mod simulate;
 mod spring;
 
@@ -40,6 +41,8 @@ enum Command {
     Calibrate(calibrate::Arguments),
     /// Read a log, mend what may be mended, write it in SI units on one rising clock, and account for every row
     Import(import::Arguments),
+    /// The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors
+    Rig(rig::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
+        Command::Rig(arguments) => rig::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {

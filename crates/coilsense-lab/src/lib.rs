@@ -30,6 +30,8 @@ pub mod calibration;
 
 pub mod plot;
 
+pub mod rig;
+
 pub mod report;
 
 pub mod output;

@@ -56,6 +56,8 @@ pub mod damping;
 
 pub mod mount;
 
+pub mod relaxation;
+
 pub mod modes;
 
 pub mod transmittance;

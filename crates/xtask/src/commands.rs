@@ -55,7 +55,7 @@ pub fn readme() -> anyhow::Result<bool> {
     Ok(typed > 0)
 }
 
-/// Runs `spring`, `simulate` and `analyze` on every example; whether all succeed and leave what they should.
+/// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig; whether all succeed and leave what they should.
 pub fn every_example() -> anyhow::Result<bool> {
     let executable = executable()?;
     let place = tempfile::tempdir()?;
@@ -70,6 +70,16 @@ pub fn every_example() -> anyhow::Result<bool> {
             println!("({} took {:.2} s)", arguments[0], begun.elapsed().as_secs_f64());
             Ok(success)
         };
+        // A spec of a rig has no conditions of use.
+        if std::fs::read_to_string(&spec)?.lines().any(|line| line == "[rig]") {
+            if !(run(&["spring"])? && run(&["rig", "--out", &name])?) {
+                return Ok(false);
+            }
+            if !place.path().join(&name).join("experiment.toml").is_file() {
+                bail!("{name}/experiment.toml is missing");
+            }
+            continue;
+        }
         let series = format!("{name}.parquet");
         if !(run(&["spring"])? && run(&["simulate", "--out", &series])? && run(&["analyze", "--out", &name])?) {
             return Ok(false);

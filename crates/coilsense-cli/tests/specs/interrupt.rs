@@ -16,14 +16,23 @@ fn slow() -> String {
     format!("[mount]\ndamping_ratio = [{}]\n{}", ratios.join(", "), conditions.concat())
 }
 
+/// A rig with so many runs that they take several seconds, none of them long.
+const SLOW_RIG: &str = "[mount]\ndamping_ratio = 0.01\n[rig]\ntaps = 300\n";
+
 #[test]
 fn ctrl_c_leaves_the_folder_as_it_was() {
     let (place, spec) = place(&slow());
+    let rig = place.path().join("rig.toml");
+    fs::write(&rig, format!("{}{SLOW_RIG}", include_str!("../../../../data/springs/S_T.toml"))).unwrap();
     let out = place.path().join("out");
     fs::create_dir(&out).unwrap();
     fs::write(out.join("results.json"), "mine").unwrap();
     let file = out.join("runs.csv");
-    for arguments in [["analyze", path(&spec), "--out", path(&out)], ["simulate", path(&spec), "--out", path(&file)]] {
+    for arguments in [
+        ["analyze", path(&spec), "--out", path(&out)],
+        ["simulate", path(&spec), "--out", path(&file)],
+        ["rig", path(&rig), "--out", path(&out)],
+    ] {
         let child = command(&arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         // From its begin on there is a folder that it fills.
         let begun = Instant::now();
@@ -40,5 +49,5 @@ fn ctrl_c_leaves_the_folder_as_it_was() {
         assert_eq!(names(&out), ["results.json"]);
         assert_eq!(fs::read_to_string(out.join("results.json")).unwrap(), "mine");
     }
-    assert_eq!(names(place.path()), ["out", "spec.toml"]);
+    assert_eq!(names(place.path()), ["out", "rig.toml", "spec.toml"]);
 }

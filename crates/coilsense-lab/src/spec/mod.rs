@@ -13,6 +13,7 @@ mod material;
 mod measurand;
 mod mount;
 mod recorded;
+mod rig;
 mod section;
 mod sensor;
 mod size;
@@ -27,6 +28,7 @@ pub use goal::{Goal, UncertaintySpec};
 pub use keys::{Key, TABLES, Table, markdown};
 pub use measurand::{KINDS as SENSOR_KINDS, Quantity};
 pub use mount::{BAND, DampingCase, MountSpec};
+pub use rig::RigSpec;
 pub use sensor::SensorSpec;
 pub use spring::SpringSpec;
 pub use template::template;
@@ -61,6 +63,8 @@ pub struct Spec {
     pub goal: Goal,
     /// What the uncertainty budget assumes.
     pub uncertainty: UncertaintySpec,
+    /// The virtual rig: the paper's, where the spec says nothing.
+    pub rig: RigSpec,
 }
 
 impl Spec {
@@ -73,9 +77,11 @@ impl Spec {
         let spring = SpringSpec::of(&document.section("spring")?)?;
         let mount = MountSpec::parse(&document, &spring.spring)?;
         let setting = Setting { spring: &spring.spring, mount: &mount, files };
+        let sensors = SensorSpec::parse_all(&document, &spring)?;
         Ok(Self {
             conditions: ConditionSpec::parse_all(&document, &setting)?,
-            sensors: SensorSpec::parse_all(&document, &spring)?,
+            rig: RigSpec::parse(&document, &sensors)?,
+            sensors,
             goal: Goal::parse(&document, &spring.spring)?,
             uncertainty: UncertaintySpec::parse(&document)?,
             file: file.to_owned(),

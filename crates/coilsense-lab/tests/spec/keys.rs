@@ -43,6 +43,7 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
             SENSOR_KINDS.iter().map(|kind| (*kind, format!("{by_values}\n[[sensor]]\nkind = \"{kind}\"\n"))).collect()
         }
         "goal" => vec![("goal", format!("{by_values}\n[goal]\nerror = \"1 %\"\n"))],
+        "rig" => vec![("rig", format!("{by_values}\n[rig]\n"))],
         _ => vec![("budget", format!("{by_values}\n[uncertainty]\n"))],
     }
 }

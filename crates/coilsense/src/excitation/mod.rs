@@ -10,7 +10,7 @@ pub(crate) use event::{Kick, Sine};
 pub use input::{EndInput, Harmonic};
 pub use sampled::Sampled;
 
-use crate::error::{Error, above_zero, all_bounded, count, finite};
+use crate::error::{Error, above_zero, all_bounded, check, count, finite};
 use crate::spring::Spring;
 
 /// One of the two ends of the spring.
@@ -29,6 +29,9 @@ pub enum Start {
     Rest,
     /// As a spring without mass: uniform between the ends' positions, velocities linear between the ends' velocities.
     Massless,
+    /// As the sines of both ends have left it after a long time: the motion repeats from the first period on. Ends held or driven by sines
+    /// only; without damping, the answer that a vanishing damping would leave.
+    Steady,
     /// Uniform for the mean length, winding i at the velocity `profile` gives it.
     Moving {
         /// v \[m/s\], positive from end 1 to end 2.
@@ -67,11 +70,17 @@ impl Excitation {
     ///
     /// # Errors
     /// [`Error::Value`] for a length or frequency that is not above zero, or any value that is not finite;
+    /// for a steady start also for an input that is neither held nor made of sines;
     /// [`Error::Count`] where a start by windings has unlike numbers of positions and velocities.
     pub fn new(mean_length: f64, end1: EndInput, end2: EndInput, start: Start) -> Result<Self, Error> {
         above_zero("mean length", mean_length, "m")?;
         match &start {
             Start::Rest | Start::Massless => {}
+            Start::Steady => {
+                let swings = |input: &EndInput| matches!(input, EndInput::Held | EndInput::Harmonics(_));
+                let others = [&end1, &end2].into_iter().filter(|input| !swings(input)).count();
+                check(others == 0, "inputs of a steady start that are no sines", others as f64, "", "0")?;
+            }
             Start::Moving { velocity, .. } => {
                 finite("velocity", *velocity, "m/s")?;
             }

@@ -2,9 +2,13 @@
 //!
 //! Next door: how they go on (`closed`, `march`).
 
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
 use super::Motion;
 use super::closed::ModalState;
-use crate::error::{Error, count};
+use crate::error::{Error, check, count};
 use crate::excitation::{Start, VelocityProfile};
 
 impl Motion {
@@ -22,6 +26,7 @@ impl Motion {
         Ok(match self.excitation.start() {
             Start::Massless => lines([0.0; 2], [0.0; 2]),
             Start::Rest => lines([-u[0], -u[1]], [-v[0], -v[1]]),
+            Start::Steady => self.steady_start()?,
             Start::Moving { velocity, profile } => {
                 let at_end_1 = match profile {
                     VelocityProfile::Uniform => *velocity,
@@ -37,6 +42,44 @@ impl Motion {
                 }
             }
         })
+    }
+
+    /// Where forced motion has led when all free motion has died.
+    ///
+    /// q_j = Im Σ g e^(iφ), q̇_j = Im Σ iω g e^(iφ) with g = c_j a ω² / (ω_j² − ω² + 2iζ_jω_jω), over the sines a sin(ωt + φ) of both ends
+    ///
+    /// Source:   the particular solution of the modes' equation ([`Motion`]).
+    /// Valid:    no mode undamped and driven exactly at its frequency.
+    /// Accuracy: 2e-16 of ω_j² relative in the denominator.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for an undamped mode driven at its very frequency, which has no steady state.
+    fn steady_start(&self) -> Result<ModalState, Error> {
+        let mut state = ModalState::zero(self.modes.count());
+        for (input, participations) in self.inputs().into_iter().zip(self.modes.participations()) {
+            for sine in input.sines() {
+                let (omega, phasor) = (sine.angular, Complex64::cis(sine.phase));
+                let modes = self.modes.frequencies().iter().zip(&self.ratios).zip(participations);
+                for (mode, ((&natural, &ratio), participation)) in modes.enumerate() {
+                    let detuning = Complex64::new((natural - omega) * (natural + omega), 2.0 * ratio * natural * omega);
+                    let quantity = format!("frequency of a sine at the undamped mode {}", mode + 1);
+                    let settles = detuning != Complex64::default() || *participation == 0.0;
+                    check(
+                        settles,
+                        quantity,
+                        omega / TAU,
+                        "Hz",
+                        "off that mode's, or the mode damped, for a steady start",
+                    )?;
+                    if *participation != 0.0 {
+                        let swing = participation * sine.amplitude * omega * omega / detuning * phasor;
+                        state.coordinates[mode] += swing.im;
+                        state.rates[mode] += omega * swing.re;
+                    }
+                }
+            }
+        }
+        Ok(state)
     }
 }
 

@@ -3,6 +3,7 @@
 //! Next door: reading them (`section` and one file per table), the commented template (`template`).
 
 mod conditions;
+mod rig;
 mod sensors;
 mod springs;
 
@@ -35,13 +36,14 @@ pub struct Table {
 }
 
 /// All tables, in the order in which one writes them.
-pub const TABLES: [&Table; 6] = [
+pub const TABLES: [&Table; 7] = [
     &springs::SPRING,
     &springs::MOUNT,
     &conditions::CONDITION,
     &sensors::SENSOR,
     &sensors::GOAL,
     &sensors::UNCERTAINTY,
+    &rig::RIG,
 ];
 
 /// A key that must be there.
@@ -104,7 +106,7 @@ pub fn markdown() -> String {
 const INTRODUCTION: &str = "# The spec file
 
 A spec is a TOML file: one spring, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.
-`coilsense init` writes a commented one. `coilsense spring`, `simulate` and `analyze` all read it.
+`coilsense init` writes a commented one. `coilsense spring`, `simulate`, `analyze` and `rig` all read it.
 
 Quantities are texts of a number and a unit, such as `\"760 N/m\"`; pure numbers carry no quotes. An unknown key is an error that names the
 nearest known one. Where a kind stands in brackets, the key belongs to that kind only. This page is made from the table that the reader
