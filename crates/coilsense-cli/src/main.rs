@@ -8,6 +8,7 @@ mod calibrate;
 mod import;
 mod init;
 mod log;
+mod placement;
 mod progress;
 mod reproduce;
 mod rig;
@@ -43,6 +44,8 @@ enum Command {
     Import(import::Arguments),
     /// The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors
     Rig(rig::Arguments),
+    /// Which force to feed back, and how fast the loop may then be: limits, margins, what the world feels
+    Placement(placement::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
@@ -64,6 +67,7 @@ fn main() -> ExitCode {
         Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Rig(arguments) => rig::run(&arguments),
+        Command::Placement(arguments) => placement::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {

@@ -27,6 +27,7 @@ pub mod analysis;
 pub mod data_sheet;
 
 pub mod calibration;
+pub mod placement;
 
 pub mod plot;
 

@@ -44,6 +44,8 @@ pub enum Dimension {
     PerKelvin,
     /// Per second.
     Rate,
+    /// Force over velocity.
+    Friction,
 }
 
 /// A unit: its symbol and what takes it to SI.
@@ -82,6 +84,7 @@ impl Dimension {
             Self::Compliance => "a compliance",
             Self::PerKelvin => "a temperature coefficient",
             Self::Rate => "a rate",
+            Self::Friction => "a viscous friction",
         }
     }
 
@@ -108,6 +111,7 @@ impl Dimension {
             Self::Compliance => &[("m/N", Ten(0)), ("mm/N", Ten(-3)), ("um/N", Ten(-6)), ("µm/N", Ten(-6))],
             Self::PerKelvin => &[("1/K", Ten(0)), ("%/K", Ten(-2)), ("ppm/K", Ten(-6))],
             Self::Rate => &[("1/s", Ten(0))],
+            Self::Friction => &[("N s/m", Ten(0)), ("N s/mm", Ten(3))],
         }
     }
 

@@ -55,7 +55,8 @@ pub fn readme() -> anyhow::Result<bool> {
     Ok(typed > 0)
 }
 
-/// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig; whether all succeed and leave what they should.
+/// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig, `placement` where there is a loop; whether all succeed and
+/// leave what they should.
 pub fn every_example() -> anyhow::Result<bool> {
     let executable = executable()?;
     let place = tempfile::tempdir()?;
@@ -82,6 +83,10 @@ pub fn every_example() -> anyhow::Result<bool> {
         }
         let series = format!("{name}.parquet");
         if !(run(&["spring"])? && run(&["simulate", "--out", &series])? && run(&["analyze", "--out", &name])?) {
+            return Ok(false);
+        }
+        let has_loop = std::fs::read_to_string(&spec)?.lines().any(|line| line == "[control]");
+        if has_loop && !run(&["placement", "--out", &format!("{name}-loop")])? {
             return Ok(false);
         }
         let made = ["report.html", "results.json", "signals.parquet"].map(|file| place.path().join(&name).join(file));

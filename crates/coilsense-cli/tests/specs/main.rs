@@ -3,6 +3,7 @@
 mod analyze;
 mod init_and_spring;
 mod interrupt;
+mod placement;
 mod rig;
 mod simulate;
 

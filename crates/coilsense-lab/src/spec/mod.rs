@@ -5,6 +5,7 @@
 
 mod catalogue;
 mod condition;
+mod control;
 mod document;
 mod drive;
 mod goal;
@@ -24,6 +25,7 @@ mod value;
 
 pub use catalogue::{classes, materials};
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
+pub use control::ControlSpec;
 pub use goal::{Goal, UncertaintySpec};
 pub use keys::{Key, TABLES, Table, markdown};
 pub use measurand::{KINDS as SENSOR_KINDS, Quantity};
@@ -65,6 +67,8 @@ pub struct Spec {
     pub uncertainty: UncertaintySpec,
     /// The virtual rig: the paper's, where the spec says nothing.
     pub rig: RigSpec,
+    /// The force loop, where there is one.
+    pub control: Option<ControlSpec>,
 }
 
 impl Spec {
@@ -84,6 +88,7 @@ impl Spec {
             sensors,
             goal: Goal::parse(&document, &spring.spring)?,
             uncertainty: UncertaintySpec::parse(&document)?,
+            control: ControlSpec::parse(&document, &spring.spring, &mount)?,
             file: file.to_owned(),
             text: text.to_owned(),
             spring,

@@ -83,6 +83,13 @@ coverage = "95 %"
 trials = 1000
 seed = 3
 temperature_change = "5 K"
+[control]
+drive = "force"
+motor_mass = "2 kg"
+controller = "PID"
+delay = "1 ms"
+sample_time = "0.5 ms"
+load_mass = "1 kg"
 "#;
 
 /// Values that make trouble.

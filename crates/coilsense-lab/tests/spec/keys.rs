@@ -44,6 +44,10 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
         }
         "goal" => vec![("goal", format!("{by_values}\n[goal]\nerror = \"1 %\"\n"))],
         "rig" => vec![("rig", format!("{by_values}\n[rig]\n"))],
+        "control" => vec![
+            ("velocity", format!("{by_values}\n[control]\ncontroller = \"PID\"\ndrive = \"velocity\"\n")),
+            ("force", format!("{by_values}\n[control]\ndrive = \"force\"\nmotor_mass = \"2 kg\"\n")),
+        ],
         _ => vec![("budget", format!("{by_values}\n[uncertainty]\n"))],
     }
 }

@@ -87,8 +87,9 @@ impl ForceLoop {
     /// L(jω) as finely as it turns, from 1e-4 of the first surge frequency to past the chain's cut-off.
     ///
     /// # Errors
-    /// [`Error::Value`] where the response turns too quickly to be followed: a delay of very many surge periods.
+    /// [`Error::Value`] where a mode is not damped, or the response turns too quickly to be followed: a delay of very many surge periods.
     pub fn trace(&self) -> Result<Trace, Error> {
+        self.plant.check_damped()?;
         let (from, to) = self.range();
         Trace::of(|frequency| self.at(frequency), from, to, self.known())
     }

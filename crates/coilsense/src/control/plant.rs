@@ -63,6 +63,9 @@ pub struct Plant {
     coil: Coil,
 }
 
+/// The least damping ratio for which a loop is followed along its lines.
+const LEAST_RATIO: f64 = 1e-6;
+
 /// What windings out of line do to the inductance's force, mode by mode.
 #[derive(Debug, Clone, PartialEq)]
 struct Coil {
@@ -148,6 +151,13 @@ impl Plant {
     pub(super) fn lines(&self) -> impl Iterator<Item = (f64, f64)> {
         let held = self.coil.frequencies.iter().zip(&self.coil.ratios);
         held.map(|(frequency, ratio)| (*frequency, (ratio * frequency).max(1e-9 * frequency)))
+    }
+
+    /// A line of no width cannot be followed: every mode must be damped.
+    pub(super) fn check_damped(&self) -> Result<(), Error> {
+        let least = self.coil.ratios.iter().copied().fold(f64::INFINITY, f64::min);
+        check(least >= LEAST_RATIO, "damping ratio", least, "", format!("at least {LEAST_RATIO} for a loop's response"))
+            .map(|_| ())
     }
 
     /// Force by windings out of line per modal coordinate \[N/m\], as F_x loses it to F_L; shape `modes`.

@@ -119,6 +119,7 @@ impl SampledLoop {
     /// # Errors
     /// As [`ForceLoop::trace`].
     pub fn trace(&self) -> Result<Trace, Error> {
+        self.continuous.plant().check_damped()?;
         let (from, _) = self.continuous.range();
         let nyquist = PI / self.step;
         // Lines above half the rate are folded.

@@ -3,6 +3,7 @@
 //! Next door: reading them (`section` and one file per table), the commented template (`template`).
 
 mod conditions;
+mod control;
 mod rig;
 mod sensors;
 mod springs;
@@ -36,7 +37,7 @@ pub struct Table {
 }
 
 /// All tables, in the order in which one writes them.
-pub const TABLES: [&Table; 7] = [
+pub const TABLES: [&Table; 8] = [
     &springs::SPRING,
     &springs::MOUNT,
     &conditions::CONDITION,
@@ -44,6 +45,7 @@ pub const TABLES: [&Table; 7] = [
     &sensors::GOAL,
     &sensors::UNCERTAINTY,
     &rig::RIG,
+    &control::CONTROL,
 ];
 
 /// A key that must be there.

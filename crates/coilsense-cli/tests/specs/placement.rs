@@ -1,0 +1,118 @@
+//! `coilsense placement`.
+
+use coilsense::modes::ChainModes;
+
+use super::{done, names, path, place, refused};
+
+const CONTINUOUS: &str = r#"
+[mount]
+damping_ratio = [0, 0.005, 0.02]
+[control]
+drive = "velocity"
+"#;
+
+fn json(tables: &str) -> serde_json::Value {
+    let (_place, spec) = place(tables);
+    serde_json::from_str(&done(&["placement", path(&spec), "--json"])).expect("JSON")
+}
+
+#[test]
+fn the_placement_rule_is_what_the_command_answers() {
+    let result = json(CONTINUOUS);
+    let spring =
+        coilsense_lab::spec::Spec::parse("S_T", include_str!("../../../../data/springs/S_T.toml"), &|_| unreachable!());
+    let surge = ChainModes::of(&spring.unwrap().spring.spring).frequencies()[0] / std::f64::consts::TAU;
+    let force = |name: &str| {
+        let candidates = result["candidates"].as_array().unwrap();
+        candidates.iter().find(|candidate| candidate["force"] == name).unwrap().clone()
+    };
+    // ζ f_1, to the 0.5 % that the higher modes may add.
+    for (index, ratio) in [0.005, 0.02].into_iter().enumerate() {
+        let limit = force("F_o")["dampings"][index]["stable_crossover_hz"].as_f64().unwrap();
+        assert!((limit / (ratio * surge) - 1.0).abs() < 5e-3, "{limit} at {ratio}");
+    }
+    for name in ["F_i", "F_x"] {
+        assert!(force(name)["stable_crossover_hz"].is_null(), "{name} has no limit");
+    }
+    assert_eq!(result["feed_back"], "F_i");
+    assert!(
+        result["answer"].as_array().unwrap().iter().any(|line| line.as_str().unwrap().contains("ζ = 0) is left out"))
+    );
+}
+
+#[test]
+fn a_sampled_loops_limit_holds_over_time() {
+    let tables =
+        "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"velocity\"\nsample_time = \"0.5 ms\"\ndelay = \"1 ms\"\n";
+    let result = json(tables);
+    assert_eq!(result["limit_confirmed_over_time"], true);
+}
+
+#[test]
+fn a_motor_and_a_load_are_judged_too() {
+    let tables = "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"force\"\nmotor_mass = \"2 kg\"\nmotor_friction = \"30 N s/m\"\n\
+                  controller = \"PID\"\ncrossover = \"3 Hz\"\nobserver_bandwidth = \"1 Hz\"\nload_mass = \"1 kg\"\nload_damping = \"2 N s/m\"\n";
+    let result = json(tables);
+    let best = result["feed_back"].as_str().unwrap();
+    assert!(["F_i", "F_x", "F_L", "F_o"].contains(&best));
+    assert!((result["crossover_hz"].as_f64().unwrap() - 3.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_report_is_written_whole() {
+    let (place, spec) = place(CONTINUOUS);
+    let out = place.path().join("loop");
+    let text = done(&["placement", path(&spec), "--out", path(&out), "--date", "2026-11-21"]);
+    assert!(text.starts_with("Feed back F_i (load cell at the drive's end): "), "{text}");
+    assert_eq!(names(&out), ["report.html", "results.json"]);
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("Feed back F_i") && !page.contains("src=\"http") && !page.contains("href=\"http"));
+}
+
+#[test]
+fn what_cannot_be_is_refused_at_its_key() {
+    let message = |tables: &str| {
+        let (_place, spec) = place(tables);
+        refused(&["placement", path(&spec)])
+    };
+    for (tables, expected) in [
+        ("", "the table [control] is missing"),
+        (
+            "[mount]\ndamping_ratio = 0\n[control]\ndrive = \"velocity\"\n",
+            "damping_ratio = 0: must be above zero for a loop",
+        ),
+        ("[control]\ndrive = \"magic\"\n", "drive = \"magic\": must be one of \"velocity\", \"force\""),
+        ("[control]\n", "lacks the key \"drive\""),
+        ("[control]\ndrive = \"force\"\n", "lacks the key \"motor_mass\""),
+        (
+            "[control]\ndrive = \"velocity\"\nmotor_mass = \"1 kg\"\n",
+            "motor_mass in [control] is no key of a drive that is \"velocity\"",
+        ),
+        (
+            "[control]\ndrive = \"velocity\"\ndrive_bandwidth = \"0 Hz\"\n",
+            "drive_bandwidth = \"0 Hz\": must be above zero",
+        ),
+        (
+            "[control]\ndrive = \"velocity\"\nsample_time = \"10 ms\"\n",
+            "sample_time = \"10 ms\": must be below 9.2480e-3 s",
+        ),
+        (
+            "[control]\ndrive = \"velocity\"\nsample_time = \"1 ms\"\ndelay = \"1.5 ms\"\n",
+            "delay = \"1.5 ms\": must be a whole number",
+        ),
+        (
+            "[control]\ndrive = \"velocity\"\nintegral_time = \"1 s\"\n",
+            "integral_time = \"1 s\": goes with a controller that has I",
+        ),
+        ("[control]\ndrive = \"velocity\"\ncrossover = \"0 Hz\"\n", "crossover = \"0 Hz\": must be above zero"),
+        (
+            "[control]\ndrive = \"velocity\"\npassive_up_to = \"1 mHz\"\n",
+            "passive_up_to = \"1 mHz\": must be a frequency",
+        ),
+        ("[control]\ndrive = \"velocity\"\nload_mass = \"-1 kg\"\n", "load_mass = \"-1 kg\": must be from 0"),
+        ("[mount]\nend2 = \"force\"\n[control]\ndrive = \"velocity\"\n", "lacks the key \"load_mass\""),
+    ] {
+        let found = message(tables);
+        assert!(found.contains(expected), "{tables}: {found}");
+    }
+}

@@ -1,0 +1,117 @@
+//! The answer of a placement, in a few sentences.
+//!
+//! Next door: its numbers (`super`).
+
+use coilsense::Channel;
+
+use super::{Candidate, Placement};
+use crate::quantity::digits;
+
+/// What stands behind a force's name.
+pub(crate) fn place(channel: Channel) -> &'static str {
+    match channel {
+        Channel::InputForce => "load cell at the drive's end",
+        Channel::OutputForce => "load cell at the far end",
+        Channel::DeflectionForce => "deflection",
+        _ => "inductance",
+    }
+}
+
+/// The answer first, then what the others do, and what the set loop is like.
+pub fn answer(placement: &Placement) -> Vec<String> {
+    let best = &placement.candidates[placement.best];
+    let (name, words) = (best.channel.name(), place(best.channel));
+    let reach = match (best.robust_crossover(), best.stable_crossover()) {
+        (0.0, _) => "yet it is not stable with these gains".to_owned(),
+        (robust, stable) => format!("{}, {}", upto("a sensitivity of at most 2", robust), upto("stability", stable)),
+    };
+    let mut lines = vec![format!("Feed back {name} ({words}): {reach}.")];
+    lines.extend(
+        placement
+            .candidates
+            .iter()
+            .filter(|other| other.channel != best.channel)
+            .map(|other| other_line(placement, other)),
+    );
+    lines.push(set_line(placement, best));
+    if let Some(line) = passivity_line(placement, best) {
+        lines.push(line);
+    }
+    match placement.confirmed {
+        Some(true) => lines.push(
+            "Run over time in samples, that loop stays at 0.98 and runs away at 1.02 of the limit predicted for it."
+                .to_owned(),
+        ),
+        Some(false) => lines
+            .push("Warning: run over time in samples, that loop does not turn unstable where predicted.".to_owned()),
+        None => {}
+    }
+    if placement.undamped_left_out {
+        lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
+    }
+    lines
+}
+
+fn upto(what: &str, hertz: f64) -> String {
+    if hertz.is_finite() {
+        format!("{what} up to a crossover of {} Hz", digits(hertz))
+    } else {
+        format!("{what} at any gain")
+    }
+}
+
+fn other_line(placement: &Placement, other: &Candidate) -> String {
+    let (name, words) = (other.channel.name(), place(other.channel));
+    let stable = other.stable_crossover();
+    if stable == 0.0 {
+        return format!("{name} ({words}): not stable at any gain.");
+    }
+    let weakest = other
+        .judged
+        .iter()
+        .zip(&placement.dampings)
+        .min_by(|a, b| a.0.stable_crossover.total_cmp(&b.0.stable_crossover));
+    let place = weakest.filter(|_| stable.is_finite()).map_or(String::new(), |(judged, damping)| {
+        format!(", where it rings at {} Hz with {}", digits(judged.oscillates_at), damping.label)
+    });
+    format!("{name} ({words}): {}, {}{place}.", upto("sensitivity 2", other.robust_crossover()), upto("stable", stable))
+}
+
+fn set_line(placement: &Placement, best: &Candidate) -> String {
+    let given = placement.control.crossover.is_some();
+    let crossover = digits(placement.crossover);
+    let how = if given { "As set" } else { "Set to that" };
+    if !best.is_stable() {
+        return format!("{how}, a crossover of {crossover} Hz: unstable even with {}.", best.channel.name());
+    }
+    let phase = best.judged.iter().map(|judged| judged.margins.phase).fold(f64::INFINITY, f64::min).to_degrees();
+    let peak = best.judged.iter().map(|judged| judged.load_peak).fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+    let phase = if phase.is_finite() { format!("a phase margin of {phase:.0}° and ") } else { String::new() };
+    format!(
+        "{how}, a crossover of {crossover} Hz: {phase}F_o following the reference with a peak of {} at {} Hz; unstable on {}.",
+        digits(peak.0),
+        digits(peak.1),
+        unstable(placement)
+    )
+}
+
+fn unstable(placement: &Placement) -> String {
+    let names: Vec<&str> =
+        placement.candidates.iter().filter(|other| !other.is_stable()).map(|other| other.channel.name()).collect();
+    if names.is_empty() { "none of the four".to_owned() } else { names.join(", ") }
+}
+
+fn passivity_line(placement: &Placement, best: &Candidate) -> Option<String> {
+    let active = best.judged.iter().filter_map(|judged| judged.passivity.as_ref()?.active.first());
+    let first = active.min_by(|a, b| a[0].total_cmp(&b[0]));
+    best.judged.first()?.passivity.as_ref()?;
+    let up_to = digits(placement.control.passive_up_to);
+    Some(match first {
+        None => format!("What the world feels at end 2 is passive up to {up_to} Hz at every damping."),
+        Some(band) => format!(
+            "What the world feels at end 2 is not passive from {} to {} Hz: there some passive environment makes it unstable.",
+            digits(band[0]),
+            digits(band[1])
+        ),
+    })
+}

@@ -1,0 +1,91 @@
+//! One force fed back at one damping: its limits, and the loop as it is set.
+//!
+//! Next door: all of them together (`super`).
+
+use std::f64::consts::TAU;
+
+use coilsense::control::{ForceLoop, Margins, Passivity};
+use coilsense::{Channel, Error};
+
+use super::UnitLoops;
+use crate::spec::DampingCase;
+
+/// One force fed back at one damping.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judged {
+    /// The proportional gain up to which the loop is stable (command unit per N); infinite without a limit.
+    pub limit: f64,
+    /// The crossover that the loop would have at that gain with a spring without mass \[Hz\].
+    pub stable_crossover: f64,
+    /// The same for a sensitivity of at most 2.
+    pub robust_crossover: f64,
+    /// Where the loop oscillates at its limit \[Hz\]; zero without one.
+    pub oscillates_at: f64,
+    /// The loop as it is set.
+    pub margins: Margins,
+    /// Largest |F_o/reference| as it is set, and where \[Hz\]: what rings at the load.
+    pub load_peak: (f64, f64),
+    /// The rendered impedance as it is set; `None` for F_L.
+    pub passivity: Option<Passivity>,
+}
+
+impl Judged {
+    /// Its limits, from a loop with the proportional gain `shape`.
+    pub(super) fn of(unit: &UnitLoops<'_>, damping: &DampingCase, channel: Channel, shape: f64) -> Result<Self, Error> {
+        let force_loop = unit.force_loop(damping, channel, shape)?;
+        let margins = margins(unit, &force_loop)?;
+        let crossover = |factor: f64| match factor {
+            0.0 => Ok(0.0),
+            factor if factor.is_infinite() => Ok(f64::INFINITY),
+            factor => Ok(force_loop.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
+        };
+        Ok(Self {
+            limit: shape * margins.gain_limit,
+            stable_crossover: crossover(margins.gain_limit)?,
+            robust_crossover: crossover(margins.robust_gain)?,
+            oscillates_at: margins.critical_frequency / TAU,
+            margins,
+            load_peak: (0.0, 0.0),
+            passivity: None,
+        })
+    }
+
+    /// The loop as it is set: its proportional gain.
+    pub(super) fn set(
+        &mut self,
+        unit: &UnitLoops<'_>,
+        damping: &DampingCase,
+        channel: Channel,
+        gain: f64,
+    ) -> Result<(), Error> {
+        let force_loop = unit.force_loop(damping, channel, gain)?;
+        self.margins = margins(unit, &force_loop)?;
+        self.load_peak = load_peak(&force_loop)?;
+        self.passivity = unit.passivity(&force_loop)?;
+        Ok(())
+    }
+}
+
+fn margins(unit: &UnitLoops<'_>, force_loop: &ForceLoop) -> Result<Margins, Error> {
+    match unit.sampled(force_loop)? {
+        Some(sampled) => sampled.margins(),
+        None => force_loop.margins(),
+    }
+}
+
+/// max |F_o/r| over the trace's frequencies up to the fourth surge line: |T_fed · F_o/F_fed|.
+fn load_peak(force_loop: &ForceLoop) -> Result<(f64, f64), Error> {
+    let up_to = 4.0 * TAU * force_loop.plant().spring().surge_frequency();
+    let trace = force_loop.trace()?;
+    let mut peak = (0.0, 0.0);
+    for point in trace.points().iter().filter(|point| point.angular_frequency <= up_to) {
+        let omega = point.angular_frequency;
+        let plant = force_loop.plant().at(omega)?;
+        let ratio = plant.output / plant.of(force_loop.feedback())?;
+        let size = (force_loop.tracking(omega)? * ratio).norm();
+        if size > peak.0 {
+            peak = (size, omega / TAU);
+        }
+    }
+    Ok(peak)
+}

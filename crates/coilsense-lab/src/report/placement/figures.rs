@@ -1,0 +1,182 @@
+//! The figures of a placement: Bode, Nyquist, the step over time, what the world feels.
+//!
+//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+
+use std::f64::consts::TAU;
+
+use coilsense::control::{Point, rendered_stiffness};
+use coilsense::{Channel, Error};
+
+use crate::placement::Placement;
+use crate::plot::{Axis, Colour, Curve, Dash, Figure, HorizontalMark, Mark, Panel, Scale, Stroke};
+
+/// Width and height of a panel [px].
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 260.0;
+/// How many times the set crossover's neighbourhood is shown below it.
+const DECADES_BELOW: f64 = 100.0;
+
+const LOOKS: [(Channel, Colour, Dash); 4] = [
+    (Channel::InputForce, Colour::Blue, Dash::Solid),
+    (Channel::OutputForce, Colour::Red, Dash::Dashed),
+    (Channel::DeflectionForce, Colour::Green, Dash::DashDot),
+    (Channel::InductanceForce, Colour::Ink, Dash::Dotted),
+];
+
+/// Each force's loop response at the shown damping.
+pub(super) struct Traces(Vec<(Channel, Colour, Dash, Vec<Point>)>);
+
+impl Traces {
+    pub fn of(placement: &Placement) -> Result<Self, Error> {
+        let traced = LOOKS.map(|(channel, colour, dash)| {
+            let looped = placement.force_loop(placement.shown(), channel)?;
+            Ok((channel, colour, dash, looped.trace()?.points().to_vec()))
+        });
+        traced.into_iter().collect::<Result<_, _>>().map(Self)
+    }
+}
+
+fn stroke(colour: Colour, dash: Dash) -> Stroke {
+    Stroke { colour, dash, width: 1.5 }
+}
+
+fn surge_marks(placement: &Placement, up_to: f64) -> Vec<Mark> {
+    let first = placement.spec.spring.spring.surge_frequency();
+    let each = (1..=4).map(|n| Mark { x: f64::from(n) * first, label: format!("f_{n}") });
+    each.filter(|mark| mark.x < up_to).collect()
+}
+
+/// |L| and its phase.
+pub(super) fn bode(placement: &Placement, traces: &Traces) -> Figure {
+    let surge = placement.spec.spring.spring.surge_frequency();
+    let (from, to) = ((placement.crossover.min(surge)) / DECADES_BELOW, 5.0 * surge);
+    let in_range = |point: &&Point| (from..=to).contains(&(point.angular_frequency / TAU));
+    let curve = |pick: fn(&[Point]) -> Vec<f64>| {
+        let each = traces.0.iter().map(|(channel, colour, dash, points)| {
+            let points: Vec<Point> = points.iter().filter(in_range).copied().collect();
+            Curve {
+                label: channel.name().into(),
+                x: points.iter().map(|point| point.angular_frequency / TAU).collect(),
+                y: pick(&points),
+                stroke: stroke(*colour, *dash),
+            }
+        });
+        each.collect::<Vec<_>>()
+    };
+    let x = Axis { label: "Frequency [Hz]".into(), range: Some((from, to)), scale: Scale::Log10 };
+    let size = Panel {
+        title: "Loop response as set".into(),
+        x: x.clone(),
+        y: Axis { label: "|L| [1]".into(), scale: Scale::Log10, ..Axis::default() },
+        curves: curve(|points| points.iter().map(|point| point.response.norm()).collect()),
+        limits: vec![HorizontalMark { y: 1.0, label: "1".into() }],
+        marks: surge_marks(placement, to),
+        ..Panel::default()
+    };
+    let phase = Panel {
+        x,
+        y: Axis { label: "Phase [°]".into(), range: Some((-540.0, 90.0)), ..Axis::default() },
+        curves: curve(unwrapped),
+        limits: vec![HorizontalMark { y: -180.0, label: "−180°".into() }],
+        ..Panel::default()
+    };
+    Figure { panels: vec![size, phase], columns: 1, panel_width: WIDTH, panel_height: HEIGHT }
+}
+
+/// Phase without jumps [°].
+fn unwrapped(points: &[Point]) -> Vec<f64> {
+    let mut phases: Vec<f64> = Vec::with_capacity(points.len());
+    for (index, point) in points.iter().enumerate() {
+        let phase = match index {
+            0 => point.response.arg(),
+            _ => phases[index - 1] + (point.response / points[index - 1].response).arg(),
+        };
+        phases.push(phase);
+    }
+    phases.into_iter().map(f64::to_degrees).collect()
+}
+
+/// L(jω) about −1.
+pub(super) fn nyquist(traces: &Traces) -> Figure {
+    let reach = 3.0;
+    let curve = |(channel, colour, dash, points): &(Channel, Colour, Dash, Vec<Point>)| {
+        // What is far out only leads in and out of the picture.
+        let near = |value: f64| value.clamp(-20.0 * reach, 20.0 * reach);
+        Curve {
+            label: channel.name().into(),
+            x: points.iter().map(|point| near(point.response.re)).collect(),
+            y: points.iter().map(|point| near(point.response.im)).collect(),
+            stroke: stroke(*colour, *dash),
+        }
+    };
+    let turn = (0..=90).map(|step| TAU * f64::from(step) / 90.0);
+    let circle = Curve {
+        label: "sensitivity 2".into(),
+        x: turn.clone().map(|angle| -1.0 + 0.5 * angle.cos()).collect(),
+        y: turn.map(|angle| 0.5 * angle.sin()).collect(),
+        stroke: Stroke { colour: Colour::Ink, dash: Dash::Solid, width: 0.8 },
+    };
+    let axis = |label: &str| Axis { label: label.into(), range: Some((-reach, reach)), ..Axis::default() };
+    let panel = Panel {
+        title: "Nyquist: the loop is unstable where its curve goes round −1".into(),
+        x: axis("Re L [1]"),
+        y: axis("Im L [1]"),
+        curves: traces.0.iter().map(curve).chain([circle]).collect(),
+        marks: vec![Mark { x: -1.0, label: "−1".into() }],
+        limits: vec![HorizontalMark { y: 0.0, label: String::new() }],
+        ..Panel::default()
+    };
+    Figure { panels: vec![panel], columns: 1, panel_width: 520.0, panel_height: 480.0 }
+}
+
+/// The best loop over time.
+pub(super) fn step(placement: &Placement) -> Option<Figure> {
+    let run = placement.run.as_ref()?;
+    let nominal = placement.spec.spring.spring.nominal_force();
+    let percent = |series: &[f64]| series.iter().map(|value| 100.0 * value / nominal).collect::<Vec<_>>();
+    let fed = placement.candidates[placement.best].channel.name();
+    let curve = |label: String, series: &[f64], colour, dash| Curve {
+        label,
+        x: run.time.clone(),
+        y: percent(series),
+        stroke: stroke(colour, dash),
+    };
+    let mut curves = vec![curve("F_o, at the load".into(), &run.output, Colour::Red, Dash::Solid)];
+    curves.push(curve(format!("{fed}, fed back"), &run.fed_back, Colour::Blue, Dash::Dashed));
+    let panel = Panel {
+        title: "A step of the reference, 1 % of F_{nom}".into(),
+        x: Axis { label: "Time [s]".into(), ..Axis::default() },
+        y: Axis { label: "Force less its mean [% of F_{nom}]".into(), ..Axis::default() },
+        curves,
+        limits: vec![HorizontalMark { y: 1.0, label: "reference".into() }],
+        ..Panel::default()
+    };
+    Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
+}
+
+/// Real part of the rendered impedance over the wave impedance.
+pub(super) fn rendered(placement: &Placement) -> Result<Figure, Error> {
+    let (spring, up_to) = (&placement.spec.spring.spring, placement.control.passive_up_to);
+    let from = 1e-2 * up_to;
+    let frequencies: Vec<f64> = (0..1500).map(|index| from * (up_to / from).powf(f64::from(index) / 1499.0)).collect();
+    let mut curves = Vec::new();
+    for (channel, colour, dash) in &LOOKS[..3] {
+        let looped = placement.force_loop(placement.shown(), *channel)?;
+        let real = |frequency: &f64| {
+            let stiffness = rendered_stiffness(&looped, TAU * frequency)?;
+            Ok::<f64, Error>(stiffness.im / (TAU * frequency) / spring.wave_impedance())
+        };
+        let y = frequencies.iter().map(real).collect::<Result<Vec<_>, _>>()?;
+        curves.push(Curve { label: channel.name().into(), x: frequencies.clone(), y, stroke: stroke(*colour, *dash) });
+    }
+    let panel = Panel {
+        title: "Real part of the rendered impedance: below zero it could give energy away".into(),
+        x: Axis { label: "Frequency [Hz]".into(), range: Some((from, up_to)), scale: Scale::Log10 },
+        y: Axis { label: "Re(F_o/v_2) / \u{221a}(km) [1]".into(), range: Some((-3.0, 6.0)), ..Axis::default() },
+        curves,
+        limits: vec![HorizontalMark { y: 0.0, label: "passive".into() }],
+        marks: surge_marks(placement, up_to),
+        ..Panel::default()
+    };
+    Ok(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
+}

@@ -1,0 +1,79 @@
+//! `report.html` of a placement: one page that needs no other file and no network; the answer first.
+//!
+//! Next door: its layout (`page.html`), its figures (`figures`).
+
+use minijinja::{AutoEscape, Environment, Value, context};
+
+use super::text::significant;
+use super::{bounded, figures};
+use crate::placement::{Placement, answer};
+use crate::plot::{Figure, Theme};
+use crate::quantity::digits;
+use crate::report::ReportError;
+
+/// The page of a placement.
+pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_template("page", include_str!("page.html"))?;
+    let traces = figures::Traces::of(placement)?;
+    let step = figures::step(placement).map(|figure| drawn("step", &figure)).transpose()?;
+    let page = environment.get_template("page")?.render(context! {
+        version => env!("CARGO_PKG_VERSION"),
+        date,
+        spring => &placement.spec.spring.name,
+        file => std::path::Path::new(&placement.spec.file).file_name().map(|name| name.to_string_lossy()),
+        text => &placement.spec.text,
+        answer => answer(placement),
+        rows => rows(placement),
+        shown => &placement.dampings[placement.shown()].label,
+        crossover => digits(placement.crossover),
+        gain => significant(placement.gain),
+        unit => placement.control.drive.command_unit(),
+        sampled => placement.control.sample_time.map(|step| digits(1.0 / step)),
+        best => placement.candidates[placement.best].channel.name(),
+        bode => drawn("bode", &figures::bode(placement, &traces))?,
+        nyquist => drawn("nyquist", &figures::nyquist(&traces))?,
+        step,
+        rendered => drawn("rendered", &figures::rendered(placement)?)?,
+        style => include_str!("../style.css"),
+    })?;
+    Ok(page)
+}
+
+fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
+    let fault = |source| ReportError::Figure { name: name.to_owned(), source };
+    let light = figure.to_svg(Theme::Light).map_err(fault)?;
+    let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
+    Ok(context! { light, dark })
+}
+
+fn rows(placement: &Placement) -> Vec<Value> {
+    let of_candidate = |candidate: &crate::placement::Candidate| {
+        let name = candidate.channel.name();
+        let each = candidate.judged.iter().zip(&placement.dampings).enumerate();
+        each.map(|(index, (judged, damping))| {
+            let margins = &judged.margins;
+            let when = |holds: bool, text: String| if holds { text } else { "–".to_owned() };
+            context! {
+                first => index == 0,
+                span => candidate.judged.len(),
+                name,
+                damping => &damping.label,
+                stable_to => bounded(judged.stable_crossover, digits),
+                robust_to => bounded(judged.robust_crossover, digits),
+                rings => when(judged.oscillates_at > 0.0, digits(judged.oscillates_at)),
+                is_stable => margins.stable,
+                phase => when(margins.stable && margins.phase.is_finite(), format!("{:.0}", margins.phase.to_degrees())),
+                delay => when(margins.stable && margins.delay.is_finite(), digits(1e3 * margins.delay)),
+                sensitivity => when(margins.stable, digits(1.0 / margins.modulus)),
+                peak => when(margins.stable, format!("{} at {}", digits(judged.load_peak.0), digits(judged.load_peak.1))),
+                passive => judged.passivity.as_ref().filter(|_| margins.stable).map(|passivity| {
+                    passivity.active.first().map_or_else(|| format!("{} up", digits(passivity.up_to)), |band| digits(band[0]))
+                }),
+            }
+        })
+        .collect::<Vec<_>>()
+    };
+    placement.candidates.iter().flat_map(of_candidate).collect()
+}

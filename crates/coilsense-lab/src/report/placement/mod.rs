@@ -1,0 +1,30 @@
+//! A placement as people and machines read it: terminal text, HTML, JSON.
+//!
+//! Next door: what is computed (`crate::placement`).
+
+mod figures;
+mod html;
+mod json;
+mod text;
+
+pub use json::placement_json;
+pub use text::placement_text;
+
+use super::ReportError;
+use crate::output::Output;
+use crate::placement::Placement;
+
+/// Adds `report.html` and `results.json` to `output`.
+///
+/// # Errors
+/// [`ReportError`] for the first part that fails.
+pub fn add_placement(placement: &Placement, date: &str, output: &mut Output) -> Result<(), ReportError> {
+    output.add("report.html", html::page(placement, date)?.as_bytes())?;
+    output.add("results.json", placement_json(placement)?.as_bytes())?;
+    Ok(())
+}
+
+/// A number that may be without bound.
+fn bounded(value: f64, text: impl Fn(f64) -> String) -> String {
+    if value.is_finite() { text(value) } else { "any".to_owned() }
+}

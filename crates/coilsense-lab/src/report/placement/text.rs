@@ -1,0 +1,61 @@
+//! A placement in the terminal: the answer, then a table of forces and dampings.
+//!
+//! Next door: the same as a page (`html`) and for machines (`json`).
+
+use std::fmt::Write;
+
+use anstyle::Style;
+
+use super::bounded;
+use crate::placement::{Placement, answer};
+use crate::quantity::digits;
+
+const BOLD: Style = Style::new().bold();
+
+/// The answer in the first lines, then each force at each damping.
+pub fn placement_text(placement: &Placement) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    for (index, line) in answer(placement).into_iter().enumerate() {
+        let _ = if index == 0 { writeln!(text, "{BOLD}{line}{BOLD:#}") } else { writeln!(text, "{line}") };
+    }
+    let _ = writeln!(
+        text,
+        "\n{BOLD}{:5}  {:12}  {:>14}  {:>14}  {:>12}  {:>8}  {:>9}  {:>14}{BOLD:#}",
+        "fed", "damping", "stable to [Hz]", "sens. 2 [Hz]", "rings at [Hz]", "as set", "phase [°]", "peak of F_o [1]"
+    );
+    for candidate in &placement.candidates {
+        for (judged, damping) in candidate.judged.iter().zip(&placement.dampings) {
+            let margins = &judged.margins;
+            let _ = writeln!(
+                text,
+                "{:5}  {:12}  {:>14}  {:>14}  {:>13}  {:>8}  {:>9}  {:>15}",
+                candidate.channel.name(),
+                damping.label,
+                bounded(judged.stable_crossover, digits),
+                bounded(judged.robust_crossover, digits),
+                if judged.oscillates_at > 0.0 { digits(judged.oscillates_at) } else { "–".to_owned() },
+                if margins.stable { "stable" } else { "unstable" },
+                if margins.stable && margins.phase.is_finite() {
+                    format!("{:.0}", margins.phase.to_degrees())
+                } else {
+                    "–".to_owned()
+                },
+                if margins.stable { digits(judged.load_peak.0) } else { "–".to_owned() },
+            );
+        }
+    }
+    let unit = placement.control.drive.command_unit();
+    let _ = writeln!(
+        text,
+        "Crossovers are those of the loop with a spring without mass. As set: {} Hz, a proportional gain of {} {unit} per N.",
+        digits(placement.crossover),
+        significant(placement.gain),
+    );
+    text
+}
+
+/// Four significant digits, also of a small number.
+pub(super) fn significant(value: f64) -> String {
+    format!("{value:.3e}")
+}
