@@ -1,17 +1,16 @@
-//! What a rig cannot do, said before it is tried or as soon as it is seen; and what to doubt.
+//! What a rig cannot do, said before it is tried; and what to doubt.
 //!
-//! Next door: the settings (`spec::RigSpec`), the runs (`plan`, `log`).
+//! Next door: the settings (`spec::RigSpec`), what only a run shows (`clearance`).
 
-use coilsense::{Clash, Damping, FarEnd, Spring};
+use coilsense::{Damping, FarEnd};
 
-use super::course::Course;
 use super::description::short;
-use super::devices::Device;
-use super::log::in_period;
 use super::plan::{averaging, reading_interval};
-use super::{Rig, RigError, Run};
+use super::{Rig, RigError};
 use crate::spec::{DampingCase, Spec};
 
+/// Most samples that are simulated for a run: 64 MB each of time, force and position.
+const MOST_SIMULATED: f64 = 8e6;
 /// Most samples of a run, and of all: 100 MB and 5 GB of text.
 const MOST_ROWS: f64 = 4e6;
 const MOST_ROWS_IN_ALL: f64 = 2e8;
@@ -52,6 +51,14 @@ impl Rig {
                     run.name
                 )));
             }
+            let simulated = (run.duration + self.memory()) * s.sample_rate * self.finer() as f64;
+            if simulated > MOST_SIMULATED {
+                return Err(self.refused(format!(
+                    "{simulated:.0} samples to simulate in {}: must be at most {MOST_SIMULATED:.0}; load cell and laser watch for {} s before (bandwidth, delay, averaging, sample_rate)",
+                    run.name,
+                    short(self.memory())
+                )));
+            }
             // The second harmonic must stay below half of the sample rate.
             if 4.0 * run.frequency >= s.sample_rate {
                 return Err(self.refused(format!(
@@ -71,84 +78,6 @@ impl Rig {
             )));
         }
         Ok(())
-    }
-
-    /// Windings that touch are beyond the model, and no good for a spring.
-    pub(super) fn check_clearance(&self, run: &Run, course: &Course) -> Result<(), RigError> {
-        let closest = match course {
-            Course::Resting { positions, .. } => {
-                let furthest = positions.iter().copied().fold(0.0, f64::max);
-                (self.length - furthest) / self.spring.chain_masses() as f64
-            }
-            Course::Periodic { motion, period } => self.smallest_pitch(run, motion, &in_period(*period))?,
-            Course::Hit { motion, times } => {
-                let (step, until) =
-                    (0.25 * self.winding_step(), 1.2 * self.settings.tap_duration + 2.0 * transit(&self.spring));
-                let after = |begin: f64| {
-                    let samples = (until / step).ceil().min(1e5) as usize;
-                    (0..samples).map(|index| begin + index as f64 * step).collect::<Vec<f64>>()
-                };
-                let mut least = f64::INFINITY;
-                for &begin in times {
-                    least = least.min(self.smallest_pitch(run, motion, &after(begin))?);
-                }
-                least
-            }
-        };
-        if closest > self.contact_pitch {
-            return Ok(());
-        }
-        let (key, value) = self.size_of(run);
-        Err(self.refused(format!(
-            "[rig] {key} = {} mm closes the coil in {}: windings come within {:.4} mm and touch at {:.4} mm; lower it, or raise preload or damping",
-            short(1e3 * value),
-            run.name,
-            1e3 * closest,
-            1e3 * self.contact_pitch
-        )))
-    }
-
-    fn smallest_pitch(&self, run: &Run, motion: &coilsense::Motion, times: &[f64]) -> Result<f64, RigError> {
-        let windings = motion.windings(times).map_err(self.science(&run.name))?;
-        // Where it is in contact is of no interest here, so that no moment of contact is looked for.
-        let clash =
-            Clash::seen(motion, times, &windings, f64::MIN_POSITIVE.max(1e-9)).map_err(self.science(&run.name))?;
-        Ok(clash.smallest_pitch)
-    }
-
-    /// The key that makes a run's motion large, and its value \[m\].
-    fn size_of(&self, run: &Run) -> (&'static str, f64) {
-        match run.kind {
-            super::Kind::Calibration | super::Kind::Preload => ("calibration_travel", self.settings.calibration_travel),
-            super::Kind::Harmonic => ("amplitude", self.settings.amplitude),
-            super::Kind::Tap => ("tap_height", self.settings.tap_height),
-        }
-    }
-
-    /// An instrument shows nothing beyond its range: a load cell's is either way, a laser's has the preload in its middle.
-    pub(super) fn check_range(
-        &self,
-        run: &Run,
-        device: &Device,
-        values: &[f64],
-        quantity: &str,
-    ) -> Result<(), RigError> {
-        let (least, most) = values.iter().fold((0.0_f64, 0.0_f64), |(a, b), &v| (a.min(v), b.max(v)));
-        let (limit, unit, factor) =
-            if quantity == "u1" { (0.5 * device.range, "mm", 1e3) } else { (device.range, "N", 1.0) };
-        let furthest = most.max(-least);
-        if furthest <= limit {
-            return Ok(());
-        }
-        let (key, value) = self.size_of(run);
-        Err(self.refused(format!(
-            "{quantity} reaches {:.4} {unit} in {}, and {:?} shows at most {} {unit}; lower [rig] {key} = {} mm or take a wider range",
-            factor * furthest,
-            run.name,
-            device.name,
-            short(factor * limit),
-            short(1e3 * value)
-        )))
     }
 
     /// What the numbers do not show by themselves.
@@ -172,8 +101,4 @@ impl Rig {
         }
         doubts
     }
-}
-
-fn transit(spring: &Spring) -> f64 {
-    spring.transit_time()
 }

@@ -7,10 +7,12 @@
 //! Next door: what a spec says of it (`spec::RigSpec`), the science of what moves (`coilsense`), who reads the files (`experiment`).
 
 mod checks;
+mod clearance;
 mod course;
 mod description;
 mod devices;
 mod log;
+mod meter;
 mod plan;
 mod sheet;
 mod write;

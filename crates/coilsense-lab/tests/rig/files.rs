@@ -60,7 +60,7 @@ fn numbers_have_the_digits_of_their_devices() {
     assert_eq!(rows("calibration-slow.csv")[0], "time [s],u1 [mm],F_o [N],L [uH]");
     let decimals =
         |row: &str| row.split(',').map(|field| field.split('.').nth(1).map_or(0, str::len)).collect::<Vec<_>>();
-    assert_eq!((decimals(fast[1]), decimals(slow[1])), (vec![4, 4, 4], vec![3, 5]));
+    assert_eq!((decimals(fast[1]), decimals(slow[1])), (vec![4, 4, 4], vec![6, 5]));
 }
 
 #[test]
@@ -108,8 +108,8 @@ fn what_a_rig_cannot_do_is_said() {
             "[rig] 38872881 samples in calibration, 838872881 in all: must be at most 4000000 and 200000000",
         ),
         (
-            format!("{PAPER}taps_per_run = 100\ntap_duration = \"50 ms\""),
-            "[rig] tap_duration = 0.05 s: must be at most 0.04 s",
+            format!("{PAPER}taps_per_run = 7\ntap_duration = \"600 ms\""),
+            "[rig] tap_duration = 0.6 s: must be at most 0.571428571429 s",
         ),
         (format!("{QUICK}amplitude = \"7 mm\""), "u1 reaches 7.0"),
         (
@@ -139,4 +139,54 @@ fn an_undamped_spring_is_warned_of() {
     );
     assert!(rig(PERFECT, 1).warnings().is_empty());
     assert!(rig(&format!("{PAPER}distortion = \"0 %\""), 1).warnings()[0].starts_with("without distortion"));
+}
+
+#[test]
+fn settings_of_any_size_are_refused_or_run() {
+    let units = [
+        ("preload", "N"),
+        ("sample_rate", "Hz"),
+        ("duration", "s"),
+        ("pause", "s"),
+        ("amplitude", "m"),
+        ("calibration_travel", "m"),
+        ("settling", "s"),
+        ("tap_height", "m"),
+        ("tap_duration", "s"),
+    ];
+    let sized = units.iter().flat_map(|(key, unit)| {
+        ["1e-9", "1e-6", "1e-3", "1", "1e3", "1e6", "1e9"].map(|value| format!("{key} = \"{value} {unit}\"\n"))
+    });
+    let counted =
+        ["readings = 1", "frequencies = 200", "taps = 1000", "taps_per_run = 7", "calibration_positions = 1000"]
+            .map(|key| format!("{key}\n"));
+    let dynamics = [
+        "bandwidth = \"1e-9 Hz\"",
+        "bandwidth = \"1e9 Hz\"",
+        "delay = \"1e9 s\"",
+        "sample_rate = \"1e-9 Hz\"",
+        "averaging = \"1e9 s\"",
+    ];
+    let watched = dynamics.map(|key| format!("[[sensor]]\nkind = \"load-cell\"\nrange = \"110 N\"\n{key}\n"));
+    let metered = ["averaging = \"1e-9 s\"", "averaging = \"1e9 s\""]
+        .map(|key| format!("[[sensor]]\nkind = \"inductance\"\n{key}\n"));
+    for tables in sized.chain(counted).chain(watched).chain(metered) {
+        let mut text = String::from("[mount]\ndamping_ratio = 0.01\n[rig]\n");
+        for usual in ["duration = \"2 s\"\n", "readings = 3\n"] {
+            if !tables.contains(&usual[..8]) {
+                text.push_str(usual);
+            }
+        }
+        let Ok(rig) = Rig::new(&spec(&format!("{text}{tables}")), 1) else { continue };
+        for run in [0, 2, rig.runs().len() - 1] {
+            match rig.log(run) {
+                Ok(log) => {
+                    for column in log.fast.columns.iter().chain(&log.slow.columns) {
+                        assert!(column.values.iter().all(|value| value.is_finite()), "{tables} {}", column.name);
+                    }
+                }
+                Err(error) => assert_eq!(error.to_string().lines().count(), 1, "{tables}"),
+            }
+        }
+    }
 }
