@@ -84,6 +84,8 @@ pub mod uncertainty;
 
 pub mod mitigation;
 
+pub mod identify;
+
 pub mod error;
 
 mod quadrature;

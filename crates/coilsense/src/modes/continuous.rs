@@ -103,7 +103,7 @@ pub fn third_rule_error(spring: &Spring, end_mass: f64) -> Result<f64, Error> {
 }
 
 /// β_j: the root of β tan β = m/M in ((j−1)π, (j−½)π).
-fn end_mass_root(mass_ratio: f64, mode: usize) -> f64 {
+pub(crate) fn end_mass_root(mass_ratio: f64, mode: usize) -> f64 {
     let base = PI * (mode - 1) as f64;
     base + bracketed_newton(0.0, FRAC_PI_2, |x| {
         let (sin, cos) = x.sin_cos();

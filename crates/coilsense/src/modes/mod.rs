@@ -10,6 +10,7 @@ use std::f64::consts::PI;
 use crate::error::{Error, check};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
+pub(crate) use continuous::end_mass_root;
 pub use continuous::{continuous_frequencies, third_rule_error, third_rule_frequency};
 use end_mass::Angle;
 

@@ -1,0 +1,84 @@
+//! What each line is, with the reason in words.
+//!
+//! Next door: the ladder that names modes (`ladder`), whether ends move with a line (`end_motion`).
+
+use super::ladder::Match;
+use super::line::{Line, Meaning};
+use super::ringing::Part;
+
+/// How far mains may be off \[1\], relative, and the highest multiple that is thought of.
+const MAINS_OFF: f64 = 3e-3;
+const MULTIPLES: usize = 20;
+/// How near a force is to following motion statically: |k X/F − 1|.
+const FOLLOWS: f64 = 0.15;
+
+/// Names the lines: steady ones by mains and motion, those that die out by the ladder. `static_part` is k X/F of each line, where known.
+pub(super) fn name(lines: &mut [Line], ladder: Option<&Match>, rate: f64, static_part: &[Option<f64>]) {
+    for (index, line) in lines.iter_mut().enumerate() {
+        (line.meaning, line.reason) = steady(line, static_part.get(index).copied().flatten());
+    }
+    harmonics(lines);
+    let Some(ladder) = ladder else { return };
+    for &(index, mode, expected) in &ladder.modes {
+        if !lines[index].decays {
+            continue;
+        }
+        let off = 100.0 * (lines[index].frequency.value / expected - 1.0);
+        let pattern = pattern(lines[index].part, mode);
+        lines[index].meaning = Meaning::Mode(mode);
+        lines[index].reason =
+            format!("mode {mode} of {}: {expected:.2} Hz expected, {off:+.2} % off{pattern}", ladder.ladder.name());
+    }
+    for &(index, mode, expected) in &ladder.aliases {
+        if lines[index].decays {
+            lines[index].meaning = Meaning::Alias { mode, frequency: expected };
+            lines[index].reason = format!("alias of mode {mode} at {expected:.1} Hz, folded at {:.0} Hz", 0.5 * rate);
+        }
+    }
+}
+
+/// Steady multiples of a line that follows the ends' motion come with it, even where the motion there is lost in noise.
+fn harmonics(lines: &mut [Line]) {
+    let driven: Vec<f64> =
+        lines.iter().filter(|line| line.meaning == Meaning::Follows).map(|line| line.frequency.value).collect();
+    for line in lines.iter_mut().filter(|line| !line.decays && line.meaning == Meaning::Unknown) {
+        let ratio = |base: &f64| line.frequency.value / base;
+        let multiple =
+            |base: &&f64| ratio(base) > 1.5 && (ratio(base) - ratio(base).round()).abs() < MAINS_OFF * ratio(base);
+        if let Some(base) = driven.iter().find(multiple) {
+            line.reason = format!("steady, {:.0} times the {base:.2} Hz at which the ends move", ratio(base).round());
+            line.meaning = Meaning::Follows;
+        }
+    }
+}
+
+fn steady(line: &Line, static_part: Option<f64>) -> (Meaning, String) {
+    let frequency = line.frequency.value;
+    if let Some(part) = static_part.filter(|part| (part - 1.0).abs() < FOLLOWS) {
+        let reason = format!(
+            "the force follows the recorded motion of the ends there (k X/F = {part:.2}): it is driven, not ringing"
+        );
+        return (Meaning::Follows, reason);
+    }
+    if line.decays {
+        return (Meaning::Unknown, "dies out after taps, but is no step of the ladder".to_owned());
+    }
+    for mains in [50.0, 60.0] {
+        let multiple = (frequency / mains).round();
+        let near =
+            (frequency - multiple * mains).abs() < MAINS_OFF * frequency + 2.0 * line.frequency.standard.min(0.5);
+        if multiple >= 1.0 && multiple <= MULTIPLES as f64 && near {
+            let reason = format!("steady at {multiple} × {mains} Hz: mains");
+            return (Meaning::Mains { mains, multiple: multiple as usize }, reason);
+        }
+    }
+    (Meaning::Unknown, "steady: it does not die out".to_owned())
+}
+
+fn pattern(part: Option<Part>, mode: usize) -> &'static str {
+    match (part, mode % 2) {
+        (Some(Part::Difference), _) => "; the ends pull in turn, as odd modes do",
+        (Some(Part::Sum), _) => "; the ends pull together, as even modes do",
+        _ => "",
+    }
+}

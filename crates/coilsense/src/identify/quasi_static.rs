@@ -1,0 +1,141 @@
+//! Stiffness and length without force, from the parts of a record in which the spring moves slowly.
+//!
+//! Next door: what is left of the forces then (`ringing`).
+
+use super::sampling::Sampling;
+use super::settings::Settings;
+use super::value::Estimate;
+use crate::signals::{Channel, Signals};
+use crate::uncertainty::coverage_factor;
+
+/// Length of a block over which force and length are averaged \[s\]: a Hann mean over it lets no surge line above 20 Hz through.
+const BLOCK: f64 = 0.2;
+/// Fewest blocks of a fit.
+const LEAST_BLOCKS: usize = 12;
+/// Largest relative standard error of a stiffness that is worth stating.
+const LARGEST_ERROR: f64 = 0.1;
+
+/// The straight line of force over length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stiffness {
+    /// k \[N/m\], sensor accuracy included in its interval where it was given.
+    pub stiffness: Estimate,
+    /// l0 \[m\]: where the line meets zero force; of the recorded position where only one end's was recorded.
+    pub length_at_zero: Estimate,
+    /// Whether both ends' positions were recorded, so that l0 is a length.
+    pub both_positions: bool,
+    /// Shortest and longest length of the blocks \[m\].
+    pub range: (f64, f64),
+    /// Mean length of each block \[m\], shape `blocks`.
+    pub lengths: Vec<f64>,
+    /// Mean force of each block \[N\], shape `blocks`.
+    pub forces: Vec<f64>,
+    /// Rms of the blocks' forces about the line \[N\].
+    pub scatter: f64,
+}
+
+/// Length over time, as far as it was recorded: u2 − u1, u2, or −u1; and whether it is a length.
+pub(super) fn length(signals: &Signals) -> Option<(Vec<f64>, bool)> {
+    let (first, second) = (signals.channel(Channel::U1).ok(), signals.channel(Channel::U2).ok());
+    match (first, second) {
+        (Some(first), Some(second)) => Some((second.iter().zip(first).map(|(b, a)| b - a).collect(), true)),
+        (None, Some(second)) => Some((second.to_vec(), false)),
+        (Some(first), None) => Some((first.iter().map(|a| -a).collect(), false)),
+        (None, None) => None,
+    }
+}
+
+/// Mean of the end forces that were recorded; F_L where there is none.
+pub(super) fn force(signals: &Signals) -> Option<Vec<f64>> {
+    let ends = [Channel::InputForce, Channel::OutputForce].map(|channel| signals.channel(channel).ok());
+    match ends {
+        [Some(first), Some(second)] => Some(first.iter().zip(second).map(|(a, b)| 0.5 * (a + b)).collect()),
+        [Some(one), None] | [None, Some(one)] => Some(one.to_vec()),
+        [None, None] => signals.channel(Channel::InductanceForce).ok().map(<[f64]>::to_vec),
+    }
+}
+
+impl Stiffness {
+    /// Least squares of F = k (l − l0) over block means, the lengths' own noise taken off their variance.
+    ///
+    /// k = Σ(l − l̄)(F − F̄)/(Σ(l − l̄)² − B u_l²); u² = s²/Σ(l − l̄)² · (1 + ρ)/(1 − ρ) + k²(a_F² + a_x²)/3
+    ///
+    /// ρ: correlation of neighbouring residuals; a_F, a_x: relative limits of error of force and position, rectangular. The mean of both
+    /// ends' forces is taken where both were recorded: odd modes cancel in it. A text says why there is none.
+    pub(super) fn of(signals: &Signals, sampling: &Sampling, settings: &Settings) -> Result<Self, String> {
+        let (length, both_positions) =
+            length(signals).ok_or("no position was recorded (u1, u2), so there is no stiffness")?;
+        let force = force(signals).ok_or("no force at an end was recorded (F_i, F_o), so there is no stiffness")?;
+        let block = ((BLOCK * sampling.rate) as usize).min(length.len() / LEAST_BLOCKS).max(4);
+        let (lengths, forces) = (block_means(&length, block), block_means(&force, block));
+        let count = lengths.len() as f64;
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
+        let (l_mean, f_mean) = (mean(&lengths), mean(&forces));
+        // Of a Hann mean over n samples the noise is √(3/2n) of one sample's.
+        let noise = 1.5 / block as f64 * noise_variance(&length);
+        let spread: f64 = lengths.iter().map(|l| (l - l_mean).powi(2)).sum::<f64>() - count * noise;
+        let product: f64 = lengths.iter().zip(&forces).map(|(l, f)| (l - l_mean) * (f - f_mean)).sum();
+        let extremes = |(low, high): (f64, f64), l: &f64| (low.min(*l), high.max(*l));
+        let range = lengths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extremes);
+        let moved = format!("the length moves by {:.3} mm only, too little for a stiffness", 1e3 * (range.1 - range.0));
+        if lengths.len() < LEAST_BLOCKS || spread <= 3.0 * count * noise || spread <= 0.0 {
+            return Err(moved);
+        }
+        let k = product / spread;
+        let residuals: Vec<f64> = lengths.iter().zip(&forces).map(|(l, f)| f - f_mean - k * (l - l_mean)).collect();
+        let square: f64 = residuals.iter().map(|r| r * r).sum();
+        let lag: f64 = residuals.windows(2).map(|pair| pair[0] * pair[1]).sum();
+        let correlation = if square > 0.0 { (lag / square).clamp(0.0, 0.95) } else { 0.0 };
+        let longer = (1.0 + correlation) / (1.0 - correlation);
+        let variance = square / (count - 2.0) * longer;
+        let own = (variance / spread).sqrt();
+        if !(k > 0.0 && own < LARGEST_ERROR * k) {
+            return Err(format!("{moved}: {k:.4} ± {own:.4} N/m"));
+        }
+        let accuracy = (settings.accuracy_force.powi(2) + settings.accuracy_position.powi(2)) / 3.0;
+        let standard = (own * own + k * k * accuracy).sqrt();
+        let freedom = ((count - 2.0) / longer).max(1.0);
+        let factor = coverage_factor(0.95, freedom).map_err(|error| error.to_string())?;
+        let zero = l_mean - f_mean / k;
+        let lever = f_mean / k;
+        // The gain of a position sensor acts from its zero, so on l0 itself.
+        let zero_variance = variance / count / (k * k)
+            + (lever * standard / k).powi(2)
+            + (zero * settings.accuracy_position).powi(2) / 3.0;
+        let scatter = (square / count).sqrt();
+        Ok(Self {
+            stiffness: Estimate::new(k, standard, factor),
+            length_at_zero: Estimate::new(zero, zero_variance.sqrt(), factor),
+            both_positions,
+            range,
+            lengths,
+            forces,
+            scatter,
+        })
+    }
+
+    /// k \[N/m\].
+    pub fn value(&self) -> f64 {
+        self.stiffness.value
+    }
+}
+
+/// Hann-weighted means of successive blocks.
+fn block_means(values: &[f64], block: usize) -> Vec<f64> {
+    let turn = std::f64::consts::TAU / block as f64;
+    let weights: Vec<f64> = (0..block).map(|n| (1.0 - (turn * (n as f64 + 0.5)).cos()) / block as f64).collect();
+    values.chunks_exact(block).map(|chunk| chunk.iter().zip(&weights).map(|(x, w)| x * w).sum()).collect()
+}
+
+/// Variance of white noise on a smooth series, from its second differences (weights 1, −2, 1: six times the noise's), the median's way:
+/// what jumps does not count.
+pub(super) fn noise_variance(values: &[f64]) -> f64 {
+    let mut squares: Vec<f64> = values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).powi(2) / 6.0).collect();
+    if squares.is_empty() {
+        return 0.0;
+    }
+    let middle = squares.len() / 2;
+    let (_, median, _) = squares.select_nth_unstable_by(middle, f64::total_cmp);
+    // The median of a squared normal number of variance 1.
+    *median / 0.454_936
+}

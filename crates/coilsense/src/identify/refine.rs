@@ -1,0 +1,357 @@
+//! Lines made exact: each fitted over all taps together, beside the lines near it, over as long as it rings.
+//!
+//! Next door: the lines to start from (`lines`), the fit (`pole_fit`), what lines mean (`ladder`).
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use num_complex::Complex;
+use realfft::{RealFftPlanner, RealToComplex};
+
+use super::lines::Peak;
+use super::pole_fit::{Block, Fit, column, fit};
+use super::ringing::Series;
+use super::sampling::Sampling;
+use super::taps::Tap;
+
+/// How many e-foldings a stretch lasts, where the next tap leaves room.
+const FOLDS: f64 = 8.0;
+/// Lines of the transform on either side of the line that is fitted.
+const HALF_BAND: f64 = 30.0;
+/// Shortest stretch \[samples\].
+const LEAST: usize = 24;
+/// Most lines that a look at what is left may add to a fit.
+const MOST_ADDED: usize = 3;
+/// Modes that are looked for where no peak is.
+const GUESSED: usize = 6;
+/// A tap whose ringing fits this much worse than the others' is left out (something else happened in it).
+const WORSE: f64 = 4.0;
+
+/// A line, fitted.
+#[derive(Debug, Clone)]
+pub(super) struct Fitted {
+    /// In which series it rings.
+    pub(super) series: Vec<usize>,
+    /// λ \[per sample\].
+    pub(super) pole: Complex<f64>,
+    /// Standard uncertainty of Re λ and Im λ each \[per sample\]; infinite before it is fitted.
+    pub(super) standard: f64,
+    /// Real degrees of freedom.
+    pub(super) freedom: f64,
+    /// Taps used.
+    pub(super) taps: Vec<usize>,
+    /// Peak amplitude \[N\] per series and tap, at the stretch's begin: (series, tap, 2|A|, its phase).
+    pub(super) amplitudes: Vec<(usize, usize, Complex<f64>)>,
+    /// Strength of the peak it came from.
+    pub(super) strength: f64,
+}
+
+/// Fits lines to a record.
+pub(super) struct Refiner<'a> {
+    series: &'a [Series],
+    taps: &'a [Tap],
+    rate: f64,
+    samples: usize,
+    planner: RealFftPlanner<f64>,
+    plans: HashMap<usize, Arc<dyn RealToComplex<f64>>>,
+}
+
+impl<'a> Refiner<'a> {
+    pub(super) fn new(series: &'a [Series], taps: &'a [Tap], sampling: &Sampling) -> Self {
+        let planner = RealFftPlanner::new();
+        Self { series, taps, rate: sampling.rate, samples: sampling.samples, planner, plans: HashMap::new() }
+    }
+
+    /// The lines behind `peaks`, strongest first.
+    pub(super) fn lines(&mut self, peaks: &[Peak]) -> Vec<Fitted> {
+        let mut lines = self.merged(peaks);
+        for round in 0..3 {
+            for index in 0..lines.len() {
+                if let Some(better) = self.refit(&lines, index, round > 0) {
+                    lines[index] = better;
+                }
+            }
+            lines = without_doubles(lines);
+            if round < 2 {
+                self.look_for_modes(&mut lines);
+            }
+        }
+        lines.retain(|line| line.standard.is_finite());
+        lines
+    }
+
+    /// Adds modes that no spectrum shows apart, broad ones on the flank of the strongest line: where the strongest line's ladder has them,
+    /// if the fit then finds one.
+    fn look_for_modes(&mut self, lines: &mut Vec<Fitted>) {
+        let strongest =
+            lines.iter().filter(|line| line.standard.is_finite()).max_by(|a, b| a.strength.total_cmp(&b.strength));
+        let Some(base) = strongest.cloned() else { return };
+        let ends = self.series.len() > 1;
+        let number = |series: &[usize]| if ends && series == [1] { 2 } else { 1 };
+        let first = base.pole / number(&base.series) as f64;
+        for mode in 1..=GUESSED {
+            let guess = first * mode as f64;
+            // What is there but not sure may be a fit that went astray.
+            let near = |line: &Fitted| {
+                (line.pole.im - guess.im).abs() < 0.04 * guess.im && -line.pole.re > 6.0 * line.standard
+            };
+            let slow = -guess.re > 4.0 * base.standard && guess.im < 0.9 * std::f64::consts::PI;
+            if !slow || lines.iter().any(near) {
+                continue;
+            }
+            let series = if ends { vec![(mode + 1) % 2] } else { vec![0] };
+            lines.push(Fitted { series, pole: guess, standard: f64::INFINITY, amplitudes: Vec::new(), ..base.clone() });
+            let found = self.refit(lines, lines.len() - 1, false);
+            lines.pop();
+            if let Some(found) = found.filter(|found| is_mode(found, guess)) {
+                lines.push(Fitted { strength: (found.pole.re / found.standard).powi(2), ..found });
+            }
+        }
+    }
+
+    /// Peaks of all series as lines: those at one frequency are one.
+    fn merged(&self, peaks: &[Peak]) -> Vec<Fitted> {
+        let mut sorted = peaks.to_vec();
+        sorted.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+        let mut lines: Vec<Fitted> = Vec::new();
+        for peak in sorted {
+            let angle = std::f64::consts::TAU * peak.frequency / self.rate;
+            let pole = Complex::new(-1.0 / (peak.folding * self.rate), angle);
+            let near = |line: &&mut Fitted| (line.pole.im - angle).abs() < 1.5 * (line.pole.re.abs() + pole.re.abs());
+            match lines.iter_mut().find(near) {
+                Some(line) => {
+                    if !line.series.contains(&peak.series) {
+                        line.series.push(peak.series);
+                    }
+                }
+                None => lines.push(Fitted {
+                    series: vec![peak.series],
+                    pole,
+                    standard: f64::INFINITY,
+                    freedom: 1.0,
+                    taps: Vec::new(),
+                    amplitudes: Vec::new(),
+                    strength: peak.strength,
+                }),
+            }
+        }
+        lines
+    }
+
+    /// One line fitted again, given where the others are.
+    fn refit(&mut self, lines: &[Fitted], index: usize, look: bool) -> Option<Fitted> {
+        let line = &lines[index];
+        let stretches = self.stretches(line.pole);
+        let mut lengths: Vec<usize> = stretches.iter().map(|(_, length)| *length).collect();
+        lengths.sort_unstable();
+        let typical = *lengths.get(lengths.len() / 2)? as f64;
+        let half = std::f64::consts::TAU * HALF_BAND / typical;
+        let centre = line.pole.im;
+        let band = ((centre - half).max(0.0), (centre + half).min(0.98 * std::f64::consts::PI));
+        let others = lines
+            .iter()
+            .enumerate()
+            .filter(|(other, of)| *other != index && of.series.iter().any(|series| line.series.contains(series)));
+        let (mut free, mut fixed) = (vec![line.pole], Vec::new());
+        for (_, other) in others {
+            let distance = (other.pole.im - centre).abs();
+            // A line that has died out within a few samples of the stretch leaves no trace that could be fitted.
+            if other.pole.im > band.0 && other.pole.im < band.1 && free.len() < 6 {
+                free.push(other.pole);
+            } else if distance < 2.5 * half && fixed.len() < 4 {
+                fixed.push(other.pole);
+            }
+        }
+        if centre < 1.5 * half {
+            fixed.push(line.pole.conj());
+        }
+        let mut blocks = self.blocks(&line.series, &stretches, band);
+        let mut found = fit(&blocks, &free, &fixed).or_else(|| {
+            free.truncate(1);
+            fit(&blocks, &free, &fixed)
+        })?;
+        if look {
+            (blocks, found) = self.without_bad_taps(blocks, found, &fixed);
+            for _ in 0..MOST_ADDED {
+                let Some(pole) = left_over(&blocks, &found, band) else { break };
+                let mut more = found.poles.clone();
+                more.push(pole);
+                match fit(&blocks, &more, &fixed) {
+                    Some(better) if better.excess < found.excess => found = better,
+                    _ => break,
+                }
+            }
+        }
+        Some(self.fitted(line, &blocks, &found))
+    }
+
+    /// Where each tap's stretch begins and how long it is: as long as the line rings, or until the next tap.
+    fn stretches(&self, pole: Complex<f64>) -> Vec<(usize, usize)> {
+        let wanted = (FOLDS / pole.re.abs().max(1e-9)) as usize;
+        let stretch = |index: usize| {
+            let end = self.taps.get(index + 1).map_or(self.samples, |tap| tap.onset);
+            let room = end.saturating_sub(self.taps[index].after);
+            (index, quick_length(room.min(wanted.max(LEAST))))
+        };
+        let all: Vec<(usize, usize)> =
+            (0..self.taps.len()).map(stretch).filter(|(_, length)| *length >= LEAST).collect();
+        let longest = all.iter().map(|(_, length)| *length).max().unwrap_or(0);
+        // A stretch far shorter than the others has no lines of its own in their band.
+        all.into_iter().filter(|(_, length)| 8 * length >= longest).collect()
+    }
+
+    fn blocks(&mut self, series: &[usize], stretches: &[(usize, usize)], band: (f64, f64)) -> Vec<Block> {
+        let mut blocks = Vec::new();
+        for &(tap, length) in stretches {
+            let planner = &mut self.planner;
+            let plan = self.plans.entry(length).or_insert_with(|| planner.plan_fft_forward(length)).clone();
+            let turn = std::f64::consts::TAU / length as f64;
+            let first = ((band.0 / turn).ceil() as usize).max(2);
+            let last = ((band.1 / turn).floor() as usize).min(length / 2 - 1);
+            if last < first + 8 {
+                continue;
+            }
+            for &index in series {
+                let start = self.taps[tap].after;
+                let mut input = self.series[index].force[start..start + length].to_vec();
+                let mut output = plan.make_output_vec();
+                if plan.process(&mut input, &mut output).is_err() {
+                    continue;
+                }
+                let scale = 1.0 / (self.series[index].noise * (length as f64).sqrt()).max(f64::MIN_POSITIVE);
+                let angles = (first..=last).map(|line| turn * line as f64).collect();
+                let values = output[first..=last].iter().map(|value| value * scale).collect();
+                blocks.push(Block { series: index, tap, angles, values, length });
+            }
+        }
+        blocks
+    }
+
+    /// Leaves out taps in whose stretch something else happened.
+    fn without_bad_taps(&self, blocks: Vec<Block>, found: Fit, fixed: &[Complex<f64>]) -> (Vec<Block>, Fit) {
+        let square = |residual: &Vec<Complex<f64>>| {
+            residual.iter().map(Complex::norm_sqr).sum::<f64>() / residual.len().max(1) as f64
+        };
+        let squares: Vec<f64> = found.residuals.iter().map(square).collect();
+        let mut sorted = squares.clone();
+        sorted.sort_by(f64::total_cmp);
+        let usual = sorted[sorted.len() / 2];
+        let bad: Vec<usize> =
+            blocks.iter().zip(&squares).filter(|(_, s)| **s > WORSE * usual).map(|(block, _)| block.tap).collect();
+        let kept: Vec<Block> = blocks.iter().filter(|block| !bad.contains(&block.tap)).cloned().collect();
+        if bad.is_empty() || kept.is_empty() {
+            return (blocks, found);
+        }
+        match fit(&kept, &found.poles, fixed) {
+            Some(better) => (kept, better),
+            None => (blocks, found),
+        }
+    }
+
+    fn fitted(&self, line: &Fitted, blocks: &[Block], found: &Fit) -> Fitted {
+        let amplitudes = blocks.iter().zip(&found.amplitudes).map(|(block, amplitudes)| {
+            let scale = 2.0 * self.series[block.series].noise * (block.length as f64).sqrt();
+            (block.series, block.tap, amplitudes[0] * scale)
+        });
+        let mut taps: Vec<usize> = blocks.iter().map(|block| block.tap).collect();
+        taps.dedup();
+        Fitted {
+            series: line.series.clone(),
+            pole: found.poles[0],
+            standard: found.standard[0] * near_excess(blocks, found).sqrt(),
+            freedom: 2.0 * found.freedom as f64,
+            taps,
+            amplitudes: amplitudes.collect(),
+            strength: line.strength,
+        }
+    }
+}
+
+/// Whether what a fit found is the mode that it was sent for.
+fn is_mode(found: &Fitted, guess: Complex<f64>) -> bool {
+    let damped = found.pole.re / guess.re;
+    let sure = -found.pole.re > 6.0 * found.standard;
+    sure && (found.pole.im / guess.im - 1.0).abs() < 0.06 && (0.3..3.0).contains(&damped)
+}
+
+/// Mean square left near the line over that of the whole band, where it is larger by more than chance: noise that is not white.
+fn near_excess(blocks: &[Block], found: &Fit) -> f64 {
+    let (mut near, mut count) = (0.0, 0.0_f64);
+    for (block, residual) in blocks.iter().zip(&found.residuals) {
+        let reach = 6.0 * std::f64::consts::TAU / block.length as f64 + 2.0 * found.poles[0].re.abs();
+        for (angle, value) in block.angles.iter().zip(residual) {
+            if (angle - found.poles[0].im).abs() < reach {
+                near += value.norm_sqr();
+                count += 1.0;
+            }
+        }
+    }
+    let ratio = near / count.max(1.0) / found.excess.max(f64::MIN_POSITIVE);
+    if ratio > 1.0 + 3.0 / count.max(1.0).sqrt() { ratio } else { 1.0 }
+}
+
+/// A pole that what is left asks for: as broad as the line, or far broader, as a folded high mode is.
+fn left_over(blocks: &[Block], found: &Fit, band: (f64, f64)) -> Option<Complex<f64>> {
+    let typical = blocks.first()?.length as f64;
+    let step = 0.5 * std::f64::consts::TAU / typical;
+    let narrow = found.poles[0].re.abs().max(1.0 / typical);
+    let mut best = (0.0, Complex::default());
+    let mut angle = band.0 + 2.0 * step;
+    while angle < band.1 - 2.0 * step {
+        for broader in [1.0, 8.0] {
+            let pole = Complex::new(-narrow * broader, angle);
+            let score = score(blocks, found, pole);
+            if score > best.0 {
+                best = (score, pole);
+            }
+        }
+        angle += step;
+    }
+    let count = blocks.len() as f64;
+    let chance = found.excess * (count + 5.0 * count.sqrt() + 12.0);
+    (best.0 > chance).then_some(best.1)
+}
+
+/// How much of what is left one more pole would take.
+fn score(blocks: &[Block], found: &Fit, pole: Complex<f64>) -> f64 {
+    let each = blocks.iter().zip(&found.residuals).map(|(block, residual)| {
+        let shape = column(pole, &block.angles);
+        let part: Complex<f64> = shape.iter().zip(residual).map(|(a, b)| a.conj() * b).sum();
+        part.norm_sqr() / shape.iter().map(Complex::norm_sqr).sum::<f64>()
+    });
+    each.sum()
+}
+
+/// Lines that came to the same pole are one: the surer one stays.
+fn without_doubles(mut lines: Vec<Fitted>) -> Vec<Fitted> {
+    let mut kept: Vec<Fitted> = Vec::new();
+    lines.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+    for line in lines {
+        let same = |other: &&mut Fitted| {
+            let near =
+                0.3 * (line.pole.re.abs().min(other.pole.re.abs())) + 4.0 * line.standard.min(1.0).min(other.standard);
+            (other.pole.im - line.pole.im).abs() < near
+        };
+        match kept.iter_mut().find(same) {
+            Some(other) => {
+                for series in &line.series {
+                    if !other.series.contains(series) {
+                        other.series.push(*series);
+                    }
+                }
+            }
+            None => kept.push(line),
+        }
+    }
+    kept
+}
+
+/// The largest length up to `room` that a fast transform likes: 2^k times 1, 1.25 or 1.5.
+fn quick_length(room: usize) -> usize {
+    let mut power = 1;
+    while 2 * power <= room {
+        power *= 2;
+    }
+    let fits = |length: usize| length <= room && length.is_multiple_of(2);
+    [power + power / 2, power + power / 4, power].into_iter().find(|length| fits(*length)).unwrap_or(power)
+}

@@ -1,0 +1,112 @@
+//! What of a record may ring: end forces less the force of a spring without mass.
+//!
+//! Next door: the stiffness that it takes (`quasi_static`), the moments at which ringing begins (`taps`).
+
+use super::quasi_static::{Stiffness, length};
+use super::sampling::Sampling;
+use super::whitening::innovations;
+use crate::error::Error;
+use crate::signals::{Channel, Signals};
+
+/// Length of the running means that take slow motion out \[s\].
+const SLOW: f64 = 0.4;
+
+/// What a series is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// ½(F_o − F_i): the modes in which the ends pull in turn, odd ones of a spring between held ends.
+    Difference,
+    /// ½(F_o + F_i): the modes in which they pull together, even ones of a spring between held ends.
+    Sum,
+    /// The one force that was recorded.
+    Single(Channel),
+}
+
+/// One series that may ring.
+#[derive(Debug, Clone)]
+pub(super) struct Series {
+    pub(super) part: Part,
+    /// Less the slow force by length, where that is known; shape `samples`.
+    pub(super) force: Vec<f64>,
+    /// The same less its own running mean, for finding things; shape `samples`.
+    pub(super) flat: Vec<f64>,
+    /// Standard deviation of what is not foretold, in N.
+    pub(super) noise: f64,
+    /// What is not foretold, over that; shape `samples`.
+    pub(super) surprise: Vec<f64>,
+}
+
+/// The series of a record: difference and sum of both ends' forces, or the single force.
+///
+/// Held ends make a mode pull at both ends alike but for its sign, so that difference and sum each hold every other mode.
+///
+/// # Errors
+/// [`Error::MissingSignal`] where no force was recorded.
+pub(super) fn series(
+    signals: &Signals,
+    sampling: &Sampling,
+    stiffness: Option<&Stiffness>,
+) -> Result<Vec<Series>, Error> {
+    let slow = slow_force(signals, sampling, stiffness);
+    let ends = [Channel::InputForce, Channel::OutputForce].map(|channel| signals.channel(channel).ok());
+    let less_slow = |values: Vec<f64>| match &slow {
+        Some(slow) => values.iter().zip(slow).map(|(f, s)| f - s).collect(),
+        None => values,
+    };
+    let parts: Vec<(Part, Vec<f64>)> = match ends {
+        [Some(input), Some(output)] => {
+            let half = |sign: f64| output.iter().zip(input).map(|(o, i)| 0.5 * (o + sign * i)).collect::<Vec<f64>>();
+            vec![(Part::Difference, half(-1.0)), (Part::Sum, less_slow(half(1.0)))]
+        }
+        [Some(one), None] => vec![(Part::Single(Channel::InputForce), less_slow(one.to_vec()))],
+        [None, Some(one)] => vec![(Part::Single(Channel::OutputForce), less_slow(one.to_vec()))],
+        [None, None] => match signals.channel(Channel::InductanceForce) {
+            Ok(one) => vec![(Part::Single(Channel::InductanceForce), less_slow(one.to_vec()))],
+            Err(_) => return Err(Error::MissingSignal("F_i, F_o or F_L")),
+        },
+    };
+    let window = ((SLOW * sampling.rate) as usize).clamp(3, sampling.samples / 4);
+    let flattened = |(part, force): (Part, Vec<f64>)| {
+        let slow = running_mean(&running_mean(&force, window), window);
+        let flat: Vec<f64> = force.iter().zip(&slow).map(|(f, s)| f - s).collect();
+        let (surprise, noise) = innovations(&flat);
+        Series { part, force, flat, noise, surprise }
+    };
+    Ok(parts.into_iter().map(flattened).collect())
+}
+
+/// k times the smoothed length, where both are known and the smoothing leaves less noise than the force sensors have.
+fn slow_force(signals: &Signals, sampling: &Sampling, stiffness: Option<&Stiffness>) -> Option<Vec<f64>> {
+    let stiffness = stiffness?;
+    let (length, _) = length(signals)?;
+    let window = ((0.05 * sampling.rate) as usize).clamp(1, sampling.samples / 4);
+    let smooth = running_mean(&running_mean(&length, window), window);
+    Some(smooth.iter().map(|l| stiffness.value() * (l - stiffness.length_at_zero.value)).collect())
+}
+
+/// Means over `window` samples about each sample, fewer at the ends; shape `samples`.
+fn running_mean(values: &[f64], window: usize) -> Vec<f64> {
+    let half = window / 2;
+    let mut sums = Vec::with_capacity(values.len() + 1);
+    // Sums count from the first value, so that a large offset does not eat their digits.
+    let first = values.first().copied().unwrap_or(0.0);
+    let mut sum = 0.0;
+    sums.push(0.0);
+    for value in values {
+        sum += value - first;
+        sums.push(sum);
+    }
+    let mean = |index: usize| {
+        // As many on either side: a slope then leaves no trace.
+        let reach = half.min(index).min(values.len() - 1 - index);
+        first + (sums[index + reach + 1] - sums[index - reach]) / (2 * reach + 1) as f64
+    };
+    (0..values.len()).map(mean).collect()
+}
+
+impl Part {
+    /// Whether it tells how both ends pull.
+    pub fn of_both_ends(self) -> bool {
+        matches!(self, Self::Difference | Self::Sum)
+    }
+}

@@ -1,0 +1,318 @@
+//! The steps from signals to an identification.
+//!
+//! Next door: each step in its own file.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::end_motion::receptance;
+use super::ladder::{Match, Seen, best};
+use super::line::{Line, Meaning};
+use super::lines::{Peak, after_taps, steady};
+use super::refine::{Fitted, Refiner};
+use super::ringing::{Part, Series, series};
+use super::{Answer, Estimate, Identification, Ladder, Sampling, Settings, Stiffness, Tap, Trust, Verdict};
+use super::{half_power, naming, taps, verdict};
+use crate::error::Error;
+use crate::mount::FarEnd;
+use crate::signals::{Channel, Signals};
+use crate::uncertainty::coverage_factor;
+
+/// Lines that are fitted at most, the strongest.
+const MOST_LINES: usize = 12;
+/// What a line's own rate is over its uncertainty, at least.
+const SURE: f64 = 6.0;
+/// A part holds a line where its power is this many times the other's.
+const DOMINANT: f64 = 10.0;
+/// End 2 counts as moving where k times its motion is this share of the force that rings.
+const MOVES: f64 = 0.2;
+
+impl Identification {
+    /// Of a record with at least one force (F_i, F_o, F_L), sampled evenly; everything else helps.
+    ///
+    /// f1, ζ_j: several taps' ring-downs fitted together, λ = −ζω + iω√(1−ζ²); k, l0: least squares of slow parts; τ = 1/2f1 (for N given:
+    /// 2N sin(π/2N)/(2π f1)); m = kτ². Intervals are of 95 %.
+    ///
+    /// Source:   see each step; the modes are those of [`crate::modes::ChainModes`].
+    /// Valid:    linear ringing of light damping (ζ up to 0.1), taps shorter than 4 ms or their echo, ends held or with a free mass.
+    /// Accuracy: 600 records of a minute (ζ 0.001 to 0.05, three springs): see `tests/identify`, which holds the figures.
+    ///
+    /// # Errors
+    /// [`Error::MissingSignal`] without a force; [`Error::Count`] for fewer than 64 samples; [`Error::Value`] for uneven times or
+    /// settings outside of their range.
+    pub fn of(signals: &Signals, settings: &Settings) -> Result<Self, Error> {
+        let settings = settings.checked()?.clone();
+        let sampling = Sampling::of(signals)?;
+        let stiffness = Stiffness::of(signals, &sampling, &settings);
+        let series = series(signals, &sampling, stiffness.as_ref().ok())?;
+        let surprises: Vec<&[f64]> = series.iter().map(|series| series.surprise.as_slice()).collect();
+        let taps = taps::find(&surprises, &sampling);
+        let mut spectra = Vec::new();
+        let mut steady_peaks = Vec::new();
+        for (index, one) in series.iter().enumerate() {
+            let (peaks, welch) = steady(index, one, &sampling);
+            steady_peaks.extend(peaks);
+            spectra.push((one.part, welch));
+        }
+        let spacing = spectra.first().map_or(1.0, |(_, welch)| welch.spacing);
+        let (lines, foldings) = lines_of(&series, &taps, &sampling, &steady_peaks, spacing);
+        let mut found = Self {
+            sampling,
+            settings,
+            has_both_forces: series.len() > 1,
+            stiffness,
+            taps,
+            lines,
+            ladder: None,
+            fitted_windings: None,
+            end_mass: None,
+            first_frequency: None,
+            ratio: None,
+            transit_time: None,
+            mass: None,
+            foretold: None,
+            trust: None,
+            spectra,
+            verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
+        };
+        found.explain(signals, &foldings);
+        found.derive();
+        found.half_powers(&series);
+        found.verdict = verdict::verdict(&found);
+        Ok(found)
+    }
+
+    /// Names the lines: finds the mount and its ladder.
+    fn explain(&mut self, signals: &Signals, foldings: &[f64]) {
+        let motions = self.motions(signals, foldings);
+        let seen: Vec<Seen> = self.lines.iter().map(|line| seen(line, self.has_both_forces)).collect();
+        let candidates = self.candidates(signals, foldings, &motions);
+        let windings = self.settings.windings;
+        let matches = candidates.into_iter().filter_map(|ladder| best(&seen, ladder, windings, self.sampling.rate));
+        let found = matches.reduce(|old, new| if new.score > old.score { new } else { old });
+        naming::name(&mut self.lines, found.as_ref(), self.sampling.rate, &motions.follows);
+        if let Some(found) = found.filter(|found| found.modes.iter().any(|entry| self.lines[entry.0].decays)) {
+            self.adopt(&found);
+        }
+    }
+
+    /// Takes a ladder's numbers over.
+    fn adopt(&mut self, found: &Match) {
+        self.ladder = Some(found.ladder);
+        self.fitted_windings =
+            (self.settings.windings.is_none() && found.windings.is_finite()).then_some(found.windings);
+        let lowest = found.modes.iter().find(|(line, _, _)| self.lines[*line].mode().is_some());
+        if let Some(&(line, mode, _)) = lowest {
+            let step = found.ladder.step(mode, found.windings);
+            self.first_frequency = Some(self.lines[line].frequency.scaled(1.0 / step));
+            self.ratio = self.lines[line].ratio;
+        }
+    }
+
+    /// Mounts that the record allows.
+    fn candidates(&mut self, signals: &Signals, foldings: &[f64], motions: &Motions) -> Vec<Ladder> {
+        match self.settings.far_end {
+            Some(FarEnd::Position) => return vec![Ladder::HeldHeld],
+            Some(FarEnd::Force) => return vec![Ladder::HeldFree],
+            _ => {}
+        }
+        if !motions.end_moves && self.settings.far_end.is_none() {
+            return vec![Ladder::HeldHeld];
+        }
+        let mass = self.end_mass_of(signals, foldings);
+        self.end_mass = mass.map(|(mass, _)| mass);
+        match mass {
+            Some((_, mass_ratio)) => vec![Ladder::EndMass { mass_ratio }],
+            None => vec![Ladder::HeldFree],
+        }
+    }
+
+    /// M \[kg\] from F_o over the end's acceleration in the lowest line (or as given), and m/M: tan β/β = k/(Mω²).
+    fn end_mass_of(&self, signals: &Signals, foldings: &[f64]) -> Option<(f64, f64)> {
+        let stiffness = self.stiffness.as_ref().ok()?.value();
+        let lowest =
+            (0..self.lines.len()).find(|&index| self.lines[index].decays && self.lines[index].strength > 100.0)?;
+        let angular = TAU * self.lines[lowest].frequency.value;
+        let mass = match self.settings.far_end {
+            Some(FarEnd::Mass(mass)) => mass,
+            _ => {
+                let (force, position) =
+                    (signals.channel(Channel::OutputForce).ok()?, signals.channel(Channel::U2).ok()?);
+                let per_motion = receptance(
+                    force,
+                    position,
+                    self.lines[lowest].frequency.value,
+                    foldings[lowest],
+                    &self.taps,
+                    &self.sampling,
+                );
+                per_motion.re / (angular * angular)
+            }
+        };
+        let quotient = stiffness / (mass * angular * angular);
+        // A mass that the force does not feel is none.
+        if !(mass > 0.0 && quotient > 1.0 && quotient < 1e6) {
+            return None;
+        }
+        let (mut low, mut high) = (0.0, FRAC_PI_2);
+        for _ in 0..200 {
+            let middle = 0.5 * (low + high);
+            if middle.tan() < quotient * middle { low = middle } else { high = middle }
+        }
+        Some((mass, low * low.tan()))
+    }
+
+    /// What follows from f1 and k.
+    fn derive(&mut self) {
+        let stiffness = self.stiffness.as_ref().ok().map(|found| found.stiffness);
+        let turns = self.settings.windings.map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin());
+        if let (Some(mass), Some(stiffness)) = (self.settings.mass, stiffness) {
+            self.foretold = Some(turns / TAU * (stiffness.value / mass).sqrt());
+        }
+        self.foretold = self.settings.predicted.or(self.foretold);
+        let Some(first) = self.first_frequency else { return };
+        let time = turns / (TAU * first.value);
+        self.transit_time = Some(first.scaled(time / first.value));
+        if let Some(k) = stiffness {
+            let mass = k.value * time * time;
+            let relative = |of: fn(&Estimate) -> f64| mass * (of(&k) / k.value).hypot(2.0 * of(&first) / first.value);
+            self.mass =
+                Some(Estimate { value: mass, standard: relative(|e| e.standard), expanded: relative(|e| e.expanded) });
+        }
+        self.trust = Trust::of(time, self.settings.tolerance).ok();
+    }
+
+    fn half_powers(&mut self, series: &[Series]) {
+        for line in &mut self.lines {
+            let Some(ratio) = line.ratio.filter(|_| line.decays) else { continue };
+            let of = |part: &Part| series.iter().find(|series| series.part == *part);
+            let Some(series) = line.part.as_ref().and_then(of).or(series.first()) else { continue };
+            let folding = 1.0 / (TAU * line.frequency.value * ratio.value);
+            line.half_power = half_power::ratio(series, &self.taps, &self.sampling, line.frequency.value, folding);
+        }
+    }
+
+    /// Which ends move while lines ring.
+    fn motions(&self, signals: &Signals, foldings: &[f64]) -> Motions {
+        let mut motions = Motions { follows: vec![None; self.lines.len()], end_moves: false };
+        let Ok(stiffness) = &self.stiffness else { return motions };
+        let ends = [Channel::InputForce, Channel::OutputForce];
+        let Some(force) = ends.iter().find_map(|channel| signals.channel(*channel).ok()) else { return motions };
+        let (first, second) = (signals.channel(Channel::U1).ok(), signals.channel(Channel::U2).ok());
+        let mut strongest = 0.0;
+        for (index, line) in self.lines.iter().enumerate() {
+            let of = |position: Option<&[f64]>| {
+                let taps: &[Tap] = if line.decays { &self.taps } else { &[] };
+                let ratio =
+                    position.map(|x| receptance(x, force, line.frequency.value, foldings[index], taps, &self.sampling));
+                stiffness.value() * ratio.unwrap_or_default()
+            };
+            let (first, second) = (of(first), of(second));
+            if !line.decays {
+                motions.follows[index] = Some((second - first).re);
+            }
+            if line.decays && line.strength > strongest {
+                strongest = line.strength;
+                motions.end_moves = second.norm() > MOVES;
+            }
+        }
+        motions
+    }
+}
+
+/// Which ends move while lines ring.
+struct Motions {
+    /// k X/F of steady lines.
+    follows: Vec<Option<f64>>,
+    /// Whether end 2 moves in the strongest line that dies out.
+    end_moves: bool,
+}
+
+/// The lines of a record, lowest first, with the e-folding time of each \[s\].
+fn lines_of(
+    series: &[Series],
+    taps: &[Tap],
+    sampling: &Sampling,
+    steady: &[Peak],
+    spacing: f64,
+) -> (Vec<Line>, Vec<f64>) {
+    let mut lines: Vec<(Line, f64)> = Vec::new();
+    if !taps.is_empty() {
+        let mut peaks: Vec<Peak> =
+            series.iter().enumerate().flat_map(|(n, one)| after_taps(n, one, taps, sampling)).collect();
+        peaks.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+        peaks.truncate(MOST_LINES);
+        let fitted = Refiner::new(series, taps, sampling).lines(&peaks);
+        lines.extend(fitted.iter().filter_map(|fitted| line_of(fitted, series, sampling.rate)));
+    }
+    for peak in steady {
+        let known = lines
+            .iter()
+            .any(|(line, _)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * width(line));
+        if !known && (taps.is_empty() || peak.strength > 100.0) {
+            lines.push((steady_line(peak, series, spacing), f64::INFINITY));
+        }
+    }
+    lines.sort_by(|a, b| a.0.frequency.value.total_cmp(&b.0.frequency.value));
+    lines.into_iter().unzip()
+}
+
+/// Width of a line at half its power \[Hz\].
+fn width(line: &Line) -> f64 {
+    line.ratio.map_or(0.0, |ratio| 2.0 * ratio.value.abs() * line.frequency.value)
+}
+
+/// A fitted line, where it is sure.
+fn line_of(fitted: &Fitted, series: &[Series], rate: f64) -> Option<(Line, f64)> {
+    let size = fitted.pole.norm();
+    let factor = coverage_factor(0.95, fitted.freedom.max(1.0)).ok()?;
+    let decays = -fitted.pole.re > 3.0 * fitted.standard;
+    // What does not die out is as sure as its stretches are long.
+    let pace = if decays { -fitted.pole.re } else { 10.0 * fitted.standard };
+    if pace < SURE * fitted.standard || fitted.pole.re > 3.0 * fitted.standard || -fitted.pole.re > 0.5 * size {
+        return None;
+    }
+    let power =
+        |n: usize| fitted.amplitudes.iter().filter(|entry| entry.0 == n).map(|entry| entry.2.norm_sqr()).sum::<f64>();
+    let powers: Vec<f64> = (0..series.len()).map(power).collect();
+    let strongest = (0..series.len()).max_by(|&a, &b| powers[a].total_cmp(&powers[b]))?;
+    let others = (0..series.len()).filter(|n| *n != strongest).map(|n| powers[n]).fold(0.0, f64::max);
+    let part = (series.len() == 1 || powers[strongest] > DOMINANT * others).then_some(series[strongest].part);
+    let amplitude = fitted.amplitudes.iter().map(|entry| entry.2.norm()).fold(0.0, f64::max);
+    let line = Line {
+        frequency: Estimate::new(size * rate / TAU, fitted.standard * rate / TAU, factor),
+        ratio: Some(Estimate::new(-fitted.pole.re / size, fitted.standard / size, factor)),
+        decays,
+        amplitude,
+        part,
+        taps: fitted.taps.len(),
+        strength: fitted.strength,
+        meaning: Meaning::Unknown,
+        reason: String::new(),
+        half_power: Err("the line does not die out".to_owned()),
+    };
+    let folding = if decays { -1.0 / (fitted.pole.re * rate) } else { f64::INFINITY };
+    Some((line, folding))
+}
+
+/// A steady line of a spectrum, as sure as the spectrum is fine.
+fn steady_line(peak: &Peak, series: &[Series], spacing: f64) -> Line {
+    Line {
+        frequency: Estimate::new(peak.frequency, 0.25 * spacing, 2.0),
+        ratio: None,
+        decays: false,
+        amplitude: peak.amplitude,
+        part: Some(series[peak.series].part),
+        taps: 0,
+        strength: peak.strength,
+        meaning: Meaning::Unknown,
+        reason: String::new(),
+        half_power: Err("no ring-down in the record".to_owned()),
+    }
+}
+
+fn seen(line: &Line, both: bool) -> Seen {
+    // What does not die out is no candidate for a mode.
+    let weight = if line.decays { line.strength } else { 1e-9 };
+    let part = if both { line.part } else { Some(line.part.unwrap_or(Part::Single(Channel::OutputForce))) };
+    Seen { frequency: line.frequency.value, standard: line.frequency.standard, weight, part }
+}

@@ -1,0 +1,216 @@
+//! Spring, not the spring, or undecided: from the evidence, with what to record next.
+//!
+//! Next door: the evidence (the parent).
+
+use super::line::Meaning;
+use super::ringing::Part;
+use super::{Identification, Ladder};
+
+/// The answer to "is it the spring that rings?".
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Answer {
+    /// The spring's own modes ring.
+    Spring,
+    /// Something else does.
+    NotTheSpring,
+    /// The record does not tell.
+    Undecided,
+}
+
+impl Answer {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Spring => "spring",
+            Self::NotTheSpring => "not the spring",
+            Self::Undecided => "undecided",
+        }
+    }
+}
+
+/// The answer with its reasons.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verdict {
+    /// The answer.
+    pub answer: Answer,
+    /// Why, the weightiest first; at least one.
+    pub evidence: Vec<String>,
+    /// What to record next; empty where nothing is missing.
+    pub next: Vec<String>,
+}
+
+/// Amplitude below which a line decides nothing, relative to the largest.
+const SMALL: f64 = 0.05;
+/// Modes that make a ladder without any knowledge of the spring.
+const LADDER: usize = 3;
+
+pub(super) fn verdict(found: &Identification) -> Verdict {
+    let (answer, evidence) = answer(found);
+    Verdict { answer, evidence, next: next(found, answer) }
+}
+
+fn answer(found: &Identification) -> (Answer, Vec<String>) {
+    let modes: Vec<_> = found.lines.iter().filter(|line| line.mode().is_some()).collect();
+    let decaying = found.lines.iter().filter(|line| line.decays).count();
+    let foretold = found.foretold;
+    let agrees = match (foretold, found.first_frequency) {
+        (Some(foretold), Some(first)) => {
+            Some((first.value / foretold - 1.0).abs() <= found.settings.prediction_tolerance)
+        }
+        _ => None,
+    };
+    let first = found.first_frequency.map_or(f64::NAN, |first| first.value);
+    if agrees == Some(false) && decaying > 0 {
+        let line = format!(
+            "what rings has f1 = {first:.2} Hz, the spring would have {:.2} Hz ({:+.1} %)",
+            foretold.unwrap_or(f64::NAN),
+            100.0 * (first / foretold.unwrap_or(f64::NAN) - 1.0)
+        );
+        // A ladder of its own may be this spring with another mass than was said.
+        let answer = if modes.len() >= LADDER { Answer::Undecided } else { Answer::NotTheSpring };
+        return (answer, vec![line]);
+    }
+    let folded = 2.0 * first > 0.5 * found.sampling.rate;
+    if modes.len() >= LADDER || is_pair(found) || agrees == Some(true) && !modes.is_empty() {
+        let mut evidence = ladder_evidence(found, modes.len());
+        if agrees == Some(true) {
+            evidence
+                .push(format!("f1 = {first:.2} Hz agrees with the {:.2} Hz foretold", foretold.unwrap_or(f64::NAN)));
+        } else if folded {
+            evidence.push(format!(
+                "sampled at {:.0} Hz it may as well be a line above {:.0} Hz, folded",
+                found.sampling.rate,
+                0.5 * found.sampling.rate
+            ));
+            return (Answer::Undecided, evidence);
+        }
+        return (Answer::Spring, evidence);
+    }
+    without_ladder(found, decaying, modes.len())
+}
+
+/// Whether the lowest two modes ring, the first pulling the ends in turn and the second together, alike in damping: two resonances elsewhere
+/// would have to meet in ratio, signs and damping at once.
+fn is_pair(found: &Identification) -> bool {
+    let of = |mode: usize| found.lines.iter().find(|line| line.mode() == Some(mode));
+    let (Some(first), Some(second)) = (of(1), of(2)) else { return false };
+    let held = found.ladder == Some(Ladder::HeldHeld)
+        && [first, second].iter().all(|line| line.part.is_some_and(Part::of_both_ends));
+    let ratio = first.ratio.zip(second.ratio).map_or(0.0, |(first, second)| second.value / first.value);
+    held && (0.4..2.5).contains(&ratio)
+}
+
+fn ladder_evidence(found: &Identification, modes: usize) -> Vec<String> {
+    let name = found.ladder.map_or("its mount", |ladder| ladder.name());
+    let taps = found.taps.len();
+    let mut evidence = vec![format!(
+        "{} that die{} out after {taps} tap{} on the ladder of {name}",
+        lines(modes),
+        if modes == 1 { "s" } else { "" },
+        if taps == 1 { "" } else { "s" },
+    )];
+    let patterned = found
+        .lines
+        .iter()
+        .filter(|line| line.mode().is_some() && line.part.is_some_and(|part| part.of_both_ends()))
+        .count();
+    if patterned > 0 && matches!(found.ladder, Some(Ladder::HeldHeld)) {
+        evidence.push(
+            "the ends pull in turn in odd modes and together in even ones, as a coil between held ends does".to_owned(),
+        );
+    }
+    evidence
+}
+
+fn without_ladder(found: &Identification, decaying: usize, modes: usize) -> (Answer, Vec<String>) {
+    let total = found.lines.len();
+    if total == 0 {
+        return (Answer::Undecided, vec!["nothing rings above the noise".to_owned()]);
+    }
+    // Small lines beside large ones decide nothing.
+    let largest = found.lines.iter().map(|line| line.amplitude).fold(0.0, f64::max);
+    let weighty: Vec<_> = found.lines.iter().filter(|line| line.amplitude >= SMALL * largest).collect();
+    let all = |holds: fn(&Meaning) -> bool| weighty.iter().all(|line| holds(&line.meaning));
+    let any = |holds: fn(&Meaning) -> bool| weighty.iter().any(|line| holds(&line.meaning));
+    let follows = |meaning: &Meaning| matches!(meaning, Meaning::Follows);
+    let count = weighty.len();
+    if any(follows) && all(|meaning| matches!(meaning, Meaning::Follows | Meaning::Mains { .. })) {
+        let line = format!(
+            "the force follows the ends' own motion ({}): something moves them, a controller or a drive",
+            lines(count)
+        );
+        return (Answer::NotTheSpring, vec![line]);
+    }
+    if all(|meaning| matches!(meaning, Meaning::Mains { .. })) {
+        let line = format!("what rings is steady and a multiple of the mains' frequency ({})", lines(count));
+        return (Answer::NotTheSpring, vec![line]);
+    }
+    if decaying == 0 && found.taps.len() >= 3 {
+        let line = format!(
+            "{}, and nothing dies out after {} taps: something keeps driving it",
+            lines(total),
+            found.taps.len()
+        );
+        return (Answer::NotTheSpring, vec![line]);
+    }
+    let line = match (decaying, modes) {
+        (0, _) => format!(
+            "{total} steady line{}, no ring-down: a spring that is driven and a resonance elsewhere look alike",
+            if total == 1 { "" } else { "s" }
+        ),
+        (1, _) => "only one line rings: one mode of a spring and a resonance elsewhere look alike".to_owned(),
+        (count, 2) => format!("{count} lines ring, two of them on a ladder: too few to tell a spring from chance"),
+        (count, _) => format!("{count} lines ring, but they are not the ladder of a spring"),
+    };
+    (Answer::Undecided, vec![line])
+}
+
+/// So many lines.
+fn lines(count: usize) -> String {
+    format!("{count} line{}", if count == 1 { "" } else { "s" })
+}
+
+fn next(found: &Identification, answer: Answer) -> Vec<String> {
+    let mut next = Vec::new();
+    let rate = found.sampling.rate;
+    let first = found.first_frequency.map(|first| first.value);
+    let slowest = found
+        .lines
+        .iter()
+        .filter_map(|line| line.ratio.map(|ratio| ratio.value * line.frequency.value))
+        .fold(f64::INFINITY, f64::min);
+    if found.taps.len() < 5 && answer != Answer::NotTheSpring {
+        let apart = if slowest.is_finite() && slowest > 0.0 {
+            (8.0 / (std::f64::consts::TAU * slowest)).clamp(0.5, 10.0)
+        } else {
+            5.0
+        };
+        next.push(format!(
+            "taps: strike one end at least 5 times, {apart:.1} s apart or more, both ends held ({} found)",
+            found.taps.len()
+        ));
+    }
+    let wanted = first.or(found.lines.first().map(|line| line.frequency.value)).map(|frequency| 10.0 * frequency);
+    if let Some(wanted) = wanted.filter(|wanted| *wanted > rate && answer != Answer::NotTheSpring) {
+        next.push(format!("sample at {:.0} Hz or faster behind a low-pass below half of that, so that the first five modes show unfolded (now {rate:.0} Hz)", round_up(wanted)));
+    }
+    if !found.has_both_forces && answer == Answer::Undecided {
+        next.push("record the forces at both ends (F_i and F_o): the spring's modes alternate in sign between them, other resonances do not".to_owned());
+    }
+    if found.stiffness.is_err() {
+        next.push("move one end slowly over the range in use, with u1 and u2 recorded: gives stiffness, and with it the mass that rings".to_owned());
+    }
+    if answer == Answer::Undecided && found.foretold.is_none() {
+        next.push("weigh the coil or give its spec (--mass, --spec): f1 is then foretold".to_owned());
+    }
+    if found.sampling.duration() < 20.0 && answer == Answer::Undecided {
+        next.push(format!("record for at least 60 s (now {:.1} s)", found.sampling.duration()));
+    }
+    next
+}
+
+/// Up to the next of 1, 2, 2.5 or 5 times a power of ten.
+fn round_up(value: f64) -> f64 {
+    let power = 10.0_f64.powf(value.log10().floor());
+    [1.0, 2.0, 2.5, 5.0, 10.0].into_iter().map(|step| step * power).find(|step| *step >= value).unwrap_or(value)
+}

@@ -1,0 +1,10 @@
+//! Identification on records whose every number is known.
+//!
+//! The springs are simulated with the library's own exact motion, which the other tests hold against independent integrators; what is
+//! tested here is what a noisy record gives back.
+
+mod many;
+#[path = "../paper_springs/mod.rs"]
+mod paper_springs;
+mod records;
+mod strangers;
