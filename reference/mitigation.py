@@ -7,7 +7,7 @@ Route for the filters: scipy.signal.butter as second-order sections and scipy.si
 
 Route for the gains: the chain of eqs. (4) to (6) with both ends held, its modes by numpy.linalg.eigh (no closed form); each mode's
 transition over one sample by scipy.linalg.expm of its 2 x 2 system in (q, qdot/omega), scaled to the force that q adds to F_i;
-a force bias as a random walk; the gain K = P h'/(h P h' + r) with P by scipy.linalg.solve_discrete_are of the transposed system.
+shocks as a white uniform velocity of all windings (projected on the shapes); a force bias as a random walk; the gain K = P h'/(h P h' + r) with P by scipy.linalg.solve_discrete_are of the transposed system.
 The residual of the Riccati equation is checked here.
 """
 
@@ -25,13 +25,13 @@ RATE = 2500.0
 FREQUENCIES = [0.1, 1.0, 5.0, 27.0, 54.0, 54.0654, 100.0, 333.0, 900.0, 1249.0]
 LOW_PASSES = [(1, 27.0), (2, 27.0), (3, 100.0), (4, 10.0), (5, 400.0), (8, 60.0), (8, 1100.0)]
 NOTCHES = [(54.0654, 2.0), (54.0654, 0.7), (270.0, 3.0), (1000.0, 5.0), (540.0, 30.0)]
-# spring, modes, zeta, rate, noise of the force, of the ringing, drift
+# spring, modes, zeta, rate, noise of the force, of shocks, of the ringing, drift
 FILTERS = [
-    (S_T, 3, 0.005, 2500.0, 0.24, 2.0, 0.5),
-    (S_T, 1, 0.0, 2500.0, 0.24, 0.3, 0.05),
-    (S_T, 5, 0.02, 10000.0, 0.1, 5.0, 2.0),
-    (S_A, 3, 0.01, 5000.0, 1.0, 20.0, 3.0),
-    (S_A, 2, 0.3, 1000.0, 1.0, 20.0, 3.0),
+    (S_T, 3, 0.005, 2500.0, 0.24, 0.15, 2.0, 0.5),
+    (S_T, 1, 0.0, 2500.0, 0.24, 0.0, 0.3, 0.05),
+    (S_T, 5, 0.02, 10000.0, 0.1, 0.3, 0.1, 2.0),
+    (S_A, 3, 0.01, 5000.0, 1.0, 0.5, 20.0, 3.0),
+    (S_A, 2, 0.3, 1000.0, 1.0, 0.02, 20.0, 3.0),
 ]
 
 
@@ -56,7 +56,7 @@ def rows(kind, number, frequency, response):
 
 
 def modes(spring):
-    """omega [rad/s], force at end 1 and at end 2 per unit of each mode, lowest first."""
+    """omega [rad/s], force at end 1 and at end 2 per unit of each mode, and its share of a uniform velocity, lowest first."""
     n, k = spring.windings, spring.stiffness
     matrix = np.zeros((n, n))
     for i in range(n):
@@ -64,18 +64,20 @@ def modes(spring):
         if i:
             matrix[i, i - 1] = matrix[i - 1, i] = -n * k
     values, shapes = np.linalg.eigh(matrix * n / spring.mass)
-    return np.sqrt(values), 2 * n * k * shapes[0], -2 * n * k * shapes[-1]
+    return np.sqrt(values), 2 * n * k * shapes[0], -2 * n * k * shapes[-1], shapes.sum(axis=0)
 
 
-def gains(spring, count, zeta, rate, force, ringing, drift):
-    omegas, first, second = (series[:count] for series in modes(spring))
+def gains(spring, count, zeta, rate, force, shock, ringing, drift):
+    omegas, first, second, share = (series[:count] for series in modes(spring))
     size = 2 * count + 1
-    phi, h = np.eye(size), np.zeros(size)
+    phi, h, knock = np.eye(size), np.zeros(size), np.zeros(size)
     for j, omega in enumerate(omegas):
         phi[2 * j : 2 * j + 2, 2 * j : 2 * j + 2] = expm(np.array([[0, omega], [-omega, -2 * zeta * omega]]) / rate)
         h[2 * j] = 1
+        knock[2 * j + 1] = first[j] * share[j] / omega
     h[-1] = 1
-    q = np.diag([ringing**2 / rate] * (size - 1) + [drift**2 / rate])
+    knock = phi @ knock
+    q = np.diag([ringing**2 / rate] * (size - 1) + [drift**2 / rate]) + shock**2 / rate * np.outer(knock, knock)
     p = solve_discrete_are(phi.T, h[:, None], q, [[force**2]])
     k = p @ h / (h @ p @ h + force**2)
     residual = phi @ p @ phi.T - np.outer(phi @ k, h @ p @ phi.T) + q - p
@@ -85,7 +87,7 @@ def gains(spring, count, zeta, rate, force, ringing, drift):
 
 
 def kalman():
-    header = "spring,modes,zeta,rate [Hz],force noise [N],ringing [N/sqrt(s)],drift [N/sqrt(s)],state,gain,F_o over F_i"
+    header = "spring,modes,zeta,rate [Hz],force noise [N],shock [m/s/sqrt(s)],ringing [N/sqrt(s)],drift [N/sqrt(s)],state,gain,F_o over F_i"
     lines = [versions() + "; numpy.linalg.eigh, scipy.linalg.expm and solve_discrete_are", header]
     for case in FILTERS:
         k, ratio = gains(*case)

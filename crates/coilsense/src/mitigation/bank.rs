@@ -14,52 +14,58 @@ use crate::error::{Error, above_zero, check};
 pub struct BankDesign {
     /// What each member is to expect.
     pub noise: KalmanNoise,
+    /// How many stiffnesses the members stand for, 1 for the nominal one; each has the same first surge frequencies.
+    pub stiffnesses: usize,
     /// Over how long surprises are averaged \[s\], at least one sample.
     pub memory: f64,
-    /// s σ², how strongly a member that is surprised more than the others is disbelieved \[1\], above zero: half the samples of the
-    /// memory is what chance asks for.
+    /// s σ², how strongly a member that is surprised more than the others is disbelieved \[1\], above zero: chance asks for half the samples of
+    /// the memory.
     pub sharpness: f64,
 }
 
-/// `MEMBERS` filters of `MODES` modes, on springs that share k and differ in f1, spread evenly over the box; an odd number keeps the nominal
-/// one.
-///
-/// Stiffness off is bias, which each member has; frequency off is what no single member can follow.
+/// `MEMBERS` filters of `MODES` modes on springs spread evenly over the box of k and f1; odd numbers of either keep the nominal one.
 ///
 /// Source:   [`Bank`].
-/// Valid:    the true f1 within half a spacing of a member: (f_max − f_min)/(`MEMBERS` − 1).
+/// Valid:    the true spring within half a spacing of a member; what k is off beyond that is bias, which each member has.
 /// Accuracy: that of the nearest member, once the memory holds a few surge periods.
 ///
 /// # Errors
-/// [`Error::Value`] for fewer than two members, memory or sharpness outside of what is allowed, and as [`modal_kalman`].
+/// [`Error::Value`] for members that are no multiple of the stiffnesses or fewer than two frequencies to each, memory or sharpness outside of what
+/// is allowed, and as [`modal_kalman`].
 pub fn observer_bank<const MODES: usize, const MEMBERS: usize>(
     spring: &SampledSpring,
     tolerances: &ToleranceBox,
     design: &BankDesign,
 ) -> Result<Bank<f64, MODES, MEMBERS>, Error> {
-    check(MEMBERS >= 2, "members of the bank", MEMBERS as f64, "", "at least 2")?;
+    let rows = design.stiffnesses;
+    let fits = rows >= 1 && MEMBERS.is_multiple_of(rows) && MEMBERS / rows >= 2;
+    let allowed = format!("1 or more, so that {MEMBERS} members have two frequencies or more at each");
+    check(fits, "stiffnesses of the bank", rows as f64, "", allowed)?;
     above_zero("sharpness of the bank", design.sharpness, "")?;
     let samples = design.memory * spring.rate();
     check(samples >= 1.0, "memory of the bank", design.memory, "s", format!("at least {} s", 1.0 / spring.rate()))?;
-    let [lowest, highest] = tolerances.frequency_factors();
-    let place = |index: usize| index as f64 / (MEMBERS - 1) as f64;
-    // Around the nominal in the middle, evenly to either side.
-    let factor = |index: usize| {
-        let place = 2.0 * place(index) - 1.0;
-        if place < 0.0 { 1.0 + place * (1.0 - lowest) } else { 1.0 + place * (highest - 1.0) }
-    };
     let members = (0..MEMBERS)
         .map(|index| {
-            let mass = factor(index).powi(-2) - 1.0;
-            let member = spring.on(&ToleranceBox::changed(spring.spring(), [0.0, mass])?)?;
-            modal_kalman(&member, &design.noise)
+            let corner = corner(tolerances, index / (MEMBERS / rows), rows, index % (MEMBERS / rows), MEMBERS / rows);
+            modal_kalman(&spring.on(&ToleranceBox::changed(spring.spring(), corner)?)?, &design.noise)
         })
         .collect::<Result<Vec<ModalKalman<f64, MODES>>, Error>>()?;
     let mut places = members.into_iter();
-    let first = modal_kalman(spring, &design.noise)?;
+    let nominal = modal_kalman(spring, &design.noise)?;
     Ok(Bank {
-        members: std::array::from_fn(|_| places.next().unwrap_or(first)),
+        members: std::array::from_fn(|_| places.next().unwrap_or(nominal)),
         forgetting: 1.0 / samples,
         sharpness: design.sharpness / (design.noise.force * design.noise.force),
     })
+}
+
+/// Δk/k and Δm/m of the member in row `row` of `rows` (stiffness) and column `column` of `columns` (frequency).
+fn corner(tolerances: &ToleranceBox, row: usize, rows: usize, column: usize, columns: usize) -> [f64; 2] {
+    // From −1 to 1, the middle exactly 0.
+    let place = |index: usize, count: usize| (2.0 * index as f64 + 1.0 - count as f64) / (count.max(2) - 1) as f64;
+    let [lowest, highest] = tolerances.frequency_factors();
+    let aside = place(column, columns);
+    let frequency = if aside < 0.0 { 1.0 + aside * (1.0 - lowest) } else { 1.0 + aside * (highest - 1.0) };
+    let stiffness = 1.0 + tolerances.stiffness() * place(row, rows);
+    [stiffness - 1.0, stiffness / (frequency * frequency) - 1.0]
 }

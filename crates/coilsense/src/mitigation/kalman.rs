@@ -7,14 +7,16 @@ use nalgebra::{DMatrix, DVector};
 
 use super::riccati::steady_covariance;
 use super::sampled_spring::SampledSpring;
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, check, not_negative};
 
 /// What the filter is to expect, in forces at end 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KalmanNoise {
     /// White noise of F_i \[N rms per sample\], above zero.
     pub force: f64,
-    /// What shocks add to every mode \[N per √s\], above zero: higher forgets faster and lets more noise through.
+    /// How fast all windings together are knocked about against the ends \[m/s per √s\], zero or above: impacts, all modes at once.
+    pub shock: f64,
+    /// What else adds to every mode \[N per √s\], above zero: higher forgets faster and lets more noise through.
     pub ringing: f64,
     /// How fast the bias wanders \[N per √s\], above zero.
     pub drift: f64,
@@ -23,6 +25,7 @@ pub struct KalmanNoise {
 impl KalmanNoise {
     fn checked(&self) -> Result<(), Error> {
         above_zero("noise of the force", self.force, "N")?;
+        not_negative("noise of the shocks", self.shock, "m/s/sqrt(s)")?;
         above_zero("noise of the ringing", self.ringing, "N/sqrt(s)")?;
         above_zero("drift of the bias", self.drift, "N/sqrt(s)")?;
         Ok(())
@@ -32,7 +35,7 @@ impl KalmanNoise {
 /// Steady-state Kalman filter of the first `MODES` modes and a force bias; modal coordinates are their forces at end 1 \[N\].
 ///
 /// Φ_j = e^(−ζωT) [[c + rs, s/√(1−ζ²)], [−s/√(1−ζ²), c − rs]], c, s = cos, sin(ω√(1−ζ²) T), r = ζ/√(1−ζ²);
-/// Q = σ_r² T on every modal state, σ_d² T on the bias; K = P hᵀ/(h P hᵀ + r), P the steady covariance of the prediction
+/// Q = σ_s² T Φ b bᵀ Φᵀ + σ_r² T on every modal state, b what a velocity of all windings does to them, σ_d² T on the bias; K = P hᵀ/(h P hᵀ + r), P the steady covariance of the prediction
 ///
 /// Source:   `[Simon2006]` section 7.3; modes of [`crate::modes::ChainModes`], ends moving straight between samples.
 /// Valid:    ω_j below half of the sampling rate; ζ_j below 1. Without the bias a stiffness off by 10 % is taken for ringing.
@@ -47,7 +50,7 @@ impl KalmanNoise {
 /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
 /// use coilsense::{Damping, mitigation::{KalmanNoise, SampledSpring, modal_kalman}};
 /// let sampled = SampledSpring::new(&spring, &Damping::Modal(0.005), 2500.0)?;
-/// let noise = KalmanNoise { force: 0.24, ringing: 2.0, drift: 0.5 };
+/// let noise = KalmanNoise { force: 0.24, shock: 0.1, ringing: 2.0, drift: 0.5 };
 /// let filter = modal_kalman::<3>(&sampled, &noise)?;
 /// assert!((filter.modes[0].output + 1.0).abs() < 1e-12); // an odd mode pulls at both ends in turn
 /// # Ok::<(), coilsense::Error>(())
@@ -112,6 +115,13 @@ fn model(modes: &[Mode<f64>], rate: f64, noise: &KalmanNoise) -> (DMatrix<f64>, 
         measured[2 * index] = mode.input;
     }
     measured[size - 1] = 1.0;
+    // A uniform velocity against the ends is a jump of both ends the other way.
+    let mut shock = DVector::zeros(size);
+    for (index, mode) in modes.iter().enumerate() {
+        shock[2 * index + 1] = mode.kick[0] + mode.kick[1];
+    }
+    let shock = &transition * shock;
+    process += &shock * shock.transpose() * (noise.shock * noise.shock / rate);
     process[(size - 1, size - 1)] = noise.drift * noise.drift / rate;
     (transition, measured, process)
 }

@@ -45,7 +45,8 @@ fn low_passes_and_notches_are_scipys() {
 fn designed(row: &[String]) -> (Vec<Mode<f64>>, f64) {
     let spring = if row[0] == "S_T" { paper_springs::s_t() } else { paper_springs::s_a() };
     let sampled = sampled_at(&spring, number(row, 2), number(row, 3));
-    let noise = KalmanNoise { force: number(row, 4), ringing: number(row, 5), drift: number(row, 6) };
+    let noise =
+        KalmanNoise { force: number(row, 4), shock: number(row, 5), ringing: number(row, 6), drift: number(row, 7) };
     of_modes(&sampled, &noise, number(row, 1) as usize)
 }
 
@@ -75,15 +76,15 @@ fn gains_solve_scipys_riccati_equation() {
     let mut largest = 0.0_f64;
     for row in rows("mitigation_kalman") {
         let (modes, bias_gain) = designed(&row);
-        let state = number(&row, 7) as usize;
+        let state = number(&row, 8) as usize;
         let ours = modes.get(state / 2).map_or(bias_gain, |mode| mode.gain[state % 2]);
-        let error = (ours - number(&row, 8)).abs();
+        let error = (ours - number(&row, 9)).abs();
         // SciPy's own residual is below 1e-11 of P, and gains are up to 0.3.
         assert!(error < 1e-9 * ours.abs().max(0.01), "{row:?}: {ours}");
         largest = largest.max(error);
         if let Some(mode) = modes.get(state / 2) {
             // Their eigenvectors are good to some 1e-13.
-            assert!((mode.output - number(&row, 9)).abs() < 1e-11, "{row:?}: {}", mode.output);
+            assert!((mode.output - number(&row, 10)).abs() < 1e-11, "{row:?}: {}", mode.output);
         }
     }
     assert!(largest > 0.0, "two routes that agree to the last bit are one");

@@ -15,7 +15,7 @@ fn told<T>(result: Result<T, Error>) -> String {
     result.err().map_or_else(|| "taken".to_owned(), |error| error.to_string())
 }
 
-const NOISE: KalmanNoise = KalmanNoise { force: 0.24, ringing: 0.5, drift: 0.1 };
+const NOISE: KalmanNoise = KalmanNoise { force: 0.24, shock: 0.1, ringing: 0.5, drift: 0.1 };
 
 #[test]
 fn a_sampling_rate_below_twice_the_surge_frequency_is_refused() {
@@ -75,9 +75,14 @@ fn observers_and_boxes_that_cannot_be_are_refused() {
     assert_eq!(told(modal_kalman::<3>(&spring, &silent)), "noise of the force must be above zero and finite, got 0 N");
     assert!(told(modal_kalman::<40>(&spring, &NOISE)).starts_with("number of modes must be from 1 to"));
     let tolerances = ToleranceBox::new(0.1, 0.1).unwrap();
-    let design = BankDesign { noise: NOISE, memory: 1e-6, sharpness: 1.0 };
+    let design = BankDesign { noise: NOISE, stiffnesses: 1, memory: 1e-6, sharpness: 1.0 };
     let text = told(observer_bank::<3, 5>(&spring, &tolerances, &design));
     assert_eq!(text, "memory of the bank must be at least 0.0004 s, got 0.000001 s");
+    let uneven = BankDesign { stiffnesses: 2, memory: 0.1, ..design };
+    let text = told(observer_bank::<3, 5>(&spring, &tolerances, &uneven));
+    let expected =
+        "stiffnesses of the bank must be 1 or more, so that 5 members have two frequencies or more at each, got 2";
+    assert_eq!(text, expected);
     let window =
         WindowDesign { impact: 0.25, interval: 2.0, bandwidth: 0.0, motion: 1.0, noise: 0.24, tolerances: None };
     assert!(told(surge_window::<64>(&spring, &window)).starts_with("bandwidth must be above zero and below the first"));
