@@ -113,7 +113,7 @@ impl RigSpec {
             settling: 120.0,
             relaxation: 2e-4,
             taps: 5,
-            taps_per_run: 4,
+            taps_per_run: 5,
             tap_height: 0.5e-3,
             tap_duration: 5e-3,
             load_cell: of(|quantity| quantity == Quantity::Force(End::Two)).map_or_else(paper_load_cell, Ok)?,

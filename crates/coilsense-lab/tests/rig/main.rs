@@ -7,10 +7,12 @@
 //! | calibration, hits, relaxation | k, ζ, the logarithm that were put in (`perfect`) |
 //! | noise, gains, steps, seeds | what the spec says of them (`instruments`) |
 //! | the findings of the paper's Fig. 6 | themselves (`findings`) |
+//! | hits | ζ and f1 as `coilsense::identify` finds them (`identified`) |
 //! | files, refusals | (`files`) |
 
 mod files;
 mod findings;
+mod identified;
 mod instruments;
 mod perfect;
 

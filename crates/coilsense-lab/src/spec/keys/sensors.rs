@@ -118,6 +118,6 @@ pub(super) const UNCERTAINTY: Table = Table {
         optional("temperature_change", "\"10 K\"", "since the calibration, either way", "`\"10 K\"`"),
         optional("coverage", "\"95 %\"", "of the expanded uncertainty", "`\"95 %\"`"),
         optional("trials", "100000", "of the Monte Carlo", "`100000`"),
-        optional("seed", "1", "of the Monte Carlo and of sensor noise", "`1`"),
+        optional("seed", "1", "of the Monte Carlo, of sensor noise and of the rig", "`1`"),
     ],
 };
