@@ -1,4 +1,4 @@
-//! From inductance to length: fits to measured points, how well they do, and how well the theories of a coil do beside them.
+//! From inductance to length, and from length to force: fits to measured points, how well they do, and how well the theories of a coil do beside them.
 //!
 //! Next door: the theories (`inductance::theories`), the sensor that uses a fit (`sensors`).
 
@@ -10,6 +10,7 @@ mod line;
 mod misfit;
 mod points;
 mod reading;
+mod stiffness;
 
 pub use calibration::{CALIBRATION_LENGTHS, Calibration};
 pub use inductance::InductanceFit;
@@ -19,3 +20,4 @@ pub use line::FitMethod;
 pub use misfit::Misfit;
 pub use points::CalibrationPoints;
 pub use reading::ReadingUncertainty;
+pub use stiffness::StiffnessFit;

@@ -48,7 +48,7 @@ impl ReadingUncertainty {
     /// use coilsense::calibrate::{CalibrationPoints, FitMethod, ReadingUncertainty};
     /// let points = CalibrationPoints::new(&[0.1, 0.125, 0.2], &[4e-6, 3.1e-6, 1.5e-6])?;
     /// let reading = ReadingUncertainty::new(&points, FitMethod::AllPoints)?.expect("three points");
-    /// assert!((reading.length(3.1e-6) - 1.9e-3).abs() < 1e-4); // 1.9 mm at 125 mm
+    /// assert!((reading.length(3.1e-6) - 2.834e-3).abs() < 1e-6); // 2.8 mm at 125 mm
     /// # Ok::<(), coilsense::Error>(())
     /// ```
     pub fn new(points: &CalibrationPoints, method: FitMethod) -> Result<Option<Self>, Error> {

@@ -1,11 +1,13 @@
-//! How far off: measures of a force against its reference, of a signal over frequency, and of windings that touch.
+//! How far off: measures of a force against its reference, of a signal over frequency, of drift from run to run, and of windings that touch.
 //!
 //! Next door: the signals (`signals`), the motion (`motion`). A measure of signals knows neither spring nor sensor; clash looks at the motion itself.
 
 mod clash;
 mod deviation;
 mod spectrum;
+mod trend;
 
 pub use clash::Clash;
 pub use deviation::Deviation;
 pub use spectrum::{Spectrum, alias_of};
+pub use trend::Trend;
