@@ -7,7 +7,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::keys::{TABLES, Table};
+use super::keys::{EXPERIMENT_TABLES, TABLES, Table};
 use super::section::{Section, clipped};
 use super::{SpecError, located};
 
@@ -16,6 +16,8 @@ pub(super) struct Document<'a> {
     file: &'a str,
     text: &'a str,
     table: Spanned<DeTable<'a>>,
+    /// The tables that it may have.
+    tables: &'static [&'static Table],
     /// Whether keys that a spec does not know may stand here.
     lenient: bool,
 }
@@ -34,7 +36,28 @@ impl<'a> Document<'a> {
             let offset = error.span().map_or(0, |span| span.start);
             located(file, text, offset, format!("not TOML: {}", error.message().replace('\n', ", ")))
         })?;
-        Ok(Self { file, text, table, lenient: true })
+        Ok(Self { file, text, table, tables: &TABLES, lenient: true })
+    }
+
+    /// An `experiment.toml`, which holds keys at its top, too.
+    pub(super) fn experiment(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
+        let document = Self { lenient: false, tables: &EXPERIMENT_TABLES, ..Self::catalogue(file, text)? };
+        let [root, tables @ ..] = EXPERIMENT_TABLES;
+        let names: Vec<&str> = root.names(None).into_iter().chain(tables.map(|table| table.name)).collect();
+        reject_unknown(file, text, document.table.get_ref(), &names, "")?;
+        Ok(document)
+    }
+
+    /// The keys at the top of such a file.
+    pub(super) fn root(&self) -> Section<'_> {
+        Section {
+            file: self.file,
+            text: self.text,
+            documented: EXPERIMENT_TABLES[0],
+            label: EXPERIMENT_TABLES[0].heading(),
+            table: self.table.get_ref(),
+            span: 0..0,
+        }
     }
 
     /// The table `[name]`, which must be there.
@@ -82,8 +105,8 @@ impl<'a> Document<'a> {
         table: &'s DeTable<'s>,
         span: Range<usize>,
     ) -> Result<Section<'s>, SpecError> {
-        let documented =
-            Table::named(name).ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
+        let documented = self.tables.iter().copied().find(|table| table.name == name);
+        let documented = documented.ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
         let section = Section { file: self.file, text: self.text, documented, label, table, span };
         if !self.lenient {
             reject_unknown(self.file, self.text, table, &documented.names(None), &format!(" in {}", section.label))?;

@@ -4,9 +4,12 @@
 
 mod conditions;
 mod control;
+mod experiment;
 mod rig;
 mod sensors;
 mod springs;
+
+pub use experiment::{EXPERIMENT_TABLES, experiment_markdown};
 
 /// One key of a table.
 #[derive(Debug, Clone, Copy)]
@@ -71,11 +74,6 @@ impl Key {
 }
 
 impl Table {
-    /// The table of a name.
-    pub(super) fn named(name: &str) -> Option<&'static Self> {
-        TABLES.into_iter().find(|table| table.name == name)
-    }
-
     /// Names of the keys that apply to a kind, or of all.
     pub(super) fn names(&self, kind: Option<&str>) -> Vec<&'static str> {
         self.keys.iter().filter(|key| key.applies_to(kind)).map(|key| key.name).collect()
@@ -83,18 +81,27 @@ impl Table {
 
     /// As a spec writes it: `[name]` or `[[name]]`.
     pub fn heading(&self) -> String {
-        if self.repeats { format!("[[{}]]", self.name) } else { format!("[{}]", self.name) }
+        match self.repeats {
+            true => format!("[[{}]]", self.name),
+            false if self.name.is_empty() => "the top of the file".to_owned(),
+            false => format!("[{}]", self.name),
+        }
     }
 }
 
 /// The reference of all keys, as Markdown: `docs/spec.md`.
 pub fn markdown() -> String {
-    let mut text = String::from(INTRODUCTION);
-    for table in TABLES {
+    sections(INTRODUCTION, &TABLES)
+}
+
+/// A page of an introduction and a section for each table.
+fn sections(introduction: &str, tables: &[&Table]) -> String {
+    let mut text = String::from(introduction);
+    for table in tables {
+        let heading = if table.name.is_empty() { "At the top".to_owned() } else { format!("`{}`", table.heading()) };
         text.push_str(&format!(
-            "\n## `{}`\n\n{}\n\n| key | example | meaning | default |\n|---|---|---|---|\n",
-            table.heading(),
-            table.meaning
+            "\n## {}\n\n{}\n\n| key | example | meaning | default |\n|---|---|---|---|\n",
+            heading, table.meaning
         ));
         for key in table.keys {
             let kinds = if key.kinds.is_empty() { String::new() } else { format!(" *({})*", key.kinds.join(", ")) };

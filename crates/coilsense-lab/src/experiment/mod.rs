@@ -1,0 +1,53 @@
+//! An experiment like that of the paper's section IV, worked off as IV-C says: from the logs that an `experiment.toml` lists to Figs. 5 and 6.
+//!
+//! `spring` takes stiffness, offset and the curve of eq. (13) from the calibration run, `fast` and `slow` read the logs of a run, `mean` holds
+//! means with their standard errors, `findings` says what rises, what is biased and what drifts, `answer` puts it into words. Next door: the
+//! file itself (`crate::spec`), logs (`crate::recording`), how it looks (`crate::report`).
+
+mod answer;
+mod fast;
+mod findings;
+mod mean;
+mod outcome;
+mod slow;
+mod spring;
+
+pub use answer::answer;
+pub use fast::{Excerpt, Fast};
+pub use findings::{Drift, Findings, Offset, Peak};
+pub use mean::Mean;
+pub use outcome::{Experiment, Run};
+pub use slow::Slow;
+pub use spring::{Curve, SpringLine};
+
+use crate::recording::RecordingError;
+use crate::spec::SpecError;
+
+/// The forces whose means are compared: by the load cell, by deflection, by inductance.
+pub const FORCES: [coilsense::Channel; 3] =
+    [coilsense::Channel::OutputForce, coilsense::Channel::DeflectionForce, coilsense::Channel::InductanceForce];
+
+/// An experiment that cannot be worked off: one line with file, row and column, or file, line and key.
+#[derive(Debug, thiserror::Error)]
+pub enum ExperimentError {
+    /// Its description is wrong.
+    #[error(transparent)]
+    Spec(#[from] SpecError),
+    /// A log is wrong.
+    #[error(transparent)]
+    Log(#[from] RecordingError),
+    /// What a log holds cannot be worked off.
+    #[error("{file}: {message}")]
+    Refused {
+        /// The file.
+        file: String,
+        /// What is wrong, and what is allowed.
+        message: String,
+    },
+}
+
+impl ExperimentError {
+    fn of(file: &std::path::Path, message: impl std::fmt::Display) -> Self {
+        Self::Refused { file: file.display().to_string(), message: message.to_string() }
+    }
+}

@@ -1,0 +1,45 @@
+//! A run's log of the LCR meter: means of the inductance.
+//!
+//! Next door: load cell and position (`fast`), from L to a length (`spring`).
+
+use coilsense::Channel;
+
+use super::{Curve, ExperimentError, Mean, SpringLine};
+use crate::recording::{Mapping, Points, Repairs};
+use crate::spec::RunSpec;
+
+/// What a run's LCR meter says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Slow {
+    /// L of each reading \[H\].
+    pub inductances: Vec<f64>,
+    /// Whether the log says that it is simulated.
+    pub simulated: bool,
+}
+
+impl Slow {
+    /// Reads the log of a run.
+    pub(super) fn read(run: &RunSpec, mapping: &Mapping) -> Result<Option<Self>, ExperimentError> {
+        let Some(path) = run.slow.as_deref() else { return Ok(None) };
+        let log = Points::read(path, mapping, &Repairs::default())?;
+        let inductances = log.channel(Channel::Inductance)?.to_vec();
+        Ok(Some(Self { inductances, simulated: log.simulated().is_some() }))
+    }
+
+    /// Mean of L \[H\].
+    pub fn mean_inductance(&self) -> f64 {
+        self.inductances.iter().sum::<f64>() / self.inductances.len() as f64
+    }
+
+    /// Mean of the force that each reading gives.
+    pub(super) fn force(&self, run: &RunSpec, curve: &Curve, line: &SpringLine) -> Result<Mean, ExperimentError> {
+        let force = |&henry: &f64| line.force(curve.calibration.length(henry));
+        let forces: Vec<f64> = self.inductances.iter().map(force).collect();
+        if let Some(index) = forces.iter().position(|force| !force.is_finite()) {
+            let path = run.slow.as_deref().unwrap_or(std::path::Path::new(""));
+            let message = format!("reading {}: {} H lies beyond the pole of 1/l = αL + β", index + 1, self.inductances[index]);
+            return Err(ExperimentError::of(path, message));
+        }
+        Ok(Mean::of(&forces))
+    }
+}
