@@ -5,6 +5,7 @@
 
 mod analyze;
 mod calibrate;
+mod experiment;
 mod import;
 mod init;
 mod log;
@@ -46,6 +47,8 @@ enum Command {
     Rig(rig::Arguments),
     /// Which force to feed back, and how fast the loop may then be: limits, margins, what the world feels
     Placement(placement::Arguments),
+    /// Work off an experiment: how load cell, position and inductance part, what is biased, what drifts
+    Experiment(experiment::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
@@ -68,6 +71,7 @@ fn main() -> ExitCode {
         Command::Import(arguments) => import::run(&arguments),
         Command::Rig(arguments) => rig::run(&arguments),
         Command::Placement(arguments) => placement::run(&arguments),
+        Command::Experiment(arguments) => experiment::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {

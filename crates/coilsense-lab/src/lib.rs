@@ -30,6 +30,7 @@ pub mod calibration;
 pub mod placement;
 
 pub mod mitigation;
+pub mod experiment;
 
 pub mod plot;
 

@@ -2,8 +2,6 @@
 //!
 //! Next door: the numbers (`outcome`, `findings`).
 
-use coilsense::Channel;
-
 use super::{Drift, Experiment, FORCES, Findings, Offset};
 use crate::quantity::digits;
 
@@ -48,7 +46,9 @@ fn means(experiment: &Experiment, findings: &Findings) -> Option<String> {
     let peak = findings.peak?;
     let said: Vec<String> = FORCES
         .into_iter()
-        .filter_map(|force| Some(format!("{} {}", force.name(), against(experiment, findings.offset(peak.run, force)?))))
+        .filter_map(|force| {
+            Some(format!("{} {}", force.name(), against(experiment, findings.offset(peak.run, force)?)))
+        })
         .collect();
     if said.is_empty() {
         return Some("Its means have no neighbours on both sides to be compared with.".to_owned());
@@ -57,7 +57,7 @@ fn means(experiment: &Experiment, findings: &Findings) -> Option<String> {
 }
 
 fn against(experiment: &Experiment, offset: Offset) -> String {
-    let numbers = format!("{} ± {} mN", signed(1e3 * offset.value), digits(1e3 * offset.error));
+    let numbers = format!("{} mN", pair(1e3 * offset.value, 1e3 * offset.error));
     if !offset.is_seen() {
         return format!("does not differ ({numbers})");
     }
@@ -73,7 +73,7 @@ fn relaxation(experiment: &Experiment, findings: &Findings) -> Option<String> {
 
 fn drifted(experiment: &Experiment, drift: &Drift) -> Option<String> {
     let preloads = drift.preloads?;
-    let numbers = format!("{} ± {} mN", signed(1e3 * preloads.value), digits(1e3 * preloads.error));
+    let numbers = format!("{} mN", pair(1e3 * preloads.value, 1e3 * preloads.error));
     let seen = if preloads.is_seen() {
         format!("{numbers}, {} % of F_nom", digits(experiment.percent(preloads.value.abs())))
     } else {
@@ -81,7 +81,11 @@ fn drifted(experiment: &Experiment, drift: &Drift) -> Option<String> {
     };
     let trend = match drift.trend {
         Some(trend) if trend.p < CHANCE && trend.slope != 0.0 => {
-            format!(", a drift of {} mN a run over all of them (p = {})", signed(1e3 * trend.slope), probability(trend.p))
+            format!(
+                ", a drift of {} mN a run over all of them (p = {})",
+                signed(1e3 * trend.slope),
+                probability(trend.p)
+            )
         }
         Some(trend) => format!(", no drift over all runs (p = {})", probability(trend.p)),
         None => String::new(),
@@ -93,7 +97,9 @@ fn spring(experiment: &Experiment) -> String {
     let line = &experiment.line;
     let error = |error: Option<f64>| error.map_or(String::new(), |error| format!(" ± {}", digits(error)));
     let stiffness = match (experiment.spec.stiffness, line.fit) {
-        (None, Some(fit)) => format!("k = {:.2}{} N/m from the calibration run", fit.stiffness, error(fit.stiffness_se)),
+        (None, Some(fit)) => {
+            format!("k = {:.2}{} N/m from the calibration run", fit.stiffness, error(fit.stiffness_se))
+        }
         _ => format!("k = {:.2} N/m as given", line.stiffness),
     };
     let curve = match &experiment.curve {
@@ -115,12 +121,13 @@ fn signed(value: f64) -> String {
     if value < 0.0 { format!("\u{2212}{}", digits(-value)) } else { format!("+{}", digits(value)) }
 }
 
+/// A number and its standard error, both to two digits of the error.
+pub(crate) fn pair(value: f64, error: f64) -> String {
+    let decimals = if error > 0.0 { (1 - error.log10().floor() as i32).clamp(0, 9) as usize } else { 3 };
+    format!("{value:+.decimals$} ± {error:.decimals$}").replace('-', "\u{2212}")
+}
+
 /// A probability to two digits.
 pub(crate) fn probability(p: f64) -> String {
     if p < 1e-4 { format!("{p:.0e}") } else { format!("{p:.2}").replace("0.00", "0.001") }
-}
-
-/// Which forces an experiment has means of.
-pub(crate) fn forces(experiment: &Experiment) -> Vec<Channel> {
-    FORCES.into_iter().filter(|force| experiment.runs.iter().any(|run| run.mean(*force).is_some())).collect()
 }

@@ -62,7 +62,8 @@ impl Fast {
             None => log.channel(Channel::DeflectionForce)?.to_vec(),
         };
         let kept = whole_periods(time, run.frequency).ok_or_else(|| {
-            let message = format!("must hold at least one period of {} Hz, which is {} s", run.frequency, 1.0 / run.frequency);
+            let message =
+                format!("must hold at least one period of {} Hz, which is {} s", run.frequency, 1.0 / run.frequency);
             ExperimentError::of(path, message)
         })?;
         let block = if run.frequency > 0.0 { (BLOCK * run.frequency).ceil() / run.frequency } else { BLOCK };

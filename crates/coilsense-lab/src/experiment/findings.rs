@@ -11,6 +11,9 @@ use crate::spec::RunKind;
 /// Standard errors from which on a difference counts as seen.
 pub(super) const SEEN: f64 = 3.0;
 
+/// By what share sums of a long record may round: 100 000 samples at 1e-16 each.
+const ROUNDING: f64 = 1e-11;
+
 /// What an experiment shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Findings {
@@ -71,7 +74,8 @@ impl Findings {
         let runs = &experiment.runs;
         let offsets = (1..runs.len().saturating_sub(1)).filter(|&index| runs[index].spec.kind == RunKind::Harmonic);
         let offsets = offsets.flat_map(|index| FORCES.map(|force| (index, force)));
-        let offset = |(index, force): (usize, Channel)| Some((index, force, offset(&runs[index - 1..=index + 1], force)?));
+        let offset =
+            |(index, force): (usize, Channel)| Some((index, force, offset(&runs[index - 1..=index + 1], force)?));
         Self {
             peak: peak(experiment),
             offsets: offsets.filter_map(offset).collect(),
@@ -94,18 +98,23 @@ fn peak(experiment: &Experiment) -> Option<Peak> {
         [place.checked_sub(1), Some(place + 1)].into_iter().flatten().filter_map(|at| Some(sines.get(at)?.1)).collect();
     let most = |of: &dyn Fn(&Run) -> f64| neighbours.iter().map(|run| of(run)).fold(0.0, f64::max);
     let ratio = |of: &dyn Fn(&Run) -> f64| if most(of) > 0.0 { of(run) / most(of) } else { f64::INFINITY };
-    Some(Peak { run: index, rmsd_ratio: ratio(&rmsd), maximum_ratio: ratio(&|run: &Run| run.fast.deviation.maximum_absolute) })
+    Some(Peak {
+        run: index,
+        rmsd_ratio: ratio(&rmsd),
+        maximum_ratio: ratio(&|run: &Run| run.fast.deviation.maximum_absolute),
+    })
 }
 
 /// F̄ − (F̄_before + F̄_after)/2 of three runs that follow each other, so that a steady drift falls out.
 ///
-/// u² = u_F² + (u_before² + u_after²)/4
+/// u² = u_F² + (u_before² + u_after²)/4, and the rounding of the sums
 fn offset(three: &[Run], force: Channel) -> Option<Offset> {
     let [before, own, after] = three else { return None };
     let [before, own, after] = [before.mean(force)?, own.mean(force)?, after.mean(force)?];
     Some(Offset {
         value: own.mean - 0.5 * (before.mean + after.mean),
-        error: own.judged_error().hypot(0.5 * before.judged_error().hypot(after.judged_error())),
+        error: own.judged_error().hypot(0.5 * before.judged_error().hypot(after.judged_error()))
+            + ROUNDING * own.mean.abs(),
     })
 }
 
@@ -119,7 +128,7 @@ fn drift(runs: &[Run], force: Channel) -> Option<Drift> {
     let compared = match preloads.as_slice() {
         [first, .., last] => Some(Offset {
             value: last.mean - first.mean,
-            error: first.judged_error().hypot(last.judged_error()),
+            error: first.judged_error().hypot(last.judged_error()) + ROUNDING * first.mean.abs(),
         }),
         _ => None,
     };

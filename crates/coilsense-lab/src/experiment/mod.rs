@@ -13,6 +13,7 @@ mod slow;
 mod spring;
 
 pub use answer::answer;
+pub(crate) use answer::{pair, probability};
 pub use fast::{Excerpt, Fast};
 pub use findings::{Drift, Findings, Offset, Peak};
 pub use mean::Mean;

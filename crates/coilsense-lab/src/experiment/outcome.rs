@@ -65,7 +65,8 @@ impl Experiment {
     /// # Errors
     /// [`ExperimentError`] that names file, row and column.
     pub fn new(spec: ExperimentSpec) -> Result<Self, ExperimentError> {
-        let mapping = |path: &Option<_>| path.as_deref().map_or(Ok(Mapping::default()), |path: &Path| Mapping::read(path));
+        let mapping =
+            |path: &Option<_>| path.as_deref().map_or(Ok(Mapping::default()), |path: &Path| Mapping::read(path));
         let (fast, slow) = (mapping(&spec.fast_mapping)?, mapping(&spec.slow_mapping)?);
         let at_rest = AtRest::read(&spec, &slow)?;
         let line = SpringLine::of(&spec, &at_rest)?;
@@ -126,7 +127,10 @@ impl Experiment {
             self.runs.len()
         ));
         if self.taps > 0 {
-            lines.push(format!("{} runs of hits are not looked at here: `coilsense identify` reads damping from them.", self.taps));
+            lines.push(format!(
+                "{} runs of hits are not looked at here: `coilsense identify` reads damping from them.",
+                self.taps
+            ));
         }
         if self.curve.is_none() {
             lines.push("No curve from inductance to length is given or measured: there is no F_L.".to_owned());
@@ -145,7 +149,11 @@ impl Experiment {
         let names: Vec<&str> =
             self.harmonics().map(|(_, run)| run).filter(off).map(|run| run.spec.name.as_str()).collect();
         (!names.is_empty()).then(|| {
-            format!("The LCR meter's {} ms do not hold whole periods in {}: F_L holds a part of a sine there.", 1e3 * window, names.join(", "))
+            format!(
+                "The LCR meter's {} ms do not hold whole periods in {}: F_L holds a part of a sine there.",
+                1e3 * window,
+                names.join(", ")
+            )
         })
     }
 }

@@ -33,13 +33,14 @@ impl Slow {
 
     /// Mean of the force that each reading gives.
     pub(super) fn force(&self, run: &RunSpec, curve: &Curve, line: &SpringLine) -> Result<Mean, ExperimentError> {
-        let force = |&henry: &f64| line.force(curve.calibration.length(henry));
-        let forces: Vec<f64> = self.inductances.iter().map(force).collect();
-        if let Some(index) = forces.iter().position(|force| !force.is_finite()) {
+        let lengths: Vec<f64> = self.inductances.iter().map(|&henry| curve.calibration.length(henry)).collect();
+        if let Some(index) = lengths.iter().position(|length| !(*length > 0.0 && length.is_finite())) {
             let path = run.slow.as_deref().unwrap_or(std::path::Path::new(""));
-            let message = format!("reading {}: {} H lies beyond the pole of 1/l = αL + β", index + 1, self.inductances[index]);
+            let message =
+                format!("reading {}: {} H lies beyond the pole of 1/l = αL + β", index + 1, self.inductances[index]);
             return Err(ExperimentError::of(path, message));
         }
+        let forces: Vec<f64> = lengths.into_iter().map(|length| line.force(length)).collect();
         Ok(Mean::of(&forces))
     }
 }

@@ -4,8 +4,8 @@
 
 use std::path::Path;
 
-use coilsense::calibrate::{Calibration, CalibrationPoints, FitMethod, InverseLengthFit, StiffnessFit};
 use coilsense::Channel;
+use coilsense::calibrate::{Calibration, CalibrationPoints, FitMethod, InverseLengthFit, StiffnessFit};
 
 use super::ExperimentError;
 use crate::recording::{Mapping, Points, Repairs};
@@ -49,9 +49,7 @@ pub(super) struct AtRest {
 }
 
 /// u2 − u1 of what a log has, row by row \[m\].
-pub(super) fn displacements<'a, E>(
-    channel: impl Fn(Channel) -> Result<&'a [f64], E>,
-) -> Result<Vec<f64>, E> {
+pub(super) fn displacements<'a, E>(channel: impl Fn(Channel) -> Result<&'a [f64], E>) -> Result<Vec<f64>, E> {
     match (channel(Channel::U1), channel(Channel::U2)) {
         (Ok(u1), Ok(u2)) => Ok(u2.iter().zip(u1).map(|(u2, u1)| u2 - u1).collect()),
         (Err(_), Ok(u2)) => Ok(u2.to_vec()),
@@ -76,7 +74,10 @@ impl AtRest {
             all.simulated |= log.simulated().is_some();
         }
         // The curve is taken from all of the positions, or given.
-        match without.filter(|_| spec.inverse_length.is_none() && spec.runs.iter().any(|run| run.kind != RunKind::Calibration && run.slow.is_some())) {
+        match without.filter(|_| {
+            spec.inverse_length.is_none()
+                && spec.runs.iter().any(|run| run.kind != RunKind::Calibration && run.slow.is_some())
+        }) {
             Some(error) => Err(error.into()),
             None => Ok(all),
         }
@@ -91,7 +92,8 @@ impl SpringLine {
             false => Some(StiffnessFit::new(&at_rest.displacements, &at_rest.forces).map_err(refuse(spec))?),
         };
         let l0 = spec.length_at_zero_force;
-        let missing = |key: &str| ExperimentError::of(Path::new(&spec.file), format!("{key} is neither given nor measured"));
+        let missing =
+            |key: &str| ExperimentError::of(Path::new(&spec.file), format!("{key} is neither given nor measured"));
         let stiffness = spec.stiffness.or(fit.map(|fit| fit.stiffness)).ok_or_else(|| missing("stiffness"))?;
         // The line goes through the middle of the measured points with the stiffness in use.
         let count = at_rest.forces.len() as f64;

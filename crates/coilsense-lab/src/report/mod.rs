@@ -1,11 +1,12 @@
 //! Results as people and machines read them: terminal text, HTML, JSON.
 //!
-//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`, `calibration`), how files come to disk whole (`output`).
+//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`, `calibration`, `experiment`), how files come to disk whole (`output`).
 
 mod analysis;
 mod calibration;
 mod data_sheet;
 mod placement;
+mod experiment;
 mod prose;
 mod reproduction;
 
@@ -13,6 +14,7 @@ pub use analysis::{add_analysis, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use placement::{add_placement, placement_json, placement_text};
+pub use experiment::{add_experiment, experiment_json, experiment_text};
 pub use reproduction::{add_reproduction, reproduction_text};
 
 use crate::output::OutputError;

@@ -62,6 +62,17 @@ impl Calibration {
         Self::through(preload, &lengths, &inductances)
     }
 
+    /// A relation whose constants are known.
+    ///
+    /// - `alpha`: α \[1/(H m)\], `beta`: β \[1/m\]
+    ///
+    /// # Errors
+    /// [`Error::Value`] for an α that is zero or not finite, or a β that is not finite.
+    pub fn new(alpha: f64, beta: f64) -> Result<Self, Error> {
+        check(alpha.is_finite() && alpha != 0.0, "alpha", alpha, "1/(H m)", "finite and not zero")?;
+        Ok(Self { alpha, beta: finite("beta", beta, "1/m")? })
+    }
+
     pub(super) fn of(alpha: f64, beta: f64) -> Self {
         Self { alpha, beta }
     }
