@@ -13,17 +13,15 @@ use coilsense_lab::quantity::Dimension;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
 use coilsense_lab::spec::SpringSpec;
 
+use crate::log::LogArguments;
+
 /// Options of `coilsense calibrate`. Lengths and the like come with their unit, as in `--wire "2.82 mm"`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The log: lengths or displacements of a spring, and its inductance
-    #[arg(value_name = "LOG")]
-    log: PathBuf,
-    /// Read the log as those of the measured runs: semicolons, no header, a row per position with its displacement [mm] in column 4 and
-    /// then ten pairs of resistance and inductance; and, unless told otherwise, fit and invert as their authors do
-    #[arg(long, value_name = "FORMAT")]
-    preset: Option<Preset>,
-    /// Length of the coil at zero displacement, from wire end to wire end along the axis
+    #[command(flatten)]
+    log: LogArguments,
+    /// Length of the coil, from wire end to wire end along the axis, where the log's positions read zero; without it u2 − u1, or u2, is the
+    /// length itself
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     length_at_zero: Option<f64>,
     /// Diameter of the wire, for the theories
@@ -38,13 +36,13 @@ pub struct Arguments {
     /// Take coil, stiffness and length at zero force from the [spring] of a spec
     #[arg(long, value_name = "SPEC", conflicts_with_all = ["wire", "stiffness"])]
     spec: Option<PathBuf>,
-    /// How the curve is put through the points; without it through-preload where a preload is given, two-point with the preset, else all
+    /// How the curve is put through the points; without it through-preload where a preload is given, two-point with --preset lab-data, else all
     #[arg(long, value_name = "METHOD")]
     method: Option<MethodName>,
     /// Length of the coil at the preload, and its inductance where the log has no point there, as in "141.8 mm, 3.35 uH"
     #[arg(long, value_name = "LENGTH[, L]", value_parser = preload)]
     preload: Option<Preload>,
-    /// How a length is read from a theory; without it 25-lengths (straight lines, the authors' way) with the preset, else exact
+    /// How a length is read from a theory; without it 25-lengths (straight lines) with --preset lab-data, as the runs' authors do, else exact
     #[arg(long, value_name = "WAY")]
     inversion: Option<InversionName>,
     /// Stiffness, to go on to force, as in "760 N/m"
@@ -67,10 +65,8 @@ pub struct Arguments {
     date: Option<String>,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Preset {
-    LabData,
-}
+/// The layout of the measured runs, which are also processed as their authors do unless told otherwise.
+const LAB_DATA: &str = "lab-data";
 
 #[derive(Clone, Copy, ValueEnum)]
 enum MethodName {
@@ -112,17 +108,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn measured(arguments: &Arguments) -> anyhow::Result<Measured> {
-    match arguments.preset {
-        Some(Preset::LabData) => {
-            let needed = "--length-at-zero is needed: the file holds displacements, the curve is one of lengths";
-            Ok(read_lab_data(&arguments.log, arguments.length_at_zero.context(needed)?)?)
-        }
-        None => bail!("--preset is needed: lab-data"),
+    if arguments.log.preset() == Some(LAB_DATA) {
+        let needed = "--length-at-zero is needed: the file holds displacements, the curve is one of lengths";
+        return Ok(read_lab_data(&arguments.log.log, arguments.length_at_zero.context(needed)?)?);
     }
+    Ok(Measured::of_log(&arguments.log.points()?, arguments.length_at_zero)?)
 }
 
 fn plan(arguments: &Arguments, spec: Option<&SpringSpec>) -> anyhow::Result<Plan> {
-    let as_authors = arguments.preset == Some(Preset::LabData);
+    let as_authors = arguments.log.preset() == Some(LAB_DATA);
     let method = match arguments.method {
         Some(MethodName::TwoPoint) => Method::TwoPoint,
         Some(MethodName::All) => Method::All,

@@ -59,9 +59,13 @@ impl LogArguments {
     }
 
     /// The log row by row, without a clock.
-    #[expect(dead_code, reason = "what calibrates takes it")]
     pub fn points(&self) -> Result<Points, RecordingError> {
         Points::read(&self.log, &self.mapping()?, &self.repairs())
+    }
+
+    /// The known layout that is asked for.
+    pub fn preset(&self) -> Option<&str> {
+        self.preset.as_deref()
     }
 
     /// Which column is which channel.

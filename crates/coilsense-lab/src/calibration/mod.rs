@@ -1,11 +1,12 @@
 //! A calibration: measured pairs of length and inductance, the curve through them, and the theories beside it.
 //!
-//! `measured` holds the pairs and where they come from, `lab_data` reads one rig's files, `plan` says what is wanted, `outcome` works it
+//! `measured` holds the pairs and where they come from, `log` takes them from a log and `lab_data` from one rig's files, `plan` says what is wanted, `outcome` works it
 //! off, `force` goes on to newtons, `answer` puts it into words. Next door: the formulas (`coilsense::calibrate`), how it looks (`report`).
 
 mod answer;
 mod force;
 mod lab_data;
+mod log;
 mod measured;
 mod outcome;
 mod plan;

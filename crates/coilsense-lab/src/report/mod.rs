@@ -5,16 +5,16 @@
 mod analysis;
 mod calibration;
 mod data_sheet;
-mod placement;
 mod experiment;
+mod placement;
 mod prose;
 mod reproduction;
 
 pub use analysis::{add_analysis, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
-pub use placement::{add_placement, placement_json, placement_text};
 pub use experiment::{add_experiment, experiment_json, experiment_text};
+pub use placement::{add_placement, placement_json, placement_text};
 pub use reproduction::{add_reproduction, reproduction_text};
 
 use crate::output::OutputError;
