@@ -21,8 +21,8 @@ const LENGTH: f64 = 0.138;
 const ALPHA: f64 = 1.6e6;
 const BETA: f64 = 0.3;
 /// Samples a second, and how many a run has.
-const RATE: f64 = 1000.0;
-const SAMPLES: usize = 4000;
+const RATE: f64 = 2000.0;
+const SAMPLES: usize = 8000;
 
 /// Sine of the position and of the force at the load cell, and what is added to the latter and to the force by inductance \[N\].
 #[derive(Clone, Copy, Default)]
