@@ -29,8 +29,8 @@ pub mod data_sheet;
 pub mod calibration;
 pub mod placement;
 
-pub mod mitigation;
 pub mod experiment;
+pub mod mitigation;
 
 pub mod plot;
 
