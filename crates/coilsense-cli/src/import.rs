@@ -1,14 +1,17 @@
 //! `coilsense import`.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use anyhow::Context;
-use coilsense_lab::series::{self, Format, Run};
+use anyhow::{Context, bail};
+use coilsense_lab::analysis::AnalysisError;
+use coilsense_lab::output::Output;
+use coilsense_lab::recording::{ImportError, import, write_recording};
+use coilsense_lab::series::Format;
 
-use crate::init::write_one;
 use crate::log::LogArguments;
+use crate::progress::Watch;
 
 /// Options of `coilsense import`.
 #[derive(clap::Args)]
@@ -27,12 +30,28 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let ending = arguments.out.extension().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
     let wrong = || format!("{}: must end in one of {known}", arguments.out.display());
     let format = Format::of_ending(ending).with_context(wrong)?;
-    let recording = arguments.log.recording()?;
-    let run = Run::of("log", "unknown", recording.signals());
-    write_one(&arguments.out, |file| series::write(std::slice::from_ref(&run), format, file))?;
+    let Some(name) = arguments.out.file_name().and_then(std::ffi::OsStr::to_str) else {
+        bail!("{}: is no name of a file", arguments.out.display());
+    };
+    let (mapping, repairs) = (arguments.log.mapping()?, arguments.log.repairs());
+    // Before anything is on disk, so that nothing is left there.
+    let watch = Watch::begin("reading")?;
+    let folder = arguments.out.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut output = Output::begin(folder)?;
+    let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
+    let imported = match arguments.log.has_second() {
+        true => write_recording(&arguments.log.recording()?, format, name, &mut output),
+        false => import(&arguments.log.log, &mapping, &repairs, &tell, format, name, &mut output),
+    };
+    watch.end();
+    let account = imported.map_err(|error| match error {
+        ImportError::Interrupted => AnalysisError::Interrupted.into(),
+        other => anyhow::Error::from(other),
+    })?;
+    output.commit()?;
     // A reader that closes the pipe early has all it wants: the file is written.
     let mut out = anstream::stdout().lock();
-    let _ = writeln!(out, "{}", recording.account());
+    let _ = writeln!(out, "{}", account);
     let _ = writeln!(out, "{} in {:.2} s", arguments.out.display(), begun.elapsed().as_secs_f64());
     Ok(())
 }

@@ -4,8 +4,9 @@
 
 use std::path::PathBuf;
 
+use coilsense::Channel;
 use coilsense_lab::quantity::Dimension;
-use coilsense_lab::recording::{Mapping, Points, Recording, RecordingError, Repairs};
+use coilsense_lab::recording::{Clock, Mapping, Points, Recording, RecordingError, Repairs};
 
 /// Options of every command that reads a log.
 #[derive(clap::Args)]
@@ -47,15 +48,40 @@ pub struct LogArguments {
     /// Leave out what is after this time
     #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true, help_heading = REPAIRS)]
     to: Option<f64>,
+    /// A second device's log, whose channels are added to the first's rows
+    #[arg(long, value_name = "LOG", help_heading = SECOND)]
+    with: Option<PathBuf>,
+    /// Which of its columns is which channel
+    #[arg(long = "with-column", value_name = "NAME=\"TITLE [UNIT]\"", requires = "with", help_heading = SECOND)]
+    with_columns: Vec<String>,
+    /// The same as a TOML file
+    #[arg(long, value_name = "FILE", requires = "with", help_heading = SECOND)]
+    with_mapping: Option<PathBuf>,
+    /// What to add to its times, such as "-0.2 s"; or auto, by a channel that both have; or two channels that saw the same motion, as in
+    /// F_o=F_x
+    #[arg(long, value_name = "OFFSET|auto|A=B", value_parser = clock, requires = "with", default_value = "auto", allow_hyphen_values = true, help_heading = SECOND)]
+    clock: Clock,
 }
 
+const SECOND: &str = "A second device";
 const LAYOUT: &str = "What is in the log";
 const REPAIRS: &str = "What may be mended (by default nothing)";
 
 impl LogArguments {
     /// The log over time.
     pub fn recording(&self) -> Result<Recording, RecordingError> {
-        Recording::read(&self.log, &self.mapping()?, &self.repairs())
+        let recording = Recording::read(&self.log, &self.mapping()?, &self.repairs())?;
+        let Some(with) = &self.with else { return Ok(recording) };
+        let mut mapping = self.with_mapping.as_deref().map_or(Ok(Mapping::default()), Mapping::read)?;
+        self.with_columns.iter().try_for_each(|column| mapping.set(column))?;
+        // The window is one of the first device's clock.
+        let repairs = Repairs { from: None, to: None, ..self.repairs() };
+        recording.joined(&Recording::read(with, &mapping, &repairs)?, self.clock)
+    }
+
+    /// Whether there is a second device.
+    pub fn has_second(&self) -> bool {
+        self.with.is_some()
     }
 
     /// The log row by row, without a clock.
@@ -92,6 +118,22 @@ impl LogArguments {
             to: self.to,
         }
     }
+}
+
+/// An offset, `auto`, or two channels.
+fn clock(text: &str) -> Result<Clock, String> {
+    let channel = |name: &str| Channel::ALL.into_iter().find(|channel| channel.name() == name.trim());
+    if text == "auto" {
+        return Ok(Clock::Found(None));
+    }
+    if let Some((mine, theirs)) = text.split_once('=') {
+        let pair = channel(mine).zip(channel(theirs)).map(|(mine, theirs)| [mine, theirs]);
+        let names = Channel::ALL.map(Channel::name).join(", ");
+        return pair
+            .map(|pair| Clock::Found(Some(pair)))
+            .ok_or_else(|| format!("must name two of {names}, as in F_o=F_x"));
+    }
+    time(text).map(Clock::Offset).map_err(|message| format!("{message}, or auto, or two channels as in F_o=F_x"))
 }
 
 /// Any time \[s\].

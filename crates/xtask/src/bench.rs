@@ -18,6 +18,9 @@ pub struct Arguments {
     /// Only coilsense, without the peers: half a minute, and nothing to set up but the jobs
     #[arg(long)]
     ours: bool,
+    /// Only the import of logs: a minute of five channels, and 2 GB (which it makes in target/bench-logs and removes again)
+    #[arg(long)]
+    logs: bool,
 }
 
 /// How often the whole command is run; the median counts.
@@ -50,6 +53,9 @@ pub struct Row {
 
 /// Measures, prints, writes `target/bench.json`.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    if arguments.logs {
+        return crate::logs::run();
+    }
     let jobs = root().join("target/bench-jobs");
     let environment = python::environment("bench/.venv", "bench/python/requirements.txt")?;
     make_jobs(&environment, &jobs)?;

@@ -4,6 +4,7 @@ mod bench;
 mod browser;
 mod commands;
 mod goals;
+mod logs;
 mod python;
 mod test;
 

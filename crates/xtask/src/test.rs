@@ -34,7 +34,7 @@ const PARTS: [Part; 9] = [
     Part { name: "tests", run: tests },
     Part { name: "vector paths", run: vector_paths },
     Part { name: "docs", run: docs },
-    Part { name: "no Parquet", run: without_parquet },
+    Part { name: "fewer formats", run: fewer_formats },
     Part { name: "README", run: readme },
     Part { name: "examples", run: examples },
     Part { name: "report page", run: report_page },
@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 format!("SKIPPED: {reason}")
             }
         };
-        lines.push(format!("{:12} {seconds:7.1} s  {verdict}", part.name));
+        lines.push(format!("{:13} {seconds:7.1} s  {verdict}", part.name));
     }
     println!("\n{}", lines.join("\n"));
     if !broken.is_empty() {
@@ -141,9 +141,17 @@ fn docs(_: &Arguments) -> anyhow::Result<Outcome> {
     outcome(command)
 }
 
-/// Files for people without what cannot be built everywhere.
-fn without_parquet(_: &Arguments) -> anyhow::Result<Outcome> {
-    outcome(cargo(&["check", "--quiet", "--package", "coilsense-lab", "--no-default-features"]))
+/// Files for people without what cannot be built everywhere: no format of recordings but text, and each of the others alone.
+fn fewer_formats(_: &Arguments) -> anyhow::Result<Outcome> {
+    for features in ["", "parquet", "matlab", "mdf"] {
+        println!("features: {}", if features.is_empty() { "none" } else { features });
+        let mut command = cargo(&["check", "--quiet", "--package", "coilsense-lab", "--no-default-features"]);
+        command.args(["--features", features]).env("RUSTFLAGS", "-D warnings");
+        if !command.status()?.success() {
+            return Ok(Outcome::Failed);
+        }
+    }
+    Ok(Outcome::Passed)
 }
 
 fn readme(_: &Arguments) -> anyhow::Result<Outcome> {

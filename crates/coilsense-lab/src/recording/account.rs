@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::path::PathBuf;
 
+use coilsense::measures::ClockOffset;
+
 use crate::quantity::digits;
 
 /// Why rows are left out.
@@ -53,7 +55,7 @@ impl Reason {
 pub struct Tally {
     /// How many.
     pub count: u64,
-    /// Line of the first.
+    /// Line of the first; 0 where that is no longer known.
     pub line: u64,
 }
 
@@ -101,8 +103,21 @@ pub struct Account {
     pub rows: u64,
     /// Their first and last time \[s\].
     pub span: Option<[f64; 2]>,
+    /// The second device, where one was joined.
+    pub joined: Option<Box<Joined>>,
     /// What else is to be said.
     pub notes: Vec<String>,
+}
+
+/// A second device whose channels were added.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joined {
+    /// What became of its own rows.
+    pub account: Account,
+    /// What was added to its times \[s\].
+    pub offset: f64,
+    /// By which channels, of the first and the second device, that was found, and how surely; `None` where it was given.
+    pub found: Option<([&'static str; 2], ClockOffset)>,
 }
 
 impl Account {
@@ -127,11 +142,13 @@ impl Account {
             if self.left_out.is_empty() { "none left out".to_owned() } else { format!("{} left out", self.left_out()) };
         lines.push(format!("  {} rows read, {left_out}, {} kept", self.read, self.rows));
         for (reason, tally) in &self.left_out {
-            lines.push(format!("    {} {}, the first in line {}", tally.count, reason.words(), tally.line));
+            let line = if tally.line > 0 { format!(", the first in line {}", tally.line) } else { String::new() };
+            lines.push(format!("    {} {}{line}", tally.count, reason.words()));
         }
         lines.extend(self.mended());
         lines.extend(self.timing());
         lines.extend(self.notes.iter().map(|note| format!("  {note}")));
+        lines.extend(self.joined.iter().flat_map(|joined| joined.lines()));
         lines
     }
 
@@ -172,6 +189,23 @@ impl Account {
             let Gaps { count, longest, line } = self.gaps;
             lines.push(format!("  {count} gaps of up to {}, the first before line {line}", seconds(longest)));
         }
+        lines
+    }
+}
+
+impl Joined {
+    fn lines(&self) -> Vec<String> {
+        let mut lines = vec!["with a second device:".to_owned()];
+        lines.extend(self.account.lines());
+        lines.push(match &self.found {
+            None => format!("  its clock is off by {}, as told", seconds(self.offset)),
+            Some(([mine, theirs], found)) => format!(
+                "  its clock is off by {:.9} s ± {} (95 %), by its {theirs} against {mine} (correlation {:.3})",
+                self.offset,
+                seconds(found.half_width),
+                found.correlation
+            ),
+        });
         lines
     }
 }

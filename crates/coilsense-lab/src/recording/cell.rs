@@ -97,8 +97,8 @@ impl Cell {
     }
 }
 
-/// Longest number that is read, in characters.
-const LONGEST_NUMBER: usize = 64;
+/// Longest number that is read, in characters: 1e-300 written without an exponent fits.
+const LONGEST_NUMBER: usize = 400;
 
 fn number(cell: &[u8], decimal_comma: bool) -> Option<f64> {
     if cell.len() > LONGEST_NUMBER || cell.ends_with(b",") {

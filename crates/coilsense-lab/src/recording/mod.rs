@@ -4,21 +4,31 @@
 //! |---|---|
 //! | `mapping`, `mapping_file`, `quantity`, `title` | which column is which channel, in which unit |
 //! | `selection` | finding those columns in a file |
-//! | `source`, `text`, `layout`, `cell`, `table` | where rows come from |
+//! | `source`, `text`, `layout`, `cell`, `parquet`, `matlab`, `mdf`, `table` | where rows come from |
 //! | `repairs`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is mended on their way |
 //! | `account` | what became of every row |
 //! | `points` | logs without a clock |
+//! | `join` | two devices on one clock |
+//! | `convert` | from file to file, in bounded memory |
 //!
 //! Next door: what writes such files (`crate::series`).
 
 mod account;
 mod cell;
 mod complete;
+mod convert;
 mod error;
+mod join;
 mod layout;
 mod mapping;
 mod mapping_file;
+#[cfg(feature = "matlab")]
+mod matlab;
+#[cfg(feature = "mdf")]
+mod mdf;
 mod order;
+#[cfg(feature = "parquet")]
+mod parquet;
 mod pipeline;
 mod points;
 mod quantity;
@@ -31,10 +41,13 @@ mod table;
 mod text;
 mod title;
 
-pub use account::{Account, Gaps, Reason, Tally};
+pub use account::{Account, Gaps, Joined, Reason, Tally};
+pub use convert::{ImportError, import, write_recording};
 pub use error::RecordingError;
+pub use join::Clock;
 pub use mapping::{Format, Mapping, PRESETS};
 pub use mapping_file::{COLUMN_KEYS, LOG_KEYS};
+pub use pipeline::Watch;
 pub use points::Points;
 pub use quantity::Quantity;
 pub use repairs::Repairs;
@@ -70,7 +83,7 @@ impl Recording {
         let channels = rows.channels();
         let mut time = Vec::new();
         let mut values = vec![Vec::new(); channels.len()];
-        let account = rows.mend(&mut |row, _| {
+        let account = rows.mend(&|_, _| true, &mut |row, _| {
             if (time.len() + 1) * (channels.len() + 1) > MOST_NUMBERS {
                 return Err(RecordingError::of_file(
                     path,
@@ -150,7 +163,15 @@ impl Recording {
 
 /// Opens a log of any format.
 fn open(path: &Path, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
-    Ok(Box::new(text::Text::open(path, &mapping.format)?))
+    match source::Kind::of(path)? {
+        source::Kind::Text => Ok(Box::new(text::Text::open(path, &mapping.format)?)),
+        #[cfg(feature = "parquet")]
+        source::Kind::Parquet => Ok(Box::new(parquet::ParquetRows::open(path)?)),
+        #[cfg(feature = "matlab")]
+        source::Kind::Matlab => Ok(Box::new(table::TableRows::of(matlab::read(path)?))),
+        #[cfg(feature = "mdf")]
+        source::Kind::Mdf => Ok(Box::new(table::TableRows::of(mdf::read(path)?))),
+    }
 }
 
 fn lacks(file: &Path, channel: Channel) -> RecordingError {

@@ -27,6 +27,12 @@ pub(super) struct Rows<'a> {
     pub account: Account,
 }
 
+/// Hears how much of how much is done; says whether to go on.
+pub type Watch<'a> = dyn Fn(u64, u64) -> bool + 'a;
+
+/// It hears so every so many rows.
+const WATCHED: u64 = 4096;
+
 /// A row's line, its time where there is a column of it, and one value per channel.
 pub(super) struct Reading {
     pub line: u64,
@@ -106,8 +112,9 @@ impl<'a> Rows<'a> {
         Ok(reading)
     }
 
-    /// Runs every row through the repairs; `onward` gets complete rows on a rising clock.
-    pub fn mend(mut self, onward: &mut Onward<'_>) -> Result<Account, RecordingError> {
+    /// Runs every row through the repairs; `onward` gets complete rows on a rising clock. `watch` hears now and then how much of how much is
+    /// done, and says whether to go on.
+    pub fn mend(mut self, watch: &Watch<'_>, onward: &mut Onward<'_>) -> Result<Account, RecordingError> {
         let file = self.source.file().to_owned();
         let rate = self.mapping.format.sample_rate;
         if !self.selection.has_time() && rate.is_none() {
@@ -121,6 +128,10 @@ impl<'a> Rows<'a> {
         let mut complete = Complete::new(file.clone(), *self.repairs, names);
         let mut spacing = Spacing::new(file.clone(), *self.repairs);
         while let Some(reading) = self.next()? {
+            let [done, of] = self.source.progress();
+            if self.account.read % WATCHED == 0 && !watch(done, of) {
+                return Err(RecordingError::of_file(&file, "the import was interrupted"));
+            }
             let time = reading.time.or(rate.map(|rate| reading.index as f64 / rate)).unwrap_or(0.0);
             let row = Row { line: reading.line, time, values: reading.values };
             order.push(row, &mut self.account, &mut |row, account| {

@@ -37,7 +37,7 @@ impl Slot {
 }
 
 /// Names of a time column that need no mapping, in lower case.
-const TIMES: [&str; 3] = ["time", "t", "timestamp"];
+pub(super) const TIMES: [&str; 3] = ["time", "t", "timestamp"];
 
 impl Selection {
     /// Finds the columns that a mapping names, and those that carry a channel's name.

@@ -22,6 +22,8 @@ pub(super) struct Text {
     layout: Layout,
     comment: Option<String>,
     line: u64,
+    /// Bytes read, and bytes there are.
+    progress: [u64; 2],
     buffer: Vec<u8>,
     cells: Vec<Range<usize>>,
     /// The day of the first stamp, from which time counts.
@@ -49,6 +51,7 @@ impl Text {
         let layout = text_only(&head)
             .and_then(|()| Layout::detect(&lines(&head, whole), format))
             .map_err(|message| RecordingError::of_file(path, message))?;
+        let size = file.metadata().map_or(0, |metadata| metadata.len());
         file.seek(SeekFrom::Start(0)).map_err(unreadable)?;
         Ok(Self {
             path: path.to_owned(),
@@ -56,6 +59,7 @@ impl Text {
             layout,
             comment: format.comment.clone(),
             line: 0,
+            progress: [0, size],
             buffer: Vec::new(),
             cells: Vec::new(),
             day: None,
@@ -73,6 +77,7 @@ impl Text {
         if read as u64 == LONGEST_LINE {
             return Err(RecordingError::of_line(&self.path, self.line, "the line is longer than 1 MiB"));
         }
+        self.progress[0] += read as u64;
         if self.line == 1 && self.buffer.starts_with(MARK) {
             self.buffer.drain(..MARK.len());
         }
@@ -119,6 +124,10 @@ impl Source for Text {
 
     fn remarks(&self) -> &[String] {
         &self.layout.remarks
+    }
+
+    fn progress(&self) -> [u64; 2] {
+        self.progress
     }
 
     fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {

@@ -5,7 +5,10 @@
 mod csv;
 mod json;
 #[cfg(feature = "parquet")]
-mod parquet;
+pub(crate) mod parquet;
+mod stream;
+
+pub use stream::Stream;
 
 use std::borrow::Cow;
 use std::io;

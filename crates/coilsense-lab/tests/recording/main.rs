@@ -4,8 +4,14 @@
 //! |---|---|
 //! | `layouts` | how texts are written: delimiters, decimal signs, titles, units, stamps |
 //! | `repairs` | what is mended, and that nothing is lost without being counted |
+//! | `formats` | files of other programs, values compared exactly |
+//! | `devices` | two clocks |
+//! | `hostile` | what is wrong, said in one line; random bytes and edits |
 //! | `fixtures` | writing and reading a log |
 
+mod devices;
 mod fixtures;
+mod formats;
+mod hostile;
 mod layouts;
 mod repairs;

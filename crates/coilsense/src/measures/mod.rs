@@ -3,11 +3,13 @@
 //! Next door: the signals (`signals`), the motion (`motion`). A measure of signals knows neither spring nor sensor; clash looks at the motion itself.
 
 mod clash;
+mod clock_offset;
 mod deviation;
 mod spectrum;
 mod trend;
 
 pub use clash::Clash;
+pub use clock_offset::ClockOffset;
 pub use deviation::Deviation;
 pub use spectrum::{Spectrum, alias_of};
 pub use trend::Trend;

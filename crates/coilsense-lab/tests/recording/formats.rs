@@ -1,0 +1,158 @@
+//! Files of other programs: the same log from pyarrow, SciPy and asammdf, compared to the last bit.
+
+use std::path::{Path, PathBuf};
+
+use coilsense::Channel;
+use coilsense_lab::recording::{Mapping, Recording, Repairs, Table};
+
+use super::fixtures::mapping;
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reference/logs").join(name)
+}
+
+fn read(name: &str, mapping: &Mapping, repairs: &Repairs) -> Result<Recording, String> {
+    Recording::read(&path(name), mapping, repairs).map_err(|error| error.to_string())
+}
+
+/// The log as text, 17 digits a number.
+fn text() -> Recording {
+    read("motion.csv", &mapping(&["F_i=counts [N]", "F_x=converted [mN]"]), &Repairs::default()).unwrap()
+}
+
+/// Time and channels of a file are those of the text, bit by bit.
+#[track_caller]
+fn same(found: &Recording, channels: &[Channel]) {
+    let text = text();
+    assert_eq!(found.signals().time(), text.signals().time());
+    for &channel in channels {
+        assert_eq!(found.channel(channel).unwrap(), text.channel(channel).unwrap(), "{channel:?}");
+    }
+    assert_eq!((found.account().read, found.account().rows, found.account().left_out()), (50, 50, 0));
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_of_pyarrow_in_row_groups_pages_and_dictionaries() {
+    for name in ["motion.parquet", "motion-plain.parquet"] {
+        let counts = mapping(&["F_i=counts [N]"]);
+        let found = read(name, &counts, &Repairs::default()).unwrap();
+        same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
+    }
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn parquet_with_stamps_nulls_and_narrow_numbers() {
+    let stamped = mapping(&["time=when"]);
+    let message = read("narrow.parquet", &stamped, &Repairs::default()).unwrap_err();
+    assert!(message.contains("narrow.parquet:4: F_o has no value"), "{message}");
+    let found = read("narrow.parquet", &stamped, &Repairs { drop_incomplete: true, ..Repairs::default() }).unwrap();
+    let text = text();
+    let kept: Vec<usize> = (0..50).filter(|row| row % 7 != 3).collect();
+    let pick = |values: &[f64]| kept.iter().map(|&row| values[row]).collect::<Vec<f64>>();
+    assert_eq!(found.channel(Channel::OutputForce).unwrap(), pick(text.channel(Channel::OutputForce).unwrap()));
+    let narrow = pick(text.channel(Channel::OutputForce).unwrap())
+        .iter()
+        .map(|force| f64::from(*force as f32))
+        .collect::<Vec<f64>>();
+    assert_eq!(found.channel(Channel::InputForce).unwrap(), narrow);
+    // Whole microseconds, so that k / 2500 s is rounded where 1e6 k / 2500 is none.
+    let off = found.signals().time().iter().zip(pick(text.signals().time())).map(|(a, b)| (a - b).abs());
+    assert!(off.fold(0.0, f64::max) <= 1e-18);
+    assert_eq!((found.account().read, found.account().left_out(), found.account().rows), (50, 7, 43));
+    let message = read("narrow.parquet", &mapping(&["time=when", "u1=note [m]"]), &Repairs::default()).unwrap_err();
+    assert!(message.ends_with("column 4 \"note\": it holds no numbers"), "{message}");
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn what_is_written_as_parquet_or_csv_is_read_as_the_same() {
+    use coilsense_lab::output::Output;
+    use coilsense_lab::recording::import;
+    use coilsense_lab::series::Format;
+    let place = tempfile::tempdir().unwrap();
+    let log = place.path().join("log.csv");
+    std::fs::write(&log, "# simulated: seed 7\ntime [s],F_o [N]\n0,1.5\n0.1,-0.1\n0.2,1e-300\n").unwrap();
+    let first = Recording::read(&log, &Mapping::default(), &Repairs::default()).unwrap();
+    for (name, format) in [("again.parquet", Format::Parquet), ("again.csv", Format::Csv)] {
+        let mut output = Output::begin(place.path()).unwrap();
+        let mapping = Mapping::default();
+        import(&log, &mapping, &Repairs::default(), &|_, _| true, format, name, &mut output).unwrap();
+        output.commit().unwrap();
+        let again = Recording::read(&place.path().join(name), &mapping, &Repairs::default()).unwrap();
+        assert_eq!(again.signals(), first.signals());
+        assert_eq!(again.simulated(), Some("simulated: seed 7"), "what is simulated says so after each step");
+    }
+}
+
+#[cfg(feature = "matlab")]
+#[test]
+fn matlab_of_scipy_plain_and_compressed() {
+    let told = mapping(&["time=time [s]", "F_o=F_o [N]", "L=L [H]", "F_i=counts [N]"]);
+    for name in ["motion-v5.mat", "motion-v7.mat"] {
+        let found = read(name, &told, &Repairs::default()).unwrap();
+        same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
+        let columns = mapping(&["time=time [s]", "F_o=both(:,1) [N]", "L=both(:,2) [H]"]);
+        same(&read(name, &columns, &Repairs::default()).unwrap(), &[Channel::OutputForce, Channel::Inductance]);
+        let message = read(name, &Mapping::default(), &Repairs::default()).unwrap_err();
+        assert!(message.contains("its unit is not told; say it, as in --column time=\"time [s]\""), "{message}");
+    }
+}
+
+#[cfg(feature = "mdf")]
+#[test]
+fn mdf_of_asammdf_with_groups_of_their_own_rates() {
+    for name in ["motion.mf4", "motion-packed.mf4"] {
+        let counts = mapping(&["F_x=counts"]);
+        let message = read(name, &counts, &Repairs::default()).unwrap_err();
+        assert!(message.contains(":2: L has no value") && message.contains("--resample"), "{message}");
+        let kept = Repairs { drop_incomplete: true, ..Repairs::default() };
+        let found = read(name, &counts, &kept).unwrap();
+        let text = text();
+        for channel in [Channel::OutputForce, Channel::Inductance, Channel::DeflectionForce] {
+            let tenth: Vec<f64> = text.channel(channel).unwrap().iter().step_by(10).copied().collect();
+            assert_eq!(found.channel(channel).unwrap(), tenth, "{channel:?}");
+        }
+        assert_eq!((found.account().read, found.account().left_out()), (50, 45));
+    }
+}
+
+#[test]
+fn what_is_not_read_is_refused_by_name() {
+    for (name, word) in
+        [("motion.tdms", "NI TDMS"), ("motion.h5", "HDF5"), ("motion-v73.mat", "MATLAB file of version 7.3")]
+    {
+        let message = read(name, &Mapping::default(), &Repairs::default()).unwrap_err();
+        assert!(message.starts_with(&path(name).display().to_string()) && message.contains(word), "{message}");
+        assert_eq!(message.lines().count(), 1);
+    }
+}
+
+#[cfg(not(all(feature = "parquet", feature = "matlab", feature = "mdf")))]
+#[test]
+fn a_format_that_was_left_out_is_named() {
+    let out: [(bool, &str, &str); 3] = [
+        (cfg!(feature = "parquet"), "motion.parquet", "without the feature parquet"),
+        (cfg!(feature = "matlab"), "motion-v5.mat", "without the feature matlab"),
+        (cfg!(feature = "mdf"), "motion.mf4", "without the feature mdf"),
+    ];
+    for (_, name, words) in out.iter().filter(|(there, ..)| !there) {
+        let message = read(name, &Mapping::default(), &Repairs::default()).unwrap_err();
+        assert!(message.ends_with(words), "{message}");
+    }
+}
+
+#[test]
+fn a_table_holds_columns_by_title_and_number() {
+    let names = ["motion.csv", "motion.parquet", "motion-v7.mat", "motion.mf4"];
+    let there = [true, cfg!(feature = "parquet"), cfg!(feature = "matlab"), cfg!(feature = "mdf")];
+    for (name, _) in names.iter().zip(there).filter(|(_, there)| *there) {
+        let table = Table::read(&path(name), &Mapping::default().format).unwrap();
+        assert_eq!(table.column("F_o").unwrap(), text().channel(Channel::OutputForce).unwrap(), "{name}");
+        let place = table.titles().iter().position(|title| title.name == "F_o").unwrap();
+        assert_eq!(table.column(&format!("#{}", place + 1)).unwrap(), table.column("F_o").unwrap());
+        assert!(table.column("F_q").is_err() && table.column("#0").is_err() && table.column("#99").is_err());
+        assert_eq!((table.rows(), table.lines().len()), (50, 50));
+    }
+}

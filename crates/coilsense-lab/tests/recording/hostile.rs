@@ -1,0 +1,326 @@
+//! What is wrong with a log, said in one line that names file, line and column; and bytes that nobody meant as a log.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use coilsense_lab::recording::{Mapping, Points, Recording, Repairs, Table};
+use proptest::prelude::*;
+
+use super::fixtures::{mapping, read_with};
+
+const GOOD: &str = "time [s],F_o [N],L [uH]\n0,1,3.1\n0.1,2,3.2\n0.2,3,3.3\n";
+
+/// A text, the columns that are told, and what must be said of it.
+type Fault = (&'static str, &'static [&'static str], &'static str);
+
+const FAULTS: [Fault; 36] = [
+    // Empty and the like
+    ("", &[], "run.csv: is empty"),
+    ("\n\n", &[], "run.csv: has no rows: it is empty, or holds comments only"),
+    ("# only\n# remarks\n", &[], "run.csv: has no rows: it is empty, or holds comments only"),
+    (
+        "time [s],F_o [N]\n",
+        &[],
+        "run.csv: no row of numbers is in its first 2 lines; the first begins with \"time [s],F_o [N]\"",
+    ),
+    (
+        "lorem ipsum\ndolor sit\n",
+        &[],
+        "run.csv: no row of numbers is in its first 3 lines; the first begins with \"lorem ipsum\"",
+    ),
+    ("\0\0\0\0", &[], "run.csv: is no text: it holds zero bytes"),
+    // Rows that are too short, too long, or not of numbers
+    (
+        "time [s],F_o [N]\n0,1\n1,2\n2\n3,4\n",
+        &[],
+        "run.csv:4: it has 1 column where line 1 has 2; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s],F_o [N]\n0,1\n1,2,3\n2,3\n",
+        &[],
+        "run.csv:3: it has 3 columns where line 1 has 2; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s],F_o [N]\n0,1\n1,abc\n",
+        &[],
+        "run.csv:3: column 2 \"F_o [N]\": \"abc\" is not a number; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s],F_o [N]\n0,1\n1,2 N\n",
+        &[],
+        "run.csv:3: column 2 \"F_o [N]\": \"2 N\" is not a number; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s];F_o [N]\n0.0;1.5\n0.1;1,6\n",
+        &[],
+        "run.csv:3: column 2 \"F_o [N]\": \"1,6\" is not a number; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s],F_o [N]\n0,1\n1,inf\n",
+        &[],
+        "run.csv:3: F_o = inf N: must be from -1e9 to 1e9 N; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s],F_o [N]\n0,1\n1,1e400\n",
+        &[],
+        "run.csv:3: F_o = inf N: must be from -1e9 to 1e9 N; --drop-incomplete leaves such rows out",
+    ),
+    (
+        "time [s],F_o [kN]\n0,1\n1,-1e7\n",
+        &[],
+        "run.csv:3: F_o = -1e10 N: must be from -1e9 to 1e9 N; --drop-incomplete leaves such rows out",
+    ),
+    ("time [s],F_o [N]\n0,1\n,2\n", &[], "run.csv:3: time has no value; --drop-incomplete leaves such rows out"),
+    (
+        "clock,F_o [N]\n12:00:00,1\n7,2\n",
+        &["time=clock"],
+        "run.csv:3: column 1 \"clock\": \"7\" is not a time stamp as in the first row; --drop-incomplete leaves such rows out",
+    ),
+    // Values that are missing
+    (
+        "time [s],F_o [N]\n0,1\n1,NaN\n2,3\n",
+        &[],
+        "run.csv:3: F_o has no value; --drop-incomplete leaves such rows out, --fill-gaps TIME fills them along straight lines, and so does --resample RATE where channels have different rates",
+    ),
+    (
+        "time [s],F_o [N]\n0,nan\n1,NaN\n",
+        &[],
+        "run.csv:2: F_o has no value; --drop-incomplete leaves such rows out, --fill-gaps TIME fills them along straight lines, and so does --resample RATE where channels have different rates",
+    ),
+    // Times that do not rise
+    (
+        "time [s],F_o [N]\n0,1\n1,2\n0.5,3\n",
+        &[],
+        "run.csv:4: time goes back from 1 s to 0.5 s; --sort puts the rows in order",
+    ),
+    (
+        "time [s],F_o [N]\n0,1\n0,2\n",
+        &[],
+        "run.csv:3: time 0 s is there again; --merge-repeated takes the mean of such rows",
+    ),
+    // Units
+    (
+        "time [s],F_o\n0,1\n1,2\n",
+        &[],
+        "run.csv: column 2 \"F_o\": its unit is not told; say it, as in --column F_o=\"F_o [N]\"",
+    ),
+    (
+        "time [s],F_o [mm]\n0,1\n1,2\n",
+        &[],
+        "run.csv: column 2 \"F_o [mm]\": \"mm\" is not a unit of a force; F_o may have N, kN, mN",
+    ),
+    (
+        "time [N],F_o [N]\n0,1\n1,2\n",
+        &[],
+        "run.csv: column 1 \"time [N]\": \"N\" is not a unit of a time; time may have s, ms, us, µs",
+    ),
+    (
+        "time [s],LC [V]\n0,1\n1,2\n",
+        &["F_o=LC"],
+        "run.csv: column 2 \"LC [V]\": \"V\" is not a unit of a force; F_o may have N, kN, mN",
+    ),
+    (
+        "time [s],LC [kN]\n0,1\n1,2\n",
+        &["F_o=LC [N]"],
+        "run.csv: column 2 \"LC [kN]\": its title says \"kN\", the mapping of F_o says \"N\"",
+    ),
+    // Columns
+    (
+        "a,b\n0,1\n1,2\n",
+        &[],
+        "run.csv: no column is known as a channel; it has column 1 \"a\", column 2 \"b\"; say which is which, as in --column F_o=\"b\"",
+    ),
+    (
+        "0,1\n1,2\n",
+        &[],
+        "run.csv: no column is known as a channel; it has column 1, column 2; say which is which, as in --column F_o=\"#2 [N]\"",
+    ),
+    (
+        "a,F_o [N]\n0,1\n1,2\n",
+        &[],
+        "run.csv: no column is known as the time; say which it is, as in --column time=\"#1 [s]\", or how often it was sampled by --sample-rate",
+    ),
+    (
+        "time [s],force [N]\n0,1\n1,2\n",
+        &["F_o=forse"],
+        "run.csv: F_o = \"forse\": no column has this title; did you mean \"force\"?",
+    ),
+    (
+        "0,1\n1,2\n",
+        &["F_o=force [N]"],
+        "run.csv: F_o = \"force\": the file has no header; name the column by its number, such as #2",
+    ),
+    (
+        "time [s],F [N],F [N]\n0,1,2\n1,2,3\n",
+        &["F_o=F"],
+        "run.csv: F_o = \"F\": columns 2 and 3 both have this title; name one by its number, such as #2",
+    ),
+    ("0,1\n1,2\n", &["F_o=#3 [N]"], "run.csv: F_o = #3: must be from #1 to #2"),
+    // Other kinds of files
+    (
+        "\u{1f}\u{8b}",
+        &[],
+        "run.csv: no row of numbers is in its first 1 lines; the first begins with \"\\u{1f}\\u{8b}\"",
+    ),
+    ("PK\u{3}\u{4}", &[], "run.csv: is an Excel file or ZIP archive; save the table as CSV"),
+    ("TDSm", &[], "run.csv: is NI TDMS, which is not read; save its channels as CSV or Parquet"),
+    (
+        "MATLAB 7.3 MAT-file",
+        &[],
+        "run.csv: is a MATLAB file of version 7.3 (HDF5), which is not read; save it with -v7",
+    ),
+];
+
+#[test]
+fn each_fault_is_one_line_with_file_line_and_column() {
+    for (text, columns, expected) in FAULTS {
+        let message = read_with(text, &mapping(columns), &Repairs::default()).unwrap_err();
+        assert_eq!(message, expected, "{text:?}");
+        assert!(!message.contains('\n'));
+    }
+}
+
+#[test]
+fn what_cannot_be_opened_is_said() {
+    let place = tempfile::tempdir().unwrap();
+    for (path, words) in [(place.path().join("none.csv"), "No such file"), (place.path().to_owned(), "directory")] {
+        let message = Recording::read(&path, &Mapping::default(), &Repairs::default()).unwrap_err().to_string();
+        assert!(
+            message.starts_with(&format!("{}: cannot be read: ", path.display())) && message.contains(words),
+            "{message}"
+        );
+    }
+    if Path::new("/dev/zero").exists() {
+        let message = Recording::read(Path::new("/dev/zero"), &Mapping::default(), &Repairs::default()).unwrap_err();
+        assert_eq!(message.to_string(), "/dev/zero: is no text: it holds zero bytes");
+    }
+}
+
+#[test]
+fn a_mapping_that_is_wrong_is_said() {
+    let cases = [
+        ("[log", "map.toml:1: not TOML: "),
+        ("[logs]", "map.toml: unknown table [logs]; allowed: [log], [columns]"),
+        (
+            "[log]\nseparator = \";\"",
+            "map.toml: [log] unknown key \"separator\"; allowed: delimiter, decimal, header, comment, skip, sample_rate",
+        ),
+        ("[log]\ndelimiter = \"ab\"", "map.toml: [log] delimiter = \"ab\": must be one character, or \"space\""),
+        (
+            "[log]\nsample_rate = 2500",
+            "map.toml: [log] sample_rate = 2500: must be a frequency with its unit (Hz, kHz, MHz)",
+        ),
+        ("[log]\nskip = -1", "map.toml: [log] skip = -1: must be a whole number from 0 up"),
+        ("[columns]\nforce = \"LC\"", "map.toml: [columns] force: must be one of time, u1, u2, F_i, F_o, F_x, F_L, L"),
+        ("[columns]\nF_o = 3", "map.toml: [columns] F_o: must be a title in quotes or a table { column = …, … }"),
+        ("[columns]\nF_o = { unit = \"N\" }", "map.toml: [columns] F_o: needs one of column and columns"),
+        (
+            "[columns]\nF_o = { column = \"a\", unit = \"mm\" }",
+            "map.toml: [columns] F_o: unit = \"mm\": must be a force with its unit (N, kN, mN)",
+        ),
+        (
+            "[columns]\nF_o = { column = \"a\", factor = 0 }",
+            "map.toml: [columns] F_o: factor = 0: must be a number that is not zero",
+        ),
+    ];
+    for (text, expected) in cases {
+        let message = Mapping::parse("map.toml", text).unwrap_err().to_string();
+        assert!(message.starts_with(expected), "{message}");
+        assert!(!message.contains('\n'), "{message}");
+    }
+    for (column, words) in
+        [("F_o", "must be NAME="), ("x=1", "must be one of time, u1"), ("F_o= ", "title behind = is missing")]
+    {
+        let message = Mapping::default().set(column).unwrap_err().to_string();
+        assert!(message.contains(words), "{message}");
+    }
+    assert!(Mapping::preset("rig").unwrap_err().to_string().ends_with("there are: lab-data"));
+}
+
+#[test]
+fn a_file_cut_off_anywhere_is_read_or_refused_in_one_line() {
+    for length in 0..GOOD.len() {
+        match read_with(&GOOD.as_bytes()[..length], &Mapping::default(), &Repairs::default()) {
+            Ok(recording) => assert_eq!(recording.account().read, recording.account().rows),
+            Err(message) => assert!(message.starts_with("run.csv") && !message.contains('\n'), "{message}"),
+        }
+    }
+}
+
+/// Everything that a user may ask for at once.
+const ALL: Repairs = Repairs {
+    drop_incomplete: true,
+    sort: true,
+    merge_repeated: true,
+    fill_gaps: Some(10.0),
+    resample: None,
+    from: None,
+    to: None,
+};
+
+/// Reads bytes in every way; whatever comes, it comes soon, on one line, and with every row counted.
+fn survives(bytes: &[u8]) {
+    let begun = Instant::now();
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let path = place.path().join("run");
+    std::fs::write(&path, bytes).expect("written");
+    for columns in [&[][..], &["time=#1 [s]", "F_o=#2 [N]"], &["F_o=#2 [N]", "time=time [s]", "L=L [H]"]] {
+        for repairs in [Repairs::default(), ALL, Repairs { resample: Some(100.0), to: Some(100.0), ..ALL }] {
+            match Recording::read(&path, &mapping(columns), &repairs) {
+                Err(error) => assert!(!error.to_string().contains('\n'), "{error}"),
+                Ok(recording) => {
+                    let account = recording.account();
+                    assert_eq!(account.rows as usize, recording.signals().time().len());
+                    let balance = account.read + account.filled_rows - account.left_out();
+                    assert!(account.resampled.is_some() || balance == account.rows, "{account}");
+                }
+            }
+        }
+        let _ = Points::read(&path, &mapping(columns), &ALL);
+    }
+    let _ = Table::read(&path, &Mapping::default().format);
+    assert!(begun.elapsed() < Duration::from_secs(5), "{:?}", begun.elapsed());
+}
+
+/// Good files, and the bytes that make a text one.
+fn good() -> Vec<Vec<u8>> {
+    let names =
+        ["motion.parquet", "narrow.parquet", "motion-v5.mat", "motion-v7.mat", "motion.mf4", "motion-packed.mf4"];
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reference/logs");
+    let read = |name: &str| std::fs::read(folder.join(name)).expect("a reference log");
+    [GOOD.as_bytes().to_vec(), GOOD.replace(',', ";").replace('.', ",").into_bytes()]
+        .into_iter()
+        .chain(names.map(read))
+        .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_bytes_do_no_harm(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        survives(&bytes);
+    }
+
+    #[test]
+    fn random_texts_do_no_harm(text in "[0-9.,;\\-+eE \t\n#\"naN:TZ]{0,200}") {
+        survives(text.as_bytes());
+    }
+
+    #[test]
+    fn random_edits_of_good_files_do_no_harm(
+        which in 0..8_usize,
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8),
+        cut in prop::option::of(any::<prop::sample::Index>()),
+    ) {
+        let mut bytes = good().swap_remove(which);
+        for (place, byte) in edits {
+            let place = place.index(bytes.len());
+            bytes[place] = byte;
+        }
+        if let Some(cut) = cut {
+            bytes.truncate(cut.index(bytes.len()));
+        }
+        survives(&bytes);
+    }
+}

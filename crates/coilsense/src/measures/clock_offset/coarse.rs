@@ -1,0 +1,119 @@
+//! The whole number of samples by which one record lags behind another.
+//!
+//! Next door: the rest of a sample (the parent).
+
+use super::{FEWEST, straightened, transform};
+use crate::error::{Error, check};
+use num_complex::Complex64;
+use realfft::RealFftPlanner;
+
+/// Sample i of the first record fits sample i + `lag` of the second.
+pub(super) struct Coarse {
+    pub lag: i64,
+    pub correlation: f64,
+}
+
+impl Coarse {
+    /// The first record's samples that the second has, too.
+    pub fn overlap(&self, first: usize, second: usize) -> (usize, usize) {
+        let from = (-self.lag).max(0);
+        let to = (first as i64).min(second as i64 - self.lag);
+        (from as usize, to.max(from) as usize)
+    }
+}
+
+/// A second offset fits as well as the first where its correlation reaches this share.
+const AMBIGUOUS: f64 = 0.98;
+/// Least correlation of signals that resemble each other, in standard deviations of that of noise.
+const LEAST: f64 = 6.0;
+
+/// The lag of the largest correlation.
+pub(super) fn lag(first: &[f64], second: &[f64]) -> Result<Coarse, Error> {
+    let (a, b) = (straightened(first), straightened(second));
+    let padded = (a.len() + b.len()).next_power_of_two();
+    let products = products(&a, &b, padded)?;
+    let (energy_a, energy_b) = (energies(&a), energies(&b));
+    let fewest = FEWEST.max(a.len().min(b.len()) / 5);
+    let common = |lag: i64| {
+        let (from, to) = Coarse { lag, correlation: 0.0 }.overlap(a.len(), b.len());
+        (from, to, (from as i64 + lag) as usize)
+    };
+    // Over the energies of the whole records: where few samples overlap, one tap fits any other.
+    let whole = (energy_a[a.len()] * energy_b[b.len()]).sqrt();
+    let correlation = |lag: i64| -> Option<f64> {
+        let (from, to, _) = common(lag);
+        let product = products[lag.rem_euclid(padded as i64) as usize];
+        (to - from >= fewest && whole > 0.0).then(|| product / whole)
+    };
+    let lags = -(a.len() as i64 - 1)..b.len() as i64;
+    let all: Vec<(i64, f64)> = lags.filter_map(|lag| Some((lag, correlation(lag)?))).collect();
+    // Between samples a peak is higher than at the next one: without that, a ring of few samples a period slips by one.
+    let height = |index: usize| match (
+        index.checked_sub(1).and_then(|before| all.get(before)),
+        all[index],
+        all.get(index + 1),
+    ) {
+        (Some(&(_, before)), (_, here), Some(&(_, after))) => summit(before, here, after),
+        (_, (_, here), _) => here,
+    };
+    let best = (0..all.len()).max_by(|&i, &j| height(i).abs().total_cmp(&height(j).abs()));
+    let own = |lag: i64| {
+        let (from, to, shifted) = common(lag);
+        let energy = (energy_a[to] - energy_a[from]) * (energy_b[shifted + to - from] - energy_b[shifted]);
+        products[lag.rem_euclid(padded as i64) as usize] / energy.sqrt()
+    };
+    let found = best.map_or(0.0, |best| own(all[best].0));
+    let allowed = "larger for signals that resemble each other; name two channels of the same motion, or the offset";
+    let shared = best.map_or(0, |best| {
+        let (from, to, _) = common(all[best].0);
+        to - from
+    });
+    let alike = found.abs() > LEAST / (shared as f64).sqrt() || found.abs() > 0.9;
+    check(alike, "correlation", found, "", allowed)?;
+    let best = best.unwrap_or(0);
+    let (lag, peak) = (all[best].0, height(best));
+    // Its own lobe ends where the correlation has fallen to half.
+    let above = |&(_, correlation): &(i64, f64)| correlation / peak > 0.5;
+    let left = all[..best].iter().rev().take_while(|entry| above(entry)).count();
+    let right = all[best..].iter().take_while(|entry| above(entry)).count();
+    let others = (0..best - left).chain(best + right..all.len());
+    let rival = others.map(|other| height(other) / peak).fold(0.0, f64::max);
+    let allowed = format!("below {AMBIGUOUS} of the largest: the motion repeats itself, so give the offset");
+    check(rival < AMBIGUOUS, "correlation at another offset", rival, "", allowed)?;
+    Ok(Coarse { lag, correlation: found })
+}
+
+/// Height of the parabola through three equidistant values, where the middle one is the farthest from zero; else that value.
+fn summit(before: f64, here: f64, after: f64) -> f64 {
+    let bend = before - 2.0 * here + after;
+    let is_peak = here.abs() >= before.abs() && here.abs() >= after.abs() && bend != 0.0;
+    if is_peak { here - (after - before).powi(2) / (8.0 * bend) } else { here }
+}
+
+/// Σ a_i b_{i+ℓ} at place ℓ modulo `padded`.
+fn products(a: &[f64], b: &[f64], padded: usize) -> Result<Vec<f64>, Error> {
+    let lines = |values: &[f64]| {
+        let mut values = values.to_vec();
+        values.resize(padded, 0.0);
+        transform(&mut values)
+    };
+    let mut crossed: Vec<Complex64> =
+        lines(a)?.iter().zip(lines(b)?).map(|(a, b)| a.conj() * b / padded as f64).collect();
+    for end in [0, crossed.len() - 1] {
+        crossed[end].im = 0.0;
+    }
+    let mut products = vec![0.0; padded];
+    let done = RealFftPlanner::new().plan_fft_inverse(padded).process(&mut crossed, &mut products);
+    check(done.is_ok(), "samples", padded as f64, "", "a length that can be transformed")?;
+    Ok(products)
+}
+
+/// Sums of squares up to each sample, one more than samples.
+fn energies(values: &[f64]) -> Vec<f64> {
+    let mut sum = 0.0;
+    let squares = values.iter().map(|value| {
+        sum += value * value;
+        sum
+    });
+    std::iter::once(0.0).chain(squares).collect()
+}

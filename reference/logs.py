@@ -1,0 +1,91 @@
+"""Small logs as other programs write them, for the readers of coilsense-lab to be held against.
+
+Writes into reference/logs. `motion.csv` holds the values as 17-digit decimals, which bring back the same doubles; every other
+file holds the same values, or what is told here of its narrower type.
+"""
+
+import datetime
+from pathlib import Path
+
+import asammdf
+import h5py
+import numpy as np
+import nptdms
+import pyarrow as pa
+import pyarrow.parquet as pq
+import scipy.io
+
+OUT = Path(__file__).parent / "logs"
+ROWS = 50
+
+
+def motion():
+    rng = np.random.default_rng(26)
+    time = np.arange(ROWS) / 2500.0
+    force = 26.0 + np.sin(340.0 * time) + 0.01 * rng.standard_normal(ROWS)
+    inductance = 3.3e-6 + 2e-8 * rng.standard_normal(ROWS)
+    counts = rng.integers(-2000, 2000, ROWS).astype(np.int16)
+    return time, force, inductance, counts
+
+
+def write_csv(time, force, inductance, counts):
+    # What asammdf itself makes of the counts and their conversion.
+    converted = asammdf.MDF(OUT / "motion.mf4").get("counts").samples.astype(float)
+    with open(OUT / "motion.csv", "w", encoding="ascii", newline="\n") as file:
+        file.write("time [s],F_o [N],L [H],counts,converted [mN]\n")
+        for row in zip(time, force, inductance, counts, converted):
+            file.write(",".join(repr(x.item()) for x in row) + "\n")
+
+
+def write_parquet(time, force, inductance, counts):
+    columns = {"time [s]": time, "F_o [N]": force, "L [H]": inductance, "counts": counts}
+    pq.write_table(pa.table(columns), OUT / "motion.parquet", row_group_size=20)
+    pq.write_table(pa.table(columns), OUT / "motion-plain.parquet", use_dictionary=False, compression="none", data_page_version="2.0")
+    stamps = pa.array(np.round(time * 1e6).astype(np.int64) + 1_795_262_400_000_000, pa.timestamp("us"))
+    force_of_some = pa.array([None if row % 7 == 3 else value for row, value in enumerate(force)], pa.float64())
+    narrow = {"when": stamps, "F_o [N]": force_of_some, "F_i [N]": pa.array(force.astype(np.float32)), "note": ["x"] * ROWS}
+    pq.write_table(pa.table(narrow), OUT / "narrow.parquet")
+
+
+def write_mat(time, force, inductance, counts):
+    variables = {"time": time, "F_o": force.reshape(-1, 1), "L": inductance, "counts": counts, "rate": 2500.0,
+                 "both": np.column_stack([force, inductance]), "who": "the rig"}
+    scipy.io.savemat(OUT / "motion-v5.mat", variables, do_compression=False)
+    scipy.io.savemat(OUT / "motion-v7.mat", variables, do_compression=True)
+
+
+def write_mdf(time, force, inductance, counts):
+    mdf = asammdf.MDF(version="4.10")
+    fast = [
+        asammdf.Signal(force, time, name="F_o", unit="N"),
+        asammdf.Signal(counts, time, name="counts", unit="mN",
+                       conversion={"a": 0.5, "b": 3.0}),
+    ]
+    mdf.append(fast, comment="load cell")
+    # Every tenth sample: a slower device in a group of its own.
+    mdf.append([asammdf.Signal(inductance[::10], time[::10], name="L", unit="H")], comment="LCR meter")
+    mdf.header.start_time = datetime.datetime(2026, 11, 21, 12, 0, 0, tzinfo=datetime.timezone.utc)
+    mdf.save(OUT / "motion.mf4", overwrite=True)
+    mdf.save(OUT / "motion-packed.mf4", overwrite=True, compression=1)
+
+
+def write_refused(time, force):
+    with nptdms.TdmsWriter(OUT / "motion.tdms") as file:
+        file.write_segment([nptdms.ChannelObject("run", "F_o", force[:5])])
+    with h5py.File(OUT / "motion.h5", "w") as file:
+        file["F_o"] = force[:5]
+    # MATLAB writes 7.3 as HDF5 behind a header of its own of 512 bytes.
+    with h5py.File(OUT / "motion-v73.mat", "w", userblock_size=512) as file:
+        file["F_o"] = force[:5]
+    with open(OUT / "motion-v73.mat", "r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, written by h5py".ljust(116) + bytes(8) + b"\x00\x02IM")
+
+
+if __name__ == "__main__":
+    OUT.mkdir(exist_ok=True)
+    values = motion()
+    write_parquet(*values)
+    write_mat(*values)
+    write_mdf(*values)
+    write_csv(*values)
+    write_refused(values[0], values[1])
