@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use coilsense::control::{ForceLoop, Margins, Passivity};
 use coilsense::{Channel, Error};
 
-use super::UnitLoops;
+use super::loops::UnitLoops;
 use crate::spec::DampingCase;
 
 /// One force fed back at one damping.

@@ -4,14 +4,16 @@
 
 mod answer;
 mod judged;
+mod loops;
+mod over_time;
 
-use std::f64::consts::TAU;
-
-use coilsense::control::{Controller, ForceLoop, Gains, Passivity, Plant, Run, SampledLoop, simulate};
+use coilsense::control::{ForceLoop, Run};
 use coilsense::{Channel, Error};
 
 pub use answer::answer;
 pub use judged::Judged;
+use loops::UnitLoops;
+use over_time::runs;
 
 use crate::spec::{ControlSpec, DampingCase, Spec};
 
@@ -65,10 +67,6 @@ pub struct Placement {
     /// limit, or no run.
     pub confirmed: Option<bool>,
 }
-
-/// Samples of the run that is shown, and of those that confirm a limit.
-const SHOWN: f64 = 1.0;
-const CONFIRMED_PERIODS: f64 = 1500.0;
 
 impl Placement {
     /// Judges every force of a spec's loop.
@@ -149,105 +147,4 @@ fn best(candidates: &[Candidate]) -> usize {
         b.0.total_cmp(&a.0).then(b.1.cmp(&a.1))
     });
     indices.first().copied().unwrap_or(0)
-}
-
-/// Makes loops of a spec.
-#[derive(Clone, Copy)]
-struct UnitLoops<'a> {
-    spec: &'a Spec,
-    control: &'a ControlSpec,
-}
-
-impl UnitLoops<'_> {
-    fn surge(&self) -> f64 {
-        self.spec.spring.spring.surge_frequency()
-    }
-
-    /// The crossover past which nothing is asked \[Hz\]: the tenth surge line, or a quarter of the sample rate.
-    fn most(&self) -> f64 {
-        let by_samples = self.control.sample_time.map_or(f64::INFINITY, |step| 0.25 / step);
-        by_samples.min(10.0 * self.surge())
-    }
-
-    fn force_loop(&self, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
-        let spring = &self.spec.spring.spring;
-        let plant = Plant::new(spring, damping.mount.damping().clone(), self.control.drive, self.control.environment)?;
-        let shape = self.control.shape;
-        let controller = Controller::new(Gains {
-            proportional: gain * shape.proportional,
-            integral: gain * shape.integral,
-            derivative: gain * shape.derivative,
-            ..shape
-        })?;
-        ForceLoop::new(plant, controller, channel, self.control.delay)
-    }
-
-    fn sampled(&self, force_loop: &ForceLoop) -> Result<Option<SampledLoop>, Error> {
-        self.control.sample_time.map(|step| SampledLoop::new(force_loop, step)).transpose()
-    }
-
-    /// The proportional gain with which the loop of a spring without mass crosses 1 at so many hertz.
-    fn gain_for(&self, damping: &DampingCase, crossover: f64) -> Result<f64, Error> {
-        let size = |gain: f64| {
-            let unit = self.force_loop(damping, Channel::DeflectionForce, gain)?;
-            Ok::<f64, Error>(unit.massless(TAU * crossover)?.norm())
-        };
-        if self.control.shape.observer_bandwidth.is_none() {
-            return Ok(1.0 / size(1.0)?);
-        }
-        // An observer adds to the loop whatever the gain: from where it alone is below 1, by bisection.
-        let (mut low, mut high) = (1e-12, 1e12);
-        for _ in 0..200 {
-            let middle = f64::sqrt(low * high);
-            if size(middle)? < 1.0 { low = middle } else { high = middle }
-        }
-        Ok(low)
-    }
-
-    fn passivity(&self, force_loop: &ForceLoop) -> Result<Option<Passivity>, Error> {
-        if force_loop.feedback() == Channel::InductanceForce {
-            return Ok(None);
-        }
-        // A command held for one sample time is late by half of it.
-        let late = self.control.delay + 0.5 * self.control.sample_time.unwrap_or(0.0);
-        let late = ForceLoop::new(force_loop.plant().clone(), *force_loop.controller(), force_loop.feedback(), late)?;
-        Passivity::of(&late, self.control.passive_up_to).map(Some)
-    }
-}
-
-/// The best force's loop over time at the least damping, and whether its limit holds; neither where the engine cannot run it.
-fn runs(
-    unit: &UnitLoops<'_>,
-    dampings: &[DampingCase],
-    best: &Candidate,
-    gain: f64,
-) -> Result<(Option<Run>, Option<bool>), Error> {
-    let Some(step) = unit.control.sample_time else { return Ok((None, None)) };
-    let limits = best.judged.iter().map(|judged| judged.limit).enumerate();
-    let weakest = limits.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index);
-    let Some(sampled) = unit.sampled(&unit.force_loop(&dampings[weakest], best.channel, gain)?)? else {
-        return Ok((None, None));
-    };
-    let reference = 0.01 * unit.spec.spring.spring.nominal_force();
-    let samples = (SHOWN / step).min(1e5) as usize;
-    let Ok(run) = simulate(&sampled, 1.0, reference, samples) else { return Ok((None, None)) };
-    let limit = best.judged[weakest].margins.gain_limit;
-    if !limit.is_finite() || limit == 0.0 {
-        return Ok((Some(run), None));
-    }
-    let long = (CONFIRMED_PERIODS / unit.surge() / step).min(2e5) as usize;
-    let grows = |factor: f64| Ok::<bool, Error>(grows(&simulate(&sampled, factor * limit, reference, long)?, long));
-    let confirmed = !grows(0.98)? && grows(1.02)?;
-    Ok((Some(run), Some(confirmed)))
-}
-
-/// Whether what rings at the end of a run rings more than half way through it.
-fn grows(run: &Run, samples: usize) -> bool {
-    let swing = |part: &[f64]| {
-        let mean = part.iter().sum::<f64>() / part.len().max(1) as f64;
-        part.iter().map(|value| (value - mean).abs()).fold(0.0, f64::max)
-    };
-    let eighth = samples / 8;
-    run.output.len() < samples
-        || swing(&run.output[samples - eighth..]) > swing(&run.output[samples / 2..samples / 2 + eighth])
 }

@@ -28,8 +28,10 @@
 //!
 //! Next door: the spring over frequency (`two_port`), its motion (`motion`).
 
+mod coil;
 mod controller;
 mod drive;
+mod environment;
 mod force_loop;
 mod margins;
 mod plant;
@@ -41,9 +43,10 @@ mod trace;
 
 pub use controller::{Controller, Gains};
 pub use drive::Drive;
+pub use environment::Environment;
 pub use force_loop::ForceLoop;
 pub use margins::Margins;
-pub use plant::{Environment, Plant, Response};
+pub use plant::{Plant, Response};
 pub use rendered::{Passivity, rendered_stiffness};
 pub use sampled::SampledLoop;
 pub use simulate::{Run, simulate};

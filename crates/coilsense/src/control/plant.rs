@@ -4,53 +4,14 @@
 
 use num_complex::Complex64;
 
+use super::coil::Coil;
 use super::drive::Drive;
+use super::environment::Environment;
 use crate::damping::Damping;
-use crate::error::{Error, check, not_negative};
-use crate::inductance::{MaxwellSum, SelfDistance};
-use crate::modes::ChainModes;
+use crate::error::{Error, check};
 use crate::signals::Channel;
 use crate::spring::Spring;
 use crate::two_port::{DynamicStiffness, Load, TwoPort};
-
-/// What end 2 meets.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Environment {
-    /// It does not move.
-    Held,
-    /// A mass on a spring and a damper to the ground: K_L = k_L + jω b_L − ω² M_L, each zero or above.
-    Impedance {
-        /// M_L \[kg\].
-        mass: f64,
-        /// b_L \[N s/m\].
-        damping: f64,
-        /// k_L \[N/m\].
-        stiffness: f64,
-    },
-}
-
-impl Environment {
-    fn checked(self) -> Result<Self, Error> {
-        if let Self::Impedance { mass, damping, stiffness } = self {
-            not_negative("load mass", mass, "kg")?;
-            not_negative("load damping", damping, "N s/m")?;
-            not_negative("load stiffness", stiffness, "N/m")?;
-        }
-        Ok(self)
-    }
-
-    /// The load at one angular frequency \[rad/s\].
-    fn at(&self, angular_frequency: f64) -> Result<Load, Error> {
-        match *self {
-            Self::Held => Ok(Load::HELD),
-            Self::Impedance { mass, damping: 0.0, stiffness: 0.0 } => Load::mass(mass),
-            Self::Impedance { mass, damping, stiffness } => {
-                let elastic = stiffness - mass * angular_frequency * angular_frequency;
-                Load::stiffness(Complex64::new(elastic, damping * angular_frequency))
-            }
-        }
-    }
-}
 
 /// A drive, a spring and what end 2 meets.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,17 +26,6 @@ pub struct Plant {
 
 /// The least damping ratio for which a loop is followed along its lines.
 const LEAST_RATIO: f64 = 1e-6;
-
-/// What windings out of line do to the inductance's force, mode by mode.
-#[derive(Debug, Clone, PartialEq)]
-struct Coil {
-    frequencies: Vec<f64>,
-    ratios: Vec<f64>,
-    /// c1_j, c2_j.
-    participations: [Vec<f64>; 2],
-    /// Force by the inductance per modal coordinate \[N/m\].
-    weights: Vec<f64>,
-}
 
 /// Force signals over the command \[N per command\], and y = −u1 \[m per command\].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -215,41 +165,5 @@ impl Plant {
             Some(load) => k * load / (k + load),
         };
         Ok(stiffness * self.drive.stroke(Complex64::new(0.0, angular_frequency), stiffness))
-    }
-}
-
-impl Coil {
-    fn of(spring: &Spring, damping: &Damping) -> Result<Self, Error> {
-        let modes = ChainModes::of(spring);
-        let (masses, length) = (modes.masses(), spring.mid_length());
-        let places: Vec<f64> = (1..=masses).map(|winding| (winding as f64 - 0.5) / masses as f64).collect();
-        let uniform: Vec<f64> = places.iter().map(|place| place * length).collect();
-        let gradient = MaxwellSum::new(spring, SelfDistance::AsPrinted).gradient([0.0, length], &uniform)?;
-        // dL/dl of a uniform stretch: what a calibration divides by.
-        let stretch: f64 = gradient[1..=masses].iter().zip(&places).map(|(slope, place)| slope * place).sum();
-        let by_length = stretch + gradient[masses + 1];
-        let weight = |mode: usize| {
-            let shape = (1..=masses).map(|winding| gradient[winding] * modes.shape_at(mode, winding));
-            spring.stiffness() * shape.sum::<f64>() / by_length
-        };
-        let ratios = damping.ratios(modes.frequencies())?;
-        let [first, second] = modes.participations();
-        Ok(Self {
-            weights: (1..=modes.count()).map(weight).collect(),
-            participations: [first.to_vec(), second.to_vec()],
-            frequencies: modes.frequencies().to_vec(),
-            ratios,
-        })
-    }
-
-    /// Force by windings out of line over U1 \[N/m\], end 2 following by `follow`: Σ w_j q_j/U1, q_j = −s² (c1 + c2 R)/(s² + 2ζωs + ω²).
-    fn surge(&self, s: Complex64, follow: Complex64) -> Complex64 {
-        let [first, second] = &self.participations;
-        let each = self.frequencies.iter().zip(&self.ratios).zip(first.iter().zip(second)).zip(&self.weights);
-        each.map(|(((frequency, ratio), (c1, c2)), weight)| {
-            let resonance = s * s + 2.0 * ratio * frequency * s + frequency * frequency;
-            -weight * s * s * (c1 + c2 * follow) / resonance
-        })
-        .sum()
     }
 }

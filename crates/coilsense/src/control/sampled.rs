@@ -7,9 +7,9 @@ use std::f64::consts::{PI, TAU};
 use num_complex::Complex64;
 
 use super::drive::Drive;
+use super::environment::Environment;
 use super::force_loop::ForceLoop;
 use super::margins::Margins;
-use super::plant::Environment;
 use super::rational::Difference;
 use super::trace::Trace;
 use crate::error::{Error, above_zero, check};

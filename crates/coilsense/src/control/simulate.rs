@@ -5,7 +5,7 @@
 use std::collections::VecDeque;
 
 use super::drive::Drive;
-use super::plant::Environment;
+use super::environment::Environment;
 use super::rational::Difference;
 use super::sampled::SampledLoop;
 use crate::error::{Error, check};

@@ -1,0 +1,74 @@
+//! Loops of a spec, for any force, damping and gain.
+//!
+//! Next door: what is asked of them (`judged`, `over_time`).
+
+use std::f64::consts::TAU;
+
+use coilsense::control::{Controller, ForceLoop, Gains, Passivity, Plant, SampledLoop};
+use coilsense::{Channel, Error};
+
+use crate::spec::{ControlSpec, DampingCase, Spec};
+
+/// Makes loops of a spec.
+#[derive(Clone, Copy)]
+pub(super) struct UnitLoops<'a> {
+    pub spec: &'a Spec,
+    pub control: &'a ControlSpec,
+}
+
+impl UnitLoops<'_> {
+    pub fn surge(&self) -> f64 {
+        self.spec.spring.spring.surge_frequency()
+    }
+
+    /// The crossover past which nothing is asked \[Hz\]: the tenth surge line, or a quarter of the sample rate.
+    pub fn most(&self) -> f64 {
+        let by_samples = self.control.sample_time.map_or(f64::INFINITY, |step| 0.25 / step);
+        by_samples.min(10.0 * self.surge())
+    }
+
+    pub fn force_loop(&self, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
+        let spring = &self.spec.spring.spring;
+        let plant = Plant::new(spring, damping.mount.damping().clone(), self.control.drive, self.control.environment)?;
+        let shape = self.control.shape;
+        let controller = Controller::new(Gains {
+            proportional: gain * shape.proportional,
+            integral: gain * shape.integral,
+            derivative: gain * shape.derivative,
+            ..shape
+        })?;
+        ForceLoop::new(plant, controller, channel, self.control.delay)
+    }
+
+    pub fn sampled(&self, force_loop: &ForceLoop) -> Result<Option<SampledLoop>, Error> {
+        self.control.sample_time.map(|step| SampledLoop::new(force_loop, step)).transpose()
+    }
+
+    /// The proportional gain with which the loop of a spring without mass crosses 1 at so many hertz.
+    pub fn gain_for(&self, damping: &DampingCase, crossover: f64) -> Result<f64, Error> {
+        let size = |gain: f64| {
+            let unit = self.force_loop(damping, Channel::DeflectionForce, gain)?;
+            Ok::<f64, Error>(unit.massless(TAU * crossover)?.norm())
+        };
+        if self.control.shape.observer_bandwidth.is_none() {
+            return Ok(1.0 / size(1.0)?);
+        }
+        // An observer adds to the loop whatever the gain: from where it alone is below 1, by bisection.
+        let (mut low, mut high) = (1e-12, 1e12);
+        for _ in 0..200 {
+            let middle = f64::sqrt(low * high);
+            if size(middle)? < 1.0 { low = middle } else { high = middle }
+        }
+        Ok(low)
+    }
+
+    pub fn passivity(&self, force_loop: &ForceLoop) -> Result<Option<Passivity>, Error> {
+        if force_loop.feedback() == Channel::InductanceForce {
+            return Ok(None);
+        }
+        // A command held for one sample time is late by half of it.
+        let late = self.control.delay + 0.5 * self.control.sample_time.unwrap_or(0.0);
+        let late = ForceLoop::new(force_loop.plant().clone(), *force_loop.controller(), force_loop.feedback(), late)?;
+        Passivity::of(&late, self.control.passive_up_to).map(Some)
+    }
+}
