@@ -115,14 +115,15 @@ fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measurement>>
     lines.map(|line| serde_json::from_str(line).with_context(|| format!("not a measurement: {line}"))).collect()
 }
 
-/// Whole commands: `coilsense reproduce`, and `coilsense analyze` on every example.
+/// Whole commands: `coilsense reproduce`, and `coilsense analyze` on every example, `coilsense rig` on those of a rig.
 fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
     let executable = commands::executable()?;
     let mut all = vec![whole(&executable, "reproduce", &["reproduce"])?];
     for spec in commands::examples()? {
         let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
         let path = spec.display().to_string();
-        all.push(whole(&executable, &format!("{ANALYZE}{name}"), &["analyze", &path])?);
+        let (job, command) = if commands::is_rig(&spec)? { ("rig ", "rig") } else { (ANALYZE, "analyze") };
+        all.push(whole(&executable, &format!("{job}{name}"), &[command, &path])?);
     }
     Ok(all)
 }

@@ -35,6 +35,11 @@ pub fn examples() -> anyhow::Result<Vec<PathBuf>> {
     Ok(specs)
 }
 
+/// Whether a spec is that of a rig, which has no conditions of use.
+pub fn is_rig(spec: &Path) -> anyhow::Result<bool> {
+    Ok(std::fs::read_to_string(spec)?.lines().any(|line| line == "[rig]"))
+}
+
 /// Types the README's commands in a folder of their own that has the examples; whether all of them succeed.
 pub fn readme() -> anyhow::Result<bool> {
     let executable = executable()?;
@@ -71,8 +76,7 @@ pub fn every_example() -> anyhow::Result<bool> {
             println!("({} took {:.2} s)", arguments[0], begun.elapsed().as_secs_f64());
             Ok(success)
         };
-        // A spec of a rig has no conditions of use.
-        if std::fs::read_to_string(&spec)?.lines().any(|line| line == "[rig]") {
+        if is_rig(&spec)? {
             if !(run(&["spring"])? && run(&["rig", "--out", &name])?) {
                 return Ok(false);
             }
