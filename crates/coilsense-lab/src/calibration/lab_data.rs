@@ -56,6 +56,9 @@ pub fn read_lab_data(path: &Path, zero_length: f64) -> Result<Measured, Calibrat
     let account = vec![
         "The first row, at zero displacement, is left out, as the runs' authors do.".to_owned(),
         "L is the mean of a row's ten readings; its resistances are not used.".to_owned(),
+        "Two theories differ from what the runs' authors print, and why is known: their Rosa takes K = π/2 in Nagaoka's coefficient, a loop that \
+         never runs (0.4 to 1 % of L); their Neumann helix runs beside a second filament, which is nearer to the turns on one side (3 % of L)."
+            .to_owned(),
     ];
     let rows = table.lines().iter().skip(left_out).map(|&line| line as usize).collect();
     Ok(Measured { file, points, standard_errors, rows, zero_length: Some(zero_length), account, simulated: false })

@@ -126,11 +126,13 @@ impl Experiment {
             "{samples} samples of {} runs; {left_out} behind the last whole period of a sine are left out.",
             self.runs.len()
         ));
-        if self.taps > 0 {
-            lines.push(format!(
-                "{} runs of hits are not looked at here: `coilsense identify` reads damping from them.",
-                self.taps
-            ));
+        match self.taps {
+            0 => {}
+            1 => lines
+                .push("One run of hits is not looked at here: `coilsense identify` reads damping from it.".to_owned()),
+            taps => lines.push(format!(
+                "{taps} runs of hits are not looked at here: `coilsense identify` reads damping from them."
+            )),
         }
         if self.curve.is_none() {
             lines.push("No curve from inductance to length is given or measured: there is no F_L.".to_owned());
