@@ -25,12 +25,12 @@ fn shows_what_figure_6_shows(settings: &str, seed: u64) {
     // RMSD and maximum rise towards the 12th frequency.
     let sines: Vec<_> = experiment.harmonics().map(|(index, run)| (index, run.fast.deviation)).collect();
     assert_eq!(sines.len(), 13);
-    let rise = |from: usize, to: usize| {
-        let (slow, fast) = (sines[from].1, sines[to].1);
-        slow.rmsd < fast.rmsd && slow.maximum_absolute < fast.maximum_absolute
-    };
-    // From the third on, where they leave the noise.
-    assert!((2..11).all(|number| rise(number, number + 1)) && rise(12, 11), "{sines:?}");
+    let rmsd = |place: usize| sines[place].1.rmsd;
+    let maximum = |place: usize| sines[place].1.maximum_absolute;
+    // RMSD from the third on, where it leaves the noise; the largest of some 100 000 samples of noise of 22 mN is 0.1 N and scatters by a
+    // tenth, which maxima leave at the sixth.
+    assert!((2..11).all(|place| rmsd(place) < rmsd(place + 1)) && rmsd(12) < rmsd(11), "{sines:?}");
+    assert!((5..11).all(|place| maximum(place) < maximum(place + 1)) && maximum(12) < maximum(11), "{sines:?}");
     let peak = findings.peak.unwrap();
     let twelfth = sines[11].0;
     assert!(peak.run == twelfth && peak.rmsd_ratio > 3.0 && peak.maximum_ratio > 3.0, "{peak:?}");
