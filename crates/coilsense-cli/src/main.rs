@@ -9,6 +9,7 @@ mod experiment;
 mod import;
 mod init;
 mod log;
+mod mitigate;
 mod placement;
 mod progress;
 mod reproduce;
@@ -45,6 +46,8 @@ enum Command {
     Import(import::Arguments),
     /// The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors
     Rig(rig::Arguments),
+    /// What to do about ringing: every filter and observer on the spec's conditions, ranked, and settings to paste
+    Mitigate(mitigate::Arguments),
     /// Which force to feed back, and how fast the loop may then be: limits, margins, what the world feels
     Placement(placement::Arguments),
     /// Work off an experiment: how load cell, position and inductance part, what is biased, what drifts
@@ -70,6 +73,7 @@ fn main() -> ExitCode {
         Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Rig(arguments) => rig::run(&arguments),
+        Command::Mitigate(arguments) => mitigate::run(&arguments),
         Command::Placement(arguments) => placement::run(&arguments),
         Command::Experiment(arguments) => experiment::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),

@@ -216,6 +216,67 @@ fn observers_in_c_give_the_bits_that_they_give_here() {
     assert_same(&wide, Call::Modes, here, |_, row| narrow.step(&mut b, &measured(row)).output);
 }
 
+/// The settings that the firmware is compiled with, by file name.
+fn firmware() -> Vec<(&'static str, String)> {
+    let spring = sampled();
+    let rust = |name: &'static str, settings: &dyn Settings| {
+        (name, Export::new(name, RATE, Precision::Single, settings).unwrap().rust())
+    };
+    let notches = |count, quality| surge_notches(&spring, count, quality).unwrap();
+    let one: Cascade<f64, 1> = Cascade { sections: notches(1, 2.0).try_into().unwrap() };
+    let five: Cascade<f64, 5> = Cascade { sections: notches(5, 3.0).try_into().unwrap() };
+    let tolerances = Some(ToleranceBox::new(0.1, 0.1).unwrap());
+    let design = WindowDesign { impact: 0.25, interval: 2.0, bandwidth: 1.5, motion: 2.7, noise: 0.24, tolerances };
+    let window: Window<f64, 96> = surge_window(&spring, &design).unwrap();
+    let noise = KalmanNoise { force: 0.24, shock: 0.15, ringing: 0.1, drift: 0.5 };
+    vec![
+        rust("notch", &one),
+        rust("five_notches", &five),
+        rust("surge_mean", &surge_mean(&spring)),
+        rust("comb", &surge_comb(&spring, 20.0).unwrap()),
+        rust("window", &window),
+        rust("kalman", &modal_kalman::<3>(&spring, &noise).unwrap()),
+    ]
+}
+
+fn firmware_file(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../coilsense-rt/robot/src/settings/{name}.rs"))
+}
+
+#[test]
+fn the_firmware_is_compiled_with_what_is_exported() {
+    for (name, text) in firmware() {
+        let path = firmware_file(name);
+        let found = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        assert_eq!(without_numbers(&found), without_numbers(&text), "{name}: write it anew, see below");
+        // Another processor may round a design's last digit otherwise.
+        for (found, ours) in numbers(&found).into_iter().zip(numbers(&text)) {
+            assert!(
+                (found - ours).abs() <= 1e-6 * ours.abs().max(1e-6),
+                "{name}: {found} against {ours}: write it anew"
+            );
+        }
+    }
+}
+
+/// The numbers of a text, signs and exponents with them.
+fn numbers(text: &str) -> Vec<f64> {
+    let part = |c: char| !(c.is_ascii_digit() || ".-e".contains(c));
+    text.split(part).filter_map(|word| word.parse().ok()).collect()
+}
+
+fn without_numbers(text: &str) -> String {
+    text.chars().filter(|c| !(c.is_ascii_digit() || ".-e".contains(*c))).collect()
+}
+
+#[test]
+#[ignore = "writes the firmware's settings anew; run with cargo test -p coilsense-lab --test exports -- --ignored"]
+fn write_the_settings_of_the_firmware() {
+    for (name, text) in firmware() {
+        std::fs::write(firmware_file(name), text).unwrap();
+    }
+}
+
 #[test]
 fn a_rust_constant_and_json_say_the_same_numbers() {
     let mean = surge_mean(&sampled());

@@ -70,9 +70,9 @@ impl<T: Real, const N: usize> Ring<T, N> {
         near + delay.fraction * (self.back(delay.whole.saturating_add(1)) - near)
     }
 
-    /// Newest first.
-    pub(crate) fn newest_first(&self) -> impl Iterator<Item = &T> {
-        let (recent, older) = self.samples.split_at_checked(self.newest.saturating_add(1)).unwrap_or((&[], &[]));
-        recent.iter().rev().chain(older.iter().rev())
+    /// What was pushed since the ring last began anew, and what is left from before; in either the newest last.
+    #[inline]
+    pub(crate) fn halves(&self) -> (&[T], &[T]) {
+        self.samples.split_at_checked(self.newest.saturating_add(1)).unwrap_or((&[], &[]))
     }
 }

@@ -40,7 +40,14 @@ impl<T: Real, const N: usize> Window<T, N> {
     #[inline]
     pub fn step(&self, state: &mut Ring<T, N>, x: T) -> T {
         state.push(x);
-        let terms = self.taps.iter().zip(state.newest_first());
-        terms.fold(T::ZERO, |sum, (tap, sample)| sum + *tap * *sample)
+        let (recent, older) = state.halves();
+        let (of_recent, of_older) = self.taps.split_at_checked(recent.len()).unwrap_or((&[], &[]));
+        weighted(weighted(T::ZERO, of_recent, recent), of_older, older)
     }
+}
+
+/// `sum` and every sample, the last first, times its tap.
+#[inline]
+fn weighted<T: Real>(sum: T, taps: &[T], samples: &[T]) -> T {
+    taps.iter().zip(samples.iter().rev()).fold(sum, |sum, (tap, sample)| sum + *tap * *sample)
 }

@@ -6,6 +6,7 @@ mod commands;
 mod goals;
 mod logs;
 mod python;
+mod robot;
 mod test;
 
 use std::path::PathBuf;

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands};
+use crate::{browser, cargo, commands, robot};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -12,6 +12,9 @@ pub struct Arguments {
     /// Install system packages that a part needs; CI=true does, too
     #[arg(long)]
     install: bool,
+    /// Run only this part, by its name in the table; may be given several times
+    #[arg(long, value_name = "PART")]
+    only: Vec<String>,
 }
 
 /// How a part went.
@@ -28,13 +31,14 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 9] = [
+const PARTS: [Part; 10] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
     Part { name: "vector paths", run: vector_paths },
     Part { name: "docs", run: docs },
     Part { name: "fewer formats", run: fewer_formats },
+    Part { name: "no_std", run: no_std },
     Part { name: "README", run: readme },
     Part { name: "examples", run: examples },
     Part { name: "report page", run: report_page },
@@ -45,7 +49,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let strict = strict();
     let mut lines = Vec::new();
     let mut broken = Vec::new();
-    for part in PARTS {
+    let unknown = arguments.only.iter().find(|name| PARTS.iter().all(|part| part.name != name.as_str()));
+    if let Some(name) = unknown {
+        bail!("--only {name}: must be one of {}", PARTS.map(|part| part.name).join(", "));
+    }
+    let wanted = |part: &Part| arguments.only.is_empty() || arguments.only.iter().any(|name| name == part.name);
+    for part in PARTS.into_iter().filter(wanted) {
         println!("== {}", part.name);
         let begun = Instant::now();
         let outcome = (part.run)(arguments).with_context(|| format!("part {}", part.name))?;
@@ -152,6 +161,14 @@ fn fewer_formats(_: &Arguments) -> anyhow::Result<Outcome> {
         }
     }
     Ok(Outcome::Passed)
+}
+
+/// What runs on a robot, on a robot's processor; what that needs is installed where that is asked for.
+fn no_std(arguments: &Arguments) -> anyhow::Result<Outcome> {
+    match robot::missing(strict() || arguments.install) {
+        Some(missing) => Ok(Outcome::Missing(missing)),
+        None => passed(robot::steps()?),
+    }
 }
 
 fn readme(_: &Arguments) -> anyhow::Result<Outcome> {

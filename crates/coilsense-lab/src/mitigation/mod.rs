@@ -1,5 +1,18 @@
-//! Doing something about ringing, for people: settings as files that a controller takes.
+//! Doing something about ringing, for people: every candidate on given conditions, ranked, and settings as files that a controller takes.
 //!
-//! Next door: the designs (`coilsense::mitigation`), the steps (`coilsense-rt`).
+//! ```text
+//! Spec or the stated scenario ─► Study ─► runs over the tolerance box ─► candidates, each judged ─► ranking, advice ─► files
+//! ```
+//!
+//! Next door: the designs (`coilsense::mitigation`), the steps (`coilsense-rt`), the answer as text and JSON (`report`).
 
+mod candidate;
+mod candidates;
 pub mod export;
+mod judge;
+mod runs;
+mod study;
+
+pub use candidate::{Candidate, Origin, Truth};
+pub use judge::Judgement;
+pub use study::{Answer, Asked, LeftOut, Study, StudyError};

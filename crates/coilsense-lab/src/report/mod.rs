@@ -6,6 +6,7 @@ mod analysis;
 mod calibration;
 mod data_sheet;
 mod experiment;
+mod mitigation;
 mod placement;
 mod prose;
 mod reproduction;
@@ -14,6 +15,7 @@ pub use analysis::{add_analysis, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use experiment::{add_experiment, experiment_json, experiment_text};
+pub use mitigation::{add_mitigation, mitigation_json, mitigation_text};
 pub use placement::{add_placement, placement_json, placement_text};
 pub use reproduction::{add_reproduction, reproduction_text};
 
@@ -40,6 +42,9 @@ pub enum ReportError {
     /// JSON cannot be written.
     #[error("JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// Settings cannot be exported.
+    #[error("export: {0}")]
+    Export(#[from] crate::mitigation::export::ExportError),
     /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -1,0 +1,112 @@
+//! `coilsense mitigate`.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use anyhow::Context;
+use coilsense::mitigation::ToleranceBox;
+use coilsense_lab::mitigation::export::Precision;
+use coilsense_lab::mitigation::{Asked, Study};
+use coilsense_lab::output::Output;
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
+use coilsense_lab::spec::Spec;
+
+/// Options of `coilsense mitigate`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The spec
+    #[arg(value_name = "SPEC")]
+    spec: PathBuf,
+    /// Judge on the stated scenario in place of the spec's conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds
+    #[arg(long, conflicts_with_all = ["rate", "noise", "bandwidth", "stiffness_tolerance", "mass_tolerance", "seeds"])]
+    stated: bool,
+    /// How often the controller samples
+    #[arg(long, value_name = "FREQUENCY", default_value = "2.5 kHz", value_parser = frequency)]
+    rate: f64,
+    /// White noise of the force at end 1, rms per sample; without it, 0.2 % of the nominal force
+    #[arg(long, value_name = "FORCE", value_parser = force)]
+    noise: Option<f64>,
+    /// Up to which frequency the force moves by itself; without it, the goal's bandwidth, or f1/20
+    #[arg(long, value_name = "FREQUENCY", value_parser = frequency)]
+    bandwidth: Option<f64>,
+    /// By how much the stiffness may be off, either way
+    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share)]
+    stiffness_tolerance: f64,
+    /// By how much the mass may be off, either way
+    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share)]
+    mass_tolerance: f64,
+    /// Series of noise, 1 to 1000
+    #[arg(long, value_name = "COUNT", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    seeds: u64,
+    /// Folder for results.json, the trade-off as a figure, and settings as JSON, C header and Rust constant; its other files are left alone
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Numbers of the exported settings
+    #[arg(long, value_enum, default_value = "single")]
+    precision: Numbers,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// In which numbers the target computes.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Numbers {
+    /// f32, float
+    Single,
+    /// f64, double
+    Double,
+}
+
+fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
+    dimension.parse(text).ok_or_else(|| format!("must be {}", dimension.expectation()))
+}
+
+fn frequency(text: &str) -> Result<f64, String> {
+    quantity(text, Dimension::Frequency)
+}
+
+fn force(text: &str) -> Result<f64, String> {
+    quantity(text, Dimension::Force)
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    quantity(text, Dimension::Share)
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let spec = Spec::read(&arguments.spec)?;
+    let mut output = arguments.out.as_deref().map(Output::begin).transpose()?;
+    let file = spec.file.clone();
+    let study = if arguments.stated {
+        Study::stated(&spec.spring.spring)?
+    } else {
+        let asked = Asked {
+            rate: arguments.rate,
+            noise: arguments.noise,
+            bandwidth: arguments.bandwidth,
+            tolerances: ToleranceBox::new(arguments.stiffness_tolerance, arguments.mass_tolerance)?,
+            seeds: arguments.seeds,
+        };
+        Study::of(&spec, &asked)?
+    };
+    let answer = study.run().context(file)?;
+    let text = if arguments.json { mitigation_json(&answer)? } else { mitigation_text(&answer) };
+    if let Some(output) = &mut output {
+        let precision = match arguments.precision {
+            Numbers::Single => Precision::Single,
+            Numbers::Double => Precision::Double,
+        };
+        add_mitigation(&answer, precision, output)?;
+    }
+    let files = output.map(Output::commit).transpose()?;
+    let mut out = anstream::stdout().lock();
+    // A reader that closes the pipe early has all it wants.
+    let _ = write!(out, "{text}");
+    if let (Some(files), Some(folder), false) = (files, &arguments.out, arguments.json) {
+        let _ = writeln!(out, "\n{files} files in {} in {:.2} s", folder.display(), answer.seconds);
+    }
+    Ok(())
+}

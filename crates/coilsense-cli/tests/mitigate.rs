@@ -1,0 +1,68 @@
+//! `coilsense mitigate` as a person meets it.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const SPEC: &str = r#"
+[spring]
+name = "S_T"
+rest_length = "104 mm"
+windings = 52
+coil_radius = "8 mm"
+wire_radius = "1 mm"
+mass = "65 g"
+stiffness = "760 N/m"
+min_length = "196 mm"
+max_length = "264 mm"
+
+[mount]
+end2 = "held"
+damping_ratio = 0.01
+
+[[condition]]
+name = "heel strike"
+kind = "impact"
+length = "mid"
+velocity = "0.25 m/s"
+duration = "0.5 s"
+"#;
+
+fn mitigate(folder: &Path, arguments: &[&str]) -> Output {
+    std::fs::write(folder.join("my.toml"), SPEC).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_coilsense"));
+    command.args(["mitigate", "my.toml"]).args(arguments).current_dir(folder);
+    command.output().unwrap()
+}
+
+#[test]
+fn a_spec_gets_advice_and_files_to_paste() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = mitigate(folder.path(), &["--seeds", "1", "--rate", "1 kHz", "--noise", "0.2 N", "--out", "out"]);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(text.starts_with("For F_i without its ringing, take the ") && text.contains("9 files in out"), "{text}");
+    for file in ["results.json", "trade-off.svg", "trade-off.png", "force_filter.h", "force_estimator.rs"] {
+        assert!(folder.path().join("out").join(file).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn bad_input_is_one_line_and_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, told) in [
+        (
+            ["--rate", "100 Hz"],
+            "my.toml: sampling rate must be above twice the first surge frequency of 54.065 Hz, got 100 Hz",
+        ),
+        (["--bandwidth", "0 Hz"], "bandwidth must be above zero and below the first surge frequency, got 0 Hz"),
+        (["--mass-tolerance", "100 %"], "mass tolerance must be from 0 to below 1, got 1"),
+        (["--noise", "0.2"], "must be a force with its unit"),
+    ] {
+        let done = mitigate(folder.path(), &[&arguments[..], &["--out", "out"]].concat());
+        let text = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.code() == Some(2) && text.contains(told), "{text}");
+        assert!(!folder.path().join("out").exists());
+    }
+    let empty = mitigate(folder.path(), &["--mass-tolerance", "0 %", "--stiffness-tolerance", "0 %"]);
+    assert!(String::from_utf8(empty.stderr).unwrap().contains("the box is empty"));
+}

@@ -1,0 +1,229 @@
+//! A study: conditions, noise, tolerances; every candidate on all of them; what to choose.
+//!
+//! Next door: the candidates (`candidates`), how they are judged (`judge`), the answer as text and JSON (`report`).
+
+use std::time::Instant;
+
+use coilsense::excitation::{EndInput, Start, VelocityProfile};
+use coilsense::mitigation::{SampledSpring, ToleranceBox};
+use coilsense::{Damping, Error, Excitation, FarEnd, Spring};
+use rand_distr::Normal;
+use rayon::prelude::*;
+
+use super::candidate::{Candidate, Origin, Truth};
+use super::candidates::{Brief, Candidates};
+use super::judge::{Judgement, Trial, order};
+use super::runs;
+use crate::spec::Spec;
+
+/// What candidates are to be good at.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// The nominal spring.
+    pub spring: Spring,
+    /// What end 2 is tied to; its position is measured in any case.
+    pub far_end: FarEnd,
+    /// Name, excitation and duration \[s\] of each condition.
+    pub conditions: Vec<(String, Excitation, f64)>,
+    /// Label and damping; the spring may have any of them.
+    pub dampings: Vec<(String, Damping)>,
+    /// Which of them designs take for true.
+    pub nominal_damping: usize,
+    /// What may be off about k and m.
+    pub tolerances: ToleranceBox,
+    /// How often the controller samples \[Hz\].
+    pub rate: f64,
+    /// White noise of F_i \[N rms\].
+    pub noise: f64,
+    /// Up to which frequency the force moves by itself \[Hz\].
+    pub bandwidth: f64,
+    /// How many series of noise.
+    pub seeds: u64,
+    /// The first one's seed.
+    pub seed: u64,
+}
+
+/// What the command line adds to a spec.
+#[derive(Debug, Clone, Copy)]
+pub struct Asked {
+    /// Sampling rate \[Hz\].
+    pub rate: f64,
+    /// Noise \[N rms\].
+    pub noise: Option<f64>,
+    /// Bandwidth \[Hz\].
+    pub bandwidth: Option<f64>,
+    /// Tolerances of k and m.
+    pub tolerances: ToleranceBox,
+    /// Series of noise.
+    pub seeds: u64,
+}
+
+/// Why there is no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// The spec has nothing to judge on.
+    #[error("{0}: [[condition]] must be there at least once to judge on")]
+    NoCondition(String),
+    /// The science refuses.
+    #[error("{file}: {source}")]
+    Science {
+        /// The spec's name.
+        file: String,
+        /// Why.
+        source: Error,
+    },
+}
+
+/// A candidate that cannot be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// In words.
+    pub name: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// Every candidate judged, best first; filters of F_i, then estimators of F_o.
+pub struct Answer {
+    /// What was asked.
+    pub study: Study,
+    /// How each did.
+    pub judged: Vec<(Candidate, Judgement)>,
+    /// Which could not be.
+    pub left_out: Vec<LeftOut>,
+    /// How many runs over the box there were.
+    pub runs: usize,
+    /// How long it took \[s\].
+    pub seconds: f64,
+}
+
+impl Study {
+    /// S_T's scenario on which designs are compared: 0.23 m long, ζ = 0.005 (and half and twice that), hit at 0.25 m/s at t = 0 while u1 moves by
+    /// 5 mm · sin(2π · 1.5 t), 2.5 kHz, 0.24 N rms of noise, 0 to 2 s, 50 seeds, k and m ± 10 %.
+    ///
+    /// # Errors
+    /// Those of [`ToleranceBox::new`] and [`Excitation::new`], which these values do not meet.
+    pub fn stated(spring: &Spring) -> Result<Self, Error> {
+        let start = Start::Moving { velocity: 0.25, profile: VelocityProfile::Uniform };
+        let excitation = Excitation::new(0.23, EndInput::harmonic(0.005, 1.5, 0.0), EndInput::Held, start)?;
+        let damping = |ratio: f64| (format!("ζ = {ratio}"), Damping::Modal(ratio));
+        Ok(Self {
+            spring: spring.clone(),
+            far_end: FarEnd::Position,
+            conditions: vec![("stated scenario".to_owned(), excitation, 2.0)],
+            dampings: [0.0025, 0.005, 0.01].map(damping).to_vec(),
+            nominal_damping: 1,
+            tolerances: ToleranceBox::new(0.1, 0.1)?,
+            rate: 2500.0,
+            noise: 0.24,
+            bandwidth: 1.5,
+            seeds: 50,
+            seed: 1,
+        })
+    }
+
+    /// The conditions and dampings of a spec; noise is 0.2 % of F_nom and the bandwidth the goal's, or f1/20, unless asked otherwise.
+    ///
+    /// # Errors
+    /// [`StudyError::NoCondition`] for a spec without conditions.
+    pub fn of(spec: &Spec, asked: &Asked) -> Result<Self, StudyError> {
+        if spec.conditions.is_empty() {
+            return Err(StudyError::NoCondition(spec.file.clone()));
+        }
+        let spring = &spec.spring.spring;
+        let conditions = spec.conditions.iter();
+        let cases = spec.mount.cases.iter();
+        Ok(Self {
+            spring: spring.clone(),
+            far_end: spec.mount.far_end(),
+            conditions: conditions.map(|c| (c.name.clone(), c.excitation.clone(), c.duration)).collect(),
+            dampings: cases.map(|case| (case.label.clone(), case.mount.damping().clone())).collect(),
+            nominal_damping: spec.mount.cases.len() / 2,
+            tolerances: asked.tolerances,
+            rate: asked.rate,
+            noise: asked.noise.unwrap_or(0.002 * spring.nominal_force()),
+            bandwidth: asked.bandwidth.or(spec.goal.bandwidth).unwrap_or(spring.surge_frequency() / 20.0),
+            seeds: asked.seeds,
+            seed: spec.uncertainty.seed,
+        })
+    }
+
+    /// Designs and judges every candidate.
+    ///
+    /// # Errors
+    /// Those of the science; a candidate that cannot be is no error but left out.
+    pub fn run(self) -> Result<Answer, Error> {
+        let begun = Instant::now();
+        let sampled = SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
+        let nominal = runs::nominal(&self)?;
+        let largest = |of: fn(&runs::Run) -> f64| nominal.iter().map(of).fold(0.0, f64::max);
+        // An impact at v rings by Z v; without any ringing a hundredth of the noise stands for it.
+        let impact = largest(runs::Run::ringing).max(0.01 * self.noise) / self.spring.wave_impedance();
+        let brief = Brief {
+            spring: &sampled,
+            tolerances: self.tolerances,
+            noise: self.noise,
+            impact,
+            interval: self.conditions.iter().map(|condition| condition.2).fold(0.0, f64::max).min(60.0),
+            bandwidth: self.bandwidth,
+            motion: largest(runs::Run::motion),
+        };
+        let candidates = Candidates::of(&brief);
+        let trial = self.trial(&sampled, nominal, impact)?;
+        let mut judged: Vec<(Candidate, Judgement)> = candidates
+            .all
+            .into_par_iter()
+            .map(|candidate| {
+                let judgement = trial.judge(&candidate);
+                (candidate, judgement)
+            })
+            .collect();
+        judged.sort_by(order);
+        let runs = trial.over_the_box.len();
+        let seconds = begun.elapsed().as_secs_f64();
+        Ok(Answer { study: self, judged, left_out: candidates.left_out, runs, seconds })
+    }
+
+    fn trial(&self, sampled: &SampledSpring, nominal: Vec<runs::Run>, impact: f64) -> Result<Trial, Error> {
+        let told = |quantity: &'static str, value: f64, unit, allowed: &'static str| Error::Value {
+            quantity: quantity.into(),
+            value,
+            unit,
+            allowed: allowed.into(),
+        };
+        let first = self.spring.surge_frequency();
+        if !(self.bandwidth > 0.0 && self.bandwidth < first) {
+            return Err(told("bandwidth", self.bandwidth, "Hz", "above zero and below the first surge frequency"));
+        }
+        let unfit = || told("noise of the force", self.noise, "N", "above zero and finite");
+        let noise = Normal::new(0.0, self.noise).ok().filter(|_| self.noise > 0.0).ok_or_else(unfit)?;
+        if self.seeds == 0 {
+            return Err(told("seeds", 0.0, "", "at least 1"));
+        }
+        Ok(Trial {
+            nominal,
+            over_the_box: runs::over_the_box(self)?,
+            impact: runs::impact(self, impact)?,
+            swing: runs::swing(self, self.bandwidth)?,
+            bandwidth: self.bandwidth,
+            rate: self.rate,
+            noise,
+            seeds: self.seeds,
+            seed: self.seed,
+            longest_delay: (2.0 * sampled.surge_period()) as usize,
+        })
+    }
+}
+
+impl Answer {
+    /// The best of those that are to give `truth`, by the worst case.
+    pub fn best(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
+        self.judged.iter().find(|(candidate, _)| candidate.truth == truth)
+    }
+
+    /// The best of what one tries first.
+    pub fn best_first_try(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
+        let wanted = |candidate: &Candidate| candidate.truth == truth && candidate.origin == Origin::FirstTry;
+        self.judged.iter().find(|(candidate, _)| wanted(candidate))
+    }
+}

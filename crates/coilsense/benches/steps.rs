@@ -1,0 +1,73 @@
+//! What a step costs on this machine: a notch, a mean, a window, Kalman filters; `cargo bench -p coilsense --bench steps`.
+//!
+//! Next door: instructions on a robot's processor (`cargo xtask test`, part no_std).
+
+use coilsense::mitigation::{
+    BankDesign, KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, observer_bank, surge_mean, surge_notches,
+};
+use coilsense::{Damping, Spring, SpringParameters};
+use coilsense_rt::{Cascade, Measured, Window};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+
+/// Steps of one measurement, so that a clock's own cost does not show.
+const STEPS: u64 = 10_000;
+
+/// S_T at 2.5 kHz, ζ = 0.005.
+fn sampled() -> SampledSpring {
+    let spring = Spring::new(SpringParameters {
+        rest_length: 0.104,
+        windings: 52.0,
+        coil_radius: 0.008,
+        wire_radius: 0.001,
+        mass: 0.065,
+        stiffness: 760.0,
+        min_length: 0.196,
+        max_length: 0.264,
+        nominal_force: None,
+        inductance_windings: None,
+    });
+    SampledSpring::new(&spring.unwrap(), &Damping::Modal(0.005), 2500.0).unwrap()
+}
+
+fn measured() -> Vec<Measured<f64>> {
+    let at = |sample: u64| {
+        let time = sample as f64 / 2500.0;
+        Measured { force: 96.0 + (340.0 * time).sin(), ends: [0.005 * (9.4 * time).sin(), 0.23] }
+    };
+    (0..STEPS).map(at).collect()
+}
+
+fn bench<S: Clone>(
+    criterion: &mut Criterion,
+    name: &str,
+    state: S,
+    mut step: impl FnMut(&mut S, &Measured<f64>) -> f64,
+) {
+    let samples = measured();
+    let mut group = criterion.benchmark_group("step");
+    group.throughput(Throughput::Elements(STEPS));
+    group.bench_function(name, |bencher| {
+        let run = |mut state: S| samples.iter().map(|sample| step(&mut state, sample)).sum::<f64>();
+        bencher.iter_batched(|| state.clone(), run, BatchSize::SmallInput);
+    });
+}
+
+fn steps(criterion: &mut Criterion) {
+    let spring = sampled();
+    let start = measured()[0];
+    let notch: Cascade<f64, 1> = Cascade { sections: surge_notches(&spring, 1, 2.0).unwrap().try_into().unwrap() };
+    bench(criterion, "notch", notch.settled(96.0), |state, sample| notch.step(state, sample.force));
+    let mean = surge_mean(&spring);
+    bench(criterion, "mean over 2τ", mean.settled::<48>(96.0), |state, sample| mean.step(state, sample.force));
+    let window = Window { taps: [1.0 / 96.0; 96] };
+    bench(criterion, "window of 96 taps", window.settled(96.0), |state, sample| window.step(state, sample.force));
+    let noise = KalmanNoise { force: 0.24, shock: 0.15, ringing: 0.1, drift: 0.5 };
+    let kalman = modal_kalman::<3>(&spring, &noise).unwrap();
+    bench(criterion, "Kalman, 3 modes", kalman.settled(&start), |state, sample| kalman.step(state, sample).output);
+    let design = BankDesign { noise, stiffnesses: 3, memory: 0.1, sharpness: 30.0 };
+    let bank = observer_bank::<5, 21>(&spring, &ToleranceBox::new(0.1, 0.1).unwrap(), &design).unwrap();
+    bench(criterion, "bank of 21, 5 modes", bank.settled(&start), |state, sample| bank.step(state, sample).output);
+}
+
+criterion_group!(benches, steps);
+criterion_main!(benches);
