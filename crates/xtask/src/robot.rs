@@ -22,10 +22,12 @@ const PATIENCE: Duration = Duration::from_secs(120);
 
 /// What is missing and how to get it, after installing what may be installed.
 pub fn missing(may_install: bool) -> Option<String> {
-    if !has_target() && !(may_install && typed(ADD_TARGET) && has_target()) {
+    let target = has_target() || may_install && typed(ADD_TARGET) && has_target();
+    if !target {
         return Some(format!("no core library for {TARGET}; install it with: {ADD_TARGET}"));
     }
-    if !has_machine() && !(may_install && typed("apt-get update") && typed(INSTALL) && has_machine()) {
+    let machine = has_machine() || may_install && typed("apt-get update") && typed(INSTALL) && has_machine();
+    if !machine {
         return Some(format!("no {MACHINE}; install it with: {INSTALL}"));
     }
     None
