@@ -6,6 +6,7 @@
 mod analyze;
 mod calibrate;
 mod experiment;
+mod identify;
 mod import;
 mod init;
 mod log;
@@ -42,6 +43,8 @@ enum Command {
     Analyze(analyze::Arguments),
     /// From inductance to length and force: fit a measured log, say how far to trust it, and set the theories beside it
     Calibrate(calibrate::Arguments),
+    /// Is it the spring that rings, how stiff, heavy and damped is it, and up to where can its forces be trusted: ask a measured log
+    Identify(identify::Arguments),
     /// Read a log, mend what may be mended, write it in SI units on one rising clock, and account for every row
     Import(import::Arguments),
     /// The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors
@@ -71,6 +74,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Analyze(arguments) => analyze::run(&arguments),
         Command::Calibrate(arguments) => calibrate::run(&arguments),
+        Command::Identify(arguments) => identify::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Rig(arguments) => rig::run(&arguments),
         Command::Mitigate(arguments) => mitigate::run(&arguments),

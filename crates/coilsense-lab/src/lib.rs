@@ -27,6 +27,8 @@ pub mod analysis;
 pub mod data_sheet;
 
 pub mod calibration;
+
+pub mod identification;
 pub mod placement;
 
 pub mod experiment;

@@ -1,11 +1,13 @@
 //! Results as people and machines read them: terminal text, HTML, JSON.
 //!
-//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`, `calibration`, `experiment`), how files come to disk whole (`output`).
+//! Next door: what is computed (`reproduce`, `analysis`, `data_sheet`, `calibration`, `identification`, `experiment`), how files come to disk
+//! whole (`output`).
 
 mod analysis;
 mod calibration;
 mod data_sheet;
 mod experiment;
+mod identification;
 mod mitigation;
 mod placement;
 mod prose;
@@ -15,6 +17,7 @@ pub use analysis::{add_analysis, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use experiment::{add_experiment, experiment_json, experiment_text};
+pub use identification::{add_identification, identification_json, identification_text};
 pub use mitigation::{add_mitigation, mitigation_json, mitigation_text};
 pub use placement::{add_placement, placement_json, placement_text};
 pub use reproduction::{add_reproduction, reproduction_text};

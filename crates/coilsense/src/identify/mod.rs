@@ -16,6 +16,7 @@ mod naming;
 mod pole_fit;
 mod quasi_static;
 mod refine;
+mod ring_down;
 mod ringing;
 mod run;
 mod sampling;
@@ -30,6 +31,7 @@ mod whitening;
 pub use ladder::Ladder;
 pub use line::{Line, Meaning};
 pub use quasi_static::Stiffness;
+pub use ring_down::RingDown;
 pub use ringing::Part;
 pub use sampling::Sampling;
 pub use settings::Settings;
@@ -74,6 +76,10 @@ pub struct Identification {
     pub trust: Option<Trust>,
     /// Power spectra of the parts of the forces \[N²/Hz\].
     pub spectra: Vec<(Part, Welch)>,
+    /// Standard deviation of each part's noise \[N\].
+    pub noise: Vec<(Part, f64)>,
+    /// The strongest tap's ringing beside its fit.
+    pub ring_down: Option<RingDown>,
     /// The answer.
     pub verdict: Verdict,
 }

@@ -4,7 +4,6 @@
 
 use super::ladder::Match;
 use super::line::{Line, Meaning};
-use super::ringing::Part;
 
 /// How far mains may be off \[1\], relative, and the highest multiple that is thought of.
 const MAINS_OFF: f64 = 3e-3;
@@ -24,10 +23,10 @@ pub(super) fn name(lines: &mut [Line], ladder: Option<&Match>, rate: f64, static
             continue;
         }
         let off = 100.0 * (lines[index].frequency.value / expected - 1.0);
-        let pattern = pattern(lines[index].part, mode);
+        // No sign on what rounds to nothing.
+        let off = if off.abs() < 0.005 { "0.00".to_owned() } else { format!("{off:+.2}") };
         lines[index].meaning = Meaning::Mode(mode);
-        lines[index].reason =
-            format!("mode {mode} of {}: {expected:.2} Hz expected, {off:+.2} % off{pattern}", ladder.ladder.name());
+        lines[index].reason = format!("mode {mode}: {expected:.2} Hz expected, {off} % off");
     }
     for &(index, mode, expected) in &ladder.aliases {
         if lines[index].decays {
@@ -73,12 +72,4 @@ fn steady(line: &Line, static_part: Option<f64>) -> (Meaning, String) {
         }
     }
     (Meaning::Unknown, "steady: it does not die out".to_owned())
-}
-
-fn pattern(part: Option<Part>, mode: usize) -> &'static str {
-    match (part, mode % 2) {
-        (Some(Part::Difference), _) => "; the ends pull in turn, as odd modes do",
-        (Some(Part::Sum), _) => "; the ends pull together, as even modes do",
-        _ => "",
-    }
 }

@@ -37,7 +37,7 @@ pub(super) struct Fit {
 }
 
 /// Complex terms of the smooth rest per block: a polynomial over the band's angles.
-const SMOOTH: usize = 5;
+const SMOOTH: usize = 7;
 /// Terms of slow motion, (1 − e^(−iω))^(−p), where the band begins low.
 const SLOW: usize = 2;
 /// Most steps of a fit.

@@ -11,7 +11,7 @@ use super::lines::{Peak, after_taps, steady};
 use super::refine::{Fitted, Refiner};
 use super::ringing::{Part, Series, series};
 use super::{Answer, Estimate, Identification, Ladder, Sampling, Settings, Stiffness, Tap, Trust, Verdict};
-use super::{half_power, naming, taps, verdict};
+use super::{half_power, naming, ring_down, taps, verdict};
 use crate::error::Error;
 use crate::mount::FarEnd;
 use crate::signals::{Channel, Signals};
@@ -72,11 +72,14 @@ impl Identification {
             foretold: None,
             trust: None,
             spectra,
+            noise: series.iter().map(|one| (one.part, one.noise)).collect(),
+            ring_down: None,
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
         found.explain(signals, &foldings);
         found.derive();
         found.half_powers(&series);
+        found.ring_down = ring_down::of(&found.lines, &series, &found.taps, &found.sampling);
         found.verdict = verdict::verdict(&found);
         Ok(found)
     }

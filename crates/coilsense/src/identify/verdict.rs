@@ -101,13 +101,14 @@ fn is_pair(found: &Identification) -> bool {
 }
 
 fn ladder_evidence(found: &Identification, modes: usize) -> Vec<String> {
-    let name = found.ladder.map_or("its mount", |ladder| ladder.name());
+    let name = found.ladder.map_or("an unknown mount", |ladder| ladder.name());
     let taps = found.taps.len();
     let mut evidence = vec![format!(
-        "{} that die{} out after {taps} tap{} on the ladder of {name}",
+        "{} that die{} out after {taps} tap{}: {} of a coil with {name}",
         lines(modes),
         if modes == 1 { "s" } else { "" },
         if taps == 1 { "" } else { "s" },
+        if modes == 1 { "a mode" } else { "modes" },
     )];
     let patterned = found
         .lines

@@ -1,0 +1,69 @@
+//! The answer in a few lines: verdict with evidence, numbers with intervals, what can be trusted, what to record next.
+//!
+//! Next door: all lines of the record (`crate::report`).
+
+use coilsense::identify::{Answer, Estimate, Part};
+
+use super::Identified;
+use crate::calibration::with_error;
+use crate::quantity::digits;
+
+/// The answer, the verdict first.
+pub fn answer(identified: &Identified) -> Vec<String> {
+    let found = &identified.found;
+    let verdict = &found.verdict;
+    let mut lines = vec![format!("{}: {}.", verdict.answer.name(), verdict.evidence.join("; "))];
+    lines.extend(numbers(identified));
+    if let (Some(trust), Some(first)) = (found.trust, found.first_frequency) {
+        let percent = digits(100.0 * trust.tolerance);
+        let if_spring = if verdict.answer == Answer::Spring { "" } else { ", if it is the spring," };
+        lines.push(format!(
+            "Trust{if_spring} F_o as the force at the driven end up to {} Hz, F_x up to {} Hz (F_x as the force at the held end up to {} Hz): \
+             there the spring's own dynamics make {percent} % of error, f1 being {} Hz.",
+            digits(trust.output_for_input),
+            digits(trust.deflection_for_input),
+            digits(trust.deflection_for_output),
+            digits(first.value),
+        ));
+    }
+    lines.extend(verdict.next.iter().map(|next| format!("Record next: {next}.")));
+    lines
+}
+
+/// f1, ζ, k, l0, m and τ, as far as they are known.
+fn numbers(identified: &Identified) -> Option<String> {
+    let found = &identified.found;
+    let mut parts = Vec::new();
+    let mut add = |name: &str, estimate: Option<&Estimate>, scale: f64, unit: &str| {
+        parts.extend(estimate.map(|estimate| format!("{name} = {}{unit}", interval(estimate, scale))));
+    };
+    add("f1", found.first_frequency.as_ref(), 1.0, " Hz");
+    add("ζ", found.ratio.as_ref(), 1.0, "");
+    let stiffness = found.stiffness.as_ref().ok();
+    add("k", stiffness.map(|line| &line.stiffness), 1.0, " N/m");
+    if let Some(line) = stiffness {
+        let name = if line.both_positions { "l0" } else { "position without force" };
+        add(name, Some(&line.length_at_zero), 1e3, " mm");
+    }
+    add("mass of the coil", found.mass.as_ref(), 1e3, " g");
+    add("τ", found.transit_time.as_ref(), 1e3, " ms");
+    if let Some(mass) = found.end_mass {
+        parts.push(format!("mass at end 2 {} kg", digits(mass)));
+    }
+    (!parts.is_empty()).then(|| format!("{} (95 % intervals).", parts.join(", ")))
+}
+
+/// A value with its 95 % interval, in another unit.
+pub(crate) fn interval(estimate: &Estimate, scale: f64) -> String {
+    with_error(scale * estimate.value, Some(scale * estimate.expanded))
+}
+
+/// A part of the forces, as tables call it.
+pub(crate) fn part_name(part: Option<Part>) -> &'static str {
+    match part {
+        Some(Part::Difference) => "in turn",
+        Some(Part::Sum) => "together",
+        Some(Part::Single(channel)) => channel.name(),
+        None => "one end more",
+    }
+}

@@ -1,0 +1,61 @@
+//! A measured log identified: is it the spring that rings, and what spring is it?
+//!
+//! Next door: the science (`coilsense::identify`), where logs come from (`crate::recording`), its report (`crate::report`).
+
+mod answer;
+mod spec_file;
+
+pub use answer::answer;
+pub(crate) use answer::{interval, part_name};
+pub use spec_file::{Coil, SpecFileError, spec_file};
+
+use coilsense::Signals;
+use coilsense::identify::{Identification, Settings};
+
+use crate::recording::Recording;
+
+/// A log and what it says.
+#[derive(Debug, Clone)]
+pub struct Identified {
+    /// The log's name, as it was given.
+    pub file: String,
+    /// What the log says of its being simulated, where it does.
+    pub simulated: Option<String>,
+    /// What became of its rows, line by line.
+    pub account: Vec<String>,
+    /// What was recorded.
+    pub signals: Signals,
+    /// What it says.
+    pub found: Identification,
+}
+
+impl Identified {
+    /// Identifies a log.
+    ///
+    /// # Errors
+    /// [`IdentificationError`] with the log's name, for a log without a force, too short, or uneven in time.
+    pub fn of(recording: Recording, settings: &Settings) -> Result<Self, IdentificationError> {
+        let file = recording.account().file.display().to_string();
+        let wrong = |reason: String| IdentificationError { file: file.clone(), reason };
+        // Says where a log is uneven, and how to mend it.
+        recording
+            .sample_rate()
+            .map_err(|error| IdentificationError { file: String::new(), reason: error.to_string() })?;
+        let found = Identification::of(recording.signals(), settings).map_err(|error| wrong(error.to_string()))?;
+        Ok(Self {
+            simulated: recording.simulated().map(str::to_owned),
+            account: recording.account().lines(),
+            signals: recording.signals().clone(),
+            found,
+            file,
+        })
+    }
+}
+
+/// A log that cannot be identified.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}{reason}", if file.is_empty() { String::new() } else { format!("{file}: ") })]
+pub struct IdentificationError {
+    file: String,
+    reason: String,
+}
