@@ -8,10 +8,11 @@
 //! | F_i with F_L's truth | [`inductance_fusion`] | [`coilsense_rt::Fusion`] |
 //! | commands that do not ring | [`zero_vibration`], [`zero_vibration_derivative`], [`surge_mean`], [`double_mean`] | [`coilsense_rt::Shaper`] … |
 //!
-//! [`Coefficients`] says whether a cascade is stable, and what it is once its coefficients are rounded; `TransferFunction` judges any of them over
-//! frequency. Next door: which of them does best under given conditions (`coilsense-lab`), the steps themselves (`coilsense-rt`).
+//! [`Coefficients`] says whether a cascade is stable, and what it is once its coefficients are rounded; [`ringing_error_bound`] how wrong an
+//! observer can be on any spring of a box. Next door: which of them does best under given conditions (`coilsense-lab`), the steps themselves (`coilsense-rt`).
 
 mod bank;
+mod bound;
 mod butterworth;
 mod coefficients;
 mod fusion;
@@ -26,6 +27,7 @@ mod waves;
 mod window;
 
 pub use bank::{BankDesign, observer_bank};
+pub use bound::ringing_error_bound;
 pub use butterworth::low_pass;
 pub use coefficients::{Coefficients, Rounding};
 pub use fusion::inductance_fusion;
