@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Over frequency no mode is left out: the spring is [`crate::two_port::TwoPort`]. The sampled loop ([`SampledLoop`]) sums all modes of the
-//! chain, sample to sample without error for an ideal velocity source, and [`simulate`] runs it on the engine of [`crate::motion::Live`].
+//! chain, sample to sample without error for an ideal velocity source, and [`simulate()`] runs it on the engine of [`crate::motion::Live`].
 //!
 //! ```
 //! # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,

@@ -10,7 +10,7 @@ use coilsense::{Channel, Error};
 use crate::placement::Placement;
 use crate::plot::{Axis, Colour, Curve, Dash, Figure, HorizontalMark, Mark, Panel, Scale, Stroke};
 
-/// Width and height of a panel [px].
+/// Width and height of a panel \[px\].
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 260.0;
 /// How many times the set crossover's neighbourhood is shown below it.
