@@ -269,6 +269,25 @@ fn a_log_of_any_layout_is_the_same_calibration() {
 }
 
 #[test]
+fn a_long_log_is_fitted_whole_and_what_is_judged_on_a_part_is_said() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("log.csv");
+    let row = |index: u32| {
+        let length = 0.12 + 1e-6 * f64::from(index);
+        format!("{length},{}\n", 0.46e-6 / length + 1e-7)
+    };
+    let rows: String = (0..50_000).map(row).collect();
+    fs::write(&path, format!("u2 [m],L [H]\n{rows}")).unwrap();
+    let out = place.path().join("out");
+    let coil = ["--wire", "2.8 mm", "--radius", "8.5 mm", "--windings", "42", "--out", out.to_str().unwrap()];
+    let text = done(&path, &coil);
+    assert!(text.lines().next().unwrap().contains("over 50000 points"), "{text}");
+    assert!(text.contains("take 500 of the 50000 points"), "{text}");
+    let page = fs::metadata(out.join("report.html")).unwrap().len();
+    assert!(page < 2_000_000, "a page of {page} bytes");
+}
+
+#[test]
 fn what_does_not_go_together_is_said() {
     let (_place, path) = log(|_, _| None);
     assert!(refused(&path, &PRESET[..2]).contains("--length-at-zero is needed"));

@@ -35,6 +35,19 @@ impl Measured {
         CalibrationPoints::new(lengths, inductances).map_err(|error| CalibrationError::of(file, error))
     }
 
+    /// At most so many of the points, spread evenly in the order of their lengths, the shortest and the longest among them.
+    pub fn some(&self, most: usize) -> Vec<usize> {
+        let lengths = self.points.lengths();
+        let count = lengths.len();
+        let mut order: Vec<usize> = (0..count).collect();
+        if count > most {
+            order.sort_by(|&a, &b| lengths[a].total_cmp(&lengths[b]));
+            order = (0..most).map(|step| order[step * (count - 1) / (most - 1).max(1)]).collect();
+            order.sort_unstable();
+        }
+        order
+    }
+
     /// What stands on the axis of a figure and in a table: displacements where the file holds them, else lengths \[m\].
     pub fn places(&self) -> Vec<f64> {
         let zero = self.zero_length.unwrap_or(0.0);

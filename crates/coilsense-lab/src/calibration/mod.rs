@@ -16,7 +16,7 @@ pub(crate) use answer::with_error;
 pub use force::ForceLaw;
 pub use lab_data::read_lab_data;
 pub use measured::Measured;
-pub use outcome::{Judged, Outcome};
+pub use outcome::{Judged, Outcome, THEORY_POINTS};
 pub use plan::{Method, Plan, Preload};
 
 /// A calibration that cannot be made: one line with the file or quantity, the value and what is allowed.

@@ -7,6 +7,9 @@ use coilsense::inductance::theories::Theory;
 
 use super::{CalibrationError, Measured, Method, Plan};
 
+/// Most points on which theories are judged: turning a helix round takes a millisecond a point.
+pub const THEORY_POINTS: usize = 500;
+
 /// A calibration with all that is known of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
@@ -31,8 +34,6 @@ pub struct Outcome {
 pub struct Judged {
     /// Which one.
     pub theory: Theory,
-    /// L \[H\] of each point's length.
-    pub inductances: Vec<f64>,
     /// How far off it is, or why that cannot be said.
     pub misfit: Result<Misfit, String>,
 }
@@ -54,11 +55,14 @@ impl Outcome {
             Some((other, InverseLengthFit::new(points, fit).ok()?.misfit))
         });
         let others = others.collect();
+        let some = measured.some(THEORY_POINTS);
+        let pick = |values: &[f64]| some.iter().map(|&index| values[index]).collect::<Vec<f64>>();
+        let some = Measured::pairs(&measured.file, &pick(points.lengths()), &pick(points.inductances()))?;
         let theories = plan.coil.iter().flat_map(|coil| Theory::ALL.map(|theory| (coil, theory)));
         let judge = |(coil, theory): (&_, Theory)| {
             let relation = |length: f64| theory.inductance(coil, length);
-            let misfit = plan.inversion.judge(points, relation).map_err(|error| error.to_string());
-            Judged { theory, inductances: points.lengths().iter().map(|&l| relation(l)).collect(), misfit }
+            let misfit = plan.inversion.judge(&some, relation).map_err(|error| error.to_string());
+            Judged { theory, misfit }
         };
         let theories = theories.map(judge).collect();
         Ok(Self { measured, plan, inverse_length, inductance, reading, others, theories })

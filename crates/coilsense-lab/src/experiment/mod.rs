@@ -1,9 +1,10 @@
 //! An experiment like that of the paper's section IV, worked off as IV-C says: from the logs that an `experiment.toml` lists to Figs. 5 and 6.
 //!
 //! `spring` takes stiffness, offset and the curve of eq. (13) from the calibration run, `fast` and `slow` read the logs of a run, `mean` holds
-//! means with their standard errors, `findings` says what rises, what is biased and what drifts, `answer` puts it into words. Next door: the
+//! means with their standard errors, `findings` says what rises, what is biased and what drifts, `answer` puts it into words, `account` what was left out. Next door: the
 //! file itself (`crate::spec`), logs (`crate::recording`), how it looks (`crate::report`).
 
+mod account;
 mod answer;
 mod fast;
 mod findings;

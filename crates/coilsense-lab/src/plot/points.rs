@@ -83,7 +83,7 @@ pub(super) fn shapes(scene: &Scene, shapes: &mut Vec<Shape>) {
             let Some(error) = points.errors.get(index).filter(|error| error.is_finite()) else { continue };
             let ends = [points.y[index] - error, points.y[index] + error];
             // A bar that leaves the axes ends at their edge, without a cap.
-            let ends = ends.map(|end| up(end)).map(|share| if share.is_nan() { 0.0 } else { share });
+            let ends = ends.map(up).map(|share| if share.is_nan() { 0.0 } else { share });
             let [low, high] = ends.map(|share| scene.frame.at(across(index), share.clamp(0.0, 1.0)));
             runs.push(vec![low, high]);
             for (end, share) in [low, high].into_iter().zip(ends) {

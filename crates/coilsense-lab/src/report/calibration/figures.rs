@@ -4,7 +4,7 @@
 
 use coilsense::inductance::theories::Theory;
 
-use crate::calibration::Outcome;
+use crate::calibration::{Outcome, THEORY_POINTS};
 use crate::plot::{Axis, Bar, Bars, Colour, Curve, Dash, Figure, HorizontalMark, Panel, Points, Stroke};
 use crate::quantity::digits;
 
@@ -50,6 +50,11 @@ fn place_axis(outcome: &Outcome) -> Axis {
     Axis { label: label.into(), range: Some((lowest - room, highest + room)), ..Axis::default() }
 }
 
+/// Values of the points that are shown; none of what no point has.
+fn shown(outcome: &Outcome, values: &[f64]) -> Vec<f64> {
+    outcome.measured.some(THEORY_POINTS).into_iter().filter_map(|index| values.get(index).copied()).collect()
+}
+
 fn millimetres(metres: &[f64]) -> Vec<f64> {
     metres.iter().map(|metre| 1e3 * metre).collect()
 }
@@ -77,11 +82,12 @@ fn curve(outcome: &Outcome) -> Figure {
         .map(|(coil, (theory, colour, dash))| smooth(theory.name(), colour, dash, 1.4, &|l| theory.inductance(coil, l)))
         .collect();
     curves.push(smooth("1/l = αL + β", Colour::Ink, Dash::Solid, 1.5, &fit));
+    let micro = |values: &[f64]| shown(outcome, values).iter().map(|henry| 1e6 * henry).collect::<Vec<f64>>();
     let measured = Points {
         label: "measured".into(),
-        x: millimetres(&outcome.measured.places()),
-        y: points.inductances().iter().map(|henry| 1e6 * henry).collect(),
-        errors: outcome.measured.standard_errors.iter().map(|henry| 1e6 * henry).collect(),
+        x: millimetres(&shown(outcome, &outcome.measured.places())),
+        y: micro(points.inductances()),
+        errors: micro(&outcome.measured.standard_errors),
         colour: Colour::Ink,
         ..Points::default()
     };
@@ -112,11 +118,12 @@ fn residuals(outcome: &Outcome) -> Figure {
     let rmse = 1e3 * misfit.rmse;
     let lengths = outcome.measured.points.lengths();
     let alpha = outcome.inverse_length.alpha;
-    let errors = outcome.measured.standard_errors.iter().zip(lengths);
+    let errors: Vec<f64> =
+        outcome.measured.standard_errors.iter().zip(lengths).map(|(henry, l)| (henry * alpha * l * l).abs()).collect();
     let points = Points {
-        x: millimetres(&outcome.measured.places()),
-        y: millimetres(&misfit.residuals),
-        errors: errors.map(|(henry, l)| 1e3 * (henry * alpha * l * l).abs()).collect(),
+        x: millimetres(&shown(outcome, &outcome.measured.places())),
+        y: millimetres(&shown(outcome, &misfit.residuals)),
+        errors: millimetres(&shown(outcome, &errors)),
         ..Points::default()
     };
     let limits = if rmse > 0.0 { vec![(rmse, "+RMSE"), (0.0, ""), (-rmse, "−RMSE")] } else { vec![(0.0, "")] };

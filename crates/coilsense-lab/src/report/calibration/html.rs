@@ -5,8 +5,8 @@
 use coilsense::calibrate::{Inversion, Misfit};
 use minijinja::{AutoEscape, Environment, Value, context};
 
-use super::text::windings;
-use crate::calibration::{Outcome, answer, with_error};
+use super::text::{thinned, windings};
+use crate::calibration::{Outcome, THEORY_POINTS, answer, with_error};
 use crate::quantity::{digits, plainly};
 use crate::report::prose::{file_name, signed, unbroken};
 use crate::report::{Drawn, ReportError};
@@ -40,7 +40,7 @@ pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<Str
         force => force(outcome),
         degrees => outcome.reading.map(|reading| reading.degrees_of_freedom()),
         points => points(outcome),
-        account => &measured.account,
+        account => thinned(outcome).into_iter().chain(measured.account.clone()).collect::<Vec<_>>(),
     })?;
     Ok(page)
 }
@@ -102,7 +102,9 @@ fn points(outcome: &Outcome) -> Vec<Value> {
     let calibration = outcome.inverse_length.calibration();
     let zero = measured.zero_length.unwrap_or(0.0);
     let forces = outcome.forces();
-    let one = |(index, place): (usize, f64)| {
+    let places = measured.places();
+    let one = |index: usize| {
+        let place = places[index];
         let henry = measured.points.inductances()[index];
         let force = forces.as_ref().map(|forces| forces[index]);
         context! {
@@ -117,5 +119,5 @@ fn points(outcome: &Outcome) -> Vec<Value> {
             force_u => force.and_then(|(_, uncertainty)| uncertainty).map(digits),
         }
     };
-    measured.places().into_iter().enumerate().map(one).collect()
+    measured.some(THEORY_POINTS).into_iter().map(one).collect()
 }

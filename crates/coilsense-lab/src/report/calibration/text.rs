@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::{AnsiColor, Style};
 use coilsense::calibrate::Misfit;
 
-use crate::calibration::{Outcome, answer, with_error};
+use crate::calibration::{Outcome, THEORY_POINTS, answer, with_error};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -43,7 +43,7 @@ pub fn calibration_text(outcome: &Outcome) -> String {
     if let Some(coil) = outcome.plan.coil.filter(|_| !outcome.theories.is_empty()) {
         let _ = writeln!(text, "{}", windings(coil.windings()));
     }
-    for line in &outcome.measured.account {
+    for line in thinned(outcome).iter().chain(&outcome.measured.account) {
         let _ = writeln!(text, "{line}");
     }
     text
@@ -57,6 +57,17 @@ fn row(text: &mut String, name: &str, misfit: &Misfit) {
         digits(1e3 * misfit.rmse),
         format!("{:.3}", 100.0 * misfit.rmse_share_of_range)
     );
+}
+
+/// What is not of all points, where there are many.
+pub(super) fn thinned(outcome: &Outcome) -> Option<String> {
+    let count = outcome.measured.points.lengths().len();
+    let some = "points, spread evenly over their lengths";
+    (count > THEORY_POINTS).then(|| {
+        format!(
+            "Theories, figures and tables of points take {THEORY_POINTS} of the {count} {some}; the curve takes all."
+        )
+    })
 }
 
 /// What the theories make of a number of windings.

@@ -51,9 +51,11 @@ fn name(experiment: &Experiment) -> String {
     experiment.spec.name.clone().unwrap_or_else(|| file_name(&folder).to_owned())
 }
 
-/// A number with some decimals and a true minus; a zero frequency is none.
+/// A number with some decimals and a true minus, which zero has not.
 pub(super) fn exact(value: f64, decimals: usize) -> String {
-    signed(&format!("{value:.decimals$}"))
+    let text = format!("{value:.decimals$}");
+    let is_zero = text.chars().all(|c| "-0.".contains(c));
+    if is_zero { text.trim_start_matches('-').to_owned() } else { signed(&text) }
 }
 
 /// A mean less the preload's, and σ/√n, in percent of F_nom.
@@ -61,7 +63,10 @@ pub(super) fn cell(experiment: &Experiment, run: &Run, force: Channel) -> Option
     let mean = run.mean(force)?;
     let [value, error] =
         [mean.mean - experiment.reference, mean.standard_error].map(|newton| experiment.percent(newton));
-    Some(format!("{} ± {error:.4}", signed(&format!("{value:+.4}"))))
+    let text = format!("{value:+.4}");
+    // What rounds to zero has no sign.
+    let text = if text.ends_with("0.0000") { "0.0000".to_owned() } else { signed(&text) };
+    Some(format!("{text} ± {error:.4}"))
 }
 
 fn run_value(experiment: &Experiment, findings: &Findings, index: usize, run: &Run) -> Value {

@@ -5,6 +5,7 @@
 mod figures;
 mod html;
 mod json;
+mod means;
 mod text;
 
 pub use json::experiment_json;

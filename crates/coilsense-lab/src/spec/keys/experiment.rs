@@ -65,8 +65,8 @@ const INVERSE_LENGTH: Table = Table {
 const RUN: Table = Table {
     name: "run",
     repeats: true,
-    meaning: "One recorded run; in the order in which they were recorded, since drift is looked for along it. Of each kind at least one is needed of \
-              `preload` and, unless stiffness, length_at_zero and the curve are given, of `calibration`.",
+    meaning: "One recorded run; in the order in which they were recorded, since drift is looked for along it. At least one \
+              `preload` is needed, and one `calibration` unless stiffness and length_at_zero are given.",
     keys: &[
         needed(
             "kind",

@@ -1,0 +1,49 @@
+//! What is to be said of an experiment's processing: what was left out, what is missing, what does not fit.
+//!
+//! Next door: the processing itself (`outcome`).
+
+use super::{Experiment, Run};
+
+impl Experiment {
+    /// What is to be said of the processing, a sentence each.
+    pub fn account(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        let left_out: usize = self.runs.iter().map(|run| run.fast.left_out).sum();
+        let samples: usize = self.runs.iter().map(|run| run.fast.output.samples).sum();
+        lines.push(format!(
+            "{samples} samples of {} runs; {left_out} behind the last whole period of a sine are left out.",
+            self.runs.len()
+        ));
+        match self.taps {
+            0 => {}
+            1 => lines
+                .push("One run of hits is not looked at here: `coilsense identify` reads damping from it.".to_owned()),
+            taps => lines.push(format!(
+                "{taps} runs of hits are not looked at here: `coilsense identify` reads damping from them."
+            )),
+        }
+        if self.curve.is_none() {
+            lines.push("No curve from inductance to length is given or measured: there is no F_L.".to_owned());
+        }
+        lines.extend(self.averaging());
+        lines
+    }
+
+    /// Sines of which a mean of the LCR meter does not hold whole periods.
+    fn averaging(&self) -> Option<String> {
+        let window = self.spec.averaging?;
+        let off = |run: &&Run| {
+            let periods = window * run.spec.frequency;
+            (periods - periods.round()).abs() > 0.02
+        };
+        let names: Vec<&str> =
+            self.harmonics().map(|(_, run)| run).filter(off).map(|run| run.spec.name.as_str()).collect();
+        (!names.is_empty()).then(|| {
+            format!(
+                "The LCR meter's {} ms do not hold whole periods in {}: F_L holds a part of a sine there.",
+                1e3 * window,
+                names.join(", ")
+            )
+        })
+    }
+}
