@@ -19,7 +19,7 @@ pub struct Arguments {
     #[arg(value_name = "SPEC")]
     spec: PathBuf,
     /// Judge on the stated scenario in place of the spec's conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds
-    #[arg(long, conflicts_with_all = ["rate", "noise", "bandwidth", "stiffness_tolerance", "mass_tolerance", "seeds"])]
+    #[arg(long, conflicts_with_all = ["rate", "noise", "bandwidth", "stiffness_tolerance", "mass_tolerance", "most_lag", "seeds"])]
     stated: bool,
     /// How often the controller samples
     #[arg(long, value_name = "FREQUENCY", default_value = "2.5 kHz", value_parser = frequency)]
@@ -36,6 +36,9 @@ pub struct Arguments {
     /// By how much the mass may be off, either way
     #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share)]
     mass_tolerance: f64,
+    /// Most lag at the bandwidth that what is advised may have
+    #[arg(long, value_name = "ANGLE", default_value = "30 deg", value_parser = angle)]
+    most_lag: f64,
     /// Series of noise, 1 to 1000
     #[arg(long, value_name = "COUNT", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1000))]
     seeds: u64,
@@ -71,6 +74,10 @@ fn force(text: &str) -> Result<f64, String> {
     quantity(text, Dimension::Force)
 }
 
+fn angle(text: &str) -> Result<f64, String> {
+    quantity(text, Dimension::Angle)
+}
+
 fn share(text: &str) -> Result<f64, String> {
     quantity(text, Dimension::Share)
 }
@@ -88,6 +95,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             noise: arguments.noise,
             bandwidth: arguments.bandwidth,
             tolerances: ToleranceBox::new(arguments.stiffness_tolerance, arguments.mass_tolerance)?,
+            most_lag: arguments.most_lag.to_degrees(),
             seeds: arguments.seeds,
         };
         Study::of(&spec, &asked)?

@@ -103,7 +103,7 @@ duration = "0.5 s"
 
 fn asked() -> Asked {
     let tolerances = ToleranceBox::new(0.05, 0.05).unwrap();
-    Asked { rate: 2000.0, noise: None, bandwidth: None, tolerances, seeds: 1 }
+    Asked { rate: 2000.0, noise: None, bandwidth: None, tolerances, most_lag: 30.0, seeds: 1 }
 }
 
 fn spec(condition: &str) -> Spec {
@@ -125,6 +125,18 @@ fn a_spec_gets_its_ranking_its_advice_and_settings_to_paste() {
     assert_eq!(output.commit().unwrap(), 9);
     let header = std::fs::read_to_string(folder.path().join("out/force_filter.h")).unwrap();
     assert!(header.contains("force_filter_step(") && header.contains("for 2000 Hz"), "{header}");
+}
+
+#[test]
+fn what_is_advised_is_not_later_than_is_allowed() {
+    let of = |most_lag| Study::of(&spec(CONDITION), &Asked { bandwidth: Some(20.0), most_lag, ..asked() });
+    let strict = of(15.0).unwrap().run().unwrap();
+    let (_, advised) = strict.best(Truth::Static).unwrap();
+    assert!(advised.lag <= 15.0, "{advised:?}");
+    // A mean over 2τ is 64° late at 20 Hz; without a limit what is least at worst is taken, whatever its lag.
+    let free = of(180.0).unwrap().run().unwrap();
+    let (_, least) = free.best(Truth::Static).unwrap();
+    assert!(least.lag > 15.0 && least.worst < advised.worst, "{least:?} against {advised:?}");
 }
 
 #[test]

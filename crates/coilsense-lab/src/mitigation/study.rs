@@ -37,6 +37,8 @@ pub struct Study {
     pub noise: f64,
     /// Up to which frequency the force moves by itself \[Hz\].
     pub bandwidth: f64,
+    /// Most lag at the bandwidth that a recommendation may have \[degrees\].
+    pub most_lag: f64,
     /// How many series of noise.
     pub seeds: u64,
     /// The first one's seed.
@@ -54,6 +56,8 @@ pub struct Asked {
     pub bandwidth: Option<f64>,
     /// Tolerances of k and m.
     pub tolerances: ToleranceBox,
+    /// Most lag at the bandwidth \[degrees\].
+    pub most_lag: f64,
     /// Series of noise.
     pub seeds: u64,
 }
@@ -117,6 +121,7 @@ impl Study {
             rate: 2500.0,
             noise: 0.24,
             bandwidth: 1.5,
+            most_lag: 30.0,
             seeds: 50,
             seed: 1,
         })
@@ -143,6 +148,7 @@ impl Study {
             rate: asked.rate,
             noise: asked.noise.unwrap_or(0.002 * spring.nominal_force()),
             bandwidth: asked.bandwidth.or(spec.goal.bandwidth).unwrap_or(spring.surge_frequency() / 20.0),
+            most_lag: asked.most_lag,
             seeds: asked.seeds,
             seed: spec.uncertainty.seed,
         })
@@ -166,7 +172,8 @@ impl Study {
             impact,
             interval: self.conditions.iter().map(|condition| condition.2).fold(0.0, f64::max).min(60.0),
             bandwidth: self.bandwidth,
-            motion: largest(runs::Run::motion),
+            // A force that stays where it is in these conditions is wanted up to the bandwidth all the same.
+            motion: largest(runs::Run::motion).max(0.01 * self.spring.nominal_force()),
         };
         let candidates = Candidates::of(&brief);
         let trial = self.trial(&sampled, nominal, impact)?;
@@ -216,14 +223,28 @@ impl Study {
 }
 
 impl Answer {
-    /// The best of those that are to give `truth`, by the worst case.
+    /// The best of those that are to give `truth` and are not too late, by the worst case; where all are too late, the least late.
     pub fn best(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
-        self.judged.iter().find(|(candidate, _)| candidate.truth == truth)
+        self.in_time(truth, |_| true).next().or_else(|| {
+            let those = self.judged.iter().filter(|(candidate, _)| candidate.truth == truth);
+            those.min_by(|a, b| a.1.lag.total_cmp(&b.1.lag))
+        })
     }
 
-    /// The best of what one tries first.
+    /// The best of what one tries first that is not too late.
     pub fn best_first_try(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
-        let wanted = |candidate: &Candidate| candidate.truth == truth && candidate.origin == Origin::FirstTry;
-        self.judged.iter().find(|(candidate, _)| wanted(candidate))
+        self.in_time(truth, |candidate| candidate.origin == Origin::FirstTry).next()
+    }
+
+    /// Those that give `truth`, are `wanted` and not too late, best first.
+    fn in_time(
+        &self,
+        truth: Truth,
+        wanted: impl Fn(&Candidate) -> bool,
+    ) -> impl Iterator<Item = &(Candidate, Judgement)> {
+        let most = self.study.most_lag;
+        self.judged.iter().filter(move |(candidate, judgement)| {
+            candidate.truth == truth && wanted(candidate) && judgement.lag <= most
+        })
     }
 }

@@ -32,8 +32,9 @@ pub fn mitigation_text(answer: &Answer) -> String {
     let study = &answer.study;
     let _ = writeln!(
         text,
-        "{} conditions at {} Hz, noise {} N rms, {} seeds; worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
-         aligned: the truth shifted by the delay that fits best; settling: after an impact, to a tenth of it.",
+        "{} condition(s) at {} Hz, noise {:.3} N rms, {} seed(s); worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
+         aligned: the truth shifted by the delay that fits best; settling: after an impact, to a tenth of it; advised: the least at worst of those at\n\
+         most {}° late.",
         study.conditions.len(),
         study.rate,
         study.noise,
@@ -43,6 +44,7 @@ pub fn mitigation_text(answer: &Answer) -> String {
         100.0 * study.tolerances.mass(),
         study.dampings.iter().map(|damping| damping.0.as_str()).collect::<Vec<_>>().join(", "),
         study.bandwidth,
+        study.most_lag,
     );
     text
 }
@@ -80,13 +82,16 @@ fn advice(answer: &Answer) -> String {
             100.0 * judgement.noise_gain,
         );
         if let Some((first, tried)) = answer.best_first_try(truth).filter(|_| candidate.origin == Origin::Fitted) {
-            let less = |ours: f64, theirs: f64| 100.0 * (1.0 - ours / theirs);
+            let against = |ours: f64, theirs: f64| {
+                let change = 100.0 * (ours / theirs - 1.0);
+                format!("{:.0} % {}", change.abs(), if change < 0.0 { "less" } else { "more" })
+            };
             let _ = write!(
                 text,
-                "; that is {:.0} % less than the {} leaves, {:.0} % at worst",
-                less(judgement.nominal, tried.nominal),
+                "; that is {} than the {} leaves, and {} at worst",
+                against(judgement.nominal, tried.nominal),
                 first.name,
-                less(judgement.worst, tried.worst),
+                against(judgement.worst, tried.worst),
             );
         }
         Some(text + ".")
