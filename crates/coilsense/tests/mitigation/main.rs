@@ -9,6 +9,7 @@
 mod commands;
 mod filters;
 mod golden;
+mod loops;
 mod observers;
 #[path = "../paper_springs/mod.rs"]
 mod paper_springs;
