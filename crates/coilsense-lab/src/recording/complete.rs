@@ -5,11 +5,12 @@
 use std::collections::VecDeque;
 use std::path::PathBuf;
 
-use super::account::{Account, Reason, seconds};
+use super::account::{Account, Reason};
 use super::error::RecordingError;
 use super::order::MOST_NUMBERS;
 use super::repairs::Repairs;
 use super::row::{Onward, Row, between};
+use super::telling::seconds;
 
 /// Lets complete rows through; fills or leaves out where it may.
 pub(super) struct Complete {

@@ -106,7 +106,8 @@ pub fn write_recording(
     let columns: Vec<(&str, &'static str)> = std::iter::once(("time", "s")).chain(units).collect();
     output.write(name, |file| {
         if format == Format::Json {
-            return series::write(&[Run::of("log", "unknown", signals)], format, file);
+            // JSON has no comments: what says that it is simulated stands in the place of the condition.
+            return series::write(&[Run::of(recording.simulated().unwrap_or("log"), "unknown", signals)], format, file);
         }
         let mut stream = Stream::begin(&columns, &recording.remarks, format, file.by_ref())?;
         let mut row = Vec::with_capacity(channels.len());

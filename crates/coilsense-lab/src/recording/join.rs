@@ -6,9 +6,10 @@ use coilsense::measures::ClockOffset;
 use coilsense::{Channel, Signals};
 
 use super::Recording;
-use super::account::{Joined, Reason, seconds};
+use super::account::{Joined, Reason};
 use super::error::RecordingError;
 use super::row::between;
+use super::telling::seconds;
 
 /// What is known about the second device's clock.
 #[derive(Debug, Clone, Copy, PartialEq)]

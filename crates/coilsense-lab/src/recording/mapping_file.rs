@@ -47,6 +47,21 @@ const fn key(name: &'static str, example: &'static str, meaning: &'static str, d
     Key { name, example, meaning, default: Some(default), kinds: &[] }
 }
 
+/// The keys as Markdown, for `docs/logs.md`.
+pub fn keys_markdown() -> String {
+    let table = |keys: &[Key]| -> String {
+        let row = |key: &Key| {
+            let default = key.default.unwrap_or("needed");
+            format!("| `{}` | `{}` | {} | {default} |\n", key.name, key.example, key.meaning)
+        };
+        format!(
+            "| key | example | meaning | default |\n|---|---|---|---|\n{}",
+            keys.iter().map(row).collect::<String>()
+        )
+    };
+    format!("`[log]`:\n\n{}\nA table in `[columns]`:\n\n{}", table(&LOG_KEYS), table(&COLUMN_KEYS))
+}
+
 /// Most bytes of a mapping, which a person writes.
 const MOST_WRITTEN: u64 = 1 << 20;
 

@@ -3,8 +3,10 @@
 //! Next door: other files that are read as a whole (`mdf`), their rows (`table`).
 
 use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
+use flate2::read::ZlibDecoder;
 use matfile::{Array, MatFile, NumericData};
 
 use super::error::RecordingError;
@@ -28,13 +30,19 @@ struct Variable<'a> {
 /// Reads a file.
 pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
     let wrong = |message: String| RecordingError::of_file(path, message);
-    let file = File::open(path).map_err(|error| wrong(format!("cannot be read: {error}")))?;
-    if file.metadata().is_ok_and(|metadata| metadata.len() > MOST_BYTES) {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    read.map_err(|error| wrong(format!("cannot be read: {error}")))?;
+    if bytes.len() as u64 > MOST_BYTES {
         return Err(wrong(
             "is a MATLAB file of more than 1 GiB, which is read as a whole; save it as Parquet".to_owned(),
         ));
     }
-    let parsed = MatFile::parse(file).map_err(|error| wrong(format!("is no MATLAB file that can be read: {error}")))?;
+    let damaged = |message: &dyn std::fmt::Display| wrong(format!("is no MATLAB file that can be read: {message}"));
+    let plain = unpacked(&bytes).map_err(|message| damaged(&message))?;
+    // The library is young: what it trips over is a damaged file, and no reason to fall.
+    let parsed = std::panic::catch_unwind(|| MatFile::parse(plain.as_slice()));
+    let parsed = parsed.map_err(|_| damaged(&"it is damaged"))?.map_err(|error| damaged(&error))?;
     let variables: Vec<Variable<'_>> = parsed.arrays().iter().filter_map(variable).collect();
     let is_time = |variable: &&Variable<'_>| TIMES.contains(&variable.name.to_lowercase().as_str());
     let rows = match variables.iter().find(is_time) {
@@ -67,6 +75,45 @@ pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
         }
     }
     Ok(table)
+}
+
+/// The arrays of a file, none of them compressed: the library neither bounds what it inflates nor is silent about what it cannot.
+fn unpacked(bytes: &[u8]) -> Result<Vec<u8>, String> {
+    const HEADER: usize = 128;
+    const MATRIX: u32 = 14;
+    const COMPRESSED: u32 = 15;
+    let header = bytes.get(..HEADER).ok_or("it is cut off in its header")?;
+    let little = header.ends_with(b"IM");
+    let word = |bytes: &[u8]| -> Option<u32> {
+        let four: [u8; 4] = bytes.get(..4)?.try_into().ok()?;
+        Some(if little { u32::from_le_bytes(four) } else { u32::from_be_bytes(four) })
+    };
+    let (mut plain, mut rest) = (header.to_vec(), &bytes[HEADER..]);
+    while let Some((kind, size)) = word(rest).zip(rest.get(4..).and_then(word)) {
+        let end = 8 + size as usize;
+        let body = rest.get(8..end).ok_or("it is cut off")?;
+        match kind {
+            MATRIX => plain.extend_from_slice(&rest[..end]),
+            COMPRESSED => {
+                let before = plain.len();
+                let left = (MOST_BYTES + 1).saturating_sub(before as u64);
+                let inflated = ZlibDecoder::new(body).take(left).read_to_end(&mut plain);
+                inflated.map_err(|_| "a compressed array is damaged")?;
+                if plain.len() as u64 > MOST_BYTES {
+                    return Err("it is larger than 1 GiB when it is unpacked".to_owned());
+                }
+                let inner = &plain[before..];
+                if word(inner) != Some(MATRIX)
+                    || inner.get(4..).and_then(word).map(|size| 8 + size as usize) != Some(inner.len())
+                {
+                    plain.truncate(before);
+                }
+            }
+            _ => {}
+        }
+        rest = &rest[end..];
+    }
+    Ok(plain)
 }
 
 /// A vector or matrix of real numbers; a row is a vector, too.

@@ -4,9 +4,9 @@
 //! |---|---|
 //! | `mapping`, `mapping_file`, `quantity`, `title` | which column is which channel, in which unit |
 //! | `selection` | finding those columns in a file |
-//! | `source`, `text`, `layout`, `cell`, `parquet`, `matlab`, `mdf`, `table` | where rows come from |
+//! | `source`, `text`, `layout`, `trial`, `cell`, `stamp`, `parquet`, `matlab`, `mdf`, `table` | where rows come from |
 //! | `repairs`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is mended on their way |
-//! | `account` | what became of every row |
+//! | `account`, `telling` | what became of every row |
 //! | `points` | logs without a clock |
 //! | `join` | two devices on one clock |
 //! | `convert` | from file to file, in bounded memory |
@@ -37,16 +37,19 @@ mod row;
 mod selection;
 mod source;
 mod spacing;
+mod stamp;
 mod table;
+mod telling;
 mod text;
 mod title;
+mod trial;
 
 pub use account::{Account, Gaps, Joined, Reason, Tally};
 pub use convert::{ImportError, import, write_recording};
 pub use error::RecordingError;
 pub use join::Clock;
 pub use mapping::{Format, Mapping, PRESETS};
-pub use mapping_file::{COLUMN_KEYS, LOG_KEYS};
+pub use mapping_file::{COLUMN_KEYS, LOG_KEYS, keys_markdown};
 pub use pipeline::Watch;
 pub use points::Points;
 pub use quantity::Quantity;
@@ -58,10 +61,10 @@ use std::path::Path;
 
 use coilsense::{Channel, Signals};
 
-use account::seconds;
 use order::MOST_NUMBERS;
 use pipeline::Rows;
 use source::Source;
+use telling::seconds;
 
 /// A log in SI, on one rising clock.
 #[derive(Debug, Clone, PartialEq)]
@@ -156,7 +159,7 @@ impl Recording {
             "is not evenly sampled: its steps of time are usually {}, and {} at {at} s; --resample \"{}\" makes them even",
             seconds(usual),
             seconds(step),
-            account::hertz((1.0 / usual).round().max(1.0))
+            telling::hertz((1.0 / usual).round().max(1.0))
         )))
     }
 }

@@ -53,6 +53,10 @@ impl<'a> Rows<'a> {
             description: source.description(),
             taken: selection.taken(source.titles()),
             not_taken: not_taken(source, &selection),
+            notes: super::simulated(source.remarks())
+                .map(|remark| format!("by its own words: {remark}"))
+                .into_iter()
+                .collect(),
             ..Account::default()
         };
         Ok(Self { source, selection, mapping, repairs, cells: Vec::new(), account })

@@ -4,10 +4,11 @@
 
 use std::path::PathBuf;
 
-use super::account::{Account, hertz, seconds};
+use super::account::Account;
 use super::error::RecordingError;
 use super::repairs::Repairs;
 use super::row::{Onward, Row, between};
+use super::telling::{hertz, seconds};
 
 /// Measures steps of time; fills gaps and resamples where it may.
 pub(super) struct Spacing {
@@ -80,7 +81,10 @@ impl Spacing {
     }
 
     fn step(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
-        let Some(last) = self.last.replace(row.clone()) else {
+        // Values are kept only where something is to be put between two rows.
+        let between = self.repairs.resample.is_some() || self.repairs.fill_gaps.is_some();
+        let values = if between { row.values.clone() } else { Vec::new() };
+        let Some(last) = self.last.replace(Row { line: row.line, time: row.time, values }) else {
             if let Some(rate) = self.repairs.resample {
                 // Zero is added so that -0 becomes 0.
                 self.sample = Some((row.time * rate - CLOSE).ceil() + 0.0);

@@ -1,7 +1,7 @@
 //! One and the same log, written in every way that instruments have.
 
 use coilsense::Channel;
-use coilsense_lab::recording::{Mapping, Points, Repairs};
+use coilsense_lab::recording::{COLUMN_KEYS, LOG_KEYS, Mapping, Points, Repairs, keys_markdown};
 
 use super::fixtures::{mapping, read, read_with};
 
@@ -112,4 +112,47 @@ fn a_log_says_itself_that_it_is_simulated() {
     let log = |head: &str| read(format!("{head}time [s],F_o [N]\n0,1\n1,2\n")).unwrap();
     assert_eq!(log("# simulated by coilsense, seed 7\n").simulated(), Some("simulated by coilsense, seed 7"));
     assert_eq!(log("# measured, not simulated\n").simulated(), None);
+}
+
+#[test]
+fn the_reference_of_a_mappings_keys_is_up_to_date() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/logs.md");
+    let written = std::fs::read_to_string(path).unwrap();
+    let (before, rest) = written.split_once("<!-- keys -->\n").expect("its beginning");
+    let (_, after) = rest.split_once("<!-- end of keys -->").expect("its end");
+    let expected = format!("{before}<!-- keys -->\n{}<!-- end of keys -->{after}", keys_markdown());
+    if std::env::var_os("COILSENSE_WRITE_DOCS").is_some() {
+        std::fs::write(path, &expected).expect("docs/logs.md can be written");
+    }
+    let refresh = "COILSENSE_WRITE_DOCS=1 cargo test -p coilsense-lab --test recording";
+    assert!(
+        std::fs::read_to_string(path).unwrap() == expected,
+        "docs/logs.md is not what the reader says; refresh it: {refresh}"
+    );
+}
+
+#[test]
+fn every_key_of_a_mapping_is_read_and_its_example_taken() {
+    for key in LOG_KEYS {
+        let text = format!("[log]\n{} = {}\n", key.name, key.example);
+        // A decimal comma cannot be told together with a delimiter that is one, but alone it can.
+        assert_ne!(Mapping::parse("map.toml", &text).expect(key.name), Mapping::default(), "{}", key.name);
+    }
+    for key in COLUMN_KEYS {
+        let column = if key.name.starts_with("column") { "" } else { "column = \"LC\", " };
+        let entry = |value: &str| format!("[columns]\nF_o = {{ {column}{} = {value} }}\n", key.name);
+        Mapping::parse("map.toml", &entry(key.example)).expect(key.name);
+        let message = Mapping::parse("map.toml", &entry("true")).expect_err(key.name).to_string();
+        assert!(message.contains(&format!("{} = true: must be ", key.name)), "{message}");
+    }
+}
+
+#[test]
+fn a_first_row_that_is_too_short_is_no_remark() {
+    let told = mapping(&["time=#1 [s]", "F_o=#2 [N]"]);
+    let text = "0\n1,2\n2,3\n";
+    let message = read_with(text, &told, &Repairs::default()).unwrap_err();
+    assert!(message.starts_with("run.csv:1: it has 1 column"), "{message}");
+    let recording = read_with(text, &told, &Repairs { drop_incomplete: true, ..Repairs::default() }).unwrap();
+    assert_eq!((recording.account().read, recording.account().left_out()), (3, 1));
 }

@@ -1,0 +1,118 @@
+//! An account in words, for people.
+//!
+//! Next door: the account (`account`).
+
+use std::fmt;
+
+use super::account::{Account, Gaps, Joined};
+use crate::quantity::digits;
+
+impl Account {
+    /// One line for each thing to be said.
+    pub fn lines(&self) -> Vec<String> {
+        let mut lines = vec![format!("{}: {}", self.file.display(), self.description)];
+        lines.extend(self.taken.iter().map(|(name, column)| format!("  {name:4} from {column}")));
+        if !self.not_taken.is_empty() {
+            lines.push(format!("  not taken: {}", listed(&self.not_taken)));
+        }
+        let left_out =
+            if self.left_out.is_empty() { "none left out".to_owned() } else { format!("{} left out", self.left_out()) };
+        lines.push(format!("  {} rows read, {left_out}, {} kept", self.read, self.rows));
+        for (reason, tally) in &self.left_out {
+            let line = if tally.line > 0 { format!(", the first in line {}", tally.line) } else { String::new() };
+            lines.push(format!("    {} {}{line}", tally.count, reason.words()));
+        }
+        lines.extend(self.mended());
+        lines.extend(self.timing());
+        lines.extend(self.notes.iter().map(|note| format!("  {note}")));
+        lines.extend(self.joined.iter().flat_map(|joined| joined.lines()));
+        lines
+    }
+
+    fn mended(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        if self.sorted > 0 {
+            lines.push(format!("  sorted: {} rows stood out of order", self.sorted));
+        }
+        for (name, (count, longest)) in &self.filled_values {
+            lines.push(format!(
+                "  {name}: {count} missing values filled along straight lines of up to {}",
+                seconds(*longest)
+            ));
+        }
+        if self.filled_rows > 0 {
+            lines.push(format!("  {} rows added in gaps", self.filled_rows));
+        }
+        if let Some(rate) = self.resampled {
+            lines.push(format!("  resampled to {}", hertz(rate)));
+        }
+        lines
+    }
+
+    fn timing(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        if let (Some(interval), Some([least, largest])) = (self.interval, self.steps) {
+            let uneven = if largest - least > 1e-3 * interval {
+                format!(", uneven: steps from {} to {}", seconds(least), seconds(largest))
+            } else {
+                String::new()
+            };
+            lines.push(format!("  sampled at {}{uneven}", hertz(1.0 / interval)));
+        }
+        if let Some([from, to]) = self.span {
+            lines.push(format!("  from {from} s to {to} s"));
+        }
+        if self.gaps.count > 0 {
+            let Gaps { count, longest, line } = self.gaps;
+            lines.push(format!("  {count} gaps of up to {}, the first before line {line}", seconds(longest)));
+        }
+        lines
+    }
+}
+
+impl Joined {
+    fn lines(&self) -> Vec<String> {
+        let mut lines = vec!["with a second device:".to_owned()];
+        lines.extend(self.account.lines());
+        lines.push(match &self.found {
+            None => format!("  its clock is off by {}, as told", seconds(self.offset)),
+            Some(([mine, theirs], found)) => format!(
+                "  its clock is off by {:.9} s ± {} (95 %), by its {theirs} against {mine} (correlation {:.3})",
+                self.offset,
+                seconds(found.half_width),
+                found.correlation
+            ),
+        });
+        lines
+    }
+}
+
+impl fmt::Display for Account {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.lines().join("\n"))
+    }
+}
+
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 8;
+    let shown = names.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
+    if names.len() > MOST { format!("{shown} and {} more", names.len() - MOST) } else { shown }
+}
+
+/// A time as people write it.
+pub(super) fn seconds(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0 s".to_owned(),
+        size if size < 1e-3 => format!("{} us", digits(1e6 * value)),
+        size if size < 1.0 => format!("{} ms", digits(1e3 * value)),
+        _ => format!("{} s", digits(value)),
+    }
+}
+
+/// A frequency as people write it.
+pub(super) fn hertz(value: f64) -> String {
+    let (value, unit) = if value >= 1e3 { (value / 1e3, "kHz") } else { (value, "Hz") };
+    // Ten digits hide how a step of time was rounded.
+    let rounded = (value * 1e6).round() / 1e6;
+    if rounded > 0.0 { format!("{rounded} {unit}") } else { format!("{value:.3e} {unit}") }
+}
