@@ -98,8 +98,11 @@ const MOST_REMARKS: usize = 1000;
 
 /// Comment lines and what else stands above the rows.
 pub(super) fn remarks(head: &[Line<'_>], first_row: u64, header: Option<u64>, format: &Format) -> Vec<String> {
-    let above = head.iter().filter(|(line, _)| *line < first_row && Some(*line) != header);
-    let texts = above.map(|(_, text)| words(comment(text, format.comment.as_deref()).unwrap_or(text)));
+    let own = format.comment.as_deref();
+    // Below the titles stands their units row, which is none.
+    let is_remark = |line: u64, text: &[u8]| comment(text, own).is_some() || header.is_none_or(|header| line < header);
+    let above = head.iter().filter(|(line, text)| *line < first_row && Some(*line) != header && is_remark(*line, text));
+    let texts = above.map(|(_, text)| words(comment(text, own).unwrap_or(text)));
     texts.filter(|text| !text.is_empty()).take(MOST_REMARKS).map(|text| shortened_remark(&text)).collect()
 }
 
