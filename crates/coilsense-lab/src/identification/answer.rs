@@ -50,7 +50,9 @@ fn numbers(identified: &Identified) -> Option<String> {
     if let Some(mass) = found.end_mass {
         parts.push(format!("mass at end 2 {} kg", digits(mass)));
     }
-    (!parts.is_empty()).then(|| format!("{} (95 % intervals).", parts.join(", ")))
+    let sure = found.verdict.answer == Answer::Spring || found.first_frequency.is_none();
+    let head = if sure { "" } else { "If it is the spring: " };
+    (!parts.is_empty()).then(|| format!("{head}{} (95 % intervals).", parts.join(", ")))
 }
 
 /// A value with its 95 % interval, in another unit.

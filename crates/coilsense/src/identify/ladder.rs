@@ -82,6 +82,8 @@ const HIGHEST: usize = 60;
 const FEWEST: f64 = 5.0;
 /// What a mode costs that should be there and is not, in units of the logarithm of a line's strength.
 const UNSEEN: f64 = 3.0;
+/// Up to how many times the sampling rate folded modes are looked for.
+const FOLDED: f64 = 2.0;
 /// How far a line may lie off its step, relative.
 const OFF: f64 = 0.004;
 
@@ -106,6 +108,21 @@ pub(super) fn best(lines: &[Seen], ladder: Ladder, windings: Option<f64>, rate: 
         }
     }
     found
+}
+
+/// m/M for which two lines are modes 1 and 2 of a coil with an end mass: β_2/β_1 falls as m/M grows, from infinity to 3.
+pub(super) fn mass_ratio_of(first: f64, second: f64) -> Option<f64> {
+    let wanted = second / first;
+    let ratio = |mass_ratio: f64| end_mass_root(mass_ratio, 2) / end_mass_root(mass_ratio, 1);
+    let (mut low, mut high) = (1e-6_f64.ln(), 1e6_f64.ln());
+    if !(wanted < ratio(low.exp()) && wanted > ratio(high.exp())) {
+        return None;
+    }
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if ratio(middle.exp()) > wanted { low = middle } else { high = middle }
+    }
+    Some(low.exp())
 }
 
 /// Goes up the modes from the guess that line `base` is mode `mode`, and learns N on the way.
@@ -157,7 +174,7 @@ fn climb(lines: &[Seen], ladder: Ladder, windings: Option<f64>, rate: f64, base:
         entry.2 = first * ladder.step(entry.1, chain);
     }
     let taken: Vec<usize> = modes.iter().map(|entry| entry.0).collect();
-    let aliases = if modes.len() > 2 || known && windings.is_some() {
+    let aliases = if modes.len() > 1 || windings.is_some() {
         folded(lines, ladder, first, chain, rate, &taken)
     } else {
         Vec::new()
@@ -217,6 +234,10 @@ fn folded(
         let step = first * ladder.step(j, chain);
         if step <= 0.5 * rate {
             continue;
+        }
+        // Far above, so many modes fold that any line is near one.
+        if step > FOLDED * rate {
+            break;
         }
         let shown = alias_of(step, rate);
         let near = |index: &usize| {

@@ -5,7 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::end_motion::receptance;
-use super::ladder::{Match, Seen, best};
+use super::ladder::{Match, Seen, best, mass_ratio_of};
 use super::line::{Line, Meaning};
 use super::lines::{Peak, after_taps, steady};
 use super::refine::{Fitted, Refiner};
@@ -13,6 +13,7 @@ use super::ringing::{Part, Series, series};
 use super::{Answer, Estimate, Identification, Ladder, Sampling, Settings, Stiffness, Tap, Trust, Verdict};
 use super::{half_power, naming, ring_down, taps, verdict};
 use crate::error::Error;
+use crate::measures::alias_of;
 use crate::mount::FarEnd;
 use crate::signals::{Channel, Signals};
 use crate::uncertainty::coverage_factor;
@@ -77,6 +78,8 @@ impl Identification {
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
         found.explain(signals, &foldings);
+        found.foretell();
+        found.unfold();
         found.derive();
         found.half_powers(&series);
         found.ring_down = ring_down::of(&found.lines, &series, &found.taps, &found.sampling);
@@ -106,7 +109,15 @@ impl Identification {
         let lowest = found.modes.iter().find(|(line, _, _)| self.lines[*line].mode().is_some());
         if let Some(&(line, mode, _)) = lowest {
             let step = found.ladder.step(mode, found.windings);
-            self.first_frequency = Some(self.lines[line].frequency.scaled(1.0 / step));
+            let mut first = self.lines[line].frequency.scaled(1.0 / step);
+            if matches!(found.ladder, Ladder::EndMass { .. }) {
+                // The steps hang on m/M, which follows from the lines too: how far these lie off them says how well.
+                let off = |entry: &(usize, usize, f64)| (self.lines[entry.0].frequency.value / entry.2 - 1.0).powi(2);
+                let spread = (found.modes.iter().map(off).sum::<f64>() / found.modes.len() as f64).sqrt() * first.value;
+                first.standard = first.standard.hypot(spread);
+                first.expanded = first.expanded.hypot(2.0 * spread);
+            }
+            self.first_frequency = Some(first);
             self.ratio = self.lines[line].ratio;
         }
     }
@@ -123,10 +134,14 @@ impl Identification {
         }
         let mass = self.end_mass_of(signals, foldings);
         self.end_mass = mass.map(|(mass, _)| mass);
-        match mass {
-            Some((_, mass_ratio)) => vec![Ladder::EndMass { mass_ratio }],
-            None => vec![Ladder::HeldFree],
-        }
+        let Some((_, rough)) = mass else { return vec![Ladder::HeldFree] };
+        // Where the mass is heavy, its own swing tells little of the coil's; the step from there to the next mode does.
+        let decaying: Vec<f64> =
+            self.lines.iter().filter(|line| line.decays).map(|line| line.frequency.value).take(4).collect();
+        let lowest = decaying.first().copied();
+        let sharper = decaying.iter().skip(1).filter_map(|second| mass_ratio_of(lowest?, *second));
+        let near = sharper.filter(|ratio| (ratio / rough).ln().abs() < 1.0);
+        near.chain([rough]).map(|mass_ratio| Ladder::EndMass { mass_ratio }).collect()
     }
 
     /// M \[kg\] from F_o over the end's acceleration in the lowest line (or as given), and m/M: tan β/β = k/(Mω²).
@@ -164,14 +179,39 @@ impl Identification {
         Some((mass, low * low.tan()))
     }
 
+    /// ω1 τ: π for the continuous coil, 2N sin(π/2N) for a chain.
+    fn turns(&self) -> f64 {
+        self.settings.windings.map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin())
+    }
+
+    /// f1 from a spec, or from mass and stiffness.
+    fn foretell(&mut self) {
+        let by_mass = |mass: f64| {
+            let stiffness = self.stiffness.as_ref().ok()?.value();
+            Some(self.turns() / TAU * (stiffness / mass).sqrt())
+        };
+        self.foretold = self.settings.predicted.or(self.settings.mass.and_then(by_mass));
+    }
+
+    /// Where the foretold f1 lies above half the sampling rate, the line that it folds to is no f1: nothing follows from it.
+    fn unfold(&mut self) {
+        let rate = self.sampling.rate;
+        let Some(foretold) = self.foretold.filter(|foretold| *foretold > 0.5 * rate) else { return };
+        let shown = alias_of(foretold, rate);
+        let room = self.settings.prediction_tolerance * foretold;
+        let near = |line: &&mut Line| line.decays && (line.frequency.value - shown).abs() < room;
+        let strongest = self.lines.iter_mut().filter(near).max_by(|a, b| a.strength.total_cmp(&b.strength));
+        if let Some(line) = strongest {
+            line.meaning = Meaning::Alias { mode: 1, frequency: foretold };
+            line.reason = format!("where mode 1, foretold at {foretold:.2} Hz, folds to at {rate:.0} Hz");
+            (self.first_frequency, self.ratio, self.ladder, self.fitted_windings) = (None, None, None, None);
+        }
+    }
+
     /// What follows from f1 and k.
     fn derive(&mut self) {
         let stiffness = self.stiffness.as_ref().ok().map(|found| found.stiffness);
-        let turns = self.settings.windings.map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin());
-        if let (Some(mass), Some(stiffness)) = (self.settings.mass, stiffness) {
-            self.foretold = Some(turns / TAU * (stiffness.value / mass).sqrt());
-        }
-        self.foretold = self.settings.predicted.or(self.foretold);
+        let turns = self.turns();
         let Some(first) = self.first_frequency else { return };
         let time = turns / (TAU * first.value);
         self.transit_time = Some(first.scaled(time / first.value));

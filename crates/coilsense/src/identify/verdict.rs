@@ -59,6 +59,10 @@ fn answer(found: &Identification) -> (Answer, Vec<String>) {
         }
         _ => None,
     };
+    if let Some(line) = found.lines.iter().find(|line| matches!(line.meaning, Meaning::Alias { mode: 1, .. })) {
+        let evidence = format!("a line at {:.2} Hz is {}: it may be the spring's", line.frequency.value, line.reason);
+        return (Answer::Undecided, vec![evidence]);
+    }
     let first = found.first_frequency.map_or(f64::NAN, |first| first.value);
     if agrees == Some(false) && decaying > 0 {
         let line = format!(
@@ -174,7 +178,7 @@ fn lines(count: usize) -> String {
 fn next(found: &Identification, answer: Answer) -> Vec<String> {
     let mut next = Vec::new();
     let rate = found.sampling.rate;
-    let first = found.first_frequency.map(|first| first.value);
+    let first = found.first_frequency.map(|first| first.value).or(found.foretold);
     let slowest = found
         .lines
         .iter()

@@ -4,6 +4,7 @@
 //! tested here is what a noisy record gives back.
 
 mod many;
+mod mounts;
 #[path = "../paper_springs/mod.rs"]
 mod paper_springs;
 mod records;

@@ -92,3 +92,34 @@ pub fn own() -> Spring {
     })
     .expect("a spring that can be")
 }
+
+/// Forty seconds of S_T, ζ 0.004, on any mount at any rate: both ends moved slowly, then five bumps of end 1, a little noise.
+pub fn bumped(far_end: FarEnd, rate: f64) -> Signals {
+    let spring = crate::paper_springs::s_t();
+    let mut random = Pcg64::seed_from_u64(5);
+    let times: Vec<f64> = (0..(40.0 * rate) as usize).map(|n| n as f64 / rate).collect();
+    let mount = Mount::new(far_end, Damping::Modal(0.004)).unwrap();
+    let slow = |height: f64| EndInput::HalfSine { height, from: 1.0, duration: 10.0 };
+    let signals = |first: EndInput, second: EndInput, times: &[f64]| {
+        let excitation = Excitation::new(0.23, first, second, Start::Massless).unwrap();
+        Motion::mounted(&spring, &mount, &excitation).unwrap().signals(times).unwrap()
+    };
+    // Metres at a held end, newtons at any other.
+    let base = signals(slow(-0.02), slow(if far_end == FarEnd::Position { 0.01 } else { 3.0 }), &times);
+    let still = signals(EndInput::Held, EndInput::Held, &times);
+    let bump = signals(EndInput::HalfSine { height: 2e-4, from: 0.0, duration: 0.003 }, EndInput::Held, &times);
+    let starts: Vec<usize> =
+        (0..5).map(|tap| ((14.0 + 5.0 * f64::from(tap) + random.random::<f64>()) * rate) as usize).collect();
+    let mut sum = Signals::new(times).unwrap();
+    let noises = [(Channel::U1, 5e-6), (Channel::U2, 5e-6), (Channel::InputForce, 0.02), (Channel::OutputForce, 0.02)];
+    for (channel, noise) in noises {
+        let of = |signals: &Signals| signals.channel(channel).unwrap().to_vec();
+        let (mut values, still, bump) = (of(&base), of(&still), of(&bump));
+        for &start in &starts {
+            let shifted = bump.iter().zip(&still).map(|(moved, still)| moved - still);
+            values[start..].iter_mut().zip(shifted).for_each(|(value, more)| *value += more);
+        }
+        sum.insert(channel, noisy(values, 0.0, noise, &mut random)).unwrap();
+    }
+    sum
+}
