@@ -36,16 +36,19 @@ pub(super) fn name(lines: &mut [Line], ladder: Option<&Match>, rate: f64, static
     }
 }
 
-/// Steady multiples of a line that follows the ends' motion come with it, even where the motion there is lost in noise.
+/// Steady multiples of a line that follows the ends' motion come with it, even where the motion there is lost in noise; larger ones do not,
+/// since a resonance may lift them.
 fn harmonics(lines: &mut [Line]) {
-    let driven: Vec<f64> =
-        lines.iter().filter(|line| line.meaning == Meaning::Follows).map(|line| line.frequency.value).collect();
+    let follows = lines.iter().filter(|line| line.meaning == Meaning::Follows);
+    let driven: Vec<(f64, f64)> = follows.map(|line| (line.frequency.value, line.amplitude)).collect();
     for line in lines.iter_mut().filter(|line| !line.decays && line.meaning == Meaning::Unknown) {
-        let ratio = |base: &f64| line.frequency.value / base;
-        let multiple =
-            |base: &&f64| ratio(base) > 1.5 && (ratio(base) - ratio(base).round()).abs() < MAINS_OFF * ratio(base);
-        if let Some(base) = driven.iter().find(multiple) {
-            line.reason = format!("steady, {:.0} times the {base:.2} Hz at which the ends move", ratio(base).round());
+        let is_multiple = |base: &&(f64, f64)| {
+            let ratio = line.frequency.value / base.0;
+            ratio > 1.5 && (ratio - ratio.round()).abs() < MAINS_OFF * ratio && line.amplitude < 0.5 * base.1
+        };
+        if let Some((base, _)) = driven.iter().find(is_multiple) {
+            let multiple = (line.frequency.value / base).round();
+            line.reason = format!("steady, {multiple:.0} times the {base:.2} Hz at which the ends move");
             line.meaning = Meaning::Follows;
         }
     }

@@ -13,7 +13,7 @@ const BLOCK: f64 = 0.2;
 /// Fewest blocks of a fit.
 const LEAST_BLOCKS: usize = 12;
 /// Largest relative standard error of a stiffness that is worth stating.
-const LARGEST_ERROR: f64 = 0.1;
+const LARGEST_ERROR: f64 = 0.03;
 
 /// The straight line of force over length.
 #[derive(Debug, Clone, PartialEq)]

@@ -150,13 +150,12 @@ fn without_ladder(found: &Identification, decaying: usize, modes: usize) -> (Ans
         let line = format!("what rings is steady and a multiple of the mains' frequency ({})", lines(count));
         return (Answer::NotTheSpring, vec![line]);
     }
-    if decaying == 0 && found.taps.len() >= 3 {
-        let line = format!(
-            "{}, and nothing dies out after {} taps: something keeps driving it",
-            lines(total),
-            found.taps.len()
+    if let Some((line, mode)) = driven_mode(found) {
+        let foretold = found.foretold.unwrap_or(f64::NAN);
+        let evidence = format!(
+            "a steady line at {line:.2} Hz lies near mode {mode} of the foretold spring (f1 {foretold:.2} Hz): driven there, it would ring like this"
         );
-        return (Answer::NotTheSpring, vec![line]);
+        return (Answer::Undecided, vec![evidence]);
     }
     let line = match (decaying, modes) {
         (0, _) => format!(
@@ -168,6 +167,14 @@ fn without_ladder(found: &Identification, decaying: usize, modes: usize) -> (Ans
         (count, _) => format!("{count} lines ring, but they are not the ladder of a spring"),
     };
     (Answer::Undecided, vec![line])
+}
+
+/// A steady line near a mode of the foretold spring, and which.
+fn driven_mode(found: &Identification) -> Option<(f64, f64)> {
+    let (foretold, room) = (found.foretold?, found.settings.prediction_tolerance);
+    let unnamed = found.lines.iter().filter(|line| !line.decays && line.meaning == Meaning::Unknown);
+    let mut near = unnamed.map(|line| (line.frequency.value, (line.frequency.value / foretold).round().max(1.0)));
+    near.find(|(frequency, mode)| (frequency / (mode * foretold) - 1.0).abs() < room / mode)
 }
 
 /// So many lines.
