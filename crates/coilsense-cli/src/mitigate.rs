@@ -9,6 +9,7 @@ use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::{Asked, Study};
 use coilsense_lab::output::Output;
 use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::{Mapping, Recording, Repairs};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 
@@ -21,6 +22,9 @@ pub struct Arguments {
     /// Judge on the stated scenario in place of the spec's conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds
     #[arg(long, conflicts_with_all = ["rate", "noise", "bandwidth", "stiffness_tolerance", "mass_tolerance", "most_lag", "seeds"])]
     stated: bool,
+    /// Judge on a log in place of the spec's conditions: F_i, u1, u2 and, for estimators, F_o, as `coilsense import` writes them
+    #[arg(long, value_name = "LOG", conflicts_with_all = ["stated", "rate", "seeds"])]
+    log: Option<PathBuf>,
     /// How often the controller samples
     #[arg(long, value_name = "FREQUENCY", default_value = "2.5 kHz", value_parser = frequency)]
     rate: f64,
@@ -98,7 +102,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             most_lag: arguments.most_lag.to_degrees(),
             seeds: arguments.seeds,
         };
-        Study::of(&spec, &asked)?
+        match &arguments.log {
+            Some(log) => Study::on(&spec, &asked, &Recording::read(log, &Mapping::default(), &Repairs::default())?)?,
+            None => Study::of(&spec, &asked)?,
+        }
     };
     let answer = study.run().context(file)?;
     let text = if arguments.json { mitigation_json(&answer)? } else { mitigation_text(&answer) };

@@ -3,10 +3,12 @@
 //! Next door: exported settings (`exports`), each design by itself (`coilsense`'s tests of its mitigation).
 
 use coilsense::mitigation::ToleranceBox;
-use coilsense::{Spring, SpringParameters};
+use coilsense::signals::sampled_window;
+use coilsense::{Damping, Excitation, FarEnd, Motion, Mount, Spring, SpringParameters};
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
 use coilsense_lab::output::Output;
+use coilsense_lab::recording::{Mapping, Recording, Repairs};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 
@@ -125,6 +127,47 @@ fn a_spec_gets_its_ranking_its_advice_and_settings_to_paste() {
     assert_eq!(output.commit().unwrap(), 9);
     let header = std::fs::read_to_string(folder.path().join("out/force_filter.h")).unwrap();
     assert!(header.contains("force_filter_step(") && header.contains("for 2000 Hz"), "{header}");
+}
+
+/// A log of S_T hit at 0.25 m/s, 1 s at 2 kHz; with F_o or without.
+fn log(folder: &std::path::Path, with_output: bool) -> Recording {
+    let mount = Mount::new(FarEnd::Position, Damping::Modal(0.01)).unwrap();
+    let motion = Motion::mounted(&s_t(), &mount, &Excitation::impact(0.23, 0.25).unwrap()).unwrap();
+    let times = sampled_window(2000.0, 0.0, 1.0).unwrap();
+    let forces = motion.end_forces(&times).unwrap();
+    let mut text = format!("time [s],u1 [m],u2 [m],F_i [N]{}\n", if with_output { ",F_o [N]" } else { "" });
+    for (index, time) in times.iter().enumerate() {
+        let output = if with_output { format!(",{}", forces.output[index]) } else { String::new() };
+        text += &format!("{time},0,0.23,{}{output}\n", forces.input[index]);
+    }
+    let path = folder.join("log.csv");
+    std::fs::write(&path, text).unwrap();
+    Recording::read(&path, &Mapping::default(), &Repairs::default()).unwrap()
+}
+
+#[test]
+fn a_log_is_judged_as_it_was_recorded() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = Study::on(&spec(""), &asked(), &log(folder.path(), true)).unwrap();
+    assert!((study.rate - 2000.0).abs() < 1e-6);
+    let answer = study.run().unwrap();
+    let error = |name: &str| answer.judged.iter().find(|(c, _)| c.name.starts_with(name)).unwrap().1.nominal;
+    // No noise and a still spring: Z v = 1.76 N in a square wave that decays by ζω₁ = 3.4/s, 1.76/√(2 · 3.4) = 0.67 N over the second.
+    assert!((error("F_i as it is") - 0.67).abs() < 0.1, "{}", error("F_i as it is"));
+    assert!(error("mean over 2τ") < 0.2 && error("delay line") < 0.3);
+    assert!(mitigation_text(&answer).contains("as recorded: no noise added"));
+    let alone = Study::on(&spec(""), &asked(), &log(folder.path(), false)).unwrap().run().unwrap();
+    assert!(alone.best(Truth::Output).is_none() && alone.best(Truth::Static).is_some());
+}
+
+#[test]
+fn a_log_without_what_is_needed_is_told_by_the_channel() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("log.csv");
+    std::fs::write(&path, "time [s],F_i [N]\n0,1\n0.001,2\n0.002,3\n").unwrap();
+    let recording = Recording::read(&path, &Mapping::default(), &Repairs::default()).unwrap();
+    let told = Study::on(&spec(""), &asked(), &recording).err().unwrap().to_string();
+    assert!(told.contains("log.csv") && told.contains("u1"), "{told}");
 }
 
 #[test]

@@ -39,6 +39,8 @@ pub(super) struct Trial {
     pub rate: f64,
     /// N rms.
     pub noise: Normal<f64>,
+    /// A log has its own.
+    pub adds_noise: bool,
     pub seeds: u64,
     /// The first of the seeds.
     pub seed: u64,
@@ -85,7 +87,9 @@ impl Trial {
             let mut running = candidate.start.start(&run.at_rest);
             for (index, measured) in run.measured.iter().enumerate() {
                 let mut noisy = *measured;
-                noisy.force += self.noise.sample(&mut random);
+                if self.adds_noise {
+                    noisy.force += self.noise.sample(&mut random);
+                }
                 let out = running(&noisy);
                 // What was before the beginning is as it was at rest.
                 let then = index.checked_sub(late).map_or(run.at_rest.force, |place| truth[place]);

@@ -1,7 +1,7 @@
 //! Doing something about ringing, for people: every candidate on given conditions, ranked, and settings as files that a controller takes.
 //!
 //! ```text
-//! Spec or the stated scenario ─► Study ─► runs over the tolerance box ─► candidates, each judged ─► ranking, advice ─► files
+//! Spec, log or the stated scenario ─► Study ─► runs over the tolerance box ─► candidates, each judged ─► ranking, advice ─► files
 //! ```
 //!
 //! Next door: the designs (`coilsense::mitigation`), the steps (`coilsense-rt`), the answer as text and JSON (`report`).
@@ -15,4 +15,4 @@ mod study;
 
 pub use candidate::{Candidate, Origin, Truth};
 pub use judge::Judgement;
-pub use study::{Answer, Asked, LeftOut, Study, StudyError};
+pub use study::{Answer, Asked, LeftOut, Recorded, Study, StudyError};

@@ -9,7 +9,7 @@ use coilsense::{Damping, Error, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_rt::Measured;
 
 use super::candidate::Truth;
-use super::study::Study;
+use super::study::{Recorded, Study};
 
 /// One motion as a controller samples it, without noise.
 pub(super) struct Run {
@@ -38,6 +38,18 @@ impl Run {
         Ok(Self { label, measured, output: forces.output, still, at_rest })
     }
 
+    /// A log, held against the nominal spring's k·Δl, and against F_o where it was recorded.
+    pub fn recorded(study: &Study, log: &Recorded) -> Self {
+        let length = |measured: &Measured<f64>| measured.ends[1] - measured.ends[0];
+        Self {
+            label: log.name.clone(),
+            measured: log.measured.clone(),
+            output: log.output.clone().unwrap_or_default(),
+            still: log.measured.iter().map(|measured| study.spring.static_force(length(measured))).collect(),
+            at_rest: log.measured[0],
+        }
+    }
+
     /// What is true.
     pub fn truth(&self, truth: Truth) -> &[f64] {
         match truth {
@@ -46,10 +58,11 @@ impl Run {
         }
     }
 
-    /// Largest |F_i − k·Δl| \[N\].
+    /// Largest |F_i − k·Δl| \[N\], an offset left out.
     pub fn ringing(&self) -> f64 {
-        let pairs = self.measured.iter().zip(&self.still);
-        pairs.map(|(measured, still)| (measured.force - still).abs()).fold(0.0, f64::max)
+        let difference = || self.measured.iter().zip(&self.still).map(|(measured, still)| measured.force - still);
+        let offset = difference().sum::<f64>() / self.measured.len() as f64;
+        difference().map(|force| (force - offset).abs()).fold(0.0, f64::max)
     }
 
     /// Rms of k·Δl about its mean \[N\].
@@ -60,14 +73,20 @@ impl Run {
     }
 }
 
-/// Every condition on the nominal spring under the nominal damping.
+/// Every condition on the nominal spring under the nominal damping; or the log.
 pub(super) fn nominal(study: &Study) -> Result<Vec<Run>, Error> {
+    if let Some(recorded) = &study.recorded {
+        return Ok(vec![Run::recorded(study, recorded)]);
+    }
     let damping = &study.dampings[study.nominal_damping];
     study.conditions.iter().map(|condition| run(study, condition, &study.spring, damping, "nominal")).collect()
 }
 
-/// Every condition on every spring of the box under every damping, the nominal ones among them.
+/// Every condition on every spring of the box under every damping, the nominal ones among them; or the log.
 pub(super) fn over_the_box(study: &Study) -> Result<Vec<Run>, Error> {
+    if let Some(recorded) = &study.recorded {
+        return Ok(vec![Run::recorded(study, recorded)]);
+    }
     let mut runs = Vec::new();
     for corner in study.tolerances.corners() {
         let spring = ToleranceBox::changed(&study.spring, corner)?;

@@ -6,7 +6,8 @@ use std::time::Instant;
 
 use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
-use coilsense::{Damping, Error, Excitation, FarEnd, Spring};
+use coilsense::{Channel, Damping, Error, Excitation, FarEnd, Spring};
+use coilsense_rt::Measured;
 use rand_distr::Normal;
 use rayon::prelude::*;
 
@@ -14,6 +15,7 @@ use super::candidate::{Candidate, Origin, Truth};
 use super::candidates::{Brief, Candidates};
 use super::judge::{Judgement, Trial, order};
 use super::runs;
+use crate::recording::{Recording, RecordingError};
 use crate::spec::Spec;
 
 /// What candidates are to be good at.
@@ -23,6 +25,8 @@ pub struct Study {
     pub spring: Spring,
     /// What end 2 is tied to; its position is measured in any case.
     pub far_end: FarEnd,
+    /// A log to judge on in place of the conditions.
+    pub recorded: Option<Recorded>,
     /// Name, excitation and duration \[s\] of each condition.
     pub conditions: Vec<(String, Excitation, f64)>,
     /// Label and damping; the spring may have any of them.
@@ -43,6 +47,17 @@ pub struct Study {
     pub seeds: u64,
     /// The first one's seed.
     pub seed: u64,
+}
+
+/// A log as candidates take it.
+#[derive(Debug, Clone)]
+pub struct Recorded {
+    /// The file's name.
+    pub name: String,
+    /// F_i, u1, u2; at least one sample.
+    pub measured: Vec<Measured<f64>>,
+    /// F_o \[N\], where it was recorded; without it there is nothing to hold estimators against.
+    pub output: Option<Vec<f64>>,
 }
 
 /// What the command line adds to a spec.
@@ -114,6 +129,7 @@ impl Study {
         Ok(Self {
             spring: spring.clone(),
             far_end: FarEnd::Position,
+            recorded: None,
             conditions: vec![("stated scenario".to_owned(), excitation, 2.0)],
             dampings: [0.0025, 0.005, 0.01].map(damping).to_vec(),
             nominal_damping: 1,
@@ -135,10 +151,33 @@ impl Study {
         if spec.conditions.is_empty() {
             return Err(StudyError::NoCondition(spec.file.clone()));
         }
+        Ok(Self::without_log(spec, asked))
+    }
+
+    /// A log of F_i, u1, u2 and, for estimators, F_o, with the spec's spring; the log's own rate counts.
+    ///
+    /// # Errors
+    /// [`RecordingError`] for a log without one of the three, or not evenly sampled.
+    pub fn on(spec: &Spec, asked: &Asked, log: &Recording) -> Result<Self, RecordingError> {
+        let [force, first, second] =
+            [log.channel(Channel::InputForce)?, log.channel(Channel::U1)?, log.channel(Channel::U2)?];
+        let each = force.iter().zip(first).zip(second);
+        let measured = each.map(|((force, first), second)| Measured { force: *force, ends: [*first, *second] });
+        let recorded = Recorded {
+            name: log.account().file.display().to_string(),
+            measured: measured.collect(),
+            output: log.signals().channel(Channel::OutputForce).ok().map(<[f64]>::to_vec),
+        };
+        let plain = Self::without_log(spec, asked);
+        Ok(Self { recorded: Some(recorded), rate: log.sample_rate()?, seeds: 1, conditions: Vec::new(), ..plain })
+    }
+
+    fn without_log(spec: &Spec, asked: &Asked) -> Self {
         let spring = &spec.spring.spring;
         let conditions = spec.conditions.iter();
         let cases = spec.mount.cases.iter();
-        Ok(Self {
+        Self {
+            recorded: None,
             spring: spring.clone(),
             far_end: spec.mount.far_end(),
             conditions: conditions.map(|c| (c.name.clone(), c.excitation.clone(), c.duration)).collect(),
@@ -151,7 +190,7 @@ impl Study {
             most_lag: asked.most_lag,
             seeds: asked.seeds,
             seed: spec.uncertainty.seed,
-        })
+        }
     }
 
     /// Designs and judges every candidate.
@@ -170,12 +209,15 @@ impl Study {
             tolerances: self.tolerances,
             noise: self.noise,
             impact,
-            interval: self.conditions.iter().map(|condition| condition.2).fold(0.0, f64::max).min(60.0),
+            interval: self.longest().min(60.0),
             bandwidth: self.bandwidth,
             // A force that stays where it is in these conditions is wanted up to the bandwidth all the same.
             motion: largest(runs::Run::motion).max(0.01 * self.spring.nominal_force()),
         };
-        let candidates = Candidates::of(&brief);
+        let mut candidates = Candidates::of(&brief);
+        if self.recorded.as_ref().is_some_and(|recorded| recorded.output.is_none()) {
+            candidates.all.retain(|candidate| candidate.truth == Truth::Static);
+        }
         let trial = self.trial(&sampled, nominal, impact)?;
         let mut judged: Vec<(Candidate, Judgement)> = candidates
             .all
@@ -189,6 +231,14 @@ impl Study {
         let runs = trial.over_the_box.len();
         let seconds = begun.elapsed().as_secs_f64();
         Ok(Answer { study: self, judged, left_out: candidates.left_out, runs, seconds })
+    }
+
+    /// How long the longest run takes \[s\].
+    fn longest(&self) -> f64 {
+        match &self.recorded {
+            Some(recorded) => recorded.measured.len() as f64 / self.rate,
+            None => self.conditions.iter().map(|condition| condition.2).fold(0.0, f64::max),
+        }
     }
 
     fn trial(&self, sampled: &SampledSpring, nominal: Vec<runs::Run>, impact: f64) -> Result<Trial, Error> {
@@ -215,6 +265,7 @@ impl Study {
             bandwidth: self.bandwidth,
             rate: self.rate,
             noise,
+            adds_noise: self.recorded.is_none(),
             seeds: self.seeds,
             seed: self.seed,
             longest_delay: (2.0 * sampled.surge_period()) as usize,

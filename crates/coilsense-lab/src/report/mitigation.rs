@@ -30,6 +30,22 @@ pub fn mitigation_text(answer: &Answer) -> String {
         let _ = writeln!(text, "left out: {}: {}", left_out.name, left_out.reason);
     }
     let study = &answer.study;
+    if let Some(recorded) = &study.recorded {
+        let _ = writeln!(
+            text,
+            "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there; k·Δl is of the nominal spring;\n\
+             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; advised: at most {}° late.",
+            recorded.name,
+            recorded.measured.len(),
+            study.rate,
+            study.noise,
+            100.0 * study.tolerances.stiffness(),
+            100.0 * study.tolerances.mass(),
+            study.bandwidth,
+            study.most_lag,
+        );
+        return text;
+    }
     let _ = writeln!(
         text,
         "{} condition(s) at {} Hz, noise {:.3} N rms, {} seed(s); worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
@@ -136,6 +152,7 @@ pub fn mitigation_json(answer: &Answer) -> Result<String, ReportError> {
         "sampling rate [Hz]": study.rate,
         "noise [N rms]": study.noise,
         "bandwidth [Hz]": study.bandwidth,
+        "log": study.recorded.as_ref().map(|recorded| recorded.name.as_str()),
         "seeds": study.seeds,
         "first seed": study.seed,
         "stiffness tolerance": study.tolerances.stiffness(),
@@ -172,11 +189,18 @@ fn trade_off(answer: &Answer) -> Figure {
         let (x, y) = those.map(|(_, j)| (j.lag, percent(answer, j.worst))).unzip();
         Points { label: label.to_owned(), x, y, errors: Vec::new(), colour, marker }
     };
-    let axis = |label: String, scale| Axis { label, range: None, scale };
+    let axis = |label: String, range, scale| Axis { label, range, scale };
+    // No point stands on the frame.
+    let around = |truth| {
+        let lags = answer.judged.iter().filter(|(c, _)| c.truth == truth).map(|(_, j)| j.lag);
+        let (least, most) = lags.fold((0.0_f64, 0.0_f64), |(least, most), lag| (least.min(lag), most.max(lag)));
+        let room = 0.05 * (most - least).max(1.0);
+        Some((least - room, most + room))
+    };
     let panel = |title: &str, truth| Panel {
         title: title.to_owned(),
-        x: axis(format!("Lag at {:.3} Hz [°]", answer.study.bandwidth), crate::plot::Scale::Linear),
-        y: axis("Worst error [% F_nom]".to_owned(), crate::plot::Scale::Log10),
+        x: axis(format!("Lag at {:.3} Hz [°]", answer.study.bandwidth), around(truth), crate::plot::Scale::Linear),
+        y: axis("Worst error [% of F_{nom}]".to_owned(), None, crate::plot::Scale::Log10),
         points: vec![
             points(truth, Origin::Raw, "nothing done", Colour::Ink, Marker::Disc),
             points(truth, Origin::FirstTry, "first tries", Colour::Blue, Marker::Square),
