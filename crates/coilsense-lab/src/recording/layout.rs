@@ -34,7 +34,7 @@ pub(super) const MOST_COLUMNS: usize = 10_000;
 pub(super) fn comment<'a>(line: &'a [u8], own: Option<&str>) -> Option<&'a [u8]> {
     let line = line.trim_ascii_start();
     let own = own.map(str::as_bytes).and_then(|mark| line.strip_prefix(mark));
-    own.or_else(|| match line {
+    own.or(match line {
         [b'#' | b'%', rest @ ..] | [b'/', b'/', rest @ ..] => Some(rest),
         _ => None,
     })

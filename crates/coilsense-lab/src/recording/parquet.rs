@@ -183,7 +183,8 @@ fn all<T: DataType>(
     let mut numbers = Vec::new();
     let (mut values, mut levels) = (Vec::new(), Vec::new());
     while numbers.len() < rows {
-        (values.clear(), levels.clear());
+        values.clear();
+        levels.clear();
         let (records, ..) =
             reader.read_records((rows - numbers.len()).min(1 << 16), Some(&mut levels), None, &mut values)?;
         if records == 0 {

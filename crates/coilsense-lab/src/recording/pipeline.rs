@@ -133,7 +133,7 @@ impl<'a> Rows<'a> {
         let mut spacing = Spacing::new(file.clone(), *self.repairs);
         while let Some(reading) = self.next()? {
             let [done, of] = self.source.progress();
-            if self.account.read % WATCHED == 0 && !watch(done, of) {
+            if self.account.read.is_multiple_of(WATCHED) && !watch(done, of) {
                 return Err(RecordingError::of_file(&file, "the import was interrupted"));
             }
             let time = reading.time.or(rate.map(|rate| reading.index as f64 / rate)).unwrap_or(0.0);

@@ -55,7 +55,7 @@ impl Trial {
         if let Some((_, cells)) = &header {
             let is_unit = |cell: &String| cell.is_empty() || Title::unit_below(cell).is_some();
             if let (true, Some(over)) = (cells.iter().all(is_unit), first.checked_sub(2).and_then(above)) {
-                units = Some(std::mem::replace(&mut header, Some(over)).map_or(Vec::new(), |(_, cells)| cells));
+                units = Some(header.replace(over).map_or(Vec::new(), |(_, cells)| cells));
             }
         }
         let Some(first_row) = content.get(first).map(|(line, _)| *line) else {

@@ -14,7 +14,7 @@ pub struct Stream<W: Write + Send> {
 enum Inner<W: Write + Send> {
     Csv(W),
     #[cfg(feature = "parquet")]
-    Parquet(super::parquet::Groups<W>),
+    Parquet(Box<super::parquet::Groups<W>>),
 }
 
 impl<W: Write + Send> Stream<W> {
@@ -34,7 +34,7 @@ impl<W: Write + Send> Stream<W> {
                 Inner::Csv(out)
             }
             #[cfg(feature = "parquet")]
-            Format::Parquet => Inner::Parquet(super::parquet::Groups::begin(titles(), remarks, out)?),
+            Format::Parquet => Inner::Parquet(Box::new(super::parquet::Groups::begin(titles(), remarks, out)?)),
             Format::Json => return Err(io::Error::other("JSON cannot be written row by row")),
         };
         Ok(Self { inner })

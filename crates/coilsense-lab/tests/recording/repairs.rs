@@ -66,7 +66,7 @@ fn gaps_and_missing_values_up_to_a_length_are_filled_along_straight_lines() {
 
 #[test]
 fn a_gap_is_reported_and_makes_the_log_uneven() {
-    let recording = read_with(&GOOD.replace("3,4", "9,4"), &Mapping::default(), &Repairs::default()).unwrap();
+    let recording = read_with(GOOD.replace("3,4", "9,4"), &Mapping::default(), &Repairs::default()).unwrap();
     assert_eq!((recording.account().gaps.count, recording.account().gaps.longest), (1, 7.0));
     let message = recording.sample_rate().unwrap_err().to_string();
     assert!(message.ends_with("7.00 s at 2 s; --resample \"1 Hz\" makes them even"), "{message}");

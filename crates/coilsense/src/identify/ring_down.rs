@@ -56,7 +56,7 @@ pub(super) fn of(lines: &[Line], series: &[Series], taps: &[Tap], sampling: &Sam
     let shape = |sample: usize, column: usize| {
         let (decay, angular) = poles[column / 2];
         let (sine, cosine) = (angular * sample as f64).sin_cos();
-        (-decay * sample as f64).exp() * if column % 2 == 0 { cosine } else { sine }
+        (-decay * sample as f64).exp() * if column.is_multiple_of(2) { cosine } else { sine }
     };
     let matrix = DMatrix::from_fn(count, columns, shape);
     let normal = matrix.tr_mul(&matrix);
