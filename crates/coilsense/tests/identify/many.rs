@@ -108,7 +108,7 @@ fn taps_give_back_frequency_damping_and_stiffness_within_their_intervals() {
 }
 
 #[test]
-#[ignore = "about two minutes; run with `cargo test -p coilsense --test identify -- --ignored --nocapture`"]
+#[ignore = "two to twelve minutes; run with `cargo test -p coilsense --test identify -- --ignored --nocapture`"]
 fn six_hundred_records_keep_every_promise() {
     check(&outcomes(600, 0.0), 0.0);
     check(&outcomes(600, 0.01), 0.01);
