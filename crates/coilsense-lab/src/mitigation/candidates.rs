@@ -9,8 +9,9 @@ use coilsense::mitigation::{
 };
 use coilsense_rt::{Biquad, Cascade, ModalKalman};
 
-use super::candidate::{Candidate, Deflection, Origin, Plain, RING, Truth};
-use super::study::LeftOut;
+use super::answer::LeftOut;
+use super::candidate::{Candidate, Origin, Truth};
+use super::start::{Deflection, Plain, RING};
 
 /// What designs are fitted to.
 pub(super) struct Brief<'a> {

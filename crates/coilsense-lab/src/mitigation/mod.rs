@@ -6,13 +6,16 @@
 //!
 //! Next door: the designs (`coilsense::mitigation`), the steps (`coilsense-rt`), the answer as text and JSON (`report`).
 
+mod answer;
 mod candidate;
 mod candidates;
 pub mod export;
 mod judge;
 mod runs;
+mod start;
 mod study;
 
+pub use answer::{Answer, LeftOut};
 pub use candidate::{Candidate, Origin, Truth};
 pub use judge::Judgement;
-pub use study::{Answer, Asked, LeftOut, Recorded, Study, StudyError};
+pub use study::{Asked, Recorded, Study, StudyError};

@@ -1,6 +1,6 @@
-//! A study: conditions, noise, tolerances; every candidate on all of them; what to choose.
+//! A study: conditions, noise, tolerances; every candidate on all of them.
 //!
-//! Next door: the candidates (`candidates`), how they are judged (`judge`), the answer as text and JSON (`report`).
+//! Next door: what comes of it (`answer`), the candidates (`candidates`), how they are judged (`judge`), the answer as text and JSON (`report`).
 
 use std::time::Instant;
 
@@ -11,7 +11,8 @@ use coilsense_rt::Measured;
 use rand_distr::Normal;
 use rayon::prelude::*;
 
-use super::candidate::{Candidate, Origin, Truth};
+use super::answer::Answer;
+use super::candidate::{Candidate, Truth};
 use super::candidates::{Brief, Candidates};
 use super::judge::{Judgement, Trial, order};
 use super::runs;
@@ -91,29 +92,6 @@ pub enum StudyError {
         /// Why.
         source: Error,
     },
-}
-
-/// A candidate that cannot be.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LeftOut {
-    /// In words.
-    pub name: String,
-    /// Why.
-    pub reason: String,
-}
-
-/// Every candidate judged, best first; filters of F_i, then estimators of F_o.
-pub struct Answer {
-    /// What was asked.
-    pub study: Study,
-    /// How each did.
-    pub judged: Vec<(Candidate, Judgement)>,
-    /// Which could not be.
-    pub left_out: Vec<LeftOut>,
-    /// How many runs over the box there were.
-    pub runs: usize,
-    /// How long it took \[s\].
-    pub seconds: f64,
 }
 
 impl Study {
@@ -269,33 +247,6 @@ impl Study {
             seeds: self.seeds,
             seed: self.seed,
             longest_delay: (2.0 * sampled.surge_period()) as usize,
-        })
-    }
-}
-
-impl Answer {
-    /// The best of those that are to give `truth` and are not too late, by the worst case; where all are too late, the least late.
-    pub fn best(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
-        self.in_time(truth, |_| true).next().or_else(|| {
-            let those = self.judged.iter().filter(|(candidate, _)| candidate.truth == truth);
-            those.min_by(|a, b| a.1.lag.total_cmp(&b.1.lag))
-        })
-    }
-
-    /// The best of what one tries first that is not too late.
-    pub fn best_first_try(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
-        self.in_time(truth, |candidate| candidate.origin == Origin::FirstTry).next()
-    }
-
-    /// Those that give `truth`, are `wanted` and not too late, best first.
-    fn in_time(
-        &self,
-        truth: Truth,
-        wanted: impl Fn(&Candidate) -> bool,
-    ) -> impl Iterator<Item = &(Candidate, Judgement)> {
-        let most = self.study.most_lag;
-        self.judged.iter().filter(move |(candidate, judgement)| {
-            candidate.truth == truth && wanted(candidate) && judgement.lag <= most
         })
     }
 }
