@@ -265,8 +265,10 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(part).filter_map(|word| word.parse().ok()).collect()
 }
 
+/// Words and brackets; what a formatter moves is left out.
 fn without_numbers(text: &str) -> String {
-    text.chars().filter(|c| !(c.is_ascii_digit() || ".-e".contains(*c))).collect()
+    let moved = |c: char| c.is_whitespace() || c == ',';
+    text.chars().filter(|c| !(moved(*c) || c.is_ascii_digit() || ".-e".contains(*c))).collect()
 }
 
 #[test]
