@@ -33,7 +33,7 @@ impl ClockOffset {
     /// From two records of one signal, shapes `first samples` and `second samples`, each at least 256, both at `interval` \[s\]; the records
     /// start at `starts` \[s\] on their own clocks. Gain and sign may differ.
     ///
-    /// Coarsely the largest |Σ a_i b_{i+ℓ}| over its own energies, ℓ whole; then Σ ψ = 0 with ψ = ½(b a' − a b') of both signals behind one
+    /// Coarsely the whole ℓ of the largest −K_ℓ ln(1 − ρ_ℓ²), ρ the correlation of the K samples that overlap; then Σ ψ = 0 with ψ = ½(b a' − a b') of both signals behind one
     /// low-pass, a' and b' their derivatives: noise of either device has no part in its mean. u² = Σ_k (Σ_k ψ)² K/(K−1)/(Σ a'b')² over
     /// K = 20 parts, with Student's t of as many parts as carry the motion.
     ///
@@ -54,7 +54,7 @@ impl ClockOffset {
     /// let motion = |t: f64| (40.0 * t).sin() * (-t).exp() + (13.0 * t).cos() * (-(t - 3.0).powi(2)).exp();
     /// let record = |late: f64| (0..2000).map(|n| motion(0.005 * f64::from(n) - late)).collect::<Vec<f64>>();
     /// let found = ClockOffset::between(&record(0.0), &record(0.3), [0.0, 0.0], 0.005)?;
-    /// assert!((found.offset + 0.3).abs() < 1e-4);
+    /// assert!((found.offset + 0.3).abs() < 1e-4, "{found:?}");
     /// # Ok::<(), coilsense::Error>(())
     /// ```
     pub fn between(first: &[f64], second: &[f64], starts: [f64; 2], interval: f64) -> Result<Self, Error> {

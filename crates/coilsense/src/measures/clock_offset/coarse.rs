@@ -22,8 +22,10 @@ impl Coarse {
     }
 }
 
-/// A second offset fits as well as the first where its correlation reaches this share.
-const AMBIGUOUS: f64 = 0.98;
+/// A second offset fits as well as the first where its logarithmic likelihood reaches this share.
+const AMBIGUOUS: f64 = 0.9;
+/// The least share of a signal's power that counts as unexplained: rounding, and what lies between samples.
+const LEFT: f64 = 1e-6;
 /// Least correlation of signals that resemble each other, in standard deviations of that of noise.
 const LEAST: f64 = 6.0;
 
@@ -38,15 +40,14 @@ pub(super) fn lag(first: &[f64], second: &[f64]) -> Result<Coarse, Error> {
         let (from, to) = Coarse { lag, correlation: 0.0 }.overlap(a.len(), b.len());
         (from, to, (from as i64 + lag) as usize)
     };
-    // Over the energies of the whole records: where few samples overlap, one tap fits any other.
-    let whole = (energy_a[a.len()] * energy_b[b.len()]).sqrt();
-    let correlation = |lag: i64| -> Option<f64> {
-        let (from, to, _) = common(lag);
+    let own = |lag: i64| {
+        let (from, to, shifted) = common(lag);
+        let energy = (energy_a[to] - energy_a[from]) * (energy_b[shifted + to - from] - energy_b[shifted]);
         let product = products[lag.rem_euclid(padded as i64) as usize];
-        (to - from >= fewest && whole > 0.0).then(|| product / whole)
+        (to - from >= fewest && energy > 0.0).then(|| product / energy.sqrt())
     };
     let lags = -(a.len() as i64 - 1)..b.len() as i64;
-    let all: Vec<(i64, f64)> = lags.filter_map(|lag| Some((lag, correlation(lag)?))).collect();
+    let all: Vec<(i64, f64)> = lags.filter_map(|lag| Some((lag, own(lag)?))).collect();
     // Between samples a peak is higher than at the next one: without that, a ring of few samples a period slips by one.
     let height = |index: usize| match (
         index.checked_sub(1).and_then(|before| all.get(before)),
@@ -56,13 +57,13 @@ pub(super) fn lag(first: &[f64], second: &[f64]) -> Result<Coarse, Error> {
         (Some(&(_, before)), (_, here), Some(&(_, after))) => summit(before, here, after),
         (_, (_, here), _) => here,
     };
-    let best = (0..all.len()).max_by(|&i, &j| height(i).abs().total_cmp(&height(j).abs()));
-    let own = |lag: i64| {
-        let (from, to, shifted) = common(lag);
-        let energy = (energy_a[to] - energy_a[from]) * (energy_b[shifted + to - from] - energy_b[shifted]);
-        products[lag.rem_euclid(padded as i64) as usize] / energy.sqrt()
+    // Where few samples overlap, one tap fits any other: what a fit is worth grows with what it explains, in likelihood.
+    let worth = |index: usize| {
+        let (from, to, _) = common(all[index].0);
+        -((to - from) as f64) * (1.0 - height(index).powi(2)).max(LEFT).ln()
     };
-    let found = best.map_or(0.0, |best| own(all[best].0));
+    let best = (0..all.len()).max_by(|&i, &j| worth(i).total_cmp(&worth(j)));
+    let found = best.map_or(0.0, |best| all[best].1);
     let allowed = "larger for signals that resemble each other; name two channels of the same motion, or the offset";
     let shared = best.map_or(0, |best| {
         let (from, to, _) = common(all[best].0);
@@ -77,9 +78,9 @@ pub(super) fn lag(first: &[f64], second: &[f64]) -> Result<Coarse, Error> {
     let left = all[..best].iter().rev().take_while(|entry| above(entry)).count();
     let right = all[best..].iter().take_while(|entry| above(entry)).count();
     let others = (0..best - left).chain(best + right..all.len());
-    let rival = others.map(|other| height(other) / peak).fold(0.0, f64::max);
-    let allowed = format!("below {AMBIGUOUS} of the largest: the motion repeats itself, so give the offset");
-    check(rival < AMBIGUOUS, "correlation at another offset", rival, "", allowed)?;
+    let rival = others.map(worth).fold(0.0, f64::max) / worth(best);
+    let allowed = format!("below {AMBIGUOUS} of the best fit's: the motion repeats itself, so give the offset");
+    check(rival < AMBIGUOUS, "likelihood of another offset", rival, "", allowed)?;
     Ok(Coarse { lag, correlation: found })
 }
 
