@@ -6,14 +6,15 @@ use std::f64::consts::{PI, TAU};
 
 use num_complex::Complex64;
 
-use super::drive::Drive;
 use super::environment::Environment;
+use super::estimator::Estimator;
 use super::force_loop::ForceLoop;
+use super::kicked::{Mode, modes};
 use super::margins::Margins;
 use super::rational::Difference;
+use super::simulate::far_end;
 use super::trace::Trace;
 use crate::error::{Error, above_zero, check};
-use crate::modes::ChainModes;
 use crate::mount::FarEnd;
 use crate::signals::Channel;
 
@@ -27,15 +28,7 @@ pub struct SampledLoop {
     pub(super) control: Difference,
     pub(super) forward: Difference,
     modes: Option<Vec<Mode>>,
-}
-
-/// What a mode adds to the force, from kicks at samples: w p z⁻¹ / (1 − 2 r cos(φ) z⁻¹ + r² z⁻²).
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Mode {
-    /// Force after one step of a unit kick's free answer \[N s/m\].
-    kicked: f64,
-    /// 2 r cos φ and r².
-    backward: [f64; 2],
+    pub(super) estimator: Option<Estimator>,
 }
 
 /// Sampling copies on each side that the sum over them keeps.
@@ -65,7 +58,30 @@ impl SampledLoop {
         let control = continuous.controller.feedback(continuous.plant().drive(), spring.stiffness()).tustin(step);
         let forward = continuous.controller.forward().tustin(step);
         let modes = modes(continuous, step)?;
-        Ok(Self { continuous: continuous.clone(), step, late: steps.round() as usize, control, forward, modes })
+        Ok(Self {
+            continuous: continuous.clone(),
+            step,
+            late: steps.round() as usize,
+            control,
+            forward,
+            modes,
+            estimator: None,
+        })
+    }
+
+    /// The same with what an estimator makes of F_i and the ends' positions fed back in place of F_i.
+    ///
+    /// # Errors
+    /// [`Error::MissingSignal`] unless F_i is fed back and end 2 held; [`Error::Value`] for a drive that is no ideal velocity source, whose
+    /// position is not known from sample to sample.
+    pub fn behind(self, estimator: Estimator) -> Result<Self, Error> {
+        if self.continuous.feedback() != Channel::InputForce {
+            return Err(Error::MissingSignal(Channel::InputForce.name()));
+        }
+        if far_end(&self)? != FarEnd::Position {
+            return Err(Error::MissingSignal(Channel::U2.name()));
+        }
+        Ok(Self { estimator: Some(estimator), ..self })
     }
 
     /// Loop response at one angular frequency below π/h \[rad/s\].
@@ -89,6 +105,13 @@ impl SampledLoop {
             Some(modes) => self.by_modes(modes, delay),
             None => self.by_copies(angular_frequency, delay)?,
         };
+        let force = match &self.estimator {
+            None => force,
+            Some(estimator) => {
+                let [by_force, by_stroke] = estimator.response(delay);
+                by_force * force + by_stroke * self.step * delay / (1.0 - delay)
+            }
+        };
         Ok(force * self.control.at(delay) * delay.powu(self.late as u32))
     }
 
@@ -96,10 +119,7 @@ impl SampledLoop {
         let held = *self.continuous.plant().environment() == Environment::Held;
         let stiffness = if held { self.continuous.plant().spring().stiffness() } else { 0.0 };
         let straight = stiffness * self.step * delay / (1.0 - delay);
-        let ringing: Complex64 = modes
-            .iter()
-            .map(|mode| mode.kicked * delay / (1.0 - mode.backward[0] * delay + mode.backward[1] * delay * delay))
-            .sum();
+        let ringing: Complex64 = modes.iter().map(|mode| mode.at(delay)).sum();
         straight + (1.0 - delay) * ringing
     }
 
@@ -136,55 +156,5 @@ impl SampledLoop {
     /// As [`Self::trace`].
     pub fn margins(&self) -> Result<Margins, Error> {
         Margins::of(&self.trace()?, |frequency| self.at(frequency))
-    }
-}
-
-/// The mounted chain's modes as they answer kicks at samples; `None` where the drive or the environment is of another kind.
-fn modes(force_loop: &ForceLoop, step: f64) -> Result<Option<Vec<Mode>>, Error> {
-    let plant = force_loop.plant();
-    let far_end = match (plant.drive(), plant.environment()) {
-        (Drive::Velocity { bandwidth: None }, Environment::Held) => FarEnd::Position,
-        (Drive::Velocity { bandwidth: None }, Environment::Impedance { mass, damping, stiffness })
-            if *mass > 0.0 && *damping == 0.0 && *stiffness == 0.0 =>
-        {
-            FarEnd::Mass(*mass)
-        }
-        _ => return Ok(None),
-    };
-    let spring = plant.spring();
-    let chain = ChainModes::mounted(spring, far_end);
-    let by_segment = 2.0 * chain.masses() as f64 * spring.stiffness();
-    let weights: Vec<f64> = match force_loop.feedback() {
-        Channel::InputForce => chain.input_weights().iter().map(|weight| by_segment * weight).collect(),
-        Channel::OutputForce => chain.output_weights().iter().map(|weight| by_segment * weight).collect(),
-        Channel::DeflectionForce => chain.end_shapes().iter().map(|shape| spring.stiffness() * shape).collect(),
-        Channel::InductanceForce if far_end == FarEnd::Position => plant.coil_weights().to_vec(),
-        _ => return Ok(None),
-    };
-    let ratios = plant.damping().ratios(chain.frequencies())?;
-    let [participations, _] = chain.participations();
-    let each = chain.frequencies().iter().zip(ratios).zip(weights.iter().zip(participations));
-    // A pull of +1 m/s at end 1 is a kick of −1 m/s of u1, which drives q_j by −c1_j (−1).
-    Ok(Some(
-        each.map(|((&frequency, ratio), (weight, drive))| Mode::of(frequency, ratio, weight * drive, step)).collect(),
-    ))
-}
-
-impl Mode {
-    /// q after a unit kick of its rate, times `weight`: e^(−ζωt) sin(ω_d t)/ω_d, sampled.
-    fn of(frequency: f64, ratio: f64, weight: f64, step: f64) -> Self {
-        let product = ratio * frequency;
-        let square = (1.0 - ratio) * (1.0 + ratio);
-        if square >= 0.0 {
-            let damped = frequency * square.sqrt();
-            let decay = (-product * step).exp();
-            let turn = damped * step;
-            let answer = if turn.abs() < 1e-8 { step } else { turn.sin() / damped };
-            return Self { kicked: weight * decay * answer, backward: [2.0 * decay * turn.cos(), decay * decay] };
-        }
-        // Overdamped: two real poles.
-        let spread = frequency * (-square).sqrt();
-        let [slow, fast] = [(spread - product) * step, (-spread - product) * step].map(f64::exp);
-        Self { kicked: weight * (slow - fast) / (2.0 * spread), backward: [slow + fast, slow * fast] }
     }
 }

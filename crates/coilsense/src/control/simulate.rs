@@ -81,11 +81,14 @@ pub fn simulate(sampled: &SampledLoop, gain: f64, reference: f64, samples: usize
     let mean = if far_end == FarEnd::Position { plant.spring().static_force(plant.spring().mid_length()) } else { 0.0 };
     let (mut run, mut stroke) = (Run::default(), 0.0);
     let mut force = ForceSample { time: 0.0, input: mean, output: mean };
+    let length = plant.spring().mid_length();
+    let mut estimate = sampled.estimator.as_ref().map(|estimator| estimator.running(mean, length));
     for sample in 0..samples {
-        let fed_back = match feedback {
-            Channel::InputForce => force.input - mean,
-            Channel::OutputForce => force.output - mean,
-            _ => plant.spring().stiffness() * stroke,
+        let fed_back = match (&mut estimate, feedback) {
+            (Some(estimate), _) => estimate.step(force.input, [-stroke, length]) - mean,
+            (None, Channel::InputForce) => force.input - mean,
+            (None, Channel::OutputForce) => force.output - mean,
+            (None, _) => plant.spring().stiffness() * stroke,
         };
         pending.push_back(gain * (forward.step(reference) - back.step(fed_back)));
         let command = pending.pop_front().unwrap_or(0.0);
@@ -103,7 +106,8 @@ pub fn simulate(sampled: &SampledLoop, gain: f64, reference: f64, samples: usize
     Ok(run)
 }
 
-fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
+/// What end 2 of a loop that can be run is tied to.
+pub(super) fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
     let plant = sampled.continuous.plant();
     let bandwidth = match plant.drive() {
         Drive::Velocity { bandwidth } => bandwidth.unwrap_or(f64::INFINITY),

@@ -4,6 +4,7 @@
 mod paper_springs;
 
 mod bad_input;
+mod estimators;
 mod laws;
 mod placement;
 mod sampled;
