@@ -46,6 +46,12 @@ fn a_sampled_loops_limit_holds_over_time() {
         "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"velocity\"\nsample_time = \"0.5 ms\"\ndelay = \"1 ms\"\n";
     let result = json(tables);
     assert_eq!(result["limit_confirmed_over_time"], true);
+    let estimates = result["estimates"].as_array().unwrap();
+    assert_eq!(estimates.len(), 2);
+    // A true estimate of F_o is bound as F_o is, by ζ f_1 = 0.54 Hz; on softer and heavier springs by less.
+    let kalman = estimates[1]["stable_crossover_hz"].as_f64().unwrap();
+    assert!((0.2..0.65).contains(&kalman), "{kalman}");
+    assert!(estimates[0]["stable_crossover_hz"].as_f64().unwrap() > kalman);
 }
 
 #[test]

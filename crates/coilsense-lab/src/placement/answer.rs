@@ -4,7 +4,7 @@
 
 use coilsense::Channel;
 
-use super::{Candidate, Placement};
+use super::{Candidate, Placement, TOLERANCE};
 use crate::quantity::digits;
 
 /// What stands behind a force's name.
@@ -33,6 +33,10 @@ pub fn answer(placement: &Placement) -> Vec<String> {
             .filter(|other| other.channel != best.channel)
             .map(|other| other_line(placement, other)),
     );
+    lines.extend(placement.estimates.iter().map(|estimate| {
+        let reach = (upto("sensitivity 2", estimate.robust_crossover), upto("stable", estimate.stable_crossover));
+        format!("{}, with k and m off by up to {:.0} %: {}, {}.", estimate.name, 100.0 * TOLERANCE, reach.0, reach.1)
+    }));
     lines.push(set_line(placement, best));
     if let Some(line) = passivity_line(placement, best) {
         lines.push(line);

@@ -3,6 +3,7 @@
 //! Next door: the loop itself (`coilsense::control`), the table `[control]` (`spec::ControlSpec`), how it is told (`report`).
 
 mod answer;
+mod estimated;
 mod judged;
 mod loops;
 mod over_time;
@@ -11,6 +12,7 @@ use coilsense::control::{ForceLoop, Run};
 use coilsense::{Channel, Error};
 
 pub use answer::answer;
+pub use estimated::{Estimated, TOLERANCE};
 pub use judged::Judged;
 use loops::UnitLoops;
 use over_time::runs;
@@ -55,6 +57,8 @@ pub struct Placement {
     pub undamped_left_out: bool,
     /// F_i, F_o, F_x, F_L.
     pub candidates: Vec<Candidate>,
+    /// The same behind estimators, where they can be had.
+    pub estimates: Vec<Estimated>,
     /// The one with the fastest loop of a sensitivity of at most 2 at every damping.
     pub best: usize,
     /// The crossover of the loop as it is set, with a spring without mass \[Hz\].
@@ -103,8 +107,21 @@ impl Placement {
             }
         }
         let (run, confirmed) = runs(&unit, &dampings, &candidates[best], gain).map_err(science)?;
+        let estimates = estimated::all(&unit, &dampings, gain).map_err(science)?;
         let undamped_left_out = dampings.len() < spec.mount.cases.len();
-        Ok(Self { control, dampings, undamped_left_out, candidates, best, crossover, gain, run, confirmed, spec })
+        Ok(Self {
+            control,
+            dampings,
+            undamped_left_out,
+            candidates,
+            estimates,
+            best,
+            crossover,
+            gain,
+            run,
+            confirmed,
+            spec,
+        })
     }
 
     /// The damping whose curves are shown: the middle one.

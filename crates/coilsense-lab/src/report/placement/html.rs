@@ -26,6 +26,12 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
         text => &placement.spec.text,
         answer => answer(placement),
         rows => rows(placement),
+        tolerance => format!("{:.0}", 100.0 * crate::placement::TOLERANCE),
+        estimates => placement.estimates.iter().map(|estimate| context! {
+            name => estimate.name,
+            stable_to => bounded(estimate.stable_crossover, digits),
+            robust_to => bounded(estimate.robust_crossover, digits),
+        }).collect::<Vec<_>>(),
         shown => &placement.dampings[placement.shown()].label,
         crossover => digits(placement.crossover),
         gain => significant(placement.gain),

@@ -31,6 +31,11 @@ pub fn placement_json(placement: &Placement) -> Result<String, serde_json::Error
         "proportional_gain": placement.gain,
         "command_unit": placement.control.drive.command_unit(),
         "limit_confirmed_over_time": placement.confirmed,
+        "estimates": placement.estimates.iter().map(|estimate| json!({
+            "name": estimate.name,
+            "stable_crossover_hz": finite(estimate.stable_crossover),
+            "robust_crossover_hz": finite(estimate.robust_crossover),
+        })).collect::<Value>(),
         "candidates": candidates.collect::<Value>(),
     });
     Ok(format!("{}\n", serde_json::to_string_pretty(&object)?))

@@ -1,0 +1,82 @@
+//! Loops on what an estimator makes of F_i, over the tolerances of the spring.
+//!
+//! Next door: the forces themselves (`judged`), the estimators' settings (`coilsense::mitigation`).
+
+use std::f64::consts::TAU;
+
+use coilsense::control::{Drive, Environment, Estimator, ForceLoop, Plant, SampledLoop};
+use coilsense::mitigation::{KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, surge_notches};
+use coilsense::{Channel, Error};
+use coilsense_rt::Cascade;
+
+use super::loops::UnitLoops;
+use crate::spec::DampingCase;
+
+/// A loop on an estimate, judged over all dampings and over k and m, each ±10 % alone, together and opposed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimated {
+    /// What is fed back.
+    pub name: &'static str,
+    /// The largest crossover at which it is stable on every spring of the box \[Hz\], of the loop with the nominal spring without mass.
+    pub stable_crossover: f64,
+    /// The same with a sensitivity of at most 2.
+    pub robust_crossover: f64,
+}
+
+/// Tolerances of k and m, either way \[1\].
+pub const TOLERANCE: f64 = 0.1;
+/// Quality of the notches, and what the Kalman filter expects: noise of 0.2 % of F_nom, and the rest as multiples of it.
+const QUALITY: f64 = 2.0;
+const NOISE: f64 = 0.002;
+const RINGING: f64 = 8.3;
+const DRIFT: f64 = 2.1;
+
+/// Notches and Kalman filter in the loop; none where positions are not known from sample to sample, or three modes lie above half the rate.
+pub(super) fn all(unit: &UnitLoops<'_>, dampings: &[DampingCase], gain: f64) -> Result<Vec<Estimated>, Error> {
+    let exact = matches!(unit.control.drive, Drive::Velocity { bandwidth: None });
+    let (Some(step), true, Environment::Held) = (unit.control.sample_time, exact, unit.control.environment) else {
+        return Ok(Vec::new());
+    };
+    let (spring, damping) = (&unit.spec.spring.spring, &dampings[dampings.len() / 2]);
+    let sampled = SampledSpring::new(spring, damping.mount.damping(), 1.0 / step)?;
+    let noise = NOISE * spring.nominal_force();
+    let noise = KalmanNoise { force: noise, shock: 0.0, ringing: RINGING * noise, drift: DRIFT * noise };
+    let notches = surge_notches(&sampled, 3, QUALITY).ok().and_then(|sections| sections.try_into().ok());
+    let kalman = modal_kalman::<3>(&sampled, &noise).ok();
+    let each = [
+        ("F_i behind notches at f1, 2 f1 and 3 f1", notches.map(|sections| Estimator::Cascade(Cascade { sections }))),
+        ("F_o estimated by a Kalman filter of three modes", kalman.map(|filter| Estimator::Kalman(Box::new(filter)))),
+    ];
+    let there = each.into_iter().filter_map(|(name, estimator)| Some((name, estimator?)));
+    there.map(|(name, estimator)| judged(unit, dampings, gain, step, name, &estimator)).collect()
+}
+
+fn judged(
+    unit: &UnitLoops<'_>,
+    dampings: &[DampingCase],
+    gain: f64,
+    step: f64,
+    name: &'static str,
+    estimator: &Estimator,
+) -> Result<Estimated, Error> {
+    let (mut stable, mut robust) = (f64::INFINITY, f64::INFINITY);
+    for damping in dampings {
+        let nominal = unit.force_loop(damping, Channel::InputForce, gain)?;
+        for corner in ToleranceBox::new(TOLERANCE, TOLERANCE)?.corners() {
+            let spring = ToleranceBox::changed(nominal.plant().spring(), corner)?;
+            let plant = nominal.plant();
+            let plant = Plant::new(&spring, plant.damping().clone(), *plant.drive(), *plant.environment())?;
+            let changed = ForceLoop::new(plant, *nominal.controller(), Channel::InputForce, unit.control.delay)?;
+            let margins = SampledLoop::new(&changed, step)?.behind(estimator.clone())?.margins()?;
+            stable = stable.min(margins.gain_limit);
+            robust = robust.min(margins.robust_gain);
+        }
+    }
+    let nominal = unit.force_loop(&dampings[0], Channel::InputForce, gain)?;
+    let crossover = |factor: f64| match factor {
+        0.0 => Ok(0.0),
+        factor if factor.is_infinite() => Ok(f64::INFINITY),
+        factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
+    };
+    Ok(Estimated { name, stable_crossover: crossover(stable)?, robust_crossover: crossover(robust)? })
+}
