@@ -88,12 +88,16 @@ fn force(outcome: &Outcome) -> Option<String> {
     })
 }
 
+/// The least share of a value that is shown as its error: what simulations without noise leave is less, and is rounded up.
+const FINEST: f64 = 1e-6;
+
 /// A value to the digits that its standard error leaves, such as `2.1573e6 ± 0.012e6`.
 pub(crate) fn with_error(value: f64, standard_error: Option<f64>) -> String {
     let exponent = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
     let (scale, power) =
         if (-2..5).contains(&exponent) { (1.0, String::new()) } else { (10f64.powi(exponent), format!("e{exponent}")) };
-    let (value, error) = (value / scale, standard_error.map(|error| error / scale));
+    let (value, error) =
+        (value / scale, standard_error.map(|error| (error / scale).max(FINEST * (value / scale).abs())));
     // Two digits of the error; without one, five of the value.
     let size = error.filter(|error| *error > 0.0).map_or(1e-3 * value.abs(), |error| error);
     let decimals = if size > 0.0 { (1 - size.log10().floor() as i32).clamp(0, 9) as usize } else { 0 };

@@ -15,6 +15,9 @@ const LEAST_BLOCKS: usize = 12;
 /// Largest relative standard error of a stiffness that is worth stating.
 const LARGEST_ERROR: f64 = 0.03;
 
+/// What rounding makes of a length that stands still \[1\].
+const ROUNDING: f64 = 1e-9;
+
 /// The straight line of force over length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stiffness {
@@ -78,7 +81,8 @@ impl Stiffness {
         let extremes = |(low, high): (f64, f64), l: &f64| (low.min(*l), high.max(*l));
         let range = lengths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extremes);
         let moved = format!("the length moves by {:.3} mm only, too little for a stiffness", 1e3 * (range.1 - range.0));
-        if lengths.len() < LEAST_BLOCKS || spread <= 3.0 * count * noise || spread <= 0.0 {
+        let still = range.1 - range.0 <= ROUNDING * range.0.abs().max(range.1.abs());
+        if still || lengths.len() < LEAST_BLOCKS || spread <= 3.0 * count * noise || spread <= 0.0 {
             return Err(moved);
         }
         let k = product / spread;

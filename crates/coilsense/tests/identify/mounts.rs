@@ -1,7 +1,7 @@
 //! Other mounts, other rates, records that say little.
 
 use coilsense::identify::{Answer, Estimate, Identification, Ladder, Meaning, Settings, Trust};
-use coilsense::{Channel, FarEnd, Signals};
+use coilsense::{Channel, Damping, Excitation, FarEnd, Motion, Mount, Signals};
 
 use crate::paper_springs::s_t;
 use crate::records::{bumped, own, tapped};
@@ -138,4 +138,17 @@ fn records_that_say_nothing_are_undecided_and_say_so() {
     let forceless = Signals::new(times).unwrap();
     let error = Identification::of(&forceless, &Settings::default()).unwrap_err().to_string();
     assert_eq!(error, "signal F_i, F_o or F_L is missing");
+}
+
+#[test]
+fn a_length_that_stands_still_has_no_stiffness() {
+    let mount = Mount::new(FarEnd::Position, Damping::Modal(0.005)).unwrap();
+    let hit = Excitation::impact(0.23, 0.25).unwrap();
+    let times: Vec<f64> = (0..50_000).map(|n| f64::from(n) / 2500.0).collect();
+    let signals = Motion::mounted(&s_t(), &mount, &hit).unwrap().signals(&times).unwrap();
+    let found = of(&signals, &Settings::default());
+    // u1 = 0 and u2 = 0.23 m at every sample: what rounding leaves of them is no motion.
+    let reason = found.stiffness.unwrap_err();
+    assert!(reason.contains("too little for a stiffness"), "{reason}");
+    assert!((found.first_frequency.unwrap().value - FIRST).abs() < 1e-5);
 }
