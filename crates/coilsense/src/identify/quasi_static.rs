@@ -12,6 +12,8 @@ use crate::uncertainty::coverage_factor;
 const BLOCK: f64 = 0.2;
 /// Fewest blocks of a fit.
 const LEAST_BLOCKS: usize = 12;
+/// The least share of the length's power that must be slow.
+const SLOW_SHARE: f64 = 0.05;
 /// Largest relative standard error of a stiffness that is worth stating.
 const LARGEST_ERROR: f64 = 0.03;
 
@@ -35,6 +37,8 @@ pub struct Stiffness {
     pub forces: Vec<f64>,
     /// Rms of the blocks' forces about the line \[N\].
     pub scatter: f64,
+    /// Rms of the blocks' velocity over that of their length \[rad/s\]: how slow "slow" was.
+    pub angular_frequency: f64,
 }
 
 /// Length over time, as far as it was recorded: u2 − u1, u2, or −u1; and whether it is a length.
@@ -80,10 +84,15 @@ impl Stiffness {
         let product: f64 = lengths.iter().zip(&forces).map(|(l, f)| (l - l_mean) * (f - f_mean)).sum();
         let extremes = |(low, high): (f64, f64), l: &f64| (low.min(*l), high.max(*l));
         let range = lengths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extremes);
+        let all = length.iter().sum::<f64>() / length.len() as f64;
+        let power = length.iter().map(|l| (l - all).powi(2)).sum::<f64>() / length.len() as f64;
         let moved = format!("the length moves by {:.3} mm only, too little for a stiffness", 1e3 * (range.1 - range.0));
         let still = range.1 - range.0 <= ROUNDING * range.0.abs().max(range.1.abs());
         if still || lengths.len() < LEAST_BLOCKS || spread <= 3.0 * count * noise || spread <= 0.0 {
             return Err(moved);
+        }
+        if spread / count < SLOW_SHARE * (power - noise_variance(&length)) {
+            return Err("the ends move quickly for the most part: no stiffness without a slow motion".to_owned());
         }
         let k = product / spread;
         let residuals: Vec<f64> = lengths.iter().zip(&forces).map(|(l, f)| f - f_mean - k * (l - l_mean)).collect();
@@ -107,6 +116,10 @@ impl Stiffness {
             + (lever * standard / k).powi(2)
             + (zero * settings.accuracy_position).powi(2) / 3.0;
         let scatter = (square / count).sqrt();
+        let duration = block as f64 / sampling.rate;
+        let velocities: f64 = lengths.windows(2).map(|pair| ((pair[1] - pair[0]) / duration).powi(2)).sum();
+        let steps = 2.0 * (count - 1.0) * noise / (duration * duration);
+        let angular_frequency = ((velocities - steps).max(0.0) / spread).sqrt();
         Ok(Self {
             stiffness: Estimate::new(k, standard, factor),
             length_at_zero: Estimate::new(zero, zero_variance.sqrt(), factor),
@@ -115,7 +128,23 @@ impl Stiffness {
             lengths,
             forces,
             scatter,
+            angular_frequency,
         })
+    }
+
+    /// Its interval with what the coil's own mass adds to a stiffness at the frequency of the blocks: up to k (ωτ)²/6, τ = 1/2f1.
+    pub(super) fn with_mass(&mut self, first_frequency: f64) {
+        let more = self.stiffness.value * (0.5 * self.angular_frequency / first_frequency).powi(2) / 6.0;
+        let wider = |estimate: &mut Estimate, more: f64| {
+            let standard = estimate.standard.hypot(more);
+            if estimate.standard > 0.0 {
+                estimate.expanded *= standard / estimate.standard;
+            }
+            estimate.standard = standard;
+        };
+        let lever = self.forces.iter().sum::<f64>() / self.forces.len().max(1) as f64 / self.stiffness.value;
+        wider(&mut self.length_at_zero, (lever * more / self.stiffness.value).abs());
+        wider(&mut self.stiffness, more);
     }
 
     /// k \[N/m\].

@@ -78,6 +78,9 @@ impl Identification {
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
         found.explain(signals, &foldings);
+        if let (Ok(stiffness), Some(first)) = (&mut found.stiffness, &found.first_frequency) {
+            stiffness.with_mass(first.value);
+        }
         found.foretell();
         found.unfold();
         found.derive();

@@ -152,3 +152,20 @@ fn a_length_that_stands_still_has_no_stiffness() {
     assert!(reason.contains("too little for a stiffness"), "{reason}");
     assert!((found.first_frequency.unwrap().value - FIRST).abs() < 1e-5);
 }
+
+#[test]
+fn a_spring_that_is_only_shaken_shows_its_dynamic_stiffness_and_gets_none() {
+    let shaken = |hertz: f64| {
+        let input = coilsense::EndInput::harmonic(1e-3, hertz, 0.0);
+        let shake = Excitation::harmonic(0.23, coilsense::End::One, input, coilsense::Start::Steady).unwrap();
+        let mount = Mount::new(FarEnd::Position, Damping::Modal(0.005)).unwrap();
+        let times: Vec<f64> = (0..50_000).map(|n| f64::from(n) / 2500.0).collect();
+        let signals = Motion::mounted(&s_t(), &mount, &shake).unwrap().signals(&times).unwrap();
+        of(&signals, &known()).stiffness
+    };
+    // At 11 Hz a block mean holds a thirtieth of the motion, and its force 7 % more than k of it.
+    let reason = shaken(11.236).unwrap_err();
+    assert!(reason.contains("move quickly"), "{reason}");
+    let slow = shaken(0.1).unwrap();
+    assert!((slow.value() / 760.0 - 1.0).abs() < 1e-4, "{}", slow.value());
+}
