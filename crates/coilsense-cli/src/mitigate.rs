@@ -46,9 +46,12 @@ pub struct Arguments {
     /// Series of noise, 1 to 1000
     #[arg(long, value_name = "COUNT", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1000))]
     seeds: u64,
-    /// Folder for results.json, the trade-off as a figure, and settings as JSON, C header and Rust constant; its other files are left alone
+    /// Folder for report.html, results.json, the trade-off as a figure, and settings as JSON, C header and Rust constant; its other files are left alone
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Date that the report carries, such as 2026-11-21; without it, today's
+    #[arg(long, value_name = "DATE", requires = "out")]
+    date: Option<String>,
     /// Numbers of the exported settings
     #[arg(long, value_enum, default_value = "single")]
     precision: Numbers,
@@ -114,14 +117,21 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             Numbers::Single => Precision::Single,
             Numbers::Double => Precision::Double,
         };
-        add_mitigation(&answer, precision, output)?;
+        let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+        add_mitigation(&answer, &spec, &date, precision, output)?;
     }
     let files = output.map(Output::commit).transpose()?;
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early has all it wants.
     let _ = write!(out, "{text}");
     if let (Some(files), Some(folder), false) = (files, &arguments.out, arguments.json) {
-        let _ = writeln!(out, "\n{files} files in {} in {:.2} s", folder.display(), answer.seconds);
+        let _ = writeln!(
+            out,
+            "\n{files} files in {} in {:.2} s; open {}",
+            folder.display(),
+            answer.seconds,
+            folder.join("report.html").display()
+        );
     }
     Ok(())
 }

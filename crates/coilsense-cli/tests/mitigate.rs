@@ -40,10 +40,32 @@ fn a_spec_gets_advice_and_files_to_paste() {
     let done = mitigate(folder.path(), &["--seeds", "1", "--rate", "1 kHz", "--noise", "0.2 N", "--out", "out"]);
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    assert!(text.starts_with("For F_i without its ringing, take the ") && text.contains("9 files in out"), "{text}");
+    assert!(text.starts_with("For F_i without its ringing, take the ") && text.contains("10 files in out"), "{text}");
     for file in ["results.json", "trade-off.svg", "trade-off.png", "force_filter.h", "force_estimator.rs"] {
         assert!(folder.path().join("out").join(file).is_file(), "{file}");
     }
+}
+
+#[test]
+fn the_page_holds_the_advice_first_and_needs_no_network() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = ["--seeds", "1", "--rate", "1 kHz", "--noise", "0.2 N", "--date", "2026-11-22", "--out", "out"];
+    let done = mitigate(folder.path(), &asked);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let text = String::from_utf8(done.stdout).unwrap();
+    let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    let (advised, ranking) = (page.find(r#"class="answer""#).unwrap(), page.find(r#"id="ranking""#).unwrap());
+    for line in text.lines().take(2) {
+        // Advice is the same in both; the page escapes what HTML would read as its own.
+        let place = page.find(&line.replace('<', "&lt;").replace('/', "&#x2f;")).unwrap_or_else(|| panic!("{line}"));
+        assert!(advised < place && place < ranking, "{line}");
+    }
+    for part in
+        ["on 2026-11-22", r#"id="trade-off""#, r#"id="time""#, "force_filter_settle(&amp;state", "[[condition]]"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("src=\"http") && !page.contains("href=\"http") && !page.contains("<script"));
 }
 
 #[test]

@@ -115,7 +115,8 @@ fn spec(condition: &str) -> Spec {
 
 #[test]
 fn a_spec_gets_its_ranking_its_advice_and_settings_to_paste() {
-    let answer = Study::of(&spec(CONDITION), &asked()).unwrap().run().unwrap();
+    let spec = spec(CONDITION);
+    let answer = Study::of(&spec, &asked()).unwrap().run().unwrap();
     let text = mitigation_text(&answer);
     assert!(text.starts_with("For F_i without its ringing, take the "), "{text}");
     assert!(text.contains("\nFor the force at end 2, take the "), "{text}");
@@ -123,8 +124,8 @@ fn a_spec_gets_its_ranking_its_advice_and_settings_to_paste() {
     assert_eq!(json["candidates"].as_array().unwrap().len(), answer.judged.len());
     let folder = tempfile::tempdir().unwrap();
     let mut output = Output::begin(&folder.path().join("out")).unwrap();
-    add_mitigation(&answer, Precision::Single, &mut output).unwrap();
-    assert_eq!(output.commit().unwrap(), 9);
+    add_mitigation(&answer, &spec, "2026-11-22", Precision::Single, &mut output).unwrap();
+    assert_eq!(output.commit().unwrap(), 10);
     let header = std::fs::read_to_string(folder.path().join("out/force_filter.h")).unwrap();
     assert!(header.contains("force_filter_step(") && header.contains("for 2000 Hz"), "{header}");
 }

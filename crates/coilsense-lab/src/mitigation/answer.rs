@@ -4,6 +4,7 @@
 
 use super::candidate::{Candidate, Origin, Truth};
 use super::judge::Judgement;
+use super::shown::Shown;
 use super::study::Study;
 
 /// A candidate that cannot be.
@@ -25,6 +26,8 @@ pub struct Answer {
     pub left_out: Vec<LeftOut>,
     /// How many runs over the box there were.
     pub runs: usize,
+    /// One run over time.
+    pub shown: Option<Shown>,
     /// How long it took \[s\].
     pub seconds: f64,
 }

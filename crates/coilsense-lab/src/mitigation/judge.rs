@@ -77,13 +77,18 @@ impl Trial {
         runs.iter().map(|run| self.mean_square(run, candidate, 0)).collect()
     }
 
+    /// The numbers that make series `seed` of the noise.
+    pub fn random(&self, seed: u64) -> rand_pcg::Pcg64 {
+        rand_pcg::Pcg64::new(u128::from(self.seed.wrapping_add(seed)), 0x6d69_7469)
+    }
+
     /// Mean square of what comes out less the truth `late` samples before, over all seeds.
     fn mean_square(&self, run: &Run, candidate: &Candidate, late: usize) -> f64 {
         let truth = run.truth(candidate.truth);
         let mut sum = 0.0;
         for seed in 0..self.seeds {
             // Every candidate gets the same noise.
-            let mut random = rand_pcg::Pcg64::new(u128::from(self.seed.wrapping_add(seed)), 0x6d69_7469);
+            let mut random = self.random(seed);
             let mut running = candidate.start.start(&run.at_rest);
             for (index, measured) in run.measured.iter().enumerate() {
                 let mut noisy = *measured;

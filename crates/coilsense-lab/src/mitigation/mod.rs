@@ -12,10 +12,12 @@ mod candidates;
 pub mod export;
 mod judge;
 mod runs;
+mod shown;
 mod start;
 mod study;
 
 pub use answer::{Answer, LeftOut};
 pub use candidate::{Candidate, Origin, Truth};
 pub use judge::Judgement;
+pub use shown::{Made, Shown};
 pub use study::{Asked, Recorded, Study, StudyError};

@@ -60,9 +60,20 @@ impl Run {
 
     /// Largest |F_i − k·Δl| \[N\], an offset left out.
     pub fn ringing(&self) -> f64 {
+        self.difference().into_iter().fold(0.0, f64::max)
+    }
+
+    /// At which sample that is.
+    pub fn loudest(&self) -> usize {
+        let each = self.difference().into_iter().enumerate();
+        each.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index)
+    }
+
+    /// |F_i − k·Δl| \[N\], an offset left out.
+    fn difference(&self) -> Vec<f64> {
         let difference = || self.measured.iter().zip(&self.still).map(|(measured, still)| measured.force - still);
         let offset = difference().sum::<f64>() / self.measured.len() as f64;
-        difference().map(|force| (force - offset).abs()).fold(0.0, f64::max)
+        difference().map(|force| (force - offset).abs()).collect()
     }
 
     /// Rms of k·Δl about its mean \[N\].

@@ -207,8 +207,14 @@ impl Study {
             .collect();
         judged.sort_by(order);
         let runs = trial.over_the_box.len();
-        let seconds = begun.elapsed().as_secs_f64();
-        Ok(Answer { study: self, judged, left_out: candidates.left_out, runs, seconds })
+        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None, seconds: 0.0 };
+        let best: Vec<&Candidate> = [Truth::Static, Truth::Output]
+            .into_iter()
+            .filter_map(|truth| answer.best(truth).map(|(candidate, _)| candidate))
+            .collect();
+        answer.shown = trial.shown(&best, sampled.surge_period());
+        answer.seconds = begun.elapsed().as_secs_f64();
+        Ok(answer)
     }
 
     /// How long the longest run takes \[s\].

@@ -1,0 +1,65 @@
+//! The figures of a mitigation: the trade-off of error against lag, and forces over time.
+//!
+//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+
+use super::text::percent;
+use crate::mitigation::{Answer, Made, Origin, Truth};
+use crate::plot::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
+
+/// Worst-case error against lag.
+pub(super) fn trade_off(answer: &Answer) -> Figure {
+    let points = |truth, origin, label: &str, colour, marker| {
+        let those = answer.judged.iter().filter(|(c, _)| c.truth == truth && c.origin == origin);
+        let (x, y) = those.map(|(_, j)| (j.lag, percent(answer, j.worst))).unzip();
+        Points { label: label.to_owned(), x, y, errors: Vec::new(), colour, marker }
+    };
+    let axis = |label: String, range, scale| Axis { label, range, scale };
+    // No point stands on the frame.
+    let around = |truth| {
+        let lags = answer.judged.iter().filter(|(c, _)| c.truth == truth).map(|(_, j)| j.lag);
+        let (least, most) = lags.fold((0.0_f64, 0.0_f64), |(least, most), lag| (least.min(lag), most.max(lag)));
+        let room = 0.05 * (most - least).max(1.0);
+        Some((least - room, most + room))
+    };
+    let panel = |title: &str, truth| Panel {
+        title: title.to_owned(),
+        x: axis(format!("Lag at {:.3} Hz [°]", answer.study.bandwidth), around(truth), Scale::Linear),
+        y: axis("Worst error [% of F_{nom}]".to_owned(), None, Scale::Log10),
+        points: vec![
+            points(truth, Origin::Raw, "nothing done", Colour::Ink, Marker::Disc),
+            points(truth, Origin::FirstTry, "first tries", Colour::Blue, Marker::Square),
+            points(truth, Origin::Fitted, "fitted", Colour::Red, Marker::Diamond),
+        ],
+        ..Panel::default()
+    };
+    Figure {
+        panels: vec![panel("Filters of F_i", Truth::Static), panel("Estimators of F_o", Truth::Output)],
+        columns: 2,
+        panel_width: 420.0,
+        panel_height: 320.0,
+    }
+}
+
+/// What is measured, what is true and what comes out, over time.
+pub(super) fn over_time(answer: &Answer) -> Option<Figure> {
+    let shown = answer.shown.as_ref()?;
+    let curve = |label: &str, series: &[f64], colour, dash, width| Curve {
+        label: label.to_owned(),
+        x: shown.time.clone(),
+        y: series.iter().map(|force| percent(answer, *force)).collect(),
+        stroke: Stroke { colour, dash, width },
+    };
+    let panel = |made: &Made| Panel {
+        title: format!("{}: {}", if made.truth == Truth::Static { "F_i" } else { "F_o" }, made.name),
+        x: Axis { label: "Time [s]".to_owned(), ..Axis::default() },
+        y: Axis { label: "Force [% of F_{nom}]".to_owned(), ..Axis::default() },
+        curves: vec![
+            curve("F_i as measured", &shown.measured, Colour::Blue, Dash::Solid, 0.9),
+            curve(&format!("true {}", made.truth.name()), &made.truly, Colour::Ink, Dash::Dashed, 1.8),
+            curve("what comes out", &made.out, Colour::Red, Dash::Solid, 1.5),
+        ],
+        ..Panel::default()
+    };
+    let panels: Vec<Panel> = shown.made.iter().map(panel).collect();
+    (!panels.is_empty()).then_some(Figure { panels, columns: 1, panel_width: 760.0, panel_height: 280.0 })
+}

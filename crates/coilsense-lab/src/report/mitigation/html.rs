@@ -1,0 +1,104 @@
+//! `report.html` of a mitigation: one page that needs no other file and no network; the advice first.
+//!
+//! Next door: its layout (`page.html`), its figures (`figures`), the same as text (`text`).
+
+use minijinja::{AutoEscape, Environment, Value, context};
+
+use super::text::{advice, conditions, percent};
+use super::{EXPORTS, figures};
+use crate::mitigation::{Answer, Truth};
+use crate::plot::{Figure, Theme};
+use crate::quantity::digits;
+use crate::report::{Drawn, ReportError};
+use crate::spec::Spec;
+
+/// The page of a mitigation.
+pub(super) fn page(answer: &Answer, spec: &Spec, date: &str, trade_off: &Drawn) -> Result<String, ReportError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_template("page", include_str!("page.html"))?;
+    let study = &answer.study;
+    let page = environment.get_template("page")?.render(context! {
+        version => env!("CARGO_PKG_VERSION"),
+        date,
+        spring => &spec.spring.name,
+        file => std::path::Path::new(&spec.file).file_name().map(|name| name.to_string_lossy()),
+        log => study.recorded.as_ref().map(|log| &log.name),
+        text => &spec.text,
+        answer => advice(answer).lines().map(str::to_owned).collect::<Vec<_>>(),
+        groups => [Truth::Static, Truth::Output].map(|truth| group(answer, truth)),
+        left_out => answer.left_out.iter().map(|it| context! { name => &it.name, reason => &it.reason }).collect::<Vec<_>>(),
+        conditions => conditions(answer),
+        nominal_force => digits(study.spring.nominal_force()),
+        bandwidth => digits(study.bandwidth),
+        rate => digits(study.rate),
+        trade_off => context! { light => &trade_off.light, dark => &trade_off.dark },
+        over_time => figures::over_time(answer).map(|figure| drawn(&figure)).transpose()?,
+        run => answer.shown.as_ref().map(|shown| &shown.label),
+        exports => exports(answer),
+        style => include_str!("../style.css"),
+    })?;
+    Ok(page)
+}
+
+fn drawn(figure: &Figure) -> Result<Value, ReportError> {
+    let fault = |source| ReportError::Figure { name: "over-time".to_owned(), source };
+    let light = figure.to_svg(Theme::Light).map_err(fault)?;
+    let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
+    Ok(context! { light, dark })
+}
+
+/// The ranking of those that are to give one force.
+fn group(answer: &Answer, truth: Truth) -> Value {
+    let best = answer.best(truth).map(|(candidate, _)| candidate.name.as_str());
+    let those = answer.judged.iter().filter(|(candidate, _)| candidate.truth == truth);
+    let rows = those.map(|(candidate, judgement)| {
+        context! {
+            name => &candidate.name,
+            advised => best == Some(candidate.name.as_str()),
+            origin => candidate.origin.name(),
+            nominal => format!("{:.3}", percent(answer, judgement.nominal)),
+            worst => format!("{:.3}", percent(answer, judgement.worst)),
+            worst_run => &judgement.worst_run,
+            aligned => format!("{:.3}", percent(answer, judgement.aligned)),
+            delay => format!("{:.1}", 1e3 * judgement.delay),
+            lag => format!("{:.1}", judgement.lag),
+            late => judgement.lag > answer.study.most_lag,
+            noise => format!("{:.3}", judgement.noise_gain),
+            settling => format!("{:.1}", 1e3 * judgement.settling),
+        }
+    });
+    let title = match truth {
+        Truth::Static => "Filters of F_i, against k·Δl",
+        Truth::Output => "Estimators, against F_o",
+    };
+    context! { title, rows => rows.collect::<Vec<_>>() }
+}
+
+/// What is exported, and how a controller calls it.
+fn exports(answer: &Answer) -> Vec<Value> {
+    let each = EXPORTS.into_iter().filter_map(|(truth, name)| {
+        let (candidate, _) = answer.best(truth)?;
+        let settings = candidate.settings()?;
+        let upper = name.to_ascii_uppercase();
+        let ring = settings.ring().map_or(String::new(), |_| format!("::<{upper}_RING>"));
+        let (first, each, taken) = match truth {
+            Truth::Static => ("first_force", "force", "force"),
+            Truth::Output => ("&first", "&Measured { force, ends: [u1, u2] }", "force, u1, u2"),
+        };
+        // An estimator of modes gives more than the force.
+        let field = if settings.kind().contains("Kalman") { ".output" } else { "" };
+        Some(context! {
+            name,
+            candidate => &candidate.name,
+            kind => settings.kind(),
+            rust => format!(
+                "let mut state = {upper}.settled{ring}({first});\nlet estimate = {upper}.step(&mut state, {each}){field};"
+            ),
+            c => format!(
+                "static {name}_state state;\n{name}_settle(&state, {taken});\n{name}_real estimate = {name}_step(&state, {taken}){field};"
+            ),
+        })
+    });
+    each.collect()
+}

@@ -1,0 +1,116 @@
+//! What to do about ringing as terminal text: advice in two sentences, a table, what was left out.
+//!
+//! Next door: the same as JSON (`json`), as a page (`html`).
+
+use std::fmt::Write as _;
+
+use crate::mitigation::{Answer, Candidate, Judgement, Origin, Truth};
+
+/// The table, what was left out, and the advice.
+pub fn mitigation_text(answer: &Answer) -> String {
+    let mut text = advice(answer);
+    let _ = write!(
+        text,
+        "\n\n{:62} {:9} {:>8} {:>8} {:>8} {:>8} {:>7} {:>9}\n",
+        "errors in % of F_nom, rms", "", "nominal", "worst", "aligned", "lag [°]", "noise", "settling"
+    );
+    for truth in [Truth::Static, Truth::Output] {
+        let _ = writeln!(text, "against {}", truth.name());
+        for (candidate, judgement) in answer.judged.iter().filter(|(candidate, _)| candidate.truth == truth) {
+            let _ = writeln!(text, "{}", line(answer, candidate, judgement));
+        }
+    }
+    for left_out in &answer.left_out {
+        let _ = writeln!(text, "left out: {}: {}", left_out.name, left_out.reason);
+    }
+    text + &conditions(answer) + "\n"
+}
+
+/// What candidates were judged on, and what the columns mean.
+pub(super) fn conditions(answer: &Answer) -> String {
+    let study = &answer.study;
+    if let Some(recorded) = &study.recorded {
+        return format!(
+            "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there; k·Δl is of the nominal spring;\n\
+             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; advised: at most {}° late.",
+            recorded.name,
+            recorded.measured.len(),
+            study.rate,
+            study.noise,
+            100.0 * study.tolerances.stiffness(),
+            100.0 * study.tolerances.mass(),
+            study.bandwidth,
+            study.most_lag,
+        );
+    }
+    format!(
+        "{} condition(s) at {} Hz, noise {:.3} N rms, {} seed(s); worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
+         aligned: the truth shifted by the delay that fits best; settling: after an impact, to a tenth of it; advised: the least at worst of those at\n\
+         most {}° late.",
+        study.conditions.len(),
+        study.rate,
+        study.noise,
+        study.seeds,
+        answer.runs,
+        100.0 * study.tolerances.stiffness(),
+        100.0 * study.tolerances.mass(),
+        study.dampings.iter().map(|damping| damping.0.as_str()).collect::<Vec<_>>().join(", "),
+        study.bandwidth,
+        study.most_lag,
+    )
+}
+
+/// A force in % of F_nom.
+pub(super) fn percent(answer: &Answer, force: f64) -> f64 {
+    100.0 * force / answer.study.spring.nominal_force()
+}
+
+fn line(answer: &Answer, candidate: &Candidate, judgement: &Judgement) -> String {
+    let settling = format!("{:.1} ms", 1e3 * judgement.settling);
+    format!(
+        "  {:60} {:9} {:8.4} {:8.4} {:8.4} {:8.2} {:7.3} {settling:>9}",
+        candidate.name,
+        candidate.origin.name(),
+        percent(answer, judgement.nominal),
+        percent(answer, judgement.worst),
+        percent(answer, judgement.aligned),
+        judgement.lag,
+        judgement.noise_gain,
+    )
+}
+
+/// Two sentences: what to do for either force.
+pub(super) fn advice(answer: &Answer) -> String {
+    let sentence = |truth, opening: &str| {
+        let (candidate, judgement) = answer.best(truth)?;
+        let mut text = format!(
+            "{opening} {}: {:.3} % of F_nom rms, {:.3} % at worst ({}), {:.1}° late at {:.3} Hz, {:.0} % of the noise",
+            candidate.name,
+            percent(answer, judgement.nominal),
+            percent(answer, judgement.worst),
+            judgement.worst_run,
+            judgement.lag,
+            answer.study.bandwidth,
+            100.0 * judgement.noise_gain,
+        );
+        if let Some((first, tried)) = answer.best_first_try(truth).filter(|_| candidate.origin == Origin::Fitted) {
+            let against = |ours: f64, theirs: f64| {
+                let change = 100.0 * (ours / theirs - 1.0);
+                format!("{:.0} % {}", change.abs(), if change < 0.0 { "less" } else { "more" })
+            };
+            let _ = write!(
+                text,
+                "; that is {} than the {} leaves, and {} at worst",
+                against(judgement.nominal, tried.nominal),
+                first.name,
+                against(judgement.worst, tried.worst),
+            );
+        }
+        Some(text + ".")
+    };
+    let both = [
+        sentence(Truth::Static, "For F_i without its ringing, take the"),
+        sentence(Truth::Output, "For the force at end 2, take the"),
+    ];
+    both.into_iter().flatten().collect::<Vec<_>>().join("\n")
+}
