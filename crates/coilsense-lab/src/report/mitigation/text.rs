@@ -32,7 +32,7 @@ pub(super) fn conditions(answer: &Answer) -> String {
     if let Some(recorded) = &study.recorded {
         return format!(
             "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there; k·Δl is of the nominal spring;\n\
-             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; advised: at most {}° late.",
+             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; advised: at most {:.0}° late.",
             recorded.name,
             recorded.measured.len(),
             study.rate,
@@ -44,9 +44,9 @@ pub(super) fn conditions(answer: &Answer) -> String {
         );
     }
     format!(
-        "{} condition(s) at {} Hz, noise {:.3} N rms, {} seed(s); worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
+        "Conditions: {}, at {} Hz with {:.3} N rms of noise, seeds: {}; worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
          aligned: the truth shifted by the delay that fits best; settling: after an impact, to a tenth of it; advised: the least at worst of those at\n\
-         most {}° late.",
+         most {:.0}° late.",
         study.conditions.len(),
         study.rate,
         study.noise,
@@ -58,6 +58,11 @@ pub(super) fn conditions(answer: &Answer) -> String {
         study.bandwidth,
         study.most_lag,
     )
+}
+
+/// A lag in degrees without a sign before a zero.
+pub(super) fn upright(lag: f64) -> f64 {
+    if lag.abs() < 0.005 { 0.0 } else { lag }
 }
 
 /// A force in % of F_nom.
@@ -74,7 +79,7 @@ fn line(answer: &Answer, candidate: &Candidate, judgement: &Judgement) -> String
         percent(answer, judgement.nominal),
         percent(answer, judgement.worst),
         percent(answer, judgement.aligned),
-        judgement.lag,
+        upright(judgement.lag),
         judgement.noise_gain,
     )
 }
@@ -89,7 +94,7 @@ pub(super) fn advice(answer: &Answer) -> String {
             percent(answer, judgement.nominal),
             percent(answer, judgement.worst),
             judgement.worst_run,
-            judgement.lag,
+            upright(judgement.lag),
             answer.study.bandwidth,
             100.0 * judgement.noise_gain,
         );
