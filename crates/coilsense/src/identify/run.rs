@@ -78,9 +78,13 @@ impl Identification {
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
         found.explain(signals, &foldings);
-        if let (Ok(stiffness), Some(first)) = (&mut found.stiffness, &found.first_frequency) {
-            stiffness.with_mass(first.value);
-        }
+        found.stiffness = found.stiffness.and_then(|mut stiffness| match &found.first_frequency {
+            Some(first) => {
+                stiffness.with_mass(first.value);
+                Ok(stiffness)
+            }
+            None => stiffness.without_mass(),
+        });
         found.foretell();
         found.unfold();
         found.derive();
