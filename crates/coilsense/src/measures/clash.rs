@@ -66,6 +66,18 @@ impl Clash {
         Ok(clash)
     }
 
+    /// Whether a bound on all modes rules out that neighbouring windings come as near as `contact_pitch` for 0 ≤ t ≤ `until`: some
+    /// microseconds instead of a motion's positions. `false` says nothing; ask [`Clash::of`] then.
+    ///
+    /// - `until`: \[s\], not below zero; `contact_pitch`: \[m\], as in [`Clash::seen`]
+    ///
+    /// Source:   [`Motion::least_pitch`].
+    /// Valid:    as [`Motion::least_pitch`].
+    /// Accuracy: never `true` of a motion whose windings touch; `true` of S_T in the paper's five conditions (test).
+    pub fn excluded(motion: &Motion, until: f64, contact_pitch: f64) -> bool {
+        motion.least_pitch(until) > contact_pitch
+    }
+
     /// Whether windings touch.
     pub fn happens(&self) -> bool {
         self.first_contact.is_some()

@@ -10,6 +10,7 @@ mod march;
 mod oscillator;
 mod panel;
 mod phasor_sum;
+mod reach;
 mod start;
 mod stream;
 mod stride;

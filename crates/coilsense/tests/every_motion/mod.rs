@@ -90,6 +90,7 @@ pub fn motions() -> Vec<Motion> {
 }
 
 /// Largest difference over the peak of what oscillates.
+#[allow(dead_code, reason = "each test file uses what it needs")]
 pub fn off(ours: &[f64], theirs: &[f64]) -> f64 {
     let mean = theirs.iter().sum::<f64>() / theirs.len() as f64;
     let peak = theirs.iter().fold(0.0_f64, |peak, value| peak.max((value - mean).abs()));
