@@ -3,6 +3,10 @@
 //! Next door: windings that touch (`clash`).
 
 use crate::error::{Error, all_finite, at_least_one, check, count};
+use crate::simd;
+
+/// Sums that do not wait for each other: two of the widest vectors, on every path, so that the order of a sum is one.
+const LANES: usize = 16;
 
 /// How a series deviates from its reference; every field has the unit of the series.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,32 +45,13 @@ impl Deviation {
     pub fn between(force: &[f64], reference: &[f64]) -> Result<Self, Error> {
         at_least_one("force", force.len())?;
         count("reference", reference.len(), force.len())?;
-        all_finite("force", force, "N")?;
-        all_finite("reference", reference, "N")?;
-        Ok(Self::of(force.iter().zip(reference).map(|(f, r)| f - r)))
-    }
-
-    /// Of differences already taken.
-    fn of(differences: impl ExactSizeIterator<Item = f64> + Clone) -> Self {
-        let samples = differences.len() as f64;
-        let (mut sum, mut squares) = (0.0, 0.0);
-        let (mut maximum, mut minimum) = (f64::NEG_INFINITY, f64::INFINITY);
-        for difference in differences.clone() {
-            sum += difference;
-            squares += difference * difference;
-            maximum = maximum.max(difference);
-            minimum = minimum.min(difference);
+        let moments = simd::dispatch(Differences { force, reference });
+        if !moments.squares.is_finite() {
+            // Something is not finite, or too large to square.
+            all_finite("force", force, "N")?;
+            all_finite("reference", reference, "N")?;
         }
-        let mean = sum / samples;
-        let scatter: f64 = differences.map(|d| (d - mean) * (d - mean)).sum();
-        let variance = scatter / (samples - 1.0).max(1.0);
-        Self {
-            rmsd: (squares / samples).sqrt(),
-            maximum,
-            maximum_absolute: maximum.max(-minimum),
-            mean,
-            standard_error: (variance / samples).sqrt(),
-        }
+        Ok(moments.deviation(force.len() as f64))
     }
 
     /// The same as a share of a nominal value, for example F_nom \[N\] (1 = all of it).
@@ -83,5 +68,78 @@ impl Deviation {
             mean: self.mean / nominal,
             standard_error: self.standard_error / nominal,
         })
+    }
+}
+
+/// One call of [`Deviation::between`].
+struct Differences<'a> {
+    force: &'a [f64],
+    reference: &'a [f64],
+}
+
+/// What becomes of it.
+struct Moments {
+    sum: f64,
+    squares: f64,
+    minimum: f64,
+    maximum: f64,
+    /// Σ (d − mean)².
+    scatter: f64,
+}
+
+impl Moments {
+    fn deviation(&self, samples: f64) -> Deviation {
+        let variance = self.scatter / (samples - 1.0).max(1.0);
+        Deviation {
+            rmsd: (self.squares / samples).sqrt(),
+            maximum: self.maximum,
+            maximum_absolute: self.maximum.max(-self.minimum),
+            mean: self.sum / samples,
+            standard_error: (variance / samples).sqrt(),
+        }
+    }
+}
+
+impl Differences<'_> {
+    /// Calls `visit` with each difference and its lane.
+    #[inline(always)]
+    fn for_each(&self, mut visit: impl FnMut(usize, f64)) {
+        let chunks = self.force.chunks_exact(LANES).zip(self.reference.chunks_exact(LANES));
+        for (force, reference) in chunks {
+            for lane in 0..LANES {
+                visit(lane, force[lane] - reference[lane]);
+            }
+        }
+        let rest = self.force.len() - self.force.len() % LANES;
+        for (lane, (force, reference)) in self.force[rest..].iter().zip(&self.reference[rest..]).enumerate() {
+            visit(lane, force - reference);
+        }
+    }
+}
+
+impl pulp::WithSimd for Differences<'_> {
+    type Output = Moments;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Moments {
+        // Plain loops: the compiler turns them into the vectors that are allowed here.
+        let (mut sums, mut squares, mut scatters) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let (mut minima, mut maxima) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+        self.for_each(|lane, difference| {
+            sums[lane] += difference;
+            squares[lane] += difference * difference;
+            minima[lane] = if difference < minima[lane] { difference } else { minima[lane] };
+            maxima[lane] = if difference > maxima[lane] { difference } else { maxima[lane] };
+        });
+        let sum: f64 = sums.iter().sum();
+        let mean = sum / self.force.len() as f64;
+        self.for_each(|lane, difference| scatters[lane] += (difference - mean) * (difference - mean));
+        Moments {
+            sum,
+            squares: squares.iter().sum(),
+            minimum: minima.into_iter().fold(f64::INFINITY, f64::min),
+            maximum: maxima.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            scatter: scatters.iter().sum(),
+        }
     }
 }

@@ -169,6 +169,18 @@ impl Closed {
         &self.segments[next.max(1) - 1]
     }
 
+    /// The numbers of the segments that times in order fall into, each with its samples.
+    pub(super) fn stretches(&self, times: &[f64]) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+        let mut first = 0;
+        let samples = self.segments.iter().enumerate().map(move |(index, _)| {
+            let until = self.segments.get(index + 1).map_or(f64::INFINITY, |next| next.from);
+            let samples = first..first + times[first..].partition_point(|&time| time < until);
+            first = samples.end;
+            (index, samples)
+        });
+        samples.filter(|(_, samples)| !samples.is_empty())
+    }
+
     fn free_state(&self, time: f64, state: &mut ModalState) {
         state.coordinates.fill(0.0);
         state.rates.fill(0.0);

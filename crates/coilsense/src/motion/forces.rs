@@ -142,14 +142,8 @@ impl Motion {
     fn together(&self, closed: &Closed, times: &[f64]) -> EndForces {
         let constant = self.straight_part(0.0).constant;
         let mut forces = EndForces { input: vec![constant; times.len()], output: vec![constant; times.len()] };
-        let mut first = 0;
-        for (index, segment) in closed.segments.iter().enumerate() {
-            let until = closed.segments.get(index + 1).map_or(f64::INFINITY, |next| next.from);
-            let samples = first..first + times[first..].partition_point(|&time| time < until);
-            first = samples.end;
-            if samples.is_empty() {
-                continue;
-            }
+        for (index, samples) in closed.stretches(times) {
+            let segment = &closed.segments[index];
             let grid =
                 Grid { first: times[samples.start] - segment.from, step: step_of(times), samples: samples.len() };
             let [input, output] = [&mut forces.input[samples.clone()], &mut forces.output[samples]];
@@ -193,33 +187,47 @@ impl Motion {
     /// share of F_i and of F_o, less the kept modes, that sines give.
     fn terms(&self, closed: &Closed, segment: usize, weights: &[f64], share: [f64; 2]) -> Vec<Term> {
         let (scale, dashpot) = (self.force_scale(), self.mount.damping().dashpot_time());
-        let segment = &closed.segments[segment];
-        // Of a function e^(λt), value and dashpot together are 1 + βλ times it.
-        let mut terms = Vec::with_capacity(weights.len() + 4);
-        for exponential in &segment.exponentials {
-            let weight = weights[exponential.mode];
-            if weight != 0.0 && exponential.coefficient != Complex64::default() {
-                let coefficient = scale * weight * exponential.coefficient * (1.0 + dashpot * exponential.root);
-                terms.push(Term { coefficient, function: Function::Exponential(exponential.root) });
-            }
-        }
-        for drive in closed.drives.iter().filter(|drive| drive.sine.acts_at(segment.from)) {
-            let root = I * drive.sine.angular;
-            let elapsed = segment.from - drive.sine.since;
-            let steady: Complex64 = drive.gains.iter().zip(weights).map(|(gain, weight)| gain * weight).sum();
-            let phasor = (I * drive.sine.phase + root * elapsed).exp();
-            let straight = share[0] * self.straight_gain(drive, 0) + share[1] * self.straight_gain(drive, 1);
-            let mut shared = -I * phasor * (scale * steady * (1.0 + dashpot * root) + straight);
-            for near in drive.near.iter().filter(|near| weights[near.mode] != 0.0) {
-                let coefficient = scale * weights[near.mode] * near.coefficient;
-                shared += near.push_terms(&mut terms, coefficient, root, elapsed, dashpot);
-            }
-            if shared != Complex64::default() {
-                terms.push(Term { coefficient: shared, function: Function::Exponential(root) });
-            }
-        }
-        terms
+        let straight =
+            |drive: &Drive| share[0] * self.straight_gain(drive, 0) + share[1] * self.straight_gain(drive, 1);
+        modal_terms(closed, segment, weights, [scale, dashpot], straight)
     }
+}
+
+/// Terms of `scale Σ_j w_j (q_j + β q̇_j)` and of `straight` times each sine, counted from a segment's begin.
+///
+/// - `scale`, and β of the rates, `dashpot` \[s\]
+pub(super) fn modal_terms(
+    closed: &Closed,
+    segment: usize,
+    weights: &[f64],
+    [scale, dashpot]: [f64; 2],
+    straight: impl Fn(&Drive) -> f64,
+) -> Vec<Term> {
+    let segment = &closed.segments[segment];
+    // Of a function e^(λt), value and dashpot together are 1 + βλ times it.
+    let mut terms = Vec::with_capacity(weights.len() + 4);
+    for exponential in &segment.exponentials {
+        let weight = weights[exponential.mode];
+        if weight != 0.0 && exponential.coefficient != Complex64::default() {
+            let coefficient = scale * weight * exponential.coefficient * (1.0 + dashpot * exponential.root);
+            terms.push(Term { coefficient, function: Function::Exponential(exponential.root) });
+        }
+    }
+    for drive in closed.drives.iter().filter(|drive| drive.sine.acts_at(segment.from)) {
+        let root = I * drive.sine.angular;
+        let elapsed = segment.from - drive.sine.since;
+        let steady: Complex64 = drive.gains.iter().zip(weights).map(|(gain, weight)| gain * weight).sum();
+        let phasor = (I * drive.sine.phase + root * elapsed).exp();
+        let mut shared = -I * phasor * (scale * steady * (1.0 + dashpot * root) + straight(drive));
+        for near in drive.near.iter().filter(|near| weights[near.mode] != 0.0) {
+            let coefficient = scale * weights[near.mode] * near.coefficient;
+            shared += near.push_terms(&mut terms, coefficient, root, elapsed, dashpot);
+        }
+        if shared != Complex64::default() {
+            terms.push(Term { coefficient: shared, function: Function::Exponential(root) });
+        }
+    }
+    terms
 }
 
 impl EndForces {

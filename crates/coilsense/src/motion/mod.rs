@@ -5,6 +5,8 @@
 //! (`sensors`).
 
 mod closed;
+mod ends;
+mod exponentials;
 mod forces;
 mod march;
 mod oscillator;
@@ -236,7 +238,7 @@ impl Motion {
     /// [`Error::Value`] for the first time that is not finite, below zero, or not after its predecessor.
     pub fn signals(&self, times: &[f64]) -> Result<Signals, Error> {
         let forces = self.end_forces(times)?;
-        let (u1, u2): (Vec<f64>, Vec<f64>) = self.ends(times)?.into_iter().map(<(f64, f64)>::from).unzip();
+        let [u1, u2] = self.end_positions(times)?;
         let deflection = crate::sensors::deflection_force(&self.spring, &u1, &u2)?;
         let mut signals = Signals::new(times.to_vec())?;
         signals.insert(Channel::U1, u1)?;
@@ -245,22 +247,6 @@ impl Motion {
         signals.insert(Channel::OutputForce, forces.output)?;
         signals.insert(Channel::DeflectionForce, deflection)?;
         Ok(signals)
-    }
-
-    /// u1 and u2 \[m\] at each time, shape `samples × 2`; end 1 has its mean at 0.
-    ///
-    /// # Errors
-    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
-    pub fn ends(&self, times: &[f64]) -> Result<Vec<[f64; 2]>, Error> {
-        check_times(times)?;
-        let mut ends: Vec<[f64; 2]> = times.iter().map(|&time| self.line(time)).collect();
-        if self.mount.far_end() != FarEnd::Position {
-            self.for_each_sample(times, |sample, _, coordinates| {
-                let shapes = self.modes.end_shapes().iter().zip(coordinates);
-                ends[sample][1] += shapes.map(|(shape, q)| shape * q).sum::<f64>();
-            })?;
-        }
-        Ok(ends)
     }
 
     /// The chain's mechanical energy at time `time` \[s\], in \[J\]: kinetic plus elastic (counted from the rest length), without an end mass.

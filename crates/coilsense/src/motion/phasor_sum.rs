@@ -7,7 +7,8 @@ use aligned_vec::{AVec, avec};
 use num_complex::Complex64;
 use pulp::{Simd, WithSimd};
 
-use super::oscillator::{divided_exponential, exponential};
+use super::exponentials::Exponentials;
+use super::oscillator::divided_exponential;
 use super::panel::{COLUMNS, Panel, ROWS, Unfold};
 use crate::simd::dispatch;
 
@@ -133,9 +134,18 @@ impl Default for Tables {
 }
 
 impl Tables {
+    /// Empty, with room for so many products.
+    fn begin(&mut self, products: usize, rows: usize, columns: usize) {
+        self.left.clear();
+        self.right.clear();
+        self.left.reserve(products * rows);
+        self.right.reserve(products * columns);
+    }
+
     #[inline(always)]
     fn push(&mut self, c: Complex64, part: Part, blocks: &Phasors, right: &[f64]) {
         let begin = self.left.len();
+        // Within what was reserved for the tile.
         self.left.resize(begin + blocks.re.len(), 0.0);
         let (re, im) = match part {
             Part::Real => (c.re, -c.im),
@@ -167,40 +177,57 @@ impl WithSimd for Fill<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(mut self, _: S) {
+    fn with_simd<S: Simd>(self, _: S) {
         // Plain loops: the compiler turns them into the vectors that are allowed here.
-        self.tables[0].left.clear();
-        self.tables[0].right.clear();
-        self.tables[1].left.clear();
-        self.tables[1].right.clear();
-        let (rows, columns) = (self.blocks.rows, self.blocks.columns);
-        let (mut over_blocks, mut over_samples) = (Phasors::of(rows), Phasors::of(columns));
-        let (mut drive_over_blocks, mut drive_over_samples) = (Phasors::of(rows), Phasors::of(columns));
-        let (block, sample, stride) = self.blocks.origins();
-        let step = self.blocks.grid.step;
-        for term in self.terms {
-            match term.function {
-                Function::Exponential(root) => {
-                    over_blocks.powers(root, block, stride);
-                    over_samples.powers(root, sample, step);
-                    self.push(term.coefficient, &over_blocks, &over_samples, false);
-                }
-                // E(t + s) = e^(at) E(s) + E(t) e^(bs)
-                Function::Divided(a, b) => {
-                    drive_over_samples.powers(b, sample, step);
-                    over_blocks.powers(a, block, stride);
-                    over_samples.divided(a, b, sample, step, &drive_over_samples);
-                    self.push(term.coefficient, &over_blocks, &over_samples, true);
-                    drive_over_blocks.powers(b, block, stride);
-                    over_blocks.divided(a, b, block, stride, &drive_over_blocks);
-                    self.push(term.coefficient, &over_blocks, &drive_over_samples, false);
-                }
-            }
-        }
+        if S::IS_SCALAR { self.fill::<false>() } else { self.fill::<true>() }
     }
 }
 
 impl Fill<'_> {
+    #[inline(always)]
+    fn fill<const FUSED: bool>(mut self) {
+        let (rows, columns) = (self.blocks.rows, self.blocks.columns);
+        for tables in self.tables.iter_mut() {
+            tables.begin(2 * self.terms.len(), rows, columns);
+        }
+        let (mut over_blocks, mut over_samples) = (Phasors::of(rows), Phasors::of(columns));
+        let (mut drive_over_blocks, mut drive_over_samples) = (Phasors::of(rows), Phasors::of(columns));
+        let (block, sample, stride) = self.blocks.origins();
+        let step = self.blocks.grid.step;
+        let (blocks, samples) = (Steps::new(block, stride, rows), Steps::new(sample, step, columns));
+        let mut known = Exponentials::default();
+        for root in self.terms.iter().flat_map(Term::roots) {
+            blocks.push(root, &mut known);
+            samples.push(root, &mut known);
+        }
+        known.evaluate::<FUSED>();
+        let mut next = 0;
+        for term in self.terms {
+            let of_samples = next + blocks.count();
+            let both = of_samples + samples.count();
+            match term.function {
+                Function::Exponential(_) => {
+                    over_blocks.powers(&known, next);
+                    over_samples.powers(&known, of_samples);
+                    self.push(term.coefficient, &over_blocks, &over_samples, false);
+                }
+                // E(t + s) = e^(at) E(s) + E(t) e^(bs)
+                Function::Divided(a, b) => {
+                    let drive = 2 * of_samples - next + samples.count();
+                    drive_over_samples.powers(&known, drive);
+                    over_blocks.powers(&known, next);
+                    over_samples.divided(a, b, sample, step, &drive_over_samples);
+                    self.push(term.coefficient, &over_blocks, &over_samples, true);
+                    drive_over_blocks.powers(&known, both);
+                    over_blocks.divided(a, b, block, stride, &drive_over_blocks);
+                    self.push(term.coefficient, &over_blocks, &drive_over_samples, false);
+                    next = both;
+                }
+            }
+            next += blocks.count() + samples.count();
+        }
+    }
+
     /// Adds the product of both phasors. `mirrored`: f(−s) = −f(s)* instead of f(s)*, which exchanges even and odd.
     #[inline(always)]
     fn push(&mut self, coefficient: Complex64, blocks: &Phasors, samples: &Phasors, mirrored: bool) {
@@ -209,6 +236,45 @@ impl Fill<'_> {
         // Without pairs both products go into one sum.
         let other = if self.blocks.paired { 1 - exchanged } else { exchanged };
         self.tables[other].push(coefficient, Part::MinusImaginary, blocks, &samples.im);
+    }
+}
+
+impl Term {
+    /// The λ whose powers its tables are made of.
+    fn roots(&self) -> impl Iterator<Item = Complex64> {
+        let (first, second) = match self.function {
+            Function::Exponential(root) => (root, None),
+            Function::Divided(a, b) => (a, Some(b)),
+        };
+        std::iter::once(first).chain(second)
+    }
+}
+
+/// Times at which an exponential is evaluated directly: the first, and strides from it by powers of two.
+struct Steps {
+    first: f64,
+    step: f64,
+    doublings: usize,
+}
+
+impl Steps {
+    /// For `count` equidistant times.
+    fn new(first: f64, step: f64, count: usize) -> Self {
+        Self { first, step, doublings: count.next_power_of_two().ilog2() as usize }
+    }
+
+    fn count(&self) -> usize {
+        1 + self.doublings
+    }
+
+    #[inline(always)]
+    fn push(&self, root: Complex64, direct: &mut Exponentials) {
+        direct.push(root * self.first);
+        let mut stride = root * self.step;
+        for _ in 0..self.doublings {
+            direct.push(stride);
+            stride *= 2.0;
+        }
     }
 }
 
@@ -224,15 +290,15 @@ impl Phasors {
         Self { re: vec![0.0; count], im: vec![0.0; count] }
     }
 
-    /// e^(λ(first + k step)): direct at powers of two, products between, so that no entry is more than log2(count) products away
-    /// from a direct one.
+    /// e^(λ(first + k step)) from what [`Steps`] had evaluated, `begin` on: direct at powers of two, products between, so that no entry is
+    /// more than log2(count) products away from a direct one.
     #[inline(always)]
-    fn powers(&mut self, root: Complex64, first: f64, step: f64) {
-        let start = exponential(root * first);
+    fn powers(&mut self, direct: &Exponentials, begin: usize) {
+        let start = direct.get(begin);
         (self.re[0], self.im[0]) = (start.re, start.im);
-        let (mut known, mut stride) = (1, root * step);
+        let (mut known, mut next) = (1, begin + 1);
         while known < self.re.len() {
-            let factor = exponential(stride);
+            let factor = direct.get(next);
             let (re, more_re) = self.re.split_at_mut(known);
             let (im, more_im) = self.im.split_at_mut(known);
             for (((re, im), new_re), new_im) in re.iter().zip(im.iter()).zip(more_re).zip(more_im) {
@@ -240,7 +306,7 @@ impl Phasors {
                 *new_im = re * factor.im + im * factor.re;
             }
             known *= 2;
-            stride *= 2.0;
+            next += 1;
         }
     }
 
@@ -251,7 +317,7 @@ impl Phasors {
         (self.re[0], self.im[0]) = (start.re, start.im);
         let (mut known, mut stride) = (1, step);
         while known < self.re.len() {
-            let (factor, added) = (exponential(a * stride), divided_exponential(a, b, stride));
+            let (factor, added) = (super::oscillator::exponential(a * stride), divided_exponential(a, b, stride));
             let (re, more_re) = self.re.split_at_mut(known);
             let (im, more_im) = self.im.split_at_mut(known);
             let olds = re.iter().zip(im.iter()).zip(drive.re.iter().zip(&drive.im));

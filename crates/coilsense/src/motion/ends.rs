@@ -1,0 +1,100 @@
+//! Where the ends are over time, and the force that a sensor of their distance reads.
+//!
+//! Next door: the windings between them (`windings`), the forces at them (`forces`).
+
+use num_complex::Complex64;
+
+use super::closed::Closed;
+use super::forces::{is_equidistant, modal_terms};
+use super::phasor_sum::{Function, Grid, Target, Term, add};
+use super::{Motion, check_times, step_of};
+use crate::error::Error;
+use crate::excitation::EndInput;
+use crate::mount::FarEnd;
+
+impl Motion {
+    /// u1 and u2 \[m\] at each time, shape `samples × 2`; end 1 has its mean at 0.
+    ///
+    /// # Errors
+    /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
+    pub fn ends(&self, times: &[f64]) -> Result<Vec<[f64; 2]>, Error> {
+        let [first, second] = self.end_positions(times)?;
+        Ok(first.into_iter().zip(second).map(<[f64; 2]>::from).collect())
+    }
+
+    /// F_x \[N\]: force of a spring without mass between the ends where they are; shape `samples`.
+    ///
+    /// F_x = k (u2 − u1 − l0)
+    ///
+    /// - `times`: t \[s\], shape `samples`, in any order, none below zero; equidistant ones in order are fastest
+    ///
+    /// Source:   `[Weijde2017]` section III-C; [`crate::sensors::deflection_force`] of [`Self::ends`].
+    /// Valid:    an ideal sensor; no initial tension.
+    /// Accuracy: rounding of the difference of lengths.
+    ///
+    /// # Errors
+    /// As [`Self::ends`].
+    pub fn deflection_forces(&self, times: &[f64]) -> Result<Vec<f64>, Error> {
+        let [mut first, second] = self.end_positions(times)?;
+        for (u1, u2) in first.iter_mut().zip(&second) {
+            *u1 = self.spring.static_force(u2 - *u1);
+        }
+        Ok(first)
+    }
+
+    /// u1 and u2 \[m\], each of shape `samples`.
+    pub(super) fn end_positions(&self, times: &[f64]) -> Result<[Vec<f64>; 2], Error> {
+        let equidistant = is_equidistant(times);
+        if !equidistant {
+            check_times(times)?;
+        }
+        let [first, mut second] = self.inputs().map(|input| displacements(input, times, equidistant));
+        if self.mount.far_end() == FarEnd::Position {
+            let mean = self.excitation.mean_length();
+            second.iter_mut().for_each(|u2| *u2 += mean);
+            return Ok([first, second]);
+        }
+        for (u1, u2) in first.iter().zip(&mut second) {
+            *u2 = self.line_of([*u1, *u2])[1];
+        }
+        match self.closed.as_ref().filter(|_| equidistant) {
+            Some(closed) => self.add_swing(closed, times, &mut second),
+            None => self.for_each_sample(times, |sample, _, coordinates| {
+                let shapes = self.modes.end_shapes().iter().zip(coordinates);
+                second[sample] += shapes.map(|(shape, q)| shape * q).sum::<f64>();
+            })?,
+        }
+        Ok([first, second])
+    }
+
+    /// Adds `Σ_j ψ_j q_j`, how far end 2 is from where a spring without mass would end, at equidistant times.
+    fn add_swing(&self, closed: &Closed, times: &[f64], second: &mut [f64]) {
+        for (segment, samples) in closed.stretches(times) {
+            let first = times[samples.start] - closed.segments[segment].from;
+            let grid = Grid { first, step: step_of(times), samples: samples.len() };
+            let terms = modal_terms(closed, segment, self.modes.end_shapes(), [1.0, 0.0], |_| 0.0);
+            add(&terms, grid, &mut [Target { values: &mut second[samples], sign: 1.0 }]);
+        }
+    }
+}
+
+/// An input's displacements at each time \[m or N\]; sines at equidistant times are worked off together.
+fn displacements(input: &EndInput, times: &[f64], equidistant: bool) -> Vec<f64> {
+    if !equidistant || !matches!(input, EndInput::Harmonics(_) | EndInput::HalfSine { .. }) {
+        return input.displacements(times);
+    }
+    let mut displacements = vec![0.0; times.len()];
+    for sine in input.sines() {
+        let begin = times.partition_point(|&time| time < sine.since);
+        let samples = begin..times.partition_point(|&time| time < sine.until).max(begin);
+        if samples.is_empty() {
+            continue;
+        }
+        let grid = Grid { first: times[begin] - sine.since, step: step_of(times), samples: samples.len() };
+        // a sin(ωt + φ) = Re(−i a e^(iφ) e^(iωt))
+        let coefficient = Complex64::new(0.0, -sine.amplitude) * Complex64::cis(sine.phase);
+        let function = Function::Exponential(Complex64::new(0.0, sine.angular));
+        add(&[Term { coefficient, function }], grid, &mut [Target { values: &mut displacements[samples], sign: 1.0 }]);
+    }
+    displacements
+}
