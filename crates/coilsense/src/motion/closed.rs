@@ -218,17 +218,6 @@ impl Drive {
         }
     }
 
-    /// Adds its answer to the coordinates alone, where e^(i(ω(t − since) + φ)) is at hand.
-    pub(super) fn add_coordinates(&self, phasor: Complex64, time: f64, coordinates: &mut [f64]) {
-        for (coordinate, gain) in coordinates.iter_mut().zip(&self.gains) {
-            *coordinate += gain.re * phasor.im + gain.im * phasor.re;
-        }
-        for near in &self.near {
-            let [(first, _), (second, _)] = near.parts(self.sine.angular, time - self.sine.since);
-            coordinates[near.mode] += (near.coefficient * (first - second)).re;
-        }
-    }
-
     /// `q̈ + 2ζω_n q̇ + ω_n² q = c a ω² sin(ω(t − since) + φ)` for each mode.
     fn new(oscillators: &[Oscillator], end: usize, sine: Sine, participations: &[f64]) -> Self {
         let mut drive = Self { end, sine, gains: vec![Complex64::default(); oscillators.len()], near: Vec::new() };

@@ -6,6 +6,7 @@ use num_complex::Complex64;
 
 use super::closed::Closed;
 use super::forces::{is_equidistant, modal_terms};
+use super::modal_block::{WIDTH, row_of};
 use super::phasor_sum::{Function, Grid, Target, Term, add};
 use super::{Motion, check_times, step_of};
 use crate::error::Error;
@@ -44,27 +45,40 @@ impl Motion {
 
     /// u1 and u2 \[m\], each of shape `samples`.
     pub(super) fn end_positions(&self, times: &[f64]) -> Result<[Vec<f64>; 2], Error> {
-        let equidistant = is_equidistant(times);
-        if !equidistant {
+        if !is_equidistant(times) {
             check_times(times)?;
         }
+        let [first, mut second] = self.lines(times);
+        if self.mount.far_end() == FarEnd::Position {
+            return Ok([first, second]);
+        }
+        if let Some(closed) = self.closed.as_ref().filter(|_| is_equidistant(times)) {
+            self.add_swing(closed, times, &mut second);
+            return Ok([first, second]);
+        }
+        let shapes = self.modes.end_shapes();
+        self.for_each_block(times, |block| {
+            for (mode, shape) in shapes.iter().enumerate() {
+                let row = &block.coordinates[row_of(mode, shapes.len()) * WIDTH..][..WIDTH];
+                block.samples.iter().zip(row).for_each(|(&sample, q)| second[sample] += shape * q);
+            }
+        })?;
+        Ok([first, second])
+    }
+
+    /// The ends of the straight line from which the modes count, u1 and û2 \[m\], each of shape `samples`; times are trusted.
+    pub(super) fn lines(&self, times: &[f64]) -> [Vec<f64>; 2] {
+        let equidistant = is_equidistant(times);
         let [first, mut second] = self.inputs().map(|input| displacements(input, times, equidistant));
         if self.mount.far_end() == FarEnd::Position {
             let mean = self.excitation.mean_length();
             second.iter_mut().for_each(|u2| *u2 += mean);
-            return Ok([first, second]);
+        } else {
+            for (u1, u2) in first.iter().zip(&mut second) {
+                *u2 = self.line_of([*u1, *u2])[1];
+            }
         }
-        for (u1, u2) in first.iter().zip(&mut second) {
-            *u2 = self.line_of([*u1, *u2])[1];
-        }
-        match self.closed.as_ref().filter(|_| equidistant) {
-            Some(closed) => self.add_swing(closed, times, &mut second),
-            None => self.for_each_sample(times, |sample, _, coordinates| {
-                let shapes = self.modes.end_shapes().iter().zip(coordinates);
-                second[sample] += shapes.map(|(shape, q)| shape * q).sum::<f64>();
-            })?,
-        }
-        Ok([first, second])
+        [first, second]
     }
 
     /// Adds `Σ_j ψ_j q_j`, how far end 2 is from where a spring without mass would end, at equidistant times.

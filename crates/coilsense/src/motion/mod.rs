@@ -9,30 +9,29 @@ mod ends;
 mod exponentials;
 mod forces;
 mod march;
+mod modal_block;
 mod oscillator;
 mod panel;
 mod phasor_sum;
+mod placing;
 mod reach;
 mod start;
 mod stream;
 mod stride;
 mod truncated;
-mod walk;
 mod windings;
 
+use placing::Placing;
 pub use stream::{ForceSample, Live, Stream};
-use windings::Place;
 pub use windings::Windings;
 
 pub use forces::EndForces;
-use forces::is_equidistant;
 
 use crate::error::{Error, at_least_one, check};
 use crate::excitation::{End, EndInput, Excitation};
 use crate::modes::ChainModes;
 use crate::mount::{FarEnd, Mount};
 use crate::signals::{Channel, Signals};
-use crate::simd::dispatch;
 use crate::spring::Spring;
 use closed::{Closed, ModalState};
 use march::March;
@@ -164,29 +163,6 @@ impl Motion {
         }
     }
 
-    /// Calls `visit` with the sample's number, its time and the modal coordinates q_j, in the order of time.
-    fn for_each_sample(&self, times: &[f64], mut visit: impl FnMut(usize, f64, &[f64])) -> Result<(), Error> {
-        check_times(times)?;
-        if let Some(closed) = &self.closed {
-            if is_equidistant(times) {
-                walk::along(closed, times, step_of(times), |sample, q| visit(sample, times[sample], q));
-                return Ok(());
-            }
-            let mut state = ModalState::zero(self.modes.count());
-            for (sample, &time) in times.iter().enumerate() {
-                closed.state_into(time, &mut state);
-                visit(sample, time, &state.coordinates);
-            }
-            return Ok(());
-        }
-        let mut march = self.march(step_of(times));
-        for sample in in_order(times) {
-            march.advance_to(times[sample]);
-            visit(sample, times[sample], march.coordinates());
-        }
-        Ok(())
-    }
-
     /// Positions of both ends and all windings \[m\].
     ///
     /// - `times`: t \[s\], shape `samples`, in any order, none below zero
@@ -194,14 +170,15 @@ impl Motion {
     /// # Errors
     /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero, or more than 5000 windings.
     pub fn windings(&self, times: &[f64]) -> Result<Windings, Error> {
-        let masses = self.modes.masses();
-        let mut windings = Windings::zero(masses, times.len());
-        let shapes = self.shape_rows()?;
-        self.for_each_sample(times, |sample, time, coordinates| {
-            let line = self.line(time);
-            dispatch(Place { row: windings.row_mut(sample), shapes: &shapes, coordinates, ends: line });
-            let end: f64 = self.modes.end_shapes().iter().zip(coordinates).map(|(shape, q)| shape * q).sum();
-            windings.set_ends(sample, [line[0], line[1] + end]);
+        let masses = self.placeable()?;
+        let mut windings = Windings::zero(self.end_positions(times)?, masses);
+        let lines = self.lines(times);
+        let mirrored = self.mount.far_end() == FarEnd::Position;
+        let shape = |mode: usize, place: usize| self.modes.shape_at(mode + 1, place + 1);
+        let mut placing = Placing::new(masses, self.modes.count(), mirrored, shape);
+        self.for_each_block(times, |block| {
+            let displacements = placing.displace(&block);
+            windings.place(block.samples, displacements, &lines);
         })?;
         Ok(windings)
     }
@@ -224,9 +201,14 @@ impl Motion {
                 march.state()
             }
         };
-        let mut row = vec![0.0; self.modes.masses()];
-        let (shapes, ends) = (self.shape_rows()?, self.line_velocity(time));
-        dispatch(Place { row: &mut row, shapes: &shapes, coordinates: &state.rates, ends });
+        let masses = self.placeable()?;
+        let mut row = vec![0.0; masses];
+        let [first, last] = self.line_velocity(time);
+        for (index, velocity) in row.iter_mut().enumerate() {
+            let modes = state.rates.iter().enumerate();
+            let surge: f64 = modes.map(|(mode, rate)| self.modes.shape_at(mode + 1, index + 1) * rate).sum();
+            *velocity = first + (index as f64 + 0.5) * (last - first) / masses as f64 + surge;
+        }
         Ok(row)
     }
 
@@ -272,18 +254,12 @@ impl Motion {
         Ok(0.5 * (elastic + self.spring.mass() / masses * kinetic))
     }
 
-    /// φ_j(i) as a matrix, one row per mode: shape `count × N`, row-major.
-    fn shape_rows(&self) -> Result<Vec<f64>, Error> {
+    /// N, where there are not too many windings to place them all.
+    fn placeable(&self) -> Result<usize, Error> {
         let masses = self.modes.masses();
-        check(
-            masses <= MOST_PLACED,
-            "windings",
-            masses as f64,
-            "",
-            format!("at most {MOST_PLACED} for their positions"),
-        )?;
-        let row = |mode| (1..=self.modes.masses()).map(move |winding| self.modes.shape_at(mode, winding));
-        Ok((1..=self.modes.count()).flat_map(row).collect())
+        let allowed = format!("at most {MOST_PLACED} for their positions");
+        check(masses <= MOST_PLACED, "windings", masses as f64, "", allowed)?;
+        Ok(masses)
     }
 }
 

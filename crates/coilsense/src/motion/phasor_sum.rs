@@ -251,7 +251,7 @@ impl Term {
 }
 
 /// Times at which an exponential is evaluated directly: the first, and strides from it by powers of two.
-struct Steps {
+pub(super) struct Steps {
     first: f64,
     step: f64,
     doublings: usize,
@@ -259,16 +259,18 @@ struct Steps {
 
 impl Steps {
     /// For `count` equidistant times.
-    fn new(first: f64, step: f64, count: usize) -> Self {
+    pub(super) fn new(first: f64, step: f64, count: usize) -> Self {
         Self { first, step, doublings: count.next_power_of_two().ilog2() as usize }
     }
 
-    fn count(&self) -> usize {
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
         1 + self.doublings
     }
 
+    /// Appends a root's exponents.
     #[inline(always)]
-    fn push(&self, root: Complex64, direct: &mut Exponentials) {
+    pub(super) fn push(&self, root: Complex64, direct: &mut Exponentials) {
         direct.push(root * self.first);
         let mut stride = root * self.step;
         for _ in 0..self.doublings {
@@ -279,21 +281,27 @@ impl Steps {
 }
 
 /// Values of a function at equidistant times.
-struct Phasors {
+pub(super) struct Phasors {
     re: Vec<f64>,
     im: Vec<f64>,
 }
 
 impl Phasors {
     #[inline(always)]
-    fn of(count: usize) -> Self {
+    pub(super) fn of(count: usize) -> Self {
         Self { re: vec![0.0; count], im: vec![0.0; count] }
+    }
+
+    /// Appends its real and its imaginary parts.
+    pub(super) fn append_to(&self, [re, im]: &mut [AVec<f64>; 2]) {
+        re.extend_from_slice(&self.re);
+        im.extend_from_slice(&self.im);
     }
 
     /// e^(λ(first + k step)) from what [`Steps`] had evaluated, `begin` on: direct at powers of two, products between, so that no entry is
     /// more than log2(count) products away from a direct one.
     #[inline(always)]
-    fn powers(&mut self, direct: &Exponentials, begin: usize) {
+    pub(super) fn powers(&mut self, direct: &Exponentials, begin: usize) {
         let start = direct.get(begin);
         (self.re[0], self.im[0]) = (start.re, start.im);
         let (mut known, mut next) = (1, begin + 1);
@@ -312,7 +320,7 @@ impl Phasors {
 
     /// E(first + k step) of a and b, likewise: `E(t + s) = e^(as) E(t) + E(s) e^(bt)`; `drive`: e^(bt) at the same times.
     #[inline(always)]
-    fn divided(&mut self, a: Complex64, b: Complex64, first: f64, step: f64, drive: &Self) {
+    pub(super) fn divided(&mut self, a: Complex64, b: Complex64, first: f64, step: f64, drive: &Self) {
         let start = divided_exponential(a, b, first);
         (self.re[0], self.im[0]) = (start.re, start.im);
         let (mut known, mut stride) = (1, step);

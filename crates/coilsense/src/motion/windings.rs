@@ -2,8 +2,7 @@
 //!
 //! Next door: how they got there (the parent), whether they touch (`measures`), what they do to a coil (`inductance`).
 
-use pulp::{Simd, WithSimd};
-
+use super::modal_block::WIDTH;
 use crate::error::{Error, all_finite};
 
 /// Positions of both ends and of all windings over time \[m\].
@@ -32,16 +31,23 @@ impl Windings {
         Ok(Self { count: positions.len() / samples, ends, positions })
     }
 
-    pub(crate) fn zero(count: usize, samples: usize) -> Self {
-        Self { count, ends: vec![[0.0; 2]; samples], positions: vec![0.0; samples * count] }
+    /// Between these ends, u1 and u2, without any positions yet.
+    pub(super) fn zero([first, second]: [Vec<f64>; 2], count: usize) -> Self {
+        let ends: Vec<[f64; 2]> = first.into_iter().zip(second).map(<[f64; 2]>::from).collect();
+        Self { count, positions: vec![0.0; ends.len() * count], ends }
     }
 
-    pub(crate) fn row_mut(&mut self, sample: usize) -> &mut [f64] {
-        &mut self.positions[sample * self.count..][..self.count]
-    }
-
-    pub(crate) fn set_ends(&mut self, sample: usize, ends: [f64; 2]) {
-        self.ends[sample] = ends;
+    /// Sets the positions of some samples: the straight lines between `lines` plus displacements, shape `N × WIDTH`.
+    pub(super) fn place(&mut self, samples: &[usize], displacements: &[f64], lines: &[Vec<f64>; 2]) {
+        let count = self.count;
+        for (column, &sample) in samples.iter().enumerate() {
+            let (first, last) = (lines[0][sample], lines[1][sample]);
+            let spacing = (last - first) / count as f64;
+            let row = self.positions[sample * count..][..count].iter_mut();
+            for (index, (position, displaced)) in row.zip(displacements.chunks_exact(WIDTH)).enumerate() {
+                *position = displaced[column] + (first + (index as f64 + 0.5) * spacing);
+            }
+        }
     }
 
     /// N: windings per sample.
@@ -73,36 +79,5 @@ impl Windings {
     /// x_1…x_N of every sample; shape `samples × N`, row-major.
     pub fn positions(&self) -> &[f64] {
         &self.positions
-    }
-}
-
-/// Straight line between the ends plus the modal pattern: works for positions and for velocities alike.
-pub(super) struct Place<'a> {
-    /// Shape `N`.
-    pub row: &'a mut [f64],
-    /// φ_j(i), one row per mode: shape `count × N`.
-    pub shapes: &'a [f64],
-    /// Shape `count`.
-    pub coordinates: &'a [f64],
-    pub ends: [f64; 2],
-}
-
-impl WithSimd for Place<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        // Plain loops: the compiler turns them into the vectors that are allowed here.
-        let masses = self.row.len();
-        let spacing = (self.ends[1] - self.ends[0]) / masses as f64;
-        self.row.fill(0.0);
-        for (shape, coordinate) in self.shapes.chunks_exact(masses).zip(self.coordinates) {
-            for (position, shape) in self.row.iter_mut().zip(shape) {
-                *position += shape * coordinate;
-            }
-        }
-        for (index, position) in self.row.iter_mut().enumerate() {
-            *position += self.ends[0] + (index as f64 + 0.5) * spacing;
-        }
     }
 }
