@@ -52,6 +52,11 @@ impl Channel {
         }
     }
 
+    /// The channel of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|channel| channel.name() == name)
+    }
+
     /// Its SI unit.
     pub fn unit(self) -> &'static str {
         match self {
@@ -100,6 +105,11 @@ impl Signals {
     /// The channels that are there, in the order of [`Channel::ALL`].
     pub fn channels(&self) -> impl Iterator<Item = (Channel, &[f64])> {
         self.channels.iter().map(|(channel, values)| (*channel, values.as_slice()))
+    }
+
+    /// Time and channels, moved out.
+    pub fn into_parts(self) -> (Vec<f64>, Vec<(Channel, Vec<f64>)>) {
+        (self.time, self.channels)
     }
 
     /// One channel, shape `samples`.

@@ -101,7 +101,8 @@ pub fn every_example() -> anyhow::Result<bool> {
     Ok(true)
 }
 
-fn copy_examples(to: &Path) -> anyhow::Result<()> {
+/// The examples' specs, copied.
+pub fn copy_examples(to: &Path) -> anyhow::Result<()> {
     std::fs::create_dir_all(to)?;
     for file in std::fs::read_dir(root().join("examples")).context("examples cannot be read")? {
         let path = file?.path();

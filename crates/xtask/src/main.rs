@@ -5,6 +5,7 @@ mod browser;
 mod commands;
 mod goals;
 mod logs;
+mod package;
 mod python;
 mod robot;
 mod test;

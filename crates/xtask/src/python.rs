@@ -21,20 +21,40 @@ pub fn environment(folder: &str, requirements: &str) -> anyhow::Result<Environme
         return Ok(environment);
     }
     eprintln!("== Python packages of {requirements} into {folder}");
-    let made = Command::new("python3").args(["-m", "venv"]).arg(&environment.folder).status();
-    if !made.context("python3 cannot be started; install Python 3.11 or later with its venv module")?.success() {
-        bail!("python3 -m venv failed; on Debian: apt-get install python3-venv");
-    }
-    let mut install = environment.python();
-    install.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", requirements]);
-    if !install.status()?.success() {
+    environment.make()?;
+    if !environment.pip().args(["-r", requirements]).status()?.success() {
         bail!("pip install -r {requirements} failed");
     }
     std::fs::write(&stamp, wanted)?;
     Ok(environment)
 }
 
+/// The environment `folder`, relative to the project, made anew and with nothing in it.
+pub fn fresh(folder: &str) -> anyhow::Result<Environment> {
+    let environment = Environment { folder: root().join(folder) };
+    if environment.folder.exists() {
+        std::fs::remove_dir_all(&environment.folder)?;
+    }
+    environment.make()?;
+    Ok(environment)
+}
+
 impl Environment {
+    fn make(&self) -> anyhow::Result<()> {
+        let made = Command::new("python3").args(["-m", "venv"]).arg(&self.folder).status();
+        if !made.context("python3 cannot be started; install Python 3.11 or later with its venv module")?.success() {
+            bail!("python3 -m venv failed; on Debian: apt-get install python3-venv");
+        }
+        Ok(())
+    }
+
+    /// Its `pip install`, started in the project's root.
+    pub fn pip(&self) -> Command {
+        let mut command = self.python();
+        command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
+        command
+    }
+
     /// Its interpreter, started in the project's root.
     pub fn python(&self) -> Command {
         let mut command = Command::new(self.folder.join("bin/python"));

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands, robot};
+use crate::{browser, cargo, commands, package, robot};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -31,7 +31,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 10] = [
+const PARTS: [Part; 11] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -42,6 +42,7 @@ const PARTS: [Part; 10] = [
     Part { name: "README", run: readme },
     Part { name: "examples", run: examples },
     Part { name: "report page", run: report_page },
+    Part { name: "Python", run: python },
 ];
 
 /// Runs every part, also after one has failed.
@@ -187,6 +188,14 @@ fn report_page(arguments: &Arguments) -> anyhow::Result<Outcome> {
     }
     let Some(found) = browser::find() else { return Ok(Outcome::Failed) };
     passed(browser::report(&found)?)
+}
+
+/// The Python package in an environment of its own.
+fn python(_: &Arguments) -> anyhow::Result<Outcome> {
+    match package::missing() {
+        Some(missing) => Ok(Outcome::Missing(missing)),
+        None => passed(package::steps()?),
+    }
 }
 
 fn passed(success: bool) -> anyhow::Result<Outcome> {

@@ -43,6 +43,16 @@ impl Sampled {
         Ok(Self { times, values })
     }
 
+    /// The times \[s\], shape `samples`.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The values, shape `samples`.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
     /// How many samples there are.
     pub(super) fn count(&self) -> usize {
         self.times.len()

@@ -2,6 +2,8 @@
 //!
 //! Next door: the same for all times at once (`forces`).
 
+use std::borrow::Cow;
+
 use super::Motion;
 use super::march::March;
 use crate::error::{Error, above_zero, finite};
@@ -23,7 +25,7 @@ pub struct ForceSample {
 /// Forces of a motion at t = 0, h, 2h, …, one after the other and without end.
 #[derive(Debug, Clone)]
 pub struct Stream<'a> {
-    motion: &'a Motion,
+    motion: Cow<'a, Motion>,
     march: March,
     step: f64,
     sample: u64,
@@ -52,7 +54,17 @@ impl Motion {
     /// ```
     pub fn stream(&self, step: f64) -> Result<Stream<'_>, Error> {
         above_zero("step", step, "s")?;
-        Ok(Stream { motion: self, march: self.march(step), step, sample: 0 })
+        Ok(Stream { motion: Cow::Borrowed(self), march: self.march(step), step, sample: 0 })
+    }
+
+    /// The same stream, which takes the motion with it.
+    ///
+    /// # Errors
+    /// As [`Self::stream`].
+    pub fn into_stream(self, step: f64) -> Result<Stream<'static>, Error> {
+        above_zero("step", step, "s")?;
+        let march = self.march(step);
+        Ok(Stream { motion: Cow::Owned(self), march, step, sample: 0 })
     }
 }
 

@@ -80,4 +80,9 @@ impl Windings {
     pub fn positions(&self) -> &[f64] {
         &self.positions
     }
+
+    /// Ends and positions as [`Self::new`] takes them, moved out.
+    pub fn into_parts(self) -> (Vec<[f64; 2]>, Vec<f64>) {
+        (self.ends, self.positions)
+    }
 }

@@ -1,0 +1,51 @@
+//! Exceptions: `coilsense.Error` is a `ValueError`, and each kind of input has a subclass; the text is Rust's.
+//!
+//! Next door: `TypeError`, which PyO3 raises by itself with the argument's name, and `series` for arrays.
+
+use pyo3::create_exception;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+create_exception!(
+    coilsense,
+    Error,
+    PyValueError,
+    "An input that coilsense cannot take.\n\n\
+     The text names the quantity, its value and unit, and what is allowed. Every other exception of coilsense is a subclass."
+);
+create_exception!(
+    coilsense,
+    SpecError,
+    Error,
+    "A spec that cannot be used.\n\nThe text is one line that names file, line, key, value and what is allowed."
+);
+
+/// Adds the exceptions to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = module.py();
+    module.add("Error", py.get_type::<Error>())?;
+    module.add("SpecError", py.get_type::<SpecError>())
+}
+
+/// What of Rust's errors becomes which exception.
+pub trait IntoPython<T> {
+    /// The value, or the exception with the error's text.
+    fn python(self) -> PyResult<T>;
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense::Error> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| Error::new_err(error.to_string()))
+    }
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense_lab::spec::SpecError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| SpecError::new_err(error.to_string()))
+    }
+}
+
+/// An exception for a word that is none of those that are known.
+pub fn unknown(quantity: &str, known: &[&str], word: &str) -> PyErr {
+    Error::new_err(format!("{quantity} must be one of {}, got {word:?}", known.join(", ")))
+}

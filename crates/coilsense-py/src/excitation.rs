@@ -1,0 +1,233 @@
+//! `coilsense.Excitation`, `EndInput` and `Start`: what is done to a spring.
+//!
+//! Next door: what it does then (`motion`), how it is mounted (`mount`).
+
+mod input;
+mod start;
+
+use coilsense::excitation::{End, EndInput, Excitation, Start, VelocityProfile, traverse_velocity};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+pub use input::PyEndInput;
+pub use start::PyStart;
+
+use crate::errors::{Error, IntoPython};
+use crate::spring::PySpring;
+use crate::value::{self, Arguments, NewArguments};
+
+/// Adds the classes to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyEndInput>()?;
+    module.add_class::<PyStart>()?;
+    module.add_class::<PyExcitation>()?;
+    module.add_function(wrap_pyfunction!(py_traverse_velocity, module)?)
+}
+
+/// How the ends move and how the windings start.
+///
+/// Parameters
+/// ----------
+/// mean_length : float
+///     Length about which the ends move [m].
+/// end1, end2 : EndInput, optional
+///     How each end is driven; held without it.
+/// start : Start, optional
+///     How the windings start; at rest without it.
+///
+/// Raises
+/// ------
+/// Error
+///     For a length that is not above zero, or a steady start with an input that is neither held nor made of sines.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import EndInput, Excitation, Start
+/// >>> shaken = Excitation(0.23, end1=EndInput.harmonic(0.005, 1.5), start=Start.massless())
+/// >>> [round(length, 6) for length in shaken.length_bounds]
+/// [0.225, 0.235]
+#[pyclass(name = "Excitation", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyExcitation(pub Excitation);
+
+impl PyExcitation {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("mean_length", self.0.mean_length())?;
+        dict.set_item("end1", self.end1().into_pyobject(py)?)?;
+        dict.set_item("end2", self.end2().into_pyobject(py)?)?;
+        dict.set_item("start", self.start().into_pyobject(py)?)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyExcitation {
+    #[new]
+    #[pyo3(signature = (mean_length, end1=None, end2=None, start=None))]
+    fn new(
+        mean_length: f64,
+        end1: Option<PyRef<'_, PyEndInput>>,
+        end2: Option<PyRef<'_, PyEndInput>>,
+        start: Option<PyRef<'_, PyStart>>,
+    ) -> PyResult<Self> {
+        let input = |end: Option<PyRef<'_, PyEndInput>>| end.map_or(EndInput::Held, |end| end.0.clone());
+        let start = start.map_or(Start::Rest, |start| start.0.clone());
+        Excitation::new(mean_length, input(end1), input(end2), start).python().map(Self)
+    }
+
+    /// Impact ("heel strike"): both ends stop dead at t = 0 while every winding still moves.
+    ///
+    /// Parameters
+    /// ----------
+    /// length : float
+    ///     l [m].
+    /// velocity : float
+    ///     v [m/s], positive from end 1 to end 2.
+    ///
+    /// Returns
+    /// -------
+    /// Excitation
+    ///
+    /// Notes
+    /// -----
+    /// Source: [Weijde2017] section III-B, first condition.
+    #[staticmethod]
+    fn impact(length: f64, velocity: f64) -> PyResult<Self> {
+        Excitation::impact(length, velocity).python().map(Self)
+    }
+
+    /// End stop: end 2, moving until t = 0, stops dead; the windings still move.
+    ///
+    /// Parameters
+    /// ----------
+    /// length : float
+    ///     l [m].
+    /// velocity : float
+    ///     v [m/s], positive when the spring was getting longer.
+    /// profile : {"uniform", "linear"}, optional
+    ///     How v is shared out over the windings; linear if end 1 stood still.
+    ///
+    /// Returns
+    /// -------
+    /// Excitation
+    ///
+    /// Notes
+    /// -----
+    /// Source: [Weijde2017] section III-B, second condition.
+    #[staticmethod]
+    #[pyo3(signature = (length, velocity, profile="linear"))]
+    fn end_stop(length: f64, velocity: f64, profile: &str) -> PyResult<Self> {
+        Excitation::end_stop(length, velocity, start::profile(profile)?).python().map(Self)
+    }
+
+    /// An input on one end, the other held.
+    ///
+    /// Parameters
+    /// ----------
+    /// mean_length : float
+    ///     Length about which the end moves [m].
+    /// end : {1, 2}
+    ///     Which end.
+    /// input : EndInput
+    ///     How it is driven.
+    /// start : Start, optional
+    ///     How the windings start; at rest without it.
+    ///
+    /// Returns
+    /// -------
+    /// Excitation
+    ///
+    /// Notes
+    /// -----
+    /// Source: [Weijde2017] section III-B, third condition.
+    #[staticmethod]
+    #[pyo3(signature = (mean_length, end, input, start=None))]
+    fn harmonic(mean_length: f64, end: i64, input: &PyEndInput, start: Option<PyRef<'_, PyStart>>) -> PyResult<Self> {
+        let start = start.map_or(Start::Rest, |start| start.0.clone());
+        Excitation::harmonic(mean_length, self::end(end)?, input.0.clone(), start).python().map(Self)
+    }
+
+    /// Length about which the ends move [m].
+    #[getter]
+    fn mean_length(&self) -> f64 {
+        self.0.mean_length()
+    }
+
+    /// How end 1 is driven.
+    #[getter]
+    fn end1(&self) -> PyEndInput {
+        PyEndInput(self.0.input(End::One).clone())
+    }
+
+    /// How end 2 is driven.
+    #[getter]
+    fn end2(&self) -> PyEndInput {
+        PyEndInput(self.0.input(End::Two).clone())
+    }
+
+    /// How the windings start.
+    #[getter]
+    fn start(&self) -> PyStart {
+        PyStart(self.0.start().clone())
+    }
+
+    /// Shortest and longest length that prescribed positions can reach [m], each end at its own worst moment.
+    #[getter]
+    fn length_bounds(&self) -> (f64, f64) {
+        self.0.length_bounds()
+    }
+
+    /// The arguments by name, nouns as dicts of their own.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        value::plain(&self.arguments(py)?)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("Excitation", &self.arguments(py)?)
+    }
+}
+
+/// Velocity of the paper's end stops: the operating range traversed in a step time of one second.
+///
+/// Parameters
+/// ----------
+/// spring : Spring
+///
+/// Returns
+/// -------
+/// float
+///     v = (max_length - min_length) / 1 s [m/s].
+///
+/// Notes
+/// -----
+/// Source: [Weijde2017] eq. 12.
+#[pyfunction(name = "traverse_velocity")]
+fn py_traverse_velocity(spring: &PySpring) -> f64 {
+    traverse_velocity(&spring.0)
+}
+
+/// An end by its number.
+pub fn end(number: i64) -> PyResult<End> {
+    match number {
+        1 => Ok(End::One),
+        2 => Ok(End::Two),
+        _ => Err(Error::new_err(format!("end must be 1 or 2, got {number}"))),
+    }
+}
+
+/// The word for a profile.
+pub fn profile_word(profile: VelocityProfile) -> &'static str {
+    match profile {
+        VelocityProfile::Uniform => "uniform",
+        VelocityProfile::Linear => "linear",
+    }
+}

@@ -1,0 +1,279 @@
+//! `coilsense.EndInput`: how one end is driven.
+//!
+//! Next door: both ends and the start together (the parent).
+
+use coilsense::excitation::{EndInput, Excitation, Harmonic, Sampled, Start};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyType;
+
+use crate::errors::IntoPython;
+use crate::series::Series;
+use crate::value::{self, Arguments, Kind};
+
+const KINDS: [&str; 7] = ["held", "harmonics", "chirp", "step", "ramp", "half_sine", "sampled"];
+
+/// How an end is driven, counted from its mean: metres where its position is prescribed, newtons where its force is.
+///
+/// Made by ``EndInput.held``, ``harmonic``, ``harmonics``, ``chirp``, ``step``, ``ramp``, ``half_sine`` or ``sampled``.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import EndInput
+/// >>> EndInput.step(height=0.01, at=0.2)
+/// EndInput.step(height=0.01, at=0.2)
+/// >>> EndInput.ramp(0.01, 0.1, 0.2).displacement(0.2)
+/// 0.005
+#[pyclass(name = "EndInput", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyEndInput(pub EndInput);
+
+impl PyEndInput {
+    /// Lets through what an excitation would let through.
+    fn checked(input: EndInput) -> PyResult<Self> {
+        Excitation::new(1.0, input.clone(), EndInput::Held, Start::Rest).python().map(|_| Self(input))
+    }
+
+    fn as_kind<'py>(&self, py: Python<'py>) -> PyResult<Kind<'py>> {
+        let kind = |name| Kind::new(py, name);
+        match &self.0 {
+            EndInput::Held => Ok(kind("held")),
+            EndInput::Harmonics(harmonics) => {
+                let each = harmonics.iter().map(|sine| (sine.amplitude, sine.frequency, sine.phase));
+                kind("harmonics").with("components", each.collect::<Vec<_>>())
+            }
+            EndInput::Chirp { amplitude, from, to, duration, phase } => kind("chirp")
+                .with("amplitude", amplitude)?
+                .with("first_frequency", from)?
+                .with("last_frequency", to)?
+                .with("duration", duration)?
+                .with("phase", phase),
+            EndInput::Step { height, at } => kind("step").with("height", height)?.with("at", at),
+            EndInput::Ramp { height, from, duration } => {
+                kind("ramp").with("height", height)?.with("begin", from)?.with("duration", duration)
+            }
+            EndInput::HalfSine { height, from, duration } => {
+                kind("half_sine").with("height", height)?.with("begin", from)?.with("duration", duration)
+            }
+            EndInput::Sampled(sampled) => kind("sampled")
+                .with("times", PyArray1::from_slice(py, sampled.times()))?
+                .with("values", PyArray1::from_slice(py, sampled.values())),
+        }
+    }
+}
+
+#[pymethods]
+impl PyEndInput {
+    /// It stays at its mean.
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    fn held() -> Self {
+        Self(EndInput::Held)
+    }
+
+    /// One sine: amplitude sin(2 pi frequency t + phase).
+    ///
+    /// Parameters
+    /// ----------
+    /// amplitude : float
+    ///     [m], or [N] at an end under force.
+    /// frequency : float
+    ///     [Hz], above zero.
+    /// phase : float, optional
+    ///     At t = 0 [rad].
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    #[pyo3(signature = (amplitude, frequency, phase=0.0))]
+    fn harmonic(amplitude: f64, frequency: f64, phase: f64) -> PyResult<Self> {
+        Self::checked(EndInput::harmonic(amplitude, frequency, phase))
+    }
+
+    /// A sum of sines.
+    ///
+    /// Parameters
+    /// ----------
+    /// components : sequence of (float, float, float)
+    ///     Amplitude [m or N], frequency [Hz] and phase [rad] of each.
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    fn harmonics(components: Vec<(f64, f64, f64)>) -> PyResult<Self> {
+        let harmonic = |(amplitude, frequency, phase)| Harmonic { amplitude, frequency, phase };
+        Self::checked(EndInput::Harmonics(components.into_iter().map(harmonic).collect()))
+    }
+
+    /// A sine whose frequency runs linearly from one value to another, and which then stays where it is.
+    ///
+    /// Parameters
+    /// ----------
+    /// amplitude : float
+    ///     [m or N].
+    /// first_frequency, last_frequency : float
+    ///     At t = 0 and at the end of the chirp [Hz], not below zero.
+    /// duration : float
+    ///     [s], above zero.
+    /// phase : float, optional
+    ///     At t = 0 [rad].
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    #[pyo3(signature = (amplitude, first_frequency, last_frequency, duration, phase=0.0))]
+    fn chirp(amplitude: f64, first_frequency: f64, last_frequency: f64, duration: f64, phase: f64) -> PyResult<Self> {
+        Self::checked(EndInput::Chirp { amplitude, from: first_frequency, to: last_frequency, duration, phase })
+    }
+
+    /// A jump.
+    ///
+    /// Parameters
+    /// ----------
+    /// height : float
+    ///     How far [m or N].
+    /// at : float
+    ///     When [s], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    fn step(height: f64, at: f64) -> PyResult<Self> {
+        Self::checked(EndInput::Step { height, at })
+    }
+
+    /// A straight rise.
+    ///
+    /// Parameters
+    /// ----------
+    /// height : float
+    ///     How far [m or N].
+    /// begin : float
+    ///     When it begins [s], not below zero.
+    /// duration : float
+    ///     How long it lasts [s], above zero.
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    fn ramp(height: f64, begin: f64, duration: f64) -> PyResult<Self> {
+        Self::checked(EndInput::Ramp { height, from: begin, duration })
+    }
+
+    /// Half a sine, up and back: a bump.
+    ///
+    /// Parameters
+    /// ----------
+    /// height : float
+    ///     How far [m or N].
+    /// begin : float
+    ///     When it begins [s], not below zero.
+    /// duration : float
+    ///     How long it lasts [s], above zero.
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[staticmethod]
+    fn half_sine(height: f64, begin: f64, duration: f64) -> PyResult<Self> {
+        Self::checked(EndInput::HalfSine { height, from: begin, duration })
+    }
+
+    /// A recorded series, straight from sample to sample, constant before the first and after the last.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array_like of float, shape (samples,)
+    ///     [s], strictly increasing; steps may be uneven.
+    /// values : array_like of float, shape (samples,)
+    ///     [m, or N at an end under force].
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For no samples, series of different lengths, a value that is not finite, or a time not after its predecessor.
+    #[staticmethod]
+    fn sampled(times: Series<'_>, values: Series<'_>) -> PyResult<Self> {
+        Self::checked(EndInput::Sampled(Sampled::new(times.to_vec(), values.to_vec()).python()?))
+    }
+
+    /// Displacement from the mean.
+    ///
+    /// Parameters
+    /// ----------
+    /// time : float
+    ///     [s].
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     [m, or N at an end under force].
+    fn displacement(&self, time: f64) -> f64 {
+        self.0.displacement(time)
+    }
+
+    /// Velocity, from the right where it jumps.
+    ///
+    /// Parameters
+    /// ----------
+    /// time : float
+    ///     [s].
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     [m/s, or N/s at an end under force].
+    fn velocity(&self, time: f64) -> f64 {
+        self.0.velocity(time)
+    }
+
+    /// Which constructor makes it: "held", "harmonics", "chirp", "step", "ramp", "half_sine" or "sampled".
+    #[getter]
+    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
+        Ok(self.as_kind(py)?.name)
+    }
+
+    /// Its kind and its arguments by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        self.as_kind(py)?.to_dict()
+    }
+
+    /// The way back from `to_dict`.
+    ///
+    /// Parameters
+    /// ----------
+    /// dict : dict
+    ///     The kind, and the arguments of the constructor of that name.
+    ///
+    /// Returns
+    /// -------
+    /// EndInput
+    #[classmethod]
+    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
+        value::of_dict(class, &dict, &KINDS)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
+        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        self.as_kind(py)?.shown("EndInput")
+    }
+}

@@ -1,0 +1,170 @@
+//! `coilsense.Start`: where the windings are, and how fast, at t = 0.
+//!
+//! Next door: how the ends are driven (`input`).
+
+use coilsense::excitation::{EndInput, Excitation, Start, VelocityProfile};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyType;
+
+use super::profile_word;
+use crate::errors::{IntoPython, unknown};
+use crate::series::Series;
+use crate::value::{self, Arguments, Kind};
+
+const KINDS: [&str; 5] = ["rest", "massless", "steady", "moving", "windings"];
+
+/// Where the windings are, and how fast, at t = 0.
+///
+/// Made by ``Start.rest``, ``massless``, ``steady``, ``moving`` or ``windings``.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import Start
+/// >>> Start.moving(0.25, "linear")
+/// Start.moving(velocity=0.25, profile='linear')
+#[pyclass(name = "Start", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyStart(pub Start);
+
+impl PyStart {
+    /// Lets through what an excitation would let through.
+    fn checked(start: Start) -> PyResult<Self> {
+        Excitation::new(1.0, EndInput::Held, EndInput::Held, start.clone()).python().map(|_| Self(start))
+    }
+
+    fn as_kind<'py>(&self, py: Python<'py>) -> PyResult<Kind<'py>> {
+        let kind = |name| Kind::new(py, name);
+        match &self.0 {
+            Start::Rest => Ok(kind("rest")),
+            Start::Massless => Ok(kind("massless")),
+            Start::Steady => Ok(kind("steady")),
+            Start::Moving { velocity, profile } => {
+                kind("moving").with("velocity", velocity)?.with("profile", profile_word(*profile))
+            }
+            Start::Windings { positions, velocities } => kind("windings")
+                .with("positions", PyArray1::from_slice(py, positions))?
+                .with("velocities", PyArray1::from_slice(py, velocities)),
+        }
+    }
+}
+
+#[pymethods]
+impl PyStart {
+    /// Uniform for the mean length, velocity zero, wherever the ends are.
+    ///
+    /// Returns
+    /// -------
+    /// Start
+    #[staticmethod]
+    fn rest() -> Self {
+        Self(Start::Rest)
+    }
+
+    /// As a spring without mass: uniform between the ends' positions, velocities linear between the ends' velocities.
+    ///
+    /// Returns
+    /// -------
+    /// Start
+    #[staticmethod]
+    fn massless() -> Self {
+        Self(Start::Massless)
+    }
+
+    /// As the sines of both ends have left it after a long time: the motion repeats from the first period on.
+    ///
+    /// Returns
+    /// -------
+    /// Start
+    #[staticmethod]
+    fn steady() -> Self {
+        Self(Start::Steady)
+    }
+
+    /// Uniform for the mean length, moving.
+    ///
+    /// Parameters
+    /// ----------
+    /// velocity : float
+    ///     v [m/s], positive from end 1 to end 2.
+    /// profile : {"uniform", "linear"}, optional
+    ///     v for every winding, or v (i - 1/2)/N for winding i.
+    ///
+    /// Returns
+    /// -------
+    /// Start
+    #[staticmethod]
+    #[pyo3(signature = (velocity, profile="uniform"))]
+    fn moving(velocity: f64, profile: &str) -> PyResult<Self> {
+        Self::checked(Start::Moving { velocity, profile: self::profile(profile)? })
+    }
+
+    /// Given winding by winding, winding 1 first.
+    ///
+    /// Parameters
+    /// ----------
+    /// positions : array_like of float, shape (N,)
+    ///     [m], measured from the mean position of end 1.
+    /// velocities : array_like of float, shape (N,)
+    ///     [m/s].
+    ///
+    /// Returns
+    /// -------
+    /// Start
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For unlike numbers of positions and velocities, or a value that is not finite.
+    #[staticmethod]
+    fn windings(positions: Series<'_>, velocities: Series<'_>) -> PyResult<Self> {
+        Self::checked(Start::Windings { positions: positions.to_vec(), velocities: velocities.to_vec() })
+    }
+
+    /// Which constructor makes it: "rest", "massless", "steady", "moving" or "windings".
+    #[getter]
+    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
+        Ok(self.as_kind(py)?.name)
+    }
+
+    /// Its kind and its arguments by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        self.as_kind(py)?.to_dict()
+    }
+
+    /// The way back from `to_dict`.
+    ///
+    /// Parameters
+    /// ----------
+    /// dict : dict
+    ///     The kind, and the arguments of the constructor of that name.
+    ///
+    /// Returns
+    /// -------
+    /// Start
+    #[classmethod]
+    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
+        value::of_dict(class, &dict, &KINDS)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
+        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        self.as_kind(py)?.shown("Start")
+    }
+}
+
+/// A profile by its word.
+pub fn profile(word: &str) -> PyResult<VelocityProfile> {
+    match word {
+        "uniform" => Ok(VelocityProfile::Uniform),
+        "linear" => Ok(VelocityProfile::Linear),
+        _ => Err(unknown("profile", &["uniform", "linear"], word)),
+    }
+}

@@ -1,0 +1,43 @@
+//! The Python module `coilsense._coilsense`: a thin door to the science and to the lab, one file a noun, the same names.
+//!
+//! Documentation comments of what Python sees are its docstrings, in NumPy's style. What is Python's own business (pandas, xarray, matplotlib,
+//! Dask) is Python code in `python/coilsense`; type stubs are `python/coilsense/_coilsense.pyi`.
+//!
+//! Rules of this door: arguments are named as in Rust; arrays come in borrowed and go out moved; the interpreter's lock is let go while
+//! something is computed; a value can be compared, printed, turned into a dict and pickled ([`value`]); errors have Rust's text ([`errors`]).
+
+// Docstrings are laid out as NumPy's are.
+#![allow(clippy::doc_lazy_continuation, clippy::doc_overindented_list_items)]
+
+mod errors;
+mod excitation;
+mod measures;
+mod modes;
+mod motion;
+mod mount;
+mod series;
+mod signals;
+mod spring;
+mod stream;
+mod value;
+mod windings;
+
+use pyo3::prelude::*;
+
+/// The compiled part of coilsense; import ``coilsense`` instead.
+#[pymodule]
+fn _coilsense(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    errors::register(module)?;
+    spring::register(module)?;
+    excitation::register(module)?;
+    mount::register(module)?;
+    modes::register(module)?;
+    motion::register(module)?;
+    stream::register(module)?;
+    windings::register(module)?;
+    signals::register(module)?;
+    measures::register(module)?;
+    // What is public is said once, by the package beside this module.
+    module.delattr("__all__")
+}

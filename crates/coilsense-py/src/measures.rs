@@ -1,0 +1,17 @@
+//! `coilsense.Deviation`, `Clash` and `Spectrum`: how far off, whether windings touch, a signal over frequency.
+//!
+//! Next door: the signals (`signals`), the motion (`motion`).
+
+mod clash;
+mod deviation;
+mod spectrum;
+
+use pyo3::prelude::*;
+
+/// Adds the classes and the function to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<deviation::PyDeviation>()?;
+    module.add_class::<clash::PyClash>()?;
+    module.add_class::<spectrum::PySpectrum>()?;
+    module.add_function(wrap_pyfunction!(spectrum::py_alias_of, module)?)
+}

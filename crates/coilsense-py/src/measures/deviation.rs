@@ -1,0 +1,150 @@
+//! `coilsense.Deviation`: one force series against another.
+//!
+//! Next door: windings that touch (`clash`).
+
+use coilsense::Deviation;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::IntoPython;
+use crate::series::Series;
+use crate::value::{self, Arguments, NewArguments};
+
+/// How a series deviates from its reference; every value has the unit of the series.
+///
+/// Made by ``Deviation.between``; the constructor takes what is known already.
+///
+/// Parameters
+/// ----------
+/// rmsd : float
+///     Root of the mean of squares.
+/// maximum : float
+///     Largest difference, with its sign.
+/// maximum_absolute : float
+///     Largest difference either way.
+/// mean : float
+///     Mean difference.
+/// standard_error : float
+///     sigma / sqrt(n), with sigma over n - 1; zero for one sample.
+///
+/// Notes
+/// -----
+/// Source: [Weijde2017] section III-D and eq. 15.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import Deviation
+/// >>> Deviation.between([1.0, 2.0, 0.0], [1.0, 1.0, 1.0]).maximum
+/// 1.0
+#[pyclass(name = "Deviation", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyDeviation(pub Deviation);
+
+impl PyDeviation {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("rmsd", self.0.rmsd)?;
+        dict.set_item("maximum", self.0.maximum)?;
+        dict.set_item("maximum_absolute", self.0.maximum_absolute)?;
+        dict.set_item("mean", self.0.mean)?;
+        dict.set_item("standard_error", self.0.standard_error)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyDeviation {
+    #[new]
+    #[pyo3(signature = (*, rmsd, maximum, maximum_absolute, mean, standard_error))]
+    fn new(rmsd: f64, maximum: f64, maximum_absolute: f64, mean: f64, standard_error: f64) -> Self {
+        Self(Deviation { rmsd, maximum, maximum_absolute, mean, standard_error })
+    }
+
+    /// Of a force from its reference.
+    ///
+    /// Parameters
+    /// ----------
+    /// force, reference : array_like of float, shape (samples,)
+    ///     Of one unit.
+    ///
+    /// Returns
+    /// -------
+    /// Deviation
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For no samples, series of different lengths, or the first value that is not finite.
+    #[staticmethod]
+    fn between(py: Python<'_>, force: Series<'_>, reference: Series<'_>) -> PyResult<Self> {
+        let (force, reference) = (force.values(), reference.values());
+        py.detach(|| Deviation::between(&force, &reference)).python().map(Self)
+    }
+
+    /// The same as a share of a nominal value.
+    ///
+    /// Parameters
+    /// ----------
+    /// nominal : float
+    ///     Above zero, for example `Spring.nominal_force` [N].
+    ///
+    /// Returns
+    /// -------
+    /// Deviation
+    ///     Shares [1].
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For a nominal value that is not above zero.
+    fn relative_to(&self, nominal: f64) -> PyResult<Self> {
+        self.0.relative_to(nominal).python().map(Self)
+    }
+
+    /// Root of the mean of squares.
+    #[getter]
+    fn rmsd(&self) -> f64 {
+        self.0.rmsd
+    }
+
+    /// Largest difference, with its sign.
+    #[getter]
+    fn maximum(&self) -> f64 {
+        self.0.maximum
+    }
+
+    /// Largest difference either way.
+    #[getter]
+    fn maximum_absolute(&self) -> f64 {
+        self.0.maximum_absolute
+    }
+
+    /// Mean difference.
+    #[getter]
+    fn mean(&self) -> f64 {
+        self.0.mean
+    }
+
+    /// sigma / sqrt(n), with sigma over n - 1; zero for one sample.
+    #[getter]
+    fn standard_error(&self) -> f64 {
+        self.0.standard_error
+    }
+
+    /// The values by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        self.arguments(py)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("Deviation", &self.arguments(py)?)
+    }
+}

@@ -1,0 +1,309 @@
+//! `coilsense.Motion`: how a spring moves, at any times.
+//!
+//! Next door: what is done to it (`excitation`), what comes out (`signals`, `windings`), step by step (`stream`).
+
+use coilsense::modes::ChainModes;
+use coilsense::{Motion, Mount};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::errors::IntoPython;
+use crate::excitation::PyExcitation;
+use crate::modes::PyChainModes;
+use crate::mount::PyMount;
+use crate::series::{Series, rows};
+use crate::signals::PySignals;
+use crate::spring::PySpring;
+use crate::stream::PyStream;
+use crate::value::{self, Arguments};
+use crate::windings::PyWindings;
+
+/// Adds the class to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyMotion>()
+}
+
+/// Forces at both ends.
+type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+/// Motion of the paper's chain under one excitation.
+///
+/// Parameters
+/// ----------
+/// spring : Spring
+///     The spring that moves.
+/// excitation : Excitation
+///     What is done to it.
+/// mount : Mount, optional
+///     What end 2 is tied to, and damping; without it the paper's: both positions prescribed, no damping. Where end 2's position is not
+///     prescribed, its input is a force [N] about that of the mean length.
+///
+/// Raises
+/// ------
+/// Error
+///     Where the excitation starts a number of windings that the spring's chain does not have, damping is given for another number of
+///     modes, has a loss factor, or is above a ratio of 1000.
+///
+/// Notes
+/// -----
+/// Source: [Weijde2017] eqs. 4-7. Valid for windings that never touch. End forces and positions are within 1e-12 of their peak over 1 s,
+/// against a 40-digit reference.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import Excitation, Motion, Spring
+/// >>> motion = Motion(Spring.of_paper("S_T"), Excitation.impact(0.23, 0.25))
+/// >>> F_i, F_o = motion.end_forces([0.0, 0.75, 1.0])
+/// >>> F_i[0].round(9)
+/// np.float64(95.76)
+#[pyclass(name = "Motion", module = "coilsense", frozen)]
+pub struct PyMotion(pub Motion);
+
+/// A function and its arguments, as `pickle` keeps them.
+type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>);
+
+impl PyMotion {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("spring", self.spring().into_pyobject(py)?)?;
+        dict.set_item("excitation", self.excitation().into_pyobject(py)?)?;
+        dict.set_item("mount", self.mount().into_pyobject(py)?)?;
+        Ok(dict)
+    }
+
+    /// How many modes a truncated motion has.
+    fn kept_modes(&self) -> Option<usize> {
+        let all = ChainModes::mounted(self.0.spring(), self.0.mount().far_end()).count();
+        Some(self.0.modes().count()).filter(|count| *count < all)
+    }
+}
+
+#[pymethods]
+impl PyMotion {
+    #[new]
+    #[pyo3(signature = (spring, excitation, mount=None))]
+    fn new(
+        py: Python<'_>,
+        spring: &PySpring,
+        excitation: &PyExcitation,
+        mount: Option<PyRef<'_, PyMount>>,
+    ) -> PyResult<Self> {
+        let mount = mount.map_or_else(Mount::default, |mount| mount.0.clone());
+        py.detach(|| Motion::mounted(&spring.0, &mount, &excitation.0)).python().map(Self)
+    }
+
+    /// The spring that moves.
+    #[getter]
+    fn spring(&self) -> PySpring {
+        PySpring(self.0.spring().clone())
+    }
+
+    /// What is done to it.
+    #[getter]
+    fn excitation(&self) -> PyExcitation {
+        PyExcitation(self.0.excitation().clone())
+    }
+
+    /// What its end 2 is tied to, and its damping.
+    #[getter]
+    fn mount(&self) -> PyMount {
+        PyMount(self.0.mount().clone())
+    }
+
+    /// Its modes.
+    #[getter]
+    fn modes(&self) -> PyChainModes {
+        PyChainModes(self.0.modes().clone())
+    }
+
+    /// Forces at both ends, tension positive.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array_like of float, shape (samples,)
+    ///     [s], in any order, none below zero; equidistant ones in order are fastest.
+    ///
+    /// Returns
+    /// -------
+    /// F_i, F_o : numpy.ndarray, shape (samples,)
+    ///     At end 1 and at end 2 [N].
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For no times, or the first that is not finite or below zero.
+    fn end_forces<'py>(&self, py: Python<'py>, times: Series<'py>) -> PyResult<Forces<'py>> {
+        let times = times.values();
+        let forces = py.detach(|| self.0.end_forces(&times)).python()?;
+        Ok((forces.input.into_pyarray(py), forces.output.into_pyarray(py)))
+    }
+
+    /// u1, u2, F_i, F_o and F_x over time; sensors add theirs.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array_like of float, shape (samples,)
+    ///     [s], strictly increasing, none below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Signals
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For the first time that is not finite, below zero, or not after its predecessor.
+    fn signals(&self, py: Python<'_>, times: Series<'_>) -> PyResult<PySignals> {
+        let times = times.values();
+        let signals = py.detach(|| self.0.signals(&times)).python()?;
+        Ok(PySignals::of(py, signals))
+    }
+
+    /// Positions of both ends and all windings.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array_like of float, shape (samples,)
+    ///     [s], in any order, none below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Windings
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For no times, the first that is not finite or below zero, or more than 5000 windings.
+    fn windings(&self, py: Python<'_>, times: Series<'_>) -> PyResult<PyWindings> {
+        let times = times.values();
+        let windings = py.detach(|| self.0.windings(&times)).python()?;
+        PyWindings::of(py, windings)
+    }
+
+    /// Velocities of all windings.
+    ///
+    /// Parameters
+    /// ----------
+    /// time : float
+    ///     [s], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (N,)
+    ///     [m/s].
+    fn velocities<'py>(&self, py: Python<'py>, time: f64) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(py.detach(|| self.0.velocities(time)).python()?.into_pyarray(py))
+    }
+
+    /// Positions of both ends; end 1 has its mean at 0.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array_like of float, shape (samples,)
+    ///     [s], none below zero.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples, 2)
+    ///     u1 and u2 [m].
+    fn ends<'py>(&self, py: Python<'py>, times: Series<'_>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let times = times.values();
+        rows(py, py.detach(|| self.0.ends(&times)).python()?.into_flattened(), 2)
+    }
+
+    /// The chain's mechanical energy: kinetic plus elastic (counted from the rest length), without an end mass.
+    ///
+    /// Parameters
+    /// ----------
+    /// time : float
+    ///     [s], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     [J]; constant while both ends are held and nothing is damped.
+    fn energy(&self, py: Python<'_>, time: f64) -> PyResult<f64> {
+        py.detach(|| self.0.energy(time)).python()
+    }
+
+    /// The same motion with its first modes only; those left out keep their static answer in the end forces.
+    ///
+    /// Parameters
+    /// ----------
+    /// modes : int
+    ///     How many, at least 1.
+    ///
+    /// Returns
+    /// -------
+    /// Motion
+    ///     Off by at most its `truncation_bound`.
+    ///
+    /// Notes
+    /// -----
+    /// Source: mode-acceleration method. Valid for inputs that are slow against the first mode left out.
+    fn truncated(&self, py: Python<'_>, modes: usize) -> PyResult<Self> {
+        py.detach(|| self.0.truncated(modes)).python().map(Self)
+    }
+
+    /// How far F_i and F_o of a truncated motion can be from those of all modes [N], as a tuple; zero where none is left out.
+    #[getter]
+    fn truncation_bound(&self) -> (f64, f64) {
+        self.0.truncation_bound().into()
+    }
+
+    /// Forces at t = 0, h, 2h, ... in constant memory, without end.
+    ///
+    /// Parameters
+    /// ----------
+    /// step : float
+    ///     h [s], above zero.
+    ///
+    /// Returns
+    /// -------
+    /// Stream
+    ///     An iterator of (t [s], F_i [N], F_o [N]).
+    ///
+    /// Examples
+    /// --------
+    /// >>> from itertools import islice
+    /// >>> from coilsense import Excitation, Motion, Spring
+    /// >>> motion = Motion(Spring.of_paper("S_T"), Excitation.impact(0.23, 0.25))
+    /// >>> [round(t, 6) for t, F_i, F_o in islice(motion.stream(1e-4), 3)]
+    /// [0.0, 0.0001, 0.0002]
+    fn stream(&self, step: f64) -> PyResult<PyStream> {
+        PyStream::of(self, step)
+    }
+
+    /// Spring, excitation and mount as dicts; of a truncated motion also how many modes it has.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = value::plain(&self.arguments(py)?)?;
+        if let Some(modes) = self.kept_modes() {
+            dict.set_item("modes", modes)?;
+        }
+        Ok(dict)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        let Ok(other) = other.cast::<Self>() else { return false };
+        let parts = |motion: &Motion| (motion.spring().clone(), motion.excitation().clone(), motion.mount().clone());
+        let other = &other.get().0;
+        self.0.modes() == other.modes() && parts(&self.0) == parts(other)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let (py, motion) = (slf.py(), slf.get());
+        let make = py.import("coilsense._pickle")?.getattr("motion")?;
+        let kept = (motion.spring(), motion.excitation(), motion.mount(), motion.kept_modes());
+        Ok((make, kept.into_pyobject(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let full = value::shown("Motion", &self.arguments(py)?)?;
+        Ok(self.kept_modes().map_or(full.clone(), |modes| format!("{full}.truncated({modes})")))
+    }
+}

@@ -1,0 +1,192 @@
+//! `coilsense.Damping`: what damps the windings.
+//!
+//! Next door: what end 2 is tied to (`far_end`).
+
+use coilsense::{Damping, FarEnd, Mount};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyType;
+
+use crate::errors::IntoPython;
+use crate::series::Series;
+use crate::value::{self, Arguments, Kind};
+
+const KINDS: [&str; 6] = ["none", "modal", "modal_each", "mass_proportional", "stiffness_proportional", "hysteretic"];
+
+/// Damping of the windings, relative to the straight line between the ends.
+///
+/// Made by ``Damping.none``, ``modal``, ``modal_each``, ``mass_proportional``, ``stiffness_proportional`` or ``hysteretic``.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import Damping
+/// >>> Damping.stiffness_proportional(1e-4).ratios([100.0, 200.0])
+/// array([0.005, 0.01 ])
+#[pyclass(name = "Damping", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyDamping(pub Damping);
+
+impl PyDamping {
+    /// Lets through what a mount would let through.
+    fn checked(damping: Damping) -> PyResult<Self> {
+        Mount::new(FarEnd::Position, damping.clone()).python().map(|_| Self(damping))
+    }
+
+    fn as_kind<'py>(&self, py: Python<'py>) -> PyResult<Kind<'py>> {
+        let kind = |name| Kind::new(py, name);
+        match &self.0 {
+            Damping::None => Ok(kind("none")),
+            Damping::Modal(ratio) => kind("modal").with("ratio", ratio),
+            Damping::ModalEach(ratios) => kind("modal_each").with("ratios", ratios.clone()),
+            Damping::MassProportional { rate } => kind("mass_proportional").with("rate", rate),
+            Damping::StiffnessProportional { time } => kind("stiffness_proportional").with("time", time),
+            Damping::Hysteretic { loss_factor } => kind("hysteretic").with("loss_factor", loss_factor),
+        }
+    }
+}
+
+#[pymethods]
+impl PyDamping {
+    /// None: the paper's case.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[staticmethod]
+    fn none() -> Self {
+        Self(Damping::None)
+    }
+
+    /// The same damping ratio in every mode.
+    ///
+    /// Parameters
+    /// ----------
+    /// ratio : float
+    ///     zeta [1], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[staticmethod]
+    fn modal(ratio: f64) -> PyResult<Self> {
+        Self::checked(Damping::Modal(ratio))
+    }
+
+    /// A damping ratio for each mode, lowest first.
+    ///
+    /// Parameters
+    /// ----------
+    /// ratios : array_like of float, shape (modes,)
+    ///     zeta_j [1], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[staticmethod]
+    fn modal_each(ratios: Series<'_>) -> PyResult<Self> {
+        Self::checked(Damping::ModalEach(ratios.to_vec()))
+    }
+
+    /// zeta_j = rate / 2 omega_j: as in a viscous fluid.
+    ///
+    /// Parameters
+    /// ----------
+    /// rate : float
+    ///     alpha [1/s], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[staticmethod]
+    fn mass_proportional(rate: f64) -> PyResult<Self> {
+        Self::checked(Damping::MassProportional { rate })
+    }
+
+    /// zeta_j = time omega_j / 2: a dashpot beside every segment.
+    ///
+    /// Parameters
+    /// ----------
+    /// time : float
+    ///     beta [s], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[staticmethod]
+    fn stiffness_proportional(time: f64) -> PyResult<Self> {
+        Self::checked(Damping::StiffnessProportional { time })
+    }
+
+    /// Stiffness k (1 + i eta), which has a meaning over frequency only (`TwoPort`).
+    ///
+    /// Parameters
+    /// ----------
+    /// loss_factor : float
+    ///     eta [1], not below zero.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[staticmethod]
+    fn hysteretic(loss_factor: f64) -> PyResult<Self> {
+        Self::checked(Damping::Hysteretic { loss_factor })
+    }
+
+    /// Damping ratios of modes.
+    ///
+    /// Parameters
+    /// ----------
+    /// frequencies : array_like of float, shape (modes,)
+    ///     omega_j [rad/s].
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (modes,)
+    ///     zeta_j [1].
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     Where damping for each mode is given for another number of modes, and for a loss factor.
+    fn ratios<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(self.0.ratios(&frequencies.values()).python()?.into_pyarray(py))
+    }
+
+    /// Which constructor makes it: "none", "modal", "modal_each", "mass_proportional", "stiffness_proportional" or "hysteretic".
+    #[getter]
+    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
+        Ok(self.as_kind(py)?.name)
+    }
+
+    /// Its kind and its arguments by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        self.as_kind(py)?.to_dict()
+    }
+
+    /// The way back from `to_dict`.
+    ///
+    /// Parameters
+    /// ----------
+    /// dict : dict
+    ///     The kind, and the arguments of the constructor of that name.
+    ///
+    /// Returns
+    /// -------
+    /// Damping
+    #[classmethod]
+    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
+        value::of_dict(class, &dict, &KINDS)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
+        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        self.as_kind(py)?.shown("Damping")
+    }
+}

@@ -1,0 +1,119 @@
+//! Checks of the Python package: its wheel, its tests, its types, what the README and the examples say to run.
+//!
+//! Next door: environments (`python`), the other checks (`test`).
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, bail};
+
+use crate::python::{self, Environment};
+use crate::root;
+
+/// What a wheel may weigh \[bytes\].
+const LARGEST_WHEEL: u64 = 10_000_000;
+
+/// What the tests run with.
+const REQUIREMENTS: &str = "python/requirements-test.txt";
+
+/// What is missing to run them, and what installs it.
+pub fn missing() -> Option<String> {
+    let wanted = "import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))";
+    let found = Command::new("python3").args(["-c", wanted]).output();
+    if found.is_ok_and(|output| output.status.success()) {
+        return None;
+    }
+    Some("no Python 3.11 or later with venv; install it with: apt-get install python3 python3-venv".to_owned())
+}
+
+/// Builds the wheel, installs it, and runs everything; whether all succeed.
+pub fn steps() -> anyhow::Result<bool> {
+    let tests = python::environment("target/python", REQUIREMENTS)?;
+    let wheel = build(&tests)?;
+    let size = wheel.metadata()?.len();
+    println!("{}: {:.1} MB (at most {:.0})", name(&wheel), 1e-6 * size as f64, 1e-6 * LARGEST_WHEEL as f64);
+    if size > LARGEST_WHEEL {
+        return Ok(false);
+    }
+    let mut install = tests.pip();
+    install.args(["--force-reinstall", "--no-deps"]).arg(&wheel);
+    let checks: [&[&str]; 4] = [
+        &["-m", "pytest", "-q"],
+        &["-m", "mypy", "python/coilsense", "python/tests", "python/examples"],
+        &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
+        &["-m", "compileall", "-q", "python/examples"],
+    ];
+    Ok(succeeds(&mut install)?
+        && every(&checks, |arguments| succeeds(tests.python().args(*arguments)))?
+        && examples(&tests)?
+        && readme()?)
+}
+
+/// The wheel, built anew.
+fn build(environment: &Environment) -> anyhow::Result<PathBuf> {
+    let folder = root().join("target/wheels");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
+    let mut build = environment.python();
+    build.args(["-m", "maturin", "build", "--release", "--quiet", "--interpreter", "python3", "--out"]).arg(&folder);
+    if !succeeds(&mut build)? {
+        bail!("the wheel cannot be built");
+    }
+    files(&folder, "whl")?.pop().context("maturin left no wheel")
+}
+
+/// Every script in python/examples, in a folder of its own that has the examples' specs.
+fn examples(environment: &Environment) -> anyhow::Result<bool> {
+    every(&files(&root().join("python/examples"), "py")?, |script| {
+        println!("== {}", name(script));
+        in_a_place(environment.python().arg(script))
+    })
+}
+
+/// The README's Python code, in an environment that has nothing but what `pip install .` brings.
+fn readme() -> anyhow::Result<bool> {
+    let plain = python::fresh("target/python-plain")?;
+    if !succeeds(plain.pip().arg("."))? {
+        return Ok(false);
+    }
+    let text = std::fs::read_to_string(root().join("README.md")).context("README.md cannot be read")?;
+    let blocks: Vec<&str> = text.split("```python\n").skip(1).filter_map(|rest| rest.split("\n```").next()).collect();
+    println!("{} Python examples of the README", blocks.len());
+    Ok(!blocks.is_empty() && every(&blocks, |block| in_a_place(plain.python().args(["-c", block])))?)
+}
+
+/// Runs Python in a temporary folder with the examples' specs, without a screen.
+fn in_a_place(command: &mut Command) -> anyhow::Result<bool> {
+    let place = tempfile::tempdir()?;
+    crate::commands::copy_examples(&place.path().join("examples"))?;
+    succeeds(command.current_dir(place.path()).env("MPLBACKEND", "Agg"))
+}
+
+fn succeeds(command: &mut Command) -> anyhow::Result<bool> {
+    Ok(command.status().with_context(|| format!("cannot start {command:?}"))?.success())
+}
+
+/// Whether all succeed, up to the first that does not.
+fn every<T>(all: &[T], each: impl Fn(&T) -> anyhow::Result<bool>) -> anyhow::Result<bool> {
+    for one in all {
+        if !each(one)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// A folder's files of an ending, in order.
+fn files(folder: &Path, ending: &str) -> anyhow::Result<Vec<PathBuf>> {
+    let all = std::fs::read_dir(folder).with_context(|| format!("{} cannot be read", folder.display()))?;
+    let paths = all.map(|file| Ok(file?.path())).collect::<anyhow::Result<Vec<_>>>()?;
+    let mut files: Vec<PathBuf> =
+        paths.into_iter().filter(|path| path.extension().is_some_and(|e| e == ending)).collect();
+    files.sort();
+    Ok(files)
+}
+
+fn name(path: &Path) -> &str {
+    path.file_name().and_then(std::ffi::OsStr::to_str).unwrap_or_default()
+}

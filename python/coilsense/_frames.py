@@ -1,0 +1,71 @@
+"""Signals as what other libraries hold: data frames, datasets, plots. Each library is imported where it is asked for."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+    import pandas
+    import xarray
+
+    from coilsense import Signals
+
+
+def _library(name: str, extra: str) -> Any:
+    """The module ``name``, or an error that says which extra of coilsense brings it."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        library = name.partition(".")[0]
+        raise ImportError(f"{library} is needed for this; install it with: pip install 'coilsense[{extra}]'") from error
+
+
+def to_pandas(signals: Signals) -> pandas.DataFrame:
+    """One column per channel over an index of time."""
+    library = _library("pandas", "pandas")
+    index = library.Index(signals.time, name="time [s]")
+    frame: pandas.DataFrame = library.DataFrame(dict(signals.items()), index=index)
+    frame.attrs["units"] = {name: signals.unit(name) for name in signals}
+    return frame
+
+
+def to_xarray(signals: Signals) -> xarray.Dataset:
+    """One variable per channel over the coordinate time, each with its unit."""
+    library = _library("xarray", "xarray")
+    variables = {name: ("time", values, {"units": signals.unit(name)}) for name, values in signals.items()}
+    time = ("time", signals.time, {"units": "s"})
+    dataset: xarray.Dataset = library.Dataset(variables, coords={"time": time})
+    return dataset
+
+
+def plot(signals: Signals, channels: list[str] | None, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+    """The channels over time in one panel; without a choice, the forces."""
+    names = [name for name in signals if signals.unit(name) == "N"] if channels is None else channels
+    if not names:
+        raise _no_channels(signals)
+    units = {signals.unit(name) for name in names}
+    if len(units) > 1:
+        raise _unlike_units(names, units)
+    if axes is None:
+        axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
+    for name in names:
+        axes.plot(signals.time, signals[name], label=name, linewidth=1)
+    axes.set_xlabel("t [s]")
+    axes.set_ylabel(f"{', '.join(names)} [{units.pop()}]")
+    axes.legend()
+    axes.grid(alpha=0.3)
+    return axes
+
+
+def _no_channels(signals: Signals) -> Exception:
+    from coilsense import Error
+
+    return Error(f"channels must hold at least one of {', '.join(signals)}")
+
+
+def _unlike_units(names: list[str], units: set[str]) -> Exception:
+    from coilsense import Error
+
+    return Error(f"channels must have one unit in one plot, got {', '.join(names)} in {', '.join(sorted(units))}")

@@ -1,0 +1,44 @@
+"""One value of each noun, for the tests that ask the same of all."""
+
+import coilsense
+
+SPRING = coilsense.Spring.of_paper("S_T")
+IMPACT = coilsense.Excitation.impact(0.23, 0.25)
+
+
+def values() -> list[object]:
+    """Values that must compare, print, become dicts and pickle."""
+    inputs = [
+        coilsense.EndInput.held(),
+        coilsense.EndInput.harmonics([(1e-3, 10.0, 0.5), (2e-3, 20.0, 0.0)]),
+        coilsense.EndInput.chirp(1e-3, 1.0, 50.0, 2.0),
+        coilsense.EndInput.step(0.01, 0.2),
+        coilsense.EndInput.ramp(0.01, 0.1, 0.2),
+        coilsense.EndInput.half_sine(0.01, 0.1, 0.2),
+        coilsense.EndInput.sampled([0.0, 0.1, 0.3], [0.0, 1e-3, 2e-3]),
+    ]
+    starts = [
+        coilsense.Start.rest(),
+        coilsense.Start.massless(),
+        coilsense.Start.steady(),
+        coilsense.Start.moving(0.25, "linear"),
+        coilsense.Start.windings([0.1, 0.2], [0.0, 0.3]),
+    ]
+    dampings = [
+        coilsense.Damping.none(),
+        coilsense.Damping.modal(0.005),
+        coilsense.Damping.modal_each([0.005, 0.01]),
+        coilsense.Damping.mass_proportional(1.0),
+        coilsense.Damping.stiffness_proportional(1e-5),
+        coilsense.Damping.hysteretic(0.01),
+    ]
+    far_ends = [coilsense.FarEnd.position(), coilsense.FarEnd.force(), coilsense.FarEnd.mass(0.5)]
+    mount = coilsense.Mount(far_ends[2], dampings[1])
+    shaken = coilsense.Excitation(0.23, end1=inputs[1], end2=inputs[4], start=starts[3])
+    motion = coilsense.Motion(SPRING, shaken, mount)
+    signals = coilsense.Signals([0.0, 0.1], {"F_o": [1.0, 2.0], "L": [1e-6, 2e-6]})
+    windings = coilsense.Windings([[0.0, 0.3], [0.0, 0.31]], [[0.1, 0.2], [0.11, 0.2]])
+    deviation = coilsense.Deviation.between([1.0, 2.0], [0.5, 2.0])
+    clash = coilsense.Clash.of(motion, [0.0, 0.1])
+    nouns = [shaken, IMPACT, mount, motion, motion.truncated(3), signals, windings, deviation, clash]
+    return [SPRING, *inputs, *starts, *dampings, *far_ends, *nouns]
