@@ -9,4 +9,4 @@ signals = motion.signals(coilsense.sampled_window(10_000, 0.0, 1.0))
 error = signals["F_o"] - signals["F_x"]
 share = 100 * abs(error).max() / spring.nominal_force
 print(f"{spring.surge_frequency:.1f} Hz: F_o is off by up to {abs(error).max():.2f} N ({share:.2f} % of F_nom)")
-assert abs(error).max() < 2 * 0.25 * spring.wave_impedance, "a wave carries v Z, and its reflection as much again"
+assert abs(error).max() > 0.25 * spring.wave_impedance, "the impact's first wave alone carries v Z"
