@@ -5,19 +5,24 @@
 //! Next door: where the windings are (`motion`), what a meter makes of L (`calibrate`, `sensors`).
 
 mod carry;
+mod chebyshev;
 mod derivatives;
 pub mod elliptic;
+mod evaluation;
 mod expansion;
 mod fits;
 mod gradient;
+mod lag_polynomials;
 mod maxwell;
 mod mutual;
+mod near_uniform;
 mod pairs;
 mod quadratic;
 mod reduced;
 mod second_order;
 mod self_term;
 pub mod theories;
+mod turn_block;
 mod within;
 
 pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};

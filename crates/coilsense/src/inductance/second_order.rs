@@ -91,11 +91,12 @@ pub(super) fn bounded(expansion: &Expansion, displacements: &[Lanes]) -> [Bounde
     std::array::from_fn(|lane| {
         let inductance = expansion.inductance[lane] + forms.change[lane];
         let (pitch, strain) = (expansion.pitches[lane], forms.largest[lane] / expansion.pitches[lane]);
-        let bound = if pitch > 0.0 && strain < 1.0 {
-            strain / (1.0 - strain).powi(6) * forms.remainder[lane] + ROUNDING * inductance
-        } else {
-            f64::INFINITY
-        };
-        BoundedInductance { inductance, bound }
+        let remainder = if pitch > 0.0 { bound(strain, forms.remainder[lane]) } else { f64::INFINITY };
+        BoundedInductance { inductance, bound: remainder + ROUNDING * inductance }
     })
+}
+
+/// What terms above the second may add up to \[H\], for strains ε and Σ_a ⅓ |M‴(ap)| ap Σ_i e² \[H\].
+pub(super) fn bound(strain: f64, remainder: f64) -> f64 {
+    if strain < 1.0 { strain / (1.0 - strain).powi(6) * remainder } else { f64::INFINITY }
 }

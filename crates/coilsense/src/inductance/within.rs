@@ -1,15 +1,13 @@
 //! L of a series within a tolerance: to second order where that is good enough, by the exact sum elsewhere.
 //!
-//! Next door: the second-order form and its bound (`second_order`), the exact sum (`maxwell`).
+//! Next door: how blocks of samples are evaluated (`evaluation`), the second-order form and its bound (`second_order`), the exact sum (`maxwell`).
 
-use std::ops::Range;
-
-use super::carry::Carry;
-use super::expansion::{Expansion, LANES, Lanes};
+use super::evaluation::Evaluation;
 use super::maxwell::MaxwellSum;
-use super::second_order::{BoundedInductance, ROUNDING, bounded};
+use super::second_order::BoundedInductance;
+use super::turn_block::TurnBlock;
 use crate::error::{Error, check};
-use crate::motion::Windings;
+use crate::motion::{Motion, WIDTH, Windings};
 
 /// A series of inductances within a tolerance, see [`MaxwellSum::series_within`].
 #[derive(Debug, Clone, PartialEq)]
@@ -45,74 +43,77 @@ impl MaxwellSum {
     pub fn series_within(&self, windings: &Windings, tolerance: f64) -> Result<BoundedSeries, Error> {
         let allowed = tolerance.is_finite() && tolerance >= 0.0;
         check(allowed, "tolerance", tolerance, "", "finite and not below zero")?;
-        let mut series = Series::new(self, windings);
-        for start in (0..windings.samples()).step_by(LANES) {
-            series.evaluate(start..windings.samples().min(start + LANES), tolerance);
-        }
-        Ok(series.result)
-    }
-}
-
-/// A series in the making.
-struct Series<'a> {
-    coil: &'a MaxwellSum,
-    windings: &'a Windings,
-    carry: Carry,
-    turns: Vec<f64>,
-    expansion: Expansion,
-    displacements: Vec<Lanes>,
-    result: BoundedSeries,
-}
-
-impl<'a> Series<'a> {
-    fn new(coil: &'a MaxwellSum, windings: &'a Windings) -> Self {
-        let turns = coil.places().len();
-        let samples = Vec::with_capacity(windings.samples());
-        Self {
-            coil,
-            windings,
-            carry: coil.carry(windings.count()),
-            turns: Vec::with_capacity(turns),
-            expansion: Expansion::new(turns),
-            displacements: vec![[0.0; LANES]; turns],
-            result: BoundedSeries { samples, second_order: 0, exact: 0 },
-        }
+        let mut evaluation = Evaluation::new(self);
+        let mut samples = Vec::with_capacity(windings.samples());
+        self.for_each_block(windings, |block, alone| {
+            evaluation.within(block, tolerance, alone, |_, value| samples.push(value));
+        });
+        let [second_order, exact] = evaluation.counts;
+        Ok(BoundedSeries { samples, second_order, exact })
     }
 
-    /// At most [`LANES`] samples.
-    fn evaluate(&mut self, samples: Range<usize>, tolerance: f64) {
-        // Lanes without a sample keep what they hold.
-        let mut pitches = self.expansion.pitches;
-        for (lane, sample) in samples.clone().enumerate() {
-            pitches[lane] = self.load(lane, sample) / self.coil.windings();
-        }
-        self.expansion.expand(self.coil, pitches);
-        let near = bounded(&self.expansion, &self.displacements);
-        for (mut value, sample) in near.into_iter().zip(samples) {
-            if value.bound <= tolerance * value.inductance {
-                self.result.second_order += 1;
-            } else {
-                value = self.exact(sample);
-                self.result.exact += 1;
-            }
-            self.result.samples.push(value);
-        }
+    /// L of a motion at each time within a tolerance: as [`Self::series_within`] of [`Motion::windings`], without finding all positions first.
+    ///
+    /// - `times`: t \[s\], shape `samples`, in any order, none below zero; equidistant ones in order are fastest
+    /// - `tolerance`: as in [`Self::series_within`]; zero takes the exact sum everywhere
+    ///
+    /// Source:   as [`Self::series_within`].
+    /// Valid:    as [`Motion`] and [`MaxwellSum`].
+    /// Accuracy: its bounds, beyond the motion's own (1e-12 of the windings' displacements).
+    ///
+    /// # Errors
+    /// As [`Self::series_within`] and [`Motion::windings`].
+    ///
+    /// ```
+    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
+    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
+    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// use coilsense::inductance::{MaxwellSum, SelfDistance};
+    /// let motion = coilsense::Motion::new(&spring, &coilsense::Excitation::impact(0.23, 0.25)?)?;
+    /// let series = MaxwellSum::new(&spring, SelfDistance::AsPrinted).along(&motion, &[0.0, 0.5, 1.0], 1e-5)?;
+    /// assert_eq!((series.second_order, series.exact), (3, 0));
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    pub fn along(&self, motion: &Motion, times: &[f64], tolerance: f64) -> Result<BoundedSeries, Error> {
+        let allowed = tolerance.is_finite() && tolerance >= 0.0;
+        check(allowed, "tolerance", tolerance, "", "finite and not below zero")?;
+        let lengths = motion.lengths(times)?;
+        let carry = self.carry(motion.modes().masses());
+        let carriers: Vec<_> = (0..self.places().len()).map(|turn| carry.of_turn(turn)).collect();
+        let (mut evaluation, mut block) = (Evaluation::new(self), TurnBlock::new(carriers.len()));
+        let mut samples = vec![BoundedInductance { inductance: 0.0, bound: 0.0 }; times.len()];
+        let mut turns = Vec::with_capacity(carriers.len());
+        motion.for_each_turns(times, self.places(), &carriers, |ids, displacements| {
+            block.set(displacements, ids.iter().map(|&sample| lengths[sample] / self.windings()));
+            let alone = |block: &TurnBlock, column: usize| {
+                let length = block.pitches[column] * self.windings();
+                let rows = block.displacements.chunks_exact(WIDTH).zip(self.places());
+                turns.clear();
+                turns.extend(rows.map(|(row, place)| place * length + row[column]));
+                self.of_turns(&turns)
+            };
+            evaluation.within(&block, tolerance, alone, |column, value| samples[ids[column]] = value);
+        })?;
+        let [second_order, exact] = evaluation.counts;
+        Ok(BoundedSeries { samples, second_order, exact })
     }
 
-    /// Puts a sample's displacements from uniform into a lane; gives its length \[m\].
-    fn load(&mut self, lane: usize, sample: usize) -> f64 {
-        let ends = self.windings.ends(sample);
-        let length = ends[1] - ends[0];
-        let turns = self.carry.turns(ends, self.windings.row(sample), &mut self.turns);
-        for ((lanes, turn), place) in self.displacements.iter_mut().zip(turns).zip(self.coil.places()) {
-            lanes[lane] = turn - (ends[0] + place * length);
+    /// Calls `visit` with all samples in blocks, and with what finds L of one of a block's samples turn by turn.
+    pub(super) fn for_each_block(
+        &self,
+        windings: &Windings,
+        mut visit: impl FnMut(&TurnBlock, &mut dyn FnMut(&TurnBlock, usize) -> f64),
+    ) {
+        let carry = self.carry(windings.count());
+        let mut block = TurnBlock::new(self.places().len());
+        let mut turns = Vec::with_capacity(self.places().len());
+        for begin in (0..windings.samples()).step_by(WIDTH) {
+            let samples = begin..windings.samples().min(begin + WIDTH);
+            block.load(windings, samples, &carry, self.places(), self.windings(), &mut turns);
+            visit(&block, &mut |_, column| {
+                let sample = begin + column;
+                self.of_turns(carry.turns(windings.ends(sample), windings.row(sample), &mut turns))
+            });
         }
-        length
-    }
-
-    fn exact(&mut self, sample: usize) -> BoundedInductance {
-        let (ends, row) = (self.windings.ends(sample), self.windings.row(sample));
-        let inductance = self.coil.of_turns(self.carry.turns(ends, row, &mut self.turns));
-        BoundedInductance { inductance, bound: ROUNDING * inductance }
     }
 }

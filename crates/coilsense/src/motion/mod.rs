@@ -19,8 +19,10 @@ mod start;
 mod stream;
 mod stride;
 mod truncated;
+mod turns;
 mod windings;
 
+pub(crate) use modal_block::WIDTH;
 use placing::Placing;
 pub use stream::{ForceSample, Live, Stream};
 pub use windings::Windings;
