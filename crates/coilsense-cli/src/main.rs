@@ -17,6 +17,7 @@ mod reproduce;
 mod rig;
 mod simulate;
 mod spring;
+mod sweep;
 
 use std::process::ExitCode;
 
@@ -53,6 +54,8 @@ enum Command {
     Mitigate(mitigate::Arguments),
     /// Which force to feed back, and how fast the loop may then be: limits, margins, what the world feels
     Placement(placement::Arguments),
+    /// Which of a million springs and sensors: vary a spec's values, judge every design, write rows as Parquet; a killed run is continued
+    Sweep(sweep::Arguments),
     /// Work off an experiment: how load cell, position and inductance part, what is biased, what drifts
     Experiment(experiment::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
@@ -79,6 +82,7 @@ fn main() -> ExitCode {
         Command::Rig(arguments) => rig::run(&arguments),
         Command::Mitigate(arguments) => mitigate::run(&arguments),
         Command::Placement(arguments) => placement::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Experiment(arguments) => experiment::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
@@ -86,7 +90,8 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             anstream::eprintln!("error: {error:#}");
-            let interrupted = matches!(error.downcast_ref(), Some(AnalysisError::Interrupted));
+            let interrupted =
+                matches!(error.downcast_ref(), Some(AnalysisError::Interrupted)) || error.is::<sweep::Interrupted>();
             ExitCode::from(if interrupted { INTERRUPTED } else { BAD_INPUT })
         }
     }

@@ -21,11 +21,19 @@ pub struct Watch {
 impl Watch {
     /// From here on Ctrl-C stops the work at its next step, so that what it had begun to write is removed.
     pub fn begin(what: &'static str) -> anyhow::Result<Self> {
+        Self::with_template(what, "{msg} [{bar:40}] {pos}/{len}, {eta} left")
+    }
+
+    /// The same for designs, of which many a second are done: see [`Self::tell_rate`].
+    pub fn begin_designs() -> anyhow::Result<Self> {
+        Self::with_template("", "sweeping [{bar:40}] {pos}/{len}, {msg} left")
+    }
+
+    fn with_template(message: &'static str, template: &str) -> anyhow::Result<Self> {
         ctrlc::set_handler(|| STOPPED.store(true, Ordering::SeqCst)).context("cannot watch for Ctrl-C")?;
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        let style = ProgressStyle::with_template("{msg} [{bar:40}] {pos}/{len}, {eta} left")?;
-        bar.set_style(style.progress_chars("=> "));
-        bar.set_message(what);
+        bar.set_style(ProgressStyle::with_template(template)?.progress_chars("=> "));
+        bar.set_message(message);
         Ok(Self { bar, begun: Instant::now() })
     }
 
@@ -37,6 +45,16 @@ impl Watch {
         }
         self.bar.set_position(done as u64);
         !self.is_stopped()
+    }
+
+    /// Shows how many designs are done, how many a second since `begun` (when `before` were), and the time left; whether to go on.
+    pub fn tell_rate(&self, before: u64, done: u64, of: u64, begun: Instant) -> bool {
+        let rate = (done - before) as f64 / begun.elapsed().as_secs_f64().max(1e-9);
+        if rate > 0.0 && !self.bar.is_hidden() {
+            let left = indicatif::HumanDuration(Duration::from_secs_f64((of - done) as f64 / rate));
+            self.bar.set_message(format!("{rate:.0} designs/s, {left:#}"));
+        }
+        self.tell(done as usize, of as usize)
     }
 
     /// Removes the bar.

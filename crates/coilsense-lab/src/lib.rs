@@ -20,6 +20,8 @@ pub mod reproduce;
 
 pub mod series;
 
+pub mod sweep;
+
 pub mod recording;
 
 pub mod analysis;

@@ -63,6 +63,29 @@ enum Factor {
 use Factor::{Ten, Times};
 
 impl Dimension {
+    /// All dimensions; no two share a unit.
+    pub const ALL: [Self; 19] = [
+        Self::Length,
+        Self::Mass,
+        Self::Stiffness,
+        Self::Force,
+        Self::Time,
+        Self::Frequency,
+        Self::SurgeMultiple,
+        Self::Velocity,
+        Self::Angle,
+        Self::Inductance,
+        Self::Temperature,
+        Self::Share,
+        Self::Modulus,
+        Self::Density,
+        Self::Resistivity,
+        Self::Compliance,
+        Self::PerKelvin,
+        Self::Rate,
+        Self::Friction,
+    ];
+
     /// The dimension in words, with its article.
     pub fn name(self) -> &'static str {
         match self {

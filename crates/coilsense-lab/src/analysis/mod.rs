@@ -26,6 +26,7 @@ pub use case::{Case, Reading};
 pub use fix::Fix;
 pub use frames::Frames;
 pub use instrument::Instrument;
+pub(crate) use verdict::Assessed;
 pub use verdict::Verdict;
 pub use warnings::{Subject, Warning};
 
@@ -115,6 +116,17 @@ fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>
         }
     };
     (0..count).into_par_iter().map(one).collect()
+}
+
+/// Every sensor of a spec judged, without report, budget or remedies.
+///
+/// # Errors
+/// As [`simulate`].
+pub(crate) fn assess(spec: &Spec) -> Result<Vec<Assessed>, AnalysisError> {
+    let cases = simulate(spec, &|_, _| true)?;
+    let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    let judge = verdict::Judge { spec, coil: &coil, cases: &cases };
+    Ok((0..spec.sensors.len()).map(|index| judge.assessed(index, &spec.sensors[index])).collect::<Result<_, _>>()?)
 }
 
 impl Analysis {

@@ -179,6 +179,33 @@ pub(super) struct Trial {
     pub lag: f64,
 }
 
+/// A sensor in a word or three: what a sweep asks of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Assessed {
+    /// The largest combined standard uncertainty \[N\].
+    pub combined: f64,
+    /// Whether it meets the goal; `None` without one.
+    pub meets: Option<bool>,
+    /// How much later the force comes \[s\].
+    pub lag: f64,
+}
+
+impl Judge<'_> {
+    /// A sensor of the analysis without its budget's Monte Carlo and without what would fix it.
+    pub fn assessed(&self, index: usize, sensor: &SensorSpec) -> Result<Assessed, Error> {
+        let assessments = self.assessments(sensor, |case, _| Ok(Cow::Borrowed(&case.readings[index].steady)))?;
+        let readout = coilsense::sensors::Readout::new(sensor.readout.clone())?;
+        let wanted = self.spec.goal.bandwidth;
+        let reaches = wanted.is_none_or(|wanted| readout.bandwidth_3db() >= wanted);
+        let combined = assessments[worst(&assessments)].combined;
+        Ok(Assessed {
+            combined,
+            meets: self.spec.goal.error.map(|goal| reaches && combined <= goal),
+            lag: readout.lag(wanted.unwrap_or(0.0)),
+        })
+    }
+}
+
 /// Number of the case with the largest uncertainty; of cases that are alike, the first.
 fn worst(assessments: &[Assessment]) -> usize {
     let by_size = |a: &usize, b: &usize| assessments[*a].combined.total_cmp(&assessments[*b].combined);

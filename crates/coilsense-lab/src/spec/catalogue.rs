@@ -2,6 +2,8 @@
 //!
 //! Next door: the files themselves (`data/materials.toml`, `data/sensors.toml`), what a spec makes of them (`spring`, `sensor`).
 
+use std::sync::LazyLock;
+
 use coilsense::geometry::MaterialParameters;
 use serde::Deserialize;
 
@@ -54,9 +56,13 @@ fn damaged(file: &str, message: impl std::fmt::Display) -> SpecError {
     SpecError(format!("{file} of this program is damaged: {message}"))
 }
 
-fn all_materials() -> Result<Vec<NamedMaterial>, SpecError> {
-    let parsed: Result<Materials, _> = toml::from_str(MATERIALS);
-    parsed.map(|materials| materials.material).map_err(|error| damaged("data/materials.toml", error.message()))
+/// The table of materials, parsed once: a sweep reads a million specs.
+fn all_materials() -> Result<&'static [NamedMaterial], SpecError> {
+    static ALL: LazyLock<Result<Vec<NamedMaterial>, SpecError>> = LazyLock::new(|| {
+        let parsed: Result<Materials, _> = toml::from_str(MATERIALS);
+        parsed.map(|materials| materials.material).map_err(|error| damaged("data/materials.toml", error.message()))
+    });
+    ALL.as_deref().map_err(Clone::clone)
 }
 
 fn all_classes() -> Result<Vec<NamedClass>, SpecError> {

@@ -12,6 +12,7 @@ use super::section::{Section, clipped};
 use super::{SpecError, located};
 
 /// A spec file, parsed as TOML, whose tables are all known.
+#[derive(Clone)]
 pub(super) struct Document<'a> {
     file: &'a str,
     text: &'a str,
@@ -96,6 +97,51 @@ impl<'a> Document<'a> {
             .zip(tables)
             .map(|((index, span), table)| self.reading(name, format!("[[{name}]] {}", index + 1), table, span))
             .collect()
+    }
+
+    /// Every table and key has been looked at once: what is read from now on differs in values only.
+    pub(super) fn known(self) -> Self {
+        Self { lenient: true, ..self }
+    }
+
+    /// The file's name, as messages call it.
+    pub(super) fn file(&self) -> &'a str {
+        self.file
+    }
+
+    /// Its text.
+    pub(super) fn text(&self) -> &'a str {
+        self.text
+    }
+
+    /// Puts a value in place of a key's, or adds the key; of several tables of one name that at `index`. Messages show it where the old one
+    /// stood, or at the head of its table.
+    pub(super) fn set(&mut self, table: &'static str, index: Option<usize>, key: &'static str, value: DeValue<'a>) {
+        let span = self.table.span().start;
+        let root = self.table.get_mut();
+        if !root.contains_key(table) && index.is_none() {
+            root.insert(
+                Spanned::new(span..span, table.into()),
+                Spanned::new(span..span, DeValue::Table(DeTable::new())),
+            );
+        }
+        let Some(found) = root.get_mut(table) else { return };
+        let outer = match (index, found) {
+            (None, found) => Some(found),
+            (Some(index), found) => match found.get_mut() {
+                DeValue::Array(each) => each.get_mut(index),
+                _ => None,
+            },
+        };
+        let Some(outer) = outer else { return };
+        let head = outer.span().start;
+        if let DeValue::Table(inner) = outer.get_mut() {
+            // A span without a character in it: that of no value that a file holds.
+            match inner.get_mut(key) {
+                Some(old) => *old = Spanned::new(old.span().start..old.span().start, value),
+                None => drop(inner.insert(Spanned::new(head..head, key.into()), Spanned::new(head..head, value))),
+            }
+        }
     }
 
     fn reading<'s>(

@@ -7,6 +7,7 @@ mod catalogue;
 mod condition;
 mod control;
 mod document;
+mod draft;
 mod drive;
 mod experiment;
 mod goal;
@@ -44,8 +45,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use condition::Setting;
-use document::Document;
+pub(crate) use draft::{Core, Draft, Place};
+pub(crate) use keys::Domain;
 
 /// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.
 pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
@@ -81,23 +82,7 @@ impl Spec {
     /// # Errors
     /// [`SpecError`], one line with file, line, key, value and what is allowed.
     pub fn parse(file: &str, text: &str, files: &Files<'_>) -> Result<Self, SpecError> {
-        let document = Document::parse(file, text)?;
-        let spring = SpringSpec::of(&document.section("spring")?)?;
-        let mount = MountSpec::parse(&document, &spring.spring)?;
-        let setting = Setting { spring: &spring.spring, mount: &mount, files };
-        let sensors = SensorSpec::parse_all(&document, &spring)?;
-        Ok(Self {
-            conditions: ConditionSpec::parse_all(&document, &setting)?,
-            rig: RigSpec::parse(&document, &sensors)?,
-            sensors,
-            goal: Goal::parse(&document, &spring.spring)?,
-            uncertainty: UncertaintySpec::parse(&document)?,
-            control: ControlSpec::parse(&document, &spring.spring, &mount)?,
-            file: file.to_owned(),
-            text: text.to_owned(),
-            spring,
-            mount,
-        })
+        Draft::parse(file, text)?.spec(files)
     }
 
     /// Reads a spec from a file; files that it names are looked for beside it.
@@ -105,12 +90,16 @@ impl Spec {
     /// # Errors
     /// [`SpecError`] as [`Self::parse`], or where the file cannot be read.
     pub fn read(path: &Path) -> Result<Self, SpecError> {
-        let beside = path.parent().unwrap_or(Path::new("")).to_owned();
-        let files = move |name: &str| {
-            let path = beside.join(name);
-            bounded(&path, MOST_RECORDED).map_err(|error| format!("{} cannot be read: {error}", path.display()))
-        };
-        Self::parse(&path.display().to_string(), &read_text(path)?, &files)
+        Self::parse(&path.display().to_string(), &read_text(path)?, &files_beside(path))
+    }
+}
+
+/// Reads files that lie beside a spec.
+pub(crate) fn files_beside(spec: &Path) -> impl Fn(&str) -> Result<String, String> + use<> {
+    let beside = spec.parent().unwrap_or(Path::new("")).to_owned();
+    move |name: &str| {
+        let path = beside.join(name);
+        bounded(&path, MOST_RECORDED).map_err(|error| format!("{} cannot be read: {error}", path.display()))
     }
 }
 
@@ -119,7 +108,7 @@ const MOST_WRITTEN: u64 = 1 << 20;
 const MOST_RECORDED: u64 = 1 << 30;
 
 /// The text of a spec file, or why it cannot be had.
-fn read_text(path: &Path) -> Result<String, SpecError> {
+pub(crate) fn read_text(path: &Path) -> Result<String, SpecError> {
     bounded(path, MOST_WRITTEN).map_err(|error| SpecError(format!("{}: cannot be read: {error}", path.display())))
 }
 

@@ -82,14 +82,22 @@ impl Section<'_> {
         let Some(value) = self.table.get(key) else {
             return Ok(None);
         };
-        let parsed = parse(value.get_ref());
+        // What was put in the place of a value is a text, also where it is a number.
+        let number = || DeValue::parse(value.get_ref().as_str()?).ok().and_then(|number| parse(number.get_ref()));
+        let parsed = parse(value.get_ref()).or_else(|| if value.span().is_empty() { number() } else { None });
         let message = || format!("{key} = {}: must be {}", self.source(value), expectation());
         parsed.map(Some).ok_or_else(|| self.at(value, message()))
     }
 
-    /// The value as the file writes it, clipped.
+    /// The value as the file writes it, clipped; one that was put in its place, as a file would.
     fn source(&self, value: &Spanned<DeValue<'_>>) -> String {
-        clipped(self.text.get(value.span()).unwrap_or_default())
+        if !value.span().is_empty() {
+            return clipped(self.text.get(value.span()).unwrap_or_default());
+        }
+        match value.get_ref().as_str().unwrap_or_default() {
+            number if number.parse::<f64>().is_ok() => clipped(number),
+            text => clipped(&format!("{text:?}")),
+        }
     }
 
     /// An error about a key that is not there.

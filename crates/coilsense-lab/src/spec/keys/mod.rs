@@ -4,11 +4,13 @@
 
 mod conditions;
 mod control;
+mod domain;
 mod experiment;
 mod rig;
 mod sensors;
 mod springs;
 
+pub(crate) use domain::Domain;
 pub use experiment::{EXPERIMENT_TABLES, experiment_markdown};
 
 /// One key of a table.

@@ -1,0 +1,169 @@
+//! A spec as its tables, whose values can be replaced before it is read: one design among many.
+//!
+//! Next door: the tables (`document`), which keys there are (`keys`), who replaces values (`crate::sweep`).
+
+use coilsense::Channel;
+use toml::de::DeValue;
+
+use super::condition::{ConditionSpec, Setting};
+use super::control::ControlSpec;
+use super::document::Document;
+use super::goal::{Goal, UncertaintySpec};
+use super::keys::{Domain, TABLES, Table};
+use super::mount::MountSpec;
+use super::rig::RigSpec;
+use super::sensor::SensorSpec;
+use super::spring::SpringSpec;
+use super::{Files, Spec, SpecError};
+
+/// A spec's tables.
+#[derive(Clone)]
+pub(crate) struct Draft<'a> {
+    document: Document<'a>,
+}
+
+/// Where a value stands in a spec.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Place {
+    table: &'static str,
+    /// Which of several tables of that name.
+    index: Option<usize>,
+    key: &'static str,
+    /// What the key takes.
+    pub domain: Domain,
+}
+
+/// What forces follow from; instruments and what is asked of them are left out.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Core {
+    pub spring: SpringSpec,
+    pub mount: MountSpec,
+    pub conditions: Vec<ConditionSpec>,
+    pub goal: Goal,
+}
+
+impl<'a> Draft<'a> {
+    /// The tables of a spec's text, which must all be known.
+    pub fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
+        Ok(Self { document: Document::parse(file, text)? })
+    }
+
+    /// The same where all keys have been found to be known.
+    pub fn known(self) -> Self {
+        Self { document: self.document.known() }
+    }
+
+    /// Puts a value in place of a key's: a number with its unit, a number, or a text without quotes.
+    pub fn set(&mut self, place: &Place, value: String) {
+        self.document.set(place.table, place.index, place.key, DeValue::String(value.into()));
+    }
+
+    /// Everything that the spec says.
+    pub fn spec(&self, files: &Files<'_>) -> Result<Spec, SpecError> {
+        let document = &self.document;
+        let Core { spring, mount, conditions, goal } = self.core(files)?;
+        let sensors = SensorSpec::parse_all(document, &spring)?;
+        Ok(Spec {
+            rig: RigSpec::parse(document, &sensors)?,
+            uncertainty: UncertaintySpec::parse(document)?,
+            control: ControlSpec::parse(document, &spring.spring, &mount)?,
+            file: document.file().to_owned(),
+            text: document.text().to_owned(),
+            spring,
+            mount,
+            conditions,
+            sensors,
+            goal,
+        })
+    }
+
+    /// What forces follow from.
+    pub fn core(&self, files: &Files<'_>) -> Result<Core, SpecError> {
+        let document = &self.document;
+        let spring = SpringSpec::of(&document.section("spring")?)?;
+        let mount = MountSpec::parse(document, &spring.spring)?;
+        let setting = Setting { spring: &spring.spring, mount: &mount, files };
+        let conditions = ConditionSpec::parse_all(document, &setting)?;
+        Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })
+    }
+
+    /// Where a dotted key stands: `spring.stiffness`, `condition.1.velocity`, `sensor."laser".delay`.
+    ///
+    /// # Errors
+    /// One line that names the nearest known key, or the tables there are.
+    pub fn place(&self, path: &str) -> Result<Place, String> {
+        let (head, rest) = path.split_once('.').ok_or_else(|| unknown(path))?;
+        let (middle, last) = match rest.rsplit_once('.') {
+            Some((middle, last)) => (Some(middle.trim().trim_matches('"')), last),
+            None => (None, rest),
+        };
+        let table = TABLES.into_iter().find(|table| table.name == head.trim()).ok_or_else(|| unknown(path))?;
+        let key = table.keys.iter().find(|key| key.name == last.trim()).ok_or_else(|| unknown(path))?;
+        let index = match (table.repeats, middle) {
+            (true, Some(name)) => Some(self.index_of(table, name)?),
+            (false, None) => None,
+            (true, None) => return Err(format!("{path}: say which: {}", self.examples(table, key.name))),
+            (false, Some(_)) => {
+                return Err(format!("{path}: there is one table [{}]; write {}.{}", table.name, table.name, key.name));
+            }
+        };
+        let domain = table.domain(key);
+        if domain == Domain::List {
+            return Err(format!("{path}: takes a list, which cannot be swept"));
+        }
+        Ok(Place { table: table.name, index, key: key.name, domain })
+    }
+
+    /// Number of a table by its name, else by its number from 1.
+    fn index_of(&self, table: &Table, name: &str) -> Result<usize, String> {
+        let names = self.names(table);
+        let by_number =
+            || name.parse::<usize>().ok().filter(|number| (1..=names.len()).contains(number)).map(|n| n - 1);
+        names.iter().position(|known| known == name).or_else(by_number).ok_or_else(|| {
+            let known: Vec<String> = names.iter().enumerate().map(|(n, name)| format!("{} {name:?}", n + 1)).collect();
+            let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+            format!("no {} {name:?} is there; there are: {known}", table.name)
+        })
+    }
+
+    /// The force that counts as true, as far as the spec says it by itself.
+    pub fn truth(&self) -> Channel {
+        let section = self.document.optional_section("goal").ok().flatten();
+        let word = section.and_then(|section| section.optional_text("force").ok().flatten());
+        let named = Channel::FORCES.into_iter().find(|force| Some(force.name()) == word.as_deref());
+        named.unwrap_or(Channel::DeflectionForce)
+    }
+
+    /// What tables of one kind are called, in order.
+    pub fn names(&self, table: &Table) -> Vec<String> {
+        let sections = self.document.sections(table.name).unwrap_or_default();
+        let name = |section: &super::section::Section<'_>| {
+            let text = |key| section.optional_text(key).ok().flatten();
+            text("name").or_else(|| text("class")).or_else(|| text("kind")).unwrap_or_default()
+        };
+        sections.iter().map(name).collect()
+    }
+
+    fn examples(&self, table: &Table, key: &str) -> String {
+        match self.names(table).first() {
+            Some(first) => format!("{}.\"{first}\".{key}, or by its number: {}.1.{key}", table.name, table.name),
+            None => format!("there is no [[{}]] in the spec", table.name),
+        }
+    }
+}
+
+/// An unknown key, and the one most like it.
+fn unknown(path: &str) -> String {
+    let tail = |path: &str| path.rsplit('.').next().unwrap_or_default().trim().to_owned();
+    let head = |path: &str| path.split('.').next().unwrap_or_default().trim().to_owned();
+    let likeness = |table: &str, key: &str| {
+        strsim::jaro_winkler(&tail(path), key) + 0.5 * strsim::jaro_winkler(&head(path), table)
+    };
+    let all = TABLES.iter().flat_map(|table| table.keys.iter().map(|key| (*table, key.name)));
+    let nearest = all.max_by(|a, b| likeness(a.0.name, a.1).total_cmp(&likeness(b.0.name, b.1)));
+    let nearest = nearest.map_or_else(String::new, |(table, key)| match table.repeats {
+        true => format!("{}.NAME.{key}", table.name),
+        false => format!("{}.{key}", table.name),
+    });
+    format!("{path}: no key of a spec; did you mean {nearest}? docs/spec.md lists all")
+}

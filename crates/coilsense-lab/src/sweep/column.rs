@@ -1,0 +1,246 @@
+//! What is recorded of a design, by a word: `mass`, `F_o.rmsd`, `F_L.max[heel strike]`, `worst`, `laser.combined`.
+//!
+//! Next door: how it is computed (`row`), which work that needs (`Needs`).
+
+use coilsense::Channel;
+
+use super::SweepError;
+use super::chunk::Kind;
+use crate::spec::SpringSpec;
+
+/// A column of results.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Column {
+    /// A number of the spring alone.
+    Spring(&'static SpringNumber),
+    /// How far a force is off, in % of F_nom; of one condition, or of the worst.
+    Force { force: usize, measure: Measure, condition: Option<usize> },
+    /// The condition in which the RMSD of a force is largest.
+    WorstOf { force: usize },
+    /// The condition in which any RMSD that is asked for is largest.
+    Worst,
+    /// How F_L was found: `second-order`, `exact`, `mixed`.
+    Method { condition: Option<usize> },
+    /// The largest stated bound of L's error, as a share of L.
+    Bound { condition: Option<usize> },
+    /// The smallest distance of neighbouring windings from t = 0 on, and the same less that at which they touch \[m\].
+    Pitch { clearance: bool },
+    /// What the whole analysis says of a sensor.
+    Sensor { sensor: usize, of: OfSensor },
+}
+
+/// A measure of how far a force is off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Measure {
+    Rmsd,
+    /// The largest, either way.
+    Maximum,
+    /// The mean.
+    Bias,
+}
+
+/// What the analysis says of a sensor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum OfSensor {
+    /// Combined standard uncertainty of the worst case, % of F_nom.
+    Combined,
+    /// Whether it meets the goal.
+    Meets,
+    /// How late it is \[s\].
+    Lag,
+}
+
+/// A number of a spring: its word, its unit, and how it is had.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SpringNumber {
+    pub word: &'static str,
+    unit: &'static str,
+    pub of: fn(&SpringSpec) -> f64,
+}
+
+impl PartialEq for SpringNumber {
+    fn eq(&self, other: &Self) -> bool {
+        self.word == other.word
+    }
+}
+
+const fn number(word: &'static str, unit: &'static str, of: fn(&SpringSpec) -> f64) -> SpringNumber {
+    SpringNumber { word, unit, of }
+}
+
+/// Every number of a spring that can be asked for.
+const OF_SPRING: [SpringNumber; 14] = [
+    number("stiffness", "N/m", |spec| spec.spring.stiffness()),
+    number("mass", "kg", |spec| spec.spring.mass()),
+    number("windings", "1", |spec| spec.spring.windings()),
+    number("wire_diameter", "m", |spec| spec.spring.wire_diameter()),
+    number("coil_diameter", "m", |spec| 2.0 * spec.spring.coil_radius()),
+    number("index", "1", |spec| spec.spring.coil_radius() / spec.spring.wire_radius()),
+    number("rest_length", "m", |spec| spec.closed_length),
+    number("solid_length", "m", SpringSpec::solid_length),
+    number("travel", "m", |spec| spec.spring.operating_range().1 - spec.spring.operating_range().0),
+    number("f1", "Hz", |spec| spec.spring.surge_frequency()),
+    number("tau", "s", |spec| spec.spring.transit_time()),
+    number("nominal_force", "N", |spec| spec.spring.nominal_force()),
+    number("wave_impedance", "N s/m", |spec| spec.spring.wave_impedance()),
+    number("stress", "Pa", |spec| spec.geometry.corrected_shear_stress(spec.spring.nominal_force())),
+];
+
+const MEASURES: [(&str, Measure); 3] = [("rmsd", Measure::Rmsd), ("max", Measure::Maximum), ("bias", Measure::Bias)];
+const OF_SENSOR: [(&str, OfSensor); 3] =
+    [("combined", OfSensor::Combined), ("meets", OfSensor::Meets), ("lag", OfSensor::Lag)];
+
+/// F_L among [`Channel::FORCES`].
+pub(super) const BY_INDUCTANCE: usize = 3;
+
+/// Which work some columns need.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Needs {
+    /// Forces at the ends and by the ends' positions, each of [`Channel::FORCES`].
+    pub forces: [bool; 4],
+    /// Positions from t = 0 on.
+    pub pitch: bool,
+    /// The whole analysis.
+    pub analysis: bool,
+}
+
+/// Names of a spec that columns may call.
+pub(super) struct Names {
+    pub conditions: Vec<String>,
+    pub sensors: Vec<String>,
+}
+
+impl Column {
+    /// Reads a column's word.
+    pub fn parse(text: &str, names: &Names) -> Result<Self, SweepError> {
+        let text = text.trim();
+        let (word, condition) = match text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
+            Some((word, name)) => (word.trim(), Some(found(&names.conditions, "condition", name)?)),
+            None => (text, None),
+        };
+        if let Some(column) = of_force(word, condition) {
+            return Ok(column);
+        }
+        if condition.is_some() {
+            return Err(SweepError(format!("column {text}: only forces can be asked for by condition")));
+        }
+        if let Some(number) = OF_SPRING.iter().find(|number| number.word == word) {
+            return Ok(Self::Spring(number));
+        }
+        match word {
+            "worst" => return Ok(Self::Worst),
+            "closest_pitch" => return Ok(Self::Pitch { clearance: false }),
+            "clearance" => return Ok(Self::Pitch { clearance: true }),
+            _ => {}
+        }
+        if let Some((name, what)) = word.rsplit_once('.')
+            && let Some((_, of)) = OF_SENSOR.iter().find(|(known, _)| *known == what)
+        {
+            let name = name.strip_prefix("sensor.").unwrap_or(name);
+            return Ok(Self::Sensor { sensor: found(&names.sensors, "sensor", name)?, of: *of });
+        }
+        Err(unknown(text))
+    }
+
+    /// Which work it needs.
+    pub fn add_to(&self, needs: &mut Needs) {
+        match self {
+            Self::Spring(_) | Self::Worst => {}
+            Self::Force { force, .. } | Self::WorstOf { force } => needs.forces[*force] = true,
+            Self::Method { .. } | Self::Bound { .. } => needs.forces[BY_INDUCTANCE] = true,
+            Self::Pitch { .. } => needs.pitch = true,
+            Self::Sensor { .. } => needs.analysis = true,
+        }
+    }
+
+    /// What kind of values it holds.
+    pub fn kind(&self) -> Kind {
+        match (self.unit(), self) {
+            (Some(_), _) => Kind::Numbers,
+            (None, Self::Sensor { .. }) => Kind::Flags,
+            (None, _) => Kind::Texts,
+        }
+    }
+
+    /// The unit of its numbers; `None` where it holds texts or truths.
+    pub fn unit(&self) -> Option<&'static str> {
+        match self {
+            Self::Spring(number) => Some(number.unit),
+            Self::Force { .. } | Self::Sensor { of: OfSensor::Combined, .. } => Some("%"),
+            Self::Bound { .. } => Some("1"),
+            Self::Pitch { .. } => Some("m"),
+            Self::Sensor { of: OfSensor::Lag, .. } => Some("s"),
+            _ => None,
+        }
+    }
+}
+
+/// What is asked of a force: `F_o.rmsd`, `F_o.worst`, `F_L.method`.
+fn of_force(word: &str, condition: Option<usize>) -> Option<Column> {
+    let (name, what) = word.split_once('.')?;
+    let force = Channel::FORCES.iter().position(|channel| channel.name() == name)?;
+    if let Some((_, measure)) = MEASURES.iter().find(|(known, _)| *known == what) {
+        return Some(Column::Force { force, measure: *measure, condition });
+    }
+    match what {
+        "worst" if condition.is_none() => Some(Column::WorstOf { force }),
+        "method" if force == BY_INDUCTANCE => Some(Column::Method { condition }),
+        "bound" if force == BY_INDUCTANCE => Some(Column::Bound { condition }),
+        _ => None,
+    }
+}
+
+/// Number of a name, or of a number from 1.
+fn found(names: &[String], what: &str, name: &str) -> Result<usize, SweepError> {
+    let name = name.trim().trim_matches('"');
+    let by_number = || name.parse::<usize>().ok().filter(|n| (1..=names.len()).contains(n)).map(|n| n - 1);
+    names.iter().position(|known| known == name).or_else(by_number).ok_or_else(|| {
+        let known = if names.is_empty() { "none".to_owned() } else { names.join("; ") };
+        SweepError(format!("column: no {what} {name:?} is there; there are: {known}"))
+    })
+}
+
+fn unknown(text: &str) -> SweepError {
+    let mut known: Vec<String> = OF_SPRING.iter().map(|number| number.word.to_owned()).collect();
+    let forces = Channel::FORCES.map(Channel::name);
+    known.extend(forces.iter().flat_map(|force| {
+        let words = MEASURES.iter().map(|(word, _)| *word).chain(["worst"]);
+        words.map(move |word| format!("{force}.{word}"))
+    }));
+    known.extend(["F_L.method", "F_L.bound", "worst", "closest_pitch", "clearance"].map(str::to_owned));
+    known.extend(OF_SENSOR.map(|(word, _)| format!("SENSOR.{word}")));
+    let likeness = |word: &String| strsim::jaro_winkler(text, word);
+    let nearest = known.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b))).cloned().unwrap_or_default();
+    SweepError(format!("column {text}: is not known; did you mean {nearest}? Allowed: {}", known.join(", ")))
+}
+
+/// Words with commas between them; those in quotes or brackets belong to a name.
+///
+/// ```
+/// let words = coilsense_lab::sweep::column_words("mass, F_o.rmsd[heel, left], \"load cell, 1\".lag");
+/// assert_eq!(words, ["mass", "F_o.rmsd[heel, left]", "\"load cell, 1\".lag"]);
+/// ```
+pub fn column_words(text: &str) -> Vec<String> {
+    let (mut quoted, mut bracketed) = (false, false);
+    let words = text.split(|c: char| {
+        match c {
+            '"' => quoted = !quoted,
+            '[' => bracketed = true,
+            ']' => bracketed = false,
+            _ => {}
+        }
+        c == ',' && !quoted && !bracketed
+    });
+    words.map(|word| word.trim().to_owned()).filter(|word| !word.is_empty()).collect()
+}
+
+/// What is recorded where nothing is asked for: the spring, and every force but the one that counts as true and F_L, which takes longest.
+pub(super) fn usual(truth: Channel, has_conditions: bool) -> Vec<String> {
+    let mut columns: Vec<String> = ["stiffness", "mass", "f1", "nominal_force", "stress"].map(str::to_owned).into();
+    if has_conditions {
+        let forces = Channel::FORCES.into_iter().take(BY_INDUCTANCE).filter(|force| *force != truth);
+        columns.extend(forces.flat_map(|force| MEASURES.map(|(word, _)| format!("{}.{word}", force.name()))));
+        columns.push("worst".to_owned());
+    }
+    columns
+}

@@ -1,0 +1,55 @@
+//! A million designs: a spec whose values are varied, each design judged, rows into a folder of Parquet files that a killed run continues.
+//!
+//! ```text
+//! SPEC ─┐
+//! OVER ─┼─► Plan ─► rows 0…n−1 ─► chunk ─► Design per row ─► columns ─► Parquet ─► Dataset (_manifest.json, chunk-000000.parquet …)
+//! COLUMNS ┘
+//! ```
+//!
+//! A row is a function of the plan and its number: the same whichever chunk, thread or machine computes it.
+//!
+//! Next door: reading a spec (`spec`), the analysis of a single design (`analysis`).
+
+mod catalogue;
+mod chunk;
+mod column;
+#[cfg(feature = "parquet")]
+mod dataset;
+mod design;
+#[cfg(feature = "parquet")]
+mod encoded;
+mod forces;
+#[cfg(feature = "parquet")]
+mod manifest;
+mod permutation;
+mod plan;
+mod sampling;
+mod sobol;
+mod spread;
+mod values;
+mod variable;
+
+pub use catalogue::Catalogue;
+pub use chunk::{Chunk, Data};
+pub use column::column_words;
+#[cfg(feature = "parquet")]
+pub use dataset::{Dataset, Tally};
+pub use plan::{Plan, PlanParameters};
+pub use sampling::Sampling;
+
+/// Why a sweep cannot be, in one line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct SweepError(pub(crate) String);
+
+impl SweepError {
+    fn of(what: &str, message: impl std::fmt::Display) -> Self {
+        Self(format!("{what}: {message}"))
+    }
+}
+
+impl From<crate::spec::SpecError> for SweepError {
+    fn from(error: crate::spec::SpecError) -> Self {
+        Self(error.to_string())
+    }
+}

@@ -1,0 +1,322 @@
+//! All that decides the rows of a sweep: the spec, what is varied and how, and what is recorded.
+//!
+//! Next door: the rows themselves (`chunk`), where they go (`dataset`).
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::SweepError;
+use super::catalogue::{Catalogue, Ready};
+use super::column::{self, Column, Names, Needs};
+use super::sampling::{Sampler, Sampling};
+use super::variable::{Cell, Variable};
+use super::{sobol, variable};
+use crate::spec::{Draft, Spec, TABLES, files_beside, read_text};
+
+/// A plan as people give it, and as a manifest keeps it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlanParameters {
+    /// The spec's name, as messages call it.
+    pub spec_file: String,
+    /// Its text.
+    pub spec: String,
+    /// Files that the spec names, by the name it has for them.
+    #[serde(default)]
+    pub files: BTreeMap<String, String>,
+    /// What is varied: `KEY=VALUES` each.
+    #[serde(default)]
+    pub over: Vec<String>,
+    /// Rows of values beside them.
+    #[serde(default)]
+    pub catalogue: Option<Catalogue>,
+    /// How rows are laid over the variables; without it a grid where every variable has its points, else a Latin hypercube.
+    #[serde(default)]
+    pub sampling: Option<Sampling>,
+    /// How many rows, for each of the catalogue where there is one; a grid has its own number.
+    #[serde(default)]
+    pub rows: Option<u64>,
+    /// Of all randomness.
+    #[serde(default)]
+    pub seed: u64,
+    /// What is recorded; without it the spring and the forces that are quick to have.
+    #[serde(default)]
+    pub columns: Vec<String>,
+    /// Rows of a file; without it by how long a row takes.
+    #[serde(default)]
+    pub chunk_rows: Option<u64>,
+}
+
+/// A plan, checked, whose parameters have all been filled in.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    parameters: PlanParameters,
+    pub(super) variables: Vec<Variable>,
+    pub(super) catalogue: Option<Ready>,
+    pub(super) columns: Vec<(String, Column)>,
+    pub(super) needs: Needs,
+    sampler: Sampler,
+    /// Rows for each of the catalogue.
+    inner: u64,
+    rows: u64,
+    chunk_rows: u64,
+}
+
+/// Most rows of a sweep and of a chunk.
+const MOST_ROWS: u64 = 1_000_000_000;
+const MOST_CHUNK: u64 = 1_000_000;
+
+impl PlanParameters {
+    /// The plan's spec from a file, with the files that it names beside it.
+    ///
+    /// # Errors
+    /// [`SweepError`] where one of them cannot be read.
+    pub fn with_spec(self, path: &Path) -> Result<Self, SweepError> {
+        let spec = read_text(path)?;
+        let spec_file = path.display().to_string();
+        let (kept, beside) = (RefCell::new(BTreeMap::new()), files_beside(path));
+        let reader = |name: &str| -> Result<String, String> {
+            let text = beside(name)?;
+            kept.borrow_mut().insert(name.to_owned(), text.clone());
+            Ok(text)
+        };
+        // Whatever else is wrong with the spec is said by the plan.
+        let _ = Spec::parse(&spec_file, &spec, &reader);
+        let draft = Draft::parse(&spec_file, &spec)?;
+        for over in &self.over {
+            let variable = Variable::parse(over, &draft)?;
+            if variable.target.key.ends_with(".file") {
+                for name in variable.texts() {
+                    reader(name).map_err(|message| SweepError(format!("{}: {message}", variable.target.key)))?;
+                }
+            }
+        }
+        Ok(Self { files: kept.into_inner(), spec_file, spec, ..self })
+    }
+}
+
+impl Plan {
+    /// Checks a plan and fills in what it leaves open.
+    ///
+    /// # Errors
+    /// [`SweepError`], one line that names the key, the value and what is allowed.
+    pub fn new(parameters: PlanParameters) -> Result<Self, SweepError> {
+        let draft = Draft::parse(&parameters.spec_file, &parameters.spec)?;
+        let variables: Vec<Variable> =
+            parameters.over.iter().map(|over| Variable::parse(over, &draft)).collect::<Result<_, _>>()?;
+        let catalogue = parameters.catalogue.as_ref().map(|table| Ready::new(table, &draft)).transpose()?;
+        if variables.is_empty() && catalogue.is_none() {
+            return Err(SweepError("nothing is varied: give --over KEY=VALUES or --catalogue FILE".to_owned()));
+        }
+        once_each(&variables, catalogue.as_ref())?;
+        let points: Vec<Option<u64>> = variables.iter().map(Variable::points).collect();
+        let whole = points.iter().all(Option::is_some);
+        let usual = if whole && parameters.rows.is_none() { Sampling::Grid } else { Sampling::Lhs };
+        let sampling = parameters.sampling.unwrap_or(usual);
+        let inner = number_of_rows(sampling, &variables, parameters.rows)?;
+        let items = parameters.catalogue.as_ref().map_or(1, |table| table.rows.len() as u64);
+        let rows = inner.saturating_mul(items);
+        if rows > MOST_ROWS {
+            return Err(SweepError(format!("the sweep has {rows} rows; at most {MOST_ROWS} are taken")));
+        }
+        let sampler = Sampler::new(sampling, &points, inner, parameters.seed);
+        let (words, columns) = columns(&parameters, &draft)?;
+        let mut needs = Needs::default();
+        columns.iter().for_each(|(_, column)| column.add_to(&mut needs));
+        let chunk_rows = parameters.chunk_rows.unwrap_or(usual_chunk(&needs));
+        if !(1..=MOST_CHUNK).contains(&chunk_rows) {
+            return Err(SweepError(format!("a chunk must have from 1 to {MOST_CHUNK} rows, got {chunk_rows}")));
+        }
+        let parameters = PlanParameters {
+            sampling: Some(sampling),
+            rows: Some(inner),
+            columns: words,
+            chunk_rows: Some(chunk_rows),
+            ..parameters
+        };
+        let plan = Self { parameters, variables, catalogue, columns, needs, sampler, inner, rows, chunk_rows };
+        plan.check_titles()?;
+        plan.check_spec()?;
+        Ok(plan)
+    }
+
+    /// The plan of a text that [`Self::to_json`] made.
+    ///
+    /// # Errors
+    /// [`SweepError`] where it is none.
+    pub fn from_json(text: &str) -> Result<Self, SweepError> {
+        Self::new(serde_json::from_str(text).map_err(|error| SweepError::of("the plan", error))?)
+    }
+
+    /// All of it as a text that makes the same plan anywhere.
+    pub fn to_json(&self) -> String {
+        // A map of texts and numbers can always be written.
+        serde_json::to_string(&self.parameters).unwrap_or_default()
+    }
+
+    /// What it was made from, with all that was left open filled in.
+    pub fn parameters(&self) -> &PlanParameters {
+        &self.parameters
+    }
+
+    /// SHA-256 of [`Self::to_json`], in hexadecimal digits.
+    pub fn digest(&self) -> String {
+        Sha256::digest(self.to_json()).iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// How many rows there are.
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// How many chunks they fall into.
+    pub fn chunks(&self) -> u64 {
+        self.rows.div_ceil(self.chunk_rows)
+    }
+
+    /// The rows of a chunk; of one that is not there, none.
+    pub fn rows_of(&self, chunk: u64) -> std::ops::Range<u64> {
+        let from = chunk.saturating_mul(self.chunk_rows).min(self.rows);
+        from..(from + self.chunk_rows).min(self.rows)
+    }
+
+    /// Titles of all columns, in order, each with its unit in brackets where it holds numbers.
+    pub fn titles(&self) -> Vec<String> {
+        super::chunk::titles(self).into_iter().map(|(title, _)| title).collect()
+    }
+
+    /// Sets a draft to a row's design; gives the values as the result shows them, the catalogue's first.
+    pub(super) fn set(&self, row: u64, draft: &mut Draft<'_>) -> Vec<Cell> {
+        let (item, inner) = (row / self.inner, row % self.inner);
+        let mut cells = Vec::with_capacity(self.variables.len());
+        if let Some(catalogue) = &self.catalogue {
+            catalogue.set(item as usize, draft);
+            cells = catalogue.cells(item as usize);
+        }
+        for (variable, coordinate) in self.variables.iter().zip(self.sampler.row(inner)) {
+            let setting = variable.at(coordinate);
+            draft.set(&variable.target.place, setting.0.clone());
+            cells.push(variable.target.cell(&setting, !variable.is_text()));
+        }
+        cells
+    }
+
+    /// Reads a file that the spec names.
+    pub(super) fn file(&self, name: &str) -> Result<String, String> {
+        self.parameters.files.get(name).cloned().ok_or_else(|| format!("{name} is not in the plan"))
+    }
+
+    /// No two columns have one title.
+    fn check_titles(&self) -> Result<(), SweepError> {
+        let titles = self.titles();
+        let twice = titles.iter().enumerate().find(|(index, title)| titles[..*index].contains(title));
+        match twice {
+            Some((_, title)) => Err(SweepError(format!("two columns are called {title:?}"))),
+            None => Ok(()),
+        }
+    }
+
+    /// The spec itself can be read, or at least with the values of a row from among the first: else every row would be refused.
+    fn check_spec(&self) -> Result<(), SweepError> {
+        let mut draft = Draft::parse(&self.parameters.spec_file, &self.parameters.spec)?;
+        let files = |name: &str| self.file(name);
+        let Err(error) = draft.spec(&files) else { return Ok(()) };
+        for row in 0..self.rows.min(TRIED) {
+            self.set(row, &mut draft);
+            if draft.spec(&files).is_ok() {
+                return Ok(());
+            }
+        }
+        Err(error.into())
+    }
+}
+
+/// How many rows are tried with a spec that cannot be read by itself.
+const TRIED: u64 = 100;
+
+/// Rows of a chunk where nothing is said: seconds of one core's work.
+fn usual_chunk(needs: &Needs) -> u64 {
+    match needs {
+        Needs { analysis: true, .. } => 64,
+        Needs { pitch: true, .. } => 512,
+        Needs { forces: [.., true], .. } => 1024,
+        _ => 8192,
+    }
+}
+
+fn number_of_rows(sampling: Sampling, variables: &[Variable], rows: Option<u64>) -> Result<u64, SweepError> {
+    if sampling == Sampling::Grid {
+        if rows.is_some_and(|rows| Some(rows) != grid_rows(variables)) {
+            return Err(SweepError(
+                "a grid has its own number of rows; leave --rows out, or sample otherwise".to_owned(),
+            ));
+        }
+        let open = variables.iter().find(|variable| variable.points().is_none());
+        if let Some(variable) = open {
+            let key = &variable.target.key;
+            return Err(SweepError(format!("{key}: a grid needs its number of points, as in {key}=1..2 : 11")));
+        }
+        return grid_rows(variables).ok_or_else(|| SweepError(format!("the grid has more than {MOST_ROWS} rows")));
+    }
+    if variables.is_empty() {
+        return Ok(1);
+    }
+    let Some(rows) = rows else {
+        let open = variables.iter().find(|variable| variable.points().is_none());
+        let key = open.map_or("", |variable| variable.target.key.as_str());
+        return Err(SweepError(format!("say how many rows with --rows, or give {key} points, as in {key}=1..2 : 11")));
+    };
+    if sampling == Sampling::Sobol {
+        if variables.len() > sobol::MOST_VARIABLES {
+            let text = format!("Sobol's sequence is here for {} variables at most", sobol::MOST_VARIABLES);
+            return Err(SweepError(text));
+        }
+        if rows > sobol::MOST_ROWS {
+            return Err(SweepError(format!("Sobol's sequence has {} rows at most, got {rows}", sobol::MOST_ROWS)));
+        }
+    }
+    if rows == 0 { Err(SweepError("--rows must be at least 1, got 0".to_owned())) } else { Ok(rows) }
+}
+
+fn grid_rows(variables: &[Variable]) -> Option<u64> {
+    variables.iter().try_fold(1u64, |rows, variable| rows.checked_mul(variable.points()?)).filter(|n| *n <= MOST_ROWS)
+}
+
+/// No key is set twice.
+fn once_each(variables: &[Variable], catalogue: Option<&Ready>) -> Result<(), SweepError> {
+    let targets: Vec<&variable::Target> =
+        catalogue.into_iter().flat_map(Ready::targets).chain(variables.iter().map(|v| &v.target)).collect();
+    let twice = targets.iter().enumerate().find(|(index, t)| targets[..*index].iter().any(|o| o.place == t.place));
+    match twice {
+        Some((_, target)) => Err(SweepError(format!("{}: is varied twice", target.key))),
+        None => Ok(()),
+    }
+}
+
+/// The columns that are asked for, or the usual ones, with their words.
+fn columns(parameters: &PlanParameters, draft: &Draft<'_>) -> Result<(Vec<String>, Vec<(String, Column)>), SweepError> {
+    let table = |name| TABLES.into_iter().find(|table| table.name == name);
+    let names = |name| table(name).map_or_else(Vec::new, |table| draft.names(table));
+    let names = Names { conditions: names("condition"), sensors: names("sensor") };
+    let words = match parameters.columns.is_empty() {
+        true => column::usual(draft.truth(), !names.conditions.is_empty()),
+        false => parameters.columns.iter().map(|word| word.trim().to_owned()).collect(),
+    };
+    let mut columns = Vec::new();
+    let mut needs = Needs::default();
+    for word in &words {
+        let column = Column::parse(word, &names)?;
+        column.add_to(&mut needs);
+        let title = column.unit().map_or_else(|| word.clone(), |unit| format!("{word} [{unit}]"));
+        columns.push((title, column));
+    }
+    let forces = needs != Needs::default();
+    if forces && names.conditions.is_empty() {
+        return Err(SweepError(format!("{}: no [[condition]] says what is done to the spring", parameters.spec_file)));
+    }
+    Ok((words, columns))
+}
