@@ -74,7 +74,9 @@ pub(super) fn judge(
 fn clash(core: &Core, motion: &Motion, condition: usize, needs: &Needs) -> Result<Option<Clash>, Error> {
     let asked = &core.conditions[condition];
     let contact = core.spring.contact_pitch();
-    let _ = needs;
+    if !needs.pitch && Clash::excluded(motion, asked.window.1, contact) {
+        return Ok(None);
+    }
     let times = sampled_window(asked.sample_rate, 0.0, asked.window.1)?;
     Clash::seen(motion, &times, &motion.windings(&times)?, contact).map(Some)
 }
