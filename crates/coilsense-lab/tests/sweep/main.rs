@@ -11,7 +11,7 @@ use std::path::Path;
 use coilsense_lab::sweep::{Chunk, Data, Plan, PlanParameters, SweepError};
 
 /// Two conditions of a few samples, so that a thousand rows take a moment.
-pub const QUICK: &str = r#"
+const QUICK: &str = r#"
 [spring]
 name = "S_T"
 rest_length = "104 mm"
@@ -51,7 +51,7 @@ error = "1 %"
 "#;
 
 /// Parameters of a plan on a spec's text.
-pub fn of(spec: &str, over: &[&str], columns: &[&str]) -> PlanParameters {
+fn of(spec: &str, over: &[&str], columns: &[&str]) -> PlanParameters {
     let texts = |texts: &[&str]| texts.iter().map(|text| (*text).to_owned()).collect();
     PlanParameters {
         spec_file: "spec.toml".to_owned(),
@@ -62,29 +62,29 @@ pub fn of(spec: &str, over: &[&str], columns: &[&str]) -> PlanParameters {
     }
 }
 
-pub fn plan(over: &[&str], columns: &[&str], rows: Option<u64>) -> Result<Plan, SweepError> {
+fn plan(over: &[&str], columns: &[&str], rows: Option<u64>) -> Result<Plan, SweepError> {
     Plan::new(PlanParameters { rows, ..of(QUICK, over, columns) })
 }
 
-pub fn whole(plan: &Plan) -> Vec<Chunk> {
+fn whole(plan: &Plan) -> Vec<Chunk> {
     (0..plan.chunks()).map(|chunk| plan.chunk(chunk, &|| true).unwrap().unwrap()).collect()
 }
 
-pub fn numbers(chunk: &Chunk, title: &str) -> Vec<f64> {
+fn numbers(chunk: &Chunk, title: &str) -> Vec<f64> {
     match &chunk.columns.iter().find(|(known, _)| known == title).unwrap_or_else(|| panic!("{title}")).1 {
         Data::Numbers(values) => values.clone(),
         other => panic!("{title}: {other:?}"),
     }
 }
 
-pub fn texts(chunk: &Chunk, title: &str) -> Vec<String> {
+fn texts(chunk: &Chunk, title: &str) -> Vec<String> {
     match &chunk.columns.iter().find(|(known, _)| known == title).unwrap_or_else(|| panic!("{title}")).1 {
         Data::Texts(values) => values.clone(),
         other => panic!("{title}: {other:?}"),
     }
 }
 
-pub fn example(name: &str) -> String {
+fn example(name: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
     std::fs::read_to_string(path).unwrap()
 }

@@ -10,7 +10,7 @@ const WRONG: [(&str, &str); 29] = [
     ("stiffness=1..2 N/m", "did you mean spring.stiffness"),
     ("spring.stifness=1..2 N/m", "did you mean spring.stiffness"),
     ("sping.stiffness=1..2 N/m", "did you mean spring.stiffness"),
-    ("mount.damping=1..2", "did you mean mount.mass_damping"),
+    ("mount.damping=1..2", "did you mean mount.damping_ratio"),
     ("condition.velocity=1..2 m/s", "condition.\"heel strike\".velocity"),
     ("condition.\"heel\".velocity=1..2 m/s", "there are: 1 \"heel strike\", 2 \"resonance\""),
     ("condition.3.velocity=1..2 m/s", "no condition \"3\""),
@@ -34,7 +34,7 @@ const WRONG: [(&str, &str); 29] = [
     ("spring.windings=\"ten\"", "without quotes"),
     ("spring.material=steel", "in quotes"),
     ("spring.material=\"steel", "not closed"),
-    ("spring.stiffness=600..700 N/m : 3 : 4", "no number"),
+    ("spring.stiffness=600..700 N/m : 3 : 4", "must be a stiffness"),
 ];
 
 #[test]
