@@ -6,6 +6,7 @@ mod commands;
 mod goals;
 mod logs;
 mod package;
+mod page;
 mod python;
 mod robot;
 mod test;
@@ -28,12 +29,15 @@ enum Chore {
     Test(test::Arguments),
     /// Measure coilsense and its peers on the same jobs, print a table, write target/bench.json
     Bench(bench::Arguments),
+    /// Build the page into web/dist, for any static host
+    Page,
 }
 
 fn main() -> ExitCode {
     let result = match Arguments::parse().chore {
         Chore::Test(arguments) => test::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
+        Chore::Page => page_chore(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -42,6 +46,16 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Builds the page, or says what that needs.
+fn page_chore() -> anyhow::Result<()> {
+    if let Some(missing) = page::missing(false) {
+        anyhow::bail!(missing);
+    }
+    anyhow::ensure!(page::build()?, "the page was not built");
+    println!("web/dist: put it on any static host, or look at it with: npm --prefix web run preview");
+    Ok(())
 }
 
 /// The project's root folder.

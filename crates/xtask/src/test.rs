@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands, package, robot};
+use crate::{browser, cargo, commands, package, page, robot};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -31,7 +31,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 11] = [
+const PARTS: [Part; 12] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -43,6 +43,7 @@ const PARTS: [Part; 11] = [
     Part { name: "examples", run: examples },
     Part { name: "report page", run: report_page },
     Part { name: "Python", run: python },
+    Part { name: "page", run: page },
 ];
 
 /// Runs every part, also after one has failed.
@@ -195,6 +196,14 @@ fn python(_: &Arguments) -> anyhow::Result<Outcome> {
     match package::missing() {
         Some(missing) => Ok(Outcome::Missing(missing)),
         None => passed(package::steps()?),
+    }
+}
+
+/// The page for the browser, from its source to its tests; what that needs is installed where that is asked for.
+fn page(arguments: &Arguments) -> anyhow::Result<Outcome> {
+    match page::missing_for_tests(strict() || arguments.install) {
+        Some(missing) => Ok(Outcome::Missing(missing)),
+        None => passed(page::check()?),
     }
 }
 

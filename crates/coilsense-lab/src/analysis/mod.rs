@@ -16,6 +16,7 @@ mod case;
 mod fix;
 mod frames;
 mod instrument;
+mod single;
 mod tighter;
 mod verdict;
 mod warnings;
@@ -26,6 +27,7 @@ pub use case::{Case, Reading};
 pub use fix::Fix;
 pub use frames::Frames;
 pub use instrument::Instrument;
+pub use single::Single;
 pub(crate) use verdict::Assessed;
 pub use verdict::Verdict;
 pub use warnings::{Subject, Warning};
@@ -45,6 +47,9 @@ pub enum AnalysisError {
     /// The spec has nothing to work off.
     #[error("{0}: no [[condition]] says what is done to the spring; give at least one")]
     NoCondition(String),
+    /// A condition or a damping that the spec does not have.
+    #[error("{0}")]
+    NoSuchCase(String),
     /// The science refuses.
     #[error("{place}: {reason}")]
     Case {
@@ -105,11 +110,7 @@ fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>
         if !progress(done.load(Ordering::Relaxed), count) {
             return Err(AnalysisError::Interrupted);
         }
-        let case = Case::run(spec, sensors, &coil, condition, damping).map_err(|reason| {
-            let (condition, damping) = (&spec.conditions[condition].name, &spec.mount.cases[damping].label);
-            let place = format!("{}: {condition}, {damping}", spec.file);
-            AnalysisError::Case { place, reason: Box::new(reason) }
-        })?;
+        let case = run_case(spec, sensors, &coil, condition, damping)?;
         match progress(done.fetch_add(1, Ordering::Relaxed) + 1, count) {
             true => Ok(case),
             false => Err(AnalysisError::Interrupted),
@@ -129,13 +130,49 @@ pub(crate) fn assess(spec: &Spec) -> Result<Vec<Assessed>, AnalysisError> {
     Ok((0..spec.sensors.len()).map(|index| judge.assessed(index, &spec.sensors[index])).collect::<Result<_, _>>()?)
 }
 
+/// Numbers of a condition and a damping that the spec has.
+fn check_case(spec: &Spec, condition: usize, damping: usize) -> Result<(), AnalysisError> {
+    if spec.conditions.is_empty() {
+        return Err(AnalysisError::NoCondition(spec.file.clone()));
+    }
+    for (what, number, count) in
+        [("condition", condition, spec.conditions.len()), ("damping", damping, spec.mount.cases.len())]
+    {
+        if number >= count {
+            let text = format!("{}: {what} {number}: must be below {count}, counted from 0", spec.file);
+            return Err(AnalysisError::NoSuchCase(text));
+        }
+    }
+    Ok(())
+}
+
+/// A case, or where it went wrong.
+fn run_case(
+    spec: &Spec,
+    sensors: &[SensorSpec],
+    coil: &MaxwellSum,
+    condition: usize,
+    damping: usize,
+) -> Result<Case, AnalysisError> {
+    Case::run(spec, sensors, coil, condition, damping).map_err(|reason| {
+        let (condition, damping) = (&spec.conditions[condition].name, &spec.mount.cases[damping].label);
+        let place = format!("{}: {condition}, {damping}", spec.file);
+        AnalysisError::Case { place, reason: Box::new(reason) }
+    })
+}
+
+/// The spec's sensors, or perfect ones where it has none.
+fn judged_sensors(spec: &Spec) -> Vec<SensorSpec> {
+    if spec.sensors.is_empty() { perfect_sensors(spec) } else { spec.sensors.clone() }
+}
+
 impl Analysis {
     /// Works off a spec.
     ///
     /// # Errors
     /// As [`simulate`].
     pub fn run(spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
-        let sensors = if spec.sensors.is_empty() { perfect_sensors(&spec) } else { spec.sensors.clone() };
+        let sensors = judged_sensors(&spec);
         let cases = simulate_watched(&spec, &sensors, progress)?;
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
         let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases };

@@ -1,0 +1,44 @@
+//! One condition under one damping of a spec, by itself: what a page shows while somebody looks at it.
+//!
+//! Next door: all of them, and the judgement over them (the parent).
+
+use coilsense::inductance::MaxwellSum;
+
+use super::case::Case;
+use super::verdict::Judge;
+use super::warnings::{self, Warning};
+use super::{AnalysisError, judged_sensors};
+use crate::data_sheet::DataSheet;
+use crate::spec::{SensorSpec, Spec};
+
+/// A case of a spec, with what a reader must know of it. Its numbers are those of [`super::Analysis::run`], noise included.
+#[derive(Debug, Clone)]
+pub struct Single {
+    /// The case.
+    pub case: Case,
+    /// The sensors that were judged: the spec's, or perfect ones where it has none.
+    pub sensors: Vec<SensorSpec>,
+    /// What a reader must know before using the numbers of this case.
+    pub warnings: Vec<Warning>,
+    /// What follows from the spring alone.
+    pub data_sheet: DataSheet,
+}
+
+impl Single {
+    /// Works off the condition and the damping of these numbers in the spec.
+    ///
+    /// # Errors
+    /// [`AnalysisError::NoCondition`] for a spec without conditions, [`AnalysisError::NoSuchCase`] for a number that is too high,
+    /// [`AnalysisError::Case`] for what the science refuses.
+    pub fn run(spec: &Spec, condition: usize, damping: usize) -> Result<Self, AnalysisError> {
+        super::check_case(spec, condition, damping)?;
+        let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+        let sensors = judged_sensors(spec);
+        let case = super::run_case(spec, &sensors, &coil, condition, damping)?;
+        let data_sheet = DataSheet::of(spec)?;
+        let cases = [case];
+        let warnings = warnings::of(&Judge { spec, coil: &coil, cases: &cases }, &sensors, &data_sheet)?;
+        let [case] = cases;
+        Ok(Self { case, sensors, warnings, data_sheet })
+    }
+}

@@ -1,0 +1,89 @@
+//! The door to JavaScript: an engine that holds the files that specs may name, and answers one question at a time.
+//!
+//! Next door: the answers (`preview`, `exact`, `paper`).
+
+use std::collections::BTreeMap;
+
+use coilsense_lab::series::{self, Format};
+use coilsense_lab::spec::Spec;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::answer::Answer;
+use crate::exact::Exact;
+use crate::{paper, preview};
+
+/// Name of the page's spec in messages.
+const NAME: &str = "spec";
+
+/// What answers the page. An error is one line of text, which for a spec begins with `spec:LINE:`.
+#[wasm_bindgen]
+#[derive(Debug, Default)]
+pub struct Engine {
+    files: BTreeMap<String, String>,
+}
+
+#[wasm_bindgen]
+impl Engine {
+    /// An engine without files.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Gives a file that specs may name: a recorded motion.
+    pub fn add_file(&mut self, name: String, text: String) {
+        self.files.insert(name, text);
+    }
+
+    /// Curves of a case between two times \[s\], fit to be drawn: at most `samples` (2 to 2000) times, L to second order.
+    ///
+    /// # Errors
+    /// What the spec's reader or the science says.
+    pub fn preview(
+        &self,
+        text: &str,
+        condition: usize,
+        damping: usize,
+        from: f64,
+        to: f64,
+        samples: usize,
+    ) -> Result<Answer, String> {
+        preview::run(&self.spec(text)?, condition, damping, (from, to), samples)
+    }
+
+    /// A case as `coilsense analyze` computes it.
+    ///
+    /// # Errors
+    /// What the spec's reader or the science says.
+    pub fn exact(&self, text: &str, condition: usize, damping: usize) -> Result<Answer, String> {
+        Exact::run(&self.spec(text)?, condition, damping).map(|exact| exact.answer())
+    }
+
+    /// The case's series as `coilsense simulate` writes them.
+    ///
+    /// # Errors
+    /// What the spec's reader or the science says.
+    pub fn csv(&self, text: &str, condition: usize, damping: usize) -> Result<Vec<u8>, String> {
+        let spec = self.spec(text)?;
+        let exact = Exact::run(&spec, condition, damping)?;
+        let mut bytes = Vec::new();
+        let run = exact.single.case.series(&spec, &spec.sensors);
+        series::write(&[run], Format::Csv, &mut bytes).map_err(|error| error.to_string())?;
+        Ok(bytes)
+    }
+
+    /// Tables II and III and Figs. 2 and 4 of the paper, computed.
+    ///
+    /// # Errors
+    /// What the science says, which of the paper's own springs it does not.
+    pub fn paper(&self) -> Result<Answer, String> {
+        paper::run()
+    }
+}
+
+impl Engine {
+    fn spec(&self, text: &str) -> Result<Spec, String> {
+        let files = |name: &str| self.files.get(name).cloned().ok_or_else(|| format!("{name} is not on this page"));
+        Spec::parse(NAME, text, &files).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,90 @@
+//! What a page says of a spec, its spring and a case, as JSON.
+//!
+//! Next door: curves (`preview`, `exact`).
+
+use coilsense::modes::ChainModes;
+use coilsense::{Clash, Deviation};
+use coilsense_lab::data_sheet::DataSheet;
+use coilsense_lab::spec::Spec;
+use serde_json::{Value, json};
+
+/// Surge lines that a page marks: those above it are no more told apart.
+const MOST_LINES: usize = 12;
+
+/// Spring, conditions, dampings and sensors of a spec.
+pub(crate) fn of_spec(spec: &Spec, condition: usize, damping: usize) -> Value {
+    let spring = &spec.spring.spring;
+    let (shortest, longest) = spring.operating_range();
+    let modes = ChainModes::mounted(spring, spec.mount.far_end());
+    let lines = modes.frequencies().iter().take(MOST_LINES).map(|angular| angular / std::f64::consts::TAU);
+    let conditions = spec.conditions.iter().map(|condition| {
+        json!({
+            "name": condition.name,
+            "kind": condition.kind,
+            "duration": condition.duration,
+            "window": [condition.window.0, condition.window.1],
+            "sampleRate": condition.sample_rate,
+        })
+    });
+    let dampings = spec.mount.cases.iter().map(|case| json!({ "label": case.label, "ratio": case.ratio }));
+    let mean_length = spec.conditions.get(condition).map(|condition| condition.excitation.mean_length());
+    json!({
+        "spring": {
+            "name": spec.spring.name,
+            "material": spec.spring.material,
+            "byGeometry": spec.spring.by_geometry,
+            "stiffness": spring.stiffness(),
+            "mass": spring.mass(),
+            "restLength": spring.rest_length(),
+            "minLength": shortest,
+            "maxLength": longest,
+            "windings": spring.windings(),
+            "masses": spring.chain_masses(),
+            "coilRadius": spring.coil_radius(),
+            "wireDiameter": spring.wire_diameter(),
+            "contactPitch": spec.spring.contact_pitch(),
+            "solidLength": spec.spring.solid_length(),
+            "nominalForce": spring.nominal_force(),
+            "surgeFrequency": spring.surge_frequency(),
+            "transitTime": spring.transit_time(),
+        },
+        "meanLength": mean_length,
+        "staticForce": mean_length.map(|length| spring.static_force(length)),
+        "lines": lines.collect::<Vec<f64>>(),
+        "conditions": conditions.collect::<Vec<_>>(),
+        "dampings": dampings.collect::<Vec<_>>(),
+        "isBand": spec.mount.is_band,
+        "condition": condition,
+        "damping": damping,
+        "truth": spec.goal.force.name(),
+        "goal": spec.goal.error,
+    })
+}
+
+/// A deviation \[N\].
+pub(crate) fn of_deviation(deviation: &Deviation) -> Value {
+    json!({
+        "rmsd": deviation.rmsd,
+        "maximum": deviation.maximum,
+        "maximumAbsolute": deviation.maximum_absolute,
+        "mean": deviation.mean,
+    })
+}
+
+/// How near the windings come.
+pub(crate) fn of_clash(clash: &Clash) -> Value {
+    json!({
+        "smallestPitch": Some(clash.smallest_pitch).filter(|pitch| pitch.is_finite()),
+        "contactPitch": clash.contact_pitch,
+        "time": clash.time,
+        "winding": clash.winding,
+        "firstContact": clash.first_contact,
+    })
+}
+
+/// A data sheet's numbers, under their headings.
+pub(crate) fn of_sheet(sheet: &DataSheet) -> Value {
+    let row = |row: &coilsense_lab::data_sheet::Row| json!({ "key": row.key, "label": row.label, "shown": row.shown(), "unit": row.unit });
+    let group = |(heading, rows): &(&str, Vec<_>)| json!({ "heading": heading, "rows": rows.iter().map(row).collect::<Vec<_>>() });
+    json!({ "material": sheet.material, "groups": sheet.groups.iter().map(group).collect::<Vec<_>>() })
+}

@@ -1,0 +1,24 @@
+//! coilsense in the browser: the text of a spec in, curves, numbers and warnings out.
+//!
+//! ```text
+//! page ── spec text, which case, which times ──► Engine ──► Answer { meta: JSON, arrays of doubles }
+//! ```
+//!
+//! The spec is the one that the command reads, read by the same reader, so that a page's numbers and a page's errors are the command's. While
+//! a slider moves, [`preview`] gives the curves of what the page shows; at rest [`exact`] gives the case as `coilsense analyze` does.
+//!
+//! Next door: what is computed (`coilsense_lab::analysis`), the page itself (`web/`), who makes the JavaScript (`bindgen/`).
+
+#![cfg_attr(
+    not(test),
+    warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)
+)]
+
+pub mod answer;
+mod door;
+pub mod exact;
+mod facts;
+pub mod paper;
+pub mod preview;
+
+pub use door::Engine;

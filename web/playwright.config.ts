@@ -1,0 +1,22 @@
+// The built page in the system's own Chromium; no browser is downloaded. COILSENSE_CHROMIUM and COILSENSE_COMMAND say where the browser and the
+// command are; `cargo xtask test --only page` sets both.
+import { defineConfig } from '@playwright/test';
+
+const PORT = 4187;
+
+export default defineConfig({
+  testDir: 'tests',
+  outputDir: 'test-results',
+  globalSetup: './tests/command.ts',
+  workers: 1,
+  timeout: 120_000,
+  reporter: [['list']],
+  use: {
+    baseURL: `http://127.0.0.1:${PORT}/some/where/`,
+    launchOptions: {
+      executablePath: process.env['COILSENSE_CHROMIUM'] ?? '/usr/bin/chromium',
+      args: ['--no-sandbox'],
+    },
+  },
+  webServer: { command: `node tests/server.mjs ${PORT}`, url: `http://127.0.0.1:${PORT}/some/where/` },
+});

@@ -1,0 +1,109 @@
+// What the engine says, and what is asked of it: the types on both sides of the worker.
+//
+// Next door: the worker (`engine.worker`), who asks (`compute`).
+
+export interface Deviation {
+  rmsd: number;
+  maximum: number;
+  maximumAbsolute: number;
+  mean: number;
+}
+
+export interface Clash {
+  smallestPitch: number | null;
+  contactPitch: number;
+  time: number;
+  winding: number;
+  firstContact: number | null;
+}
+
+export interface SpringFacts {
+  name: string;
+  material: string;
+  byGeometry: boolean;
+  stiffness: number;
+  mass: number;
+  restLength: number;
+  minLength: number;
+  maxLength: number;
+  windings: number;
+  masses: number;
+  coilRadius: number;
+  wireDiameter: number;
+  contactPitch: number;
+  solidLength: number;
+  nominalForce: number;
+  surgeFrequency: number;
+  transitTime: number;
+}
+
+export interface ConditionFacts {
+  name: string;
+  kind: string;
+  duration: number;
+  window: [number, number];
+  sampleRate: number;
+}
+
+export interface Facts {
+  exact: boolean;
+  spring: SpringFacts;
+  meanLength: number;
+  staticForce: number;
+  lines: number[];
+  conditions: ConditionFacts[];
+  dampings: { label: string; ratio: number | null }[];
+  isBand: boolean;
+  condition: number;
+  damping: number;
+  truth: string;
+  goal: number | null;
+  clash: Clash;
+  forces: Record<string, Deviation>;
+}
+
+export interface ExactFacts extends Facts {
+  lengths: [number, number];
+  sensors: { name: string; kind: string; sampleRate: number | null; deviation: Deviation }[];
+  warnings: { subject: string; text: string }[];
+  sheet: { material: string; groups: { heading: string; rows: { key: string; label: string; shown: string; unit: string }[] }[] };
+}
+
+export interface PaperFacts {
+  cells: {
+    table: string;
+    spring: string;
+    condition: string;
+    force: string;
+    printed: number;
+    computed: Record<'tables' | 'text', { percent: number; differs: boolean; samplingRange: [number, number] | null }>;
+  }[];
+  warnings: string[];
+}
+
+export type Series = Record<string, Float64Array>;
+
+export interface Answer<F> {
+  facts: F;
+  series: Series;
+  /** u1, x_1…x_N, u2 of each sample [m]; empty where nobody asked for them. */
+  positions: Float32Array;
+}
+
+interface Case {
+  text: string;
+  condition: number;
+  damping: number;
+}
+
+export type Question =
+  | ({ kind: 'preview'; from: number; to: number; samples: number } & Case)
+  | ({ kind: 'exact' } & Case)
+  | ({ kind: 'csv' } & Case)
+  | { kind: 'paper' };
+
+/** To the worker: first the compiled engine, files as they come, then questions. */
+export type ToWorker = { engine: WebAssembly.Module } | { file: string; text: string } | { id: number; question: Question };
+
+/** From the worker. */
+export type FromWorker = { id: number; milliseconds: number } & ({ answer: Answer<unknown> } | { bytes: Uint8Array<ArrayBuffer> } | { error: string });

@@ -1,0 +1,190 @@
+// What is computed of a state, and when: a preview of every state, the exact case once the state rests. Newer states win.
+//
+// Next door: one worker's queue (`lane`), what shows the results (`tabs`).
+
+import type { Answer, ExactFacts, Facts, Question } from './answer';
+import { toToml } from './document';
+import engineAddress from './engine/coilsense_web_bg.wasm?url';
+import { Lane, type Reply } from './lane';
+import { preset } from './presets';
+import type { State, Store } from './state';
+
+/** A state rests after so long [ms]. */
+const REST = 140;
+/** Most times that are drawn while a slider moves. */
+const MOST_SAMPLES = 2000;
+/** What is shown where nobody chose: so many first surge periods. */
+const PERIODS = 6;
+
+export interface Shown {
+  /** The curves: of the exact case where it is there, else of the preview. */
+  answer: Answer<Facts>;
+  /** The exact case, where it is that of the state. */
+  exact: Answer<ExactFacts> | null;
+  /** Positions over the shown times. */
+  frames: { times: Float64Array; positions: Float32Array; columns: number };
+  /** Shown times [s]. */
+  times: [number, number];
+  /** When the input came that it answers [ms], on the clock of events. */
+  since: number;
+}
+
+/** Why a state could not be computed, and the place in the spec that it is about. */
+export interface Refusal {
+  place: string;
+  text: string;
+}
+
+type Listener = { shown(shown: Shown): void; refused(refusal: Refusal | null): void; busy(busy: boolean): void };
+
+export class Compute {
+  private readonly files = new Map<string, string>();
+  private readonly previews: Lane;
+  private readonly exacts: Lane;
+  private readonly listeners: Listener[] = [];
+  private readonly loaded = new Map<string, Promise<void>>();
+  private last: Shown | null = null;
+  private exactText = '';
+  private rest = 0;
+  private since = 0;
+  private readonly engine = WebAssembly.compileStreaming(fetch(engineAddress));
+
+  constructor(private readonly store: Store) {
+    this.previews = new Lane(this.engine, this.files, false);
+    this.exacts = new Lane(this.engine, this.files, true);
+    store.subscribe((state, before) => {
+      const { view } = state;
+      const moved = state.spec !== before.spec || view.condition !== before.view.condition || view.damping !== before.view.damping;
+      if (moved || view.times !== before.view.times) void this.follow(state, moved);
+    });
+  }
+
+  listen(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Begins with the state as it is. */
+  begin(): void {
+    void this.follow(this.store.state, true);
+  }
+
+  /** An input event from which on the clock runs. */
+  mark(event: Event): void {
+    this.since = event.timeStamp;
+  }
+
+  /** Any one question, in the lane of exact answers. */
+  ask(question: Question): Promise<Reply> {
+    return new Promise((resolve) => this.exacts.ask(question, resolve));
+  }
+
+  /** One question in a worker of its own, which waits for nothing and ends with its answer. */
+  async alone(question: Question): Promise<Reply> {
+    const lane = new Lane(this.engine, this.files, false);
+    const reply = await new Promise<Reply>((resolve) => lane.ask(question, resolve));
+    lane.end();
+    return reply;
+  }
+
+  /** The case that is shown, as a question. */
+  question(state: State): { text: string; condition: number; damping: number; places: string[] } {
+    const { text, places } = toToml(state.spec);
+    return { text, places, condition: state.view.condition, damping: state.view.damping };
+  }
+
+  private async follow(state: State, moved: boolean): Promise<void> {
+    // A preset without files must not wait for a turn of the loop.
+    const files = Object.keys(preset(state.preset).files);
+    if (files.some((file) => !this.files.has(file))) {
+      await this.load(state.preset);
+      if (this.store.state !== state) return;
+    }
+    const asked = this.question(state);
+    if (moved) {
+      this.exacts.drop();
+      clearTimeout(this.rest);
+    }
+    this.askPreview(state, asked, moved);
+  }
+
+  private askPreview(state: State, asked: ReturnType<Compute['question']>, moved: boolean): void {
+    const { places, ...question } = asked;
+    const begun = this.since;
+    const times = this.times(state);
+    const rate = this.last?.answer.facts.conditions[state.view.condition]?.sampleRate ?? 10_000;
+    const samples = Math.max(2, Math.min(MOST_SAMPLES, Math.round((times[1] - times[0]) * rate) + 1));
+    this.previews.ask({ kind: 'preview', from: times[0], to: times[1], samples, ...question }, (reply) => {
+      if ('error' in reply) return this.refuse(reply.error, places);
+      if (!('answer' in reply)) return;
+      const answer = reply.answer as Answer<Facts>;
+      // A new condition may be shorter than the times that were asked for, or have another surge frequency.
+      const fitting = this.times(state, answer.facts);
+      this.take(answer, fitting, question.text === this.exactText, begun);
+      const off = Math.abs(fitting[1] - times[1]) > 0.2 * times[1] || fitting[0] !== times[0];
+      if (off) this.askPreview(this.store.state, this.question(this.store.state), false);
+    });
+    if (moved) this.rest = window.setTimeout(() => this.askExact(asked), REST);
+  }
+
+  private askExact(asked: ReturnType<Compute['question']>): void {
+    const { places, ...question } = asked;
+    for (const listener of this.listeners) listener.busy(true);
+    this.exacts.ask({ kind: 'exact', ...question }, (reply) => {
+      for (const listener of this.listeners) listener.busy(false);
+      if ('error' in reply) return this.refuse(reply.error, places);
+      if (!('answer' in reply) || !this.last) return;
+      const answer = reply.answer as Answer<ExactFacts>;
+      this.exactText = question.text;
+      this.show({ ...this.last, answer, exact: answer });
+      const { times, frames } = this.last;
+      if (frames.times[frames.times.length - 1] !== times[1]) this.askPreview(this.store.state, asked, false);
+    });
+  }
+
+  /** A preview: curves while nothing better is there, positions always. */
+  private take(answer: Answer<Facts>, times: [number, number], stillExact: boolean, since: number): void {
+    const time = answer.series['time'] ?? new Float64Array();
+    const frames = { times: time, positions: answer.positions, columns: answer.facts.spring.masses + 2 };
+    const same = this.last?.exact && stillExact && this.sameCase(answer.facts, this.last.exact.facts) ? this.last.exact : null;
+    for (const listener of this.listeners) listener.refused(null);
+    this.show({ answer: same ?? answer, exact: same, frames, times, since });
+  }
+
+  private sameCase(a: Facts, b: Facts): boolean {
+    return a.condition === b.condition && a.damping === b.damping;
+  }
+
+  private show(shown: Shown): void {
+    this.last = shown;
+    for (const listener of this.listeners) listener.shown(shown);
+  }
+
+  private refuse(text: string, places: string[]): void {
+    const found = /^spec:(\d+): (.*)$/s.exec(text);
+    const refusal = { place: (found && places[Number(found[1])]) ?? '', text: found?.[2] ?? text };
+    clearTimeout(this.rest);
+    for (const listener of this.listeners) listener.refused(refusal);
+  }
+
+  /** The times that are shown [s]: the chosen ones within the condition, or its first surge periods. */
+  private times(state: State, facts = this.last?.answer.facts): [number, number] {
+    const duration = facts?.conditions[state.view.condition]?.duration ?? 1;
+    const first = Math.min(duration, PERIODS / (facts?.lines[0] ?? 54));
+    const [from, to] = state.view.times ?? [0, first];
+    return from < duration && to > from ? [Math.max(0, from), Math.min(to, duration)] : [0, first];
+  }
+
+  private load(id: string): Promise<void> {
+    const known = this.loaded.get(id);
+    if (known) return known;
+    const each = Object.entries(preset(id).files).map(async ([name, address]) => {
+      const text = await (await fetch(address)).text();
+      this.files.set(name, text);
+      this.previews.addFile(name, text);
+      this.exacts.addFile(name, text);
+    });
+    const all = Promise.all(each).then(() => undefined);
+    this.loaded.set(id, all);
+    return all;
+  }
+}

@@ -1,0 +1,48 @@
+// Elements, and numbers as people read them.
+
+export type Child = Node | string | null | undefined | false;
+type Properties = Record<string, unknown>;
+
+/** An element with attributes (`class`, `aria-label` …), listeners (`onclick`) and children. */
+export function make<K extends keyof HTMLElementTagNameMap>(tag: K, properties: Properties = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.startsWith('on')) element.addEventListener(name.slice(2), value as EventListener);
+    else if (typeof value === 'boolean') element.toggleAttribute(name, value);
+    else if (value !== undefined && value !== null) element.setAttribute(name, String(value));
+  }
+  element.append(...children.filter((child): child is Node | string => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+export function byId<T extends HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no #${id}`);
+  return found as T;
+}
+
+/** `F_i` with its letter lowered. */
+export function rich(text: string): DocumentFragment {
+  const fragment = document.createDocumentFragment();
+  text.split(/(?<=\bF)_([a-zA-Z])\b/).forEach((part, index) => fragment.append(index % 2 ? make('sub', {}, part) : part));
+  return fragment;
+}
+
+/** So many significant digits, never as a power of ten within reason, with a true minus sign. */
+export function digits(value: number, count = 3): string {
+  if (!Number.isFinite(value)) return '–';
+  const size = Math.abs(value);
+  const text = size !== 0 && (size < 1e-4 || size >= 1e7) ? value.toExponential(count - 1) : String(Number(value.toPrecision(count)));
+  return text.replace('-', '−');
+}
+
+export const fixed = (value: number, decimals: number): string => value.toFixed(decimals).replace('-', '−');
+
+export const clamp = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
+
+/** A file for the user's disk. */
+export function download(name: string, content: BlobPart, type: string): void {
+  const address = URL.createObjectURL(new Blob([content], { type }));
+  make('a', { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}

@@ -1,0 +1,100 @@
+// The keys of a spec that the page lets people set, in their words. What a value may be is for the engine to say.
+//
+// Next door: how a field looks and works (`inputs`).
+
+export interface Field {
+  key: string;
+  label: string;
+  /** A word or two on what it does. */
+  hint?: string;
+  /** A slider beside it: from a share of the preset's value to a multiple of it, evenly or by factors. */
+  slide?: { from: number; to: number; scale: 'linear' | 'log'; whole?: boolean };
+  /** One of these words, the first being what holds where nothing is said. */
+  words?: readonly string[];
+  /** Two values, as a list in the spec. */
+  pair?: boolean;
+  /** A number without a unit. */
+  number?: boolean;
+}
+
+const log = (factor: number) => ({ from: 1 / factor, to: factor, scale: 'log' as const });
+const around = { from: 0.7, to: 1.4, scale: 'linear' as const };
+
+/** Of a spring by its values, the telling ones first. */
+export const BY_VALUES: readonly Field[] = [
+  { key: 'stiffness', label: 'Stiffness k', hint: 'stiffer rings faster', slide: log(4) },
+  { key: 'mass', label: 'Mass m', hint: 'of the windings: heavier rings slower', slide: log(4) },
+];
+export const SHAPE: readonly Field[] = [
+  { key: 'windings', label: 'Windings N', number: true, slide: { ...around, from: 0.2, to: 2, whole: true } },
+  { key: 'rest_length', label: 'Rest length l0', slide: around },
+  { key: 'min_length', label: 'Shortest in use', slide: around },
+  { key: 'max_length', label: 'Longest in use', slide: around },
+];
+export const RADII: readonly Field[] = [
+  { key: 'coil_radius', label: 'Coil radius r', hint: 'to the centre of the wire', slide: around },
+  { key: 'wire_radius', label: 'Wire radius ρ', slide: around },
+];
+/** Of a spring by its geometry. */
+export const BY_GEOMETRY: readonly Field[] = [
+  { key: 'wire_diameter', label: 'Wire diameter d', hint: 'its fourth power is in k', slide: around },
+  { key: 'coil_diameter', label: 'Coil diameter D', hint: 'mean, wire centre to wire centre', slide: around },
+];
+export const ENDS: readonly Field[] = [
+  { key: 'material', label: 'Material' },
+  { key: 'end_type', label: 'Ends', words: ['hooks', 'open', 'open-ground', 'closed', 'closed-ground'] },
+  { key: 'initial_tension', label: 'Initial tension F0' },
+];
+
+const LENGTH: Field = { key: 'length', label: 'Mean length', hint: 'min, mid, max, a length, or a share of the range' };
+const PROFILE: Field = { key: 'profile', label: 'Windings move', words: ['uniform', 'linear'] };
+const AMPLITUDE: Field = { key: 'amplitude', label: 'Amplitude', hint: 'a length, or a share of the range', slide: { from: 0, to: 4, scale: 'linear' } };
+const START: Field = { key: 'start', label: 'Windings begin', words: ['rest', 'massless'] };
+const BEGIN: Field = { key: 'begin', label: 'When' };
+const END: Field = { key: 'end', label: 'Driven end', number: true };
+
+/** Of each kind of condition, the one to drag first. */
+export const CONDITION: Record<string, { first: readonly Field[]; more: readonly Field[] }> = {
+  impact: { first: [{ key: 'velocity', label: 'How hard it is hit', hint: 'speed of the windings at t = 0', slide: { from: 0, to: 4, scale: 'linear' } }], more: [LENGTH, PROFILE] },
+  'end-stop': { first: [{ key: 'velocity', label: 'Speed at the stop', hint: 'left out: the range in 1 s' }], more: [{ key: 'at', label: 'Stopped at', words: ['min', 'max'] }, PROFILE] },
+  harmonic: {
+    first: [{ key: 'frequency', label: 'Frequency', hint: 'in Hz, or in surge frequencies: 0.5 f1', slide: { from: 0.1, to: 2, scale: 'linear' } }, AMPLITUDE],
+    more: [LENGTH, { key: 'phase', label: 'Phase at t = 0' }, START, END],
+  },
+  sweep: { first: [{ key: 'frequency', label: 'Frequency from, to', pair: true }, AMPLITUDE], more: [LENGTH, START, END] },
+  step: { first: [AMPLITUDE], more: [LENGTH, BEGIN, END] },
+  ramp: { first: [AMPLITUDE, { key: 'rise_time', label: 'How long it takes', slide: { from: 0.05, to: 4, scale: 'linear' } }], more: [LENGTH, BEGIN, END] },
+  pulse: { first: [AMPLITUDE, { key: 'width', label: 'How long it lasts', slide: { from: 0.05, to: 4, scale: 'linear' } }], more: [LENGTH, BEGIN, END] },
+  recorded: { first: [], more: [LENGTH, START] },
+};
+export const TIMING: readonly Field[] = [
+  { key: 'duration', label: 'Simulated for' },
+  { key: 'window', label: 'Judged from, to', pair: true },
+  { key: 'sample_rate', label: 'Samples' },
+];
+
+export const SENSOR: readonly Field[] = [
+  { key: 'name', label: 'Name' },
+  { key: 'kind', label: 'Kind', words: ['load-cell', 'deflection', 'two-encoder', 'inductance'] },
+  { key: 'class', label: 'Class of the catalogue' },
+  { key: 'end', label: 'At end', number: true },
+  { key: 'bandwidth', label: 'Bandwidth (−3 dB)' },
+  { key: 'delay', label: 'Delay' },
+  { key: 'averaging', label: 'Averaged over' },
+  { key: 'sample_rate', label: 'Sampled at' },
+  { key: 'noise', label: 'Noise, rms' },
+  { key: 'resolution', label: 'Resolution' },
+];
+
+export const GOAL: readonly Field[] = [{ key: 'error', label: 'Your limit', hint: 'of F_nom, or in N', slide: { from: 0.05, to: 5, scale: 'log' } }];
+
+/** What a condition that the user adds begins as; lengths and shares fit every spring. */
+export const TEMPLATES: Record<string, Record<string, string | number | string[]>> = {
+  impact: { kind: 'impact', velocity: '0.25 m/s' },
+  'end-stop': { kind: 'end-stop', at: 'max' },
+  harmonic: { kind: 'harmonic', frequency: '0.5 f1', amplitude: '1 %', phase: '-90 deg', start: 'massless' },
+  sweep: { kind: 'sweep', frequency: ['0.2 f1', '1.2 f1'], amplitude: '0.5 %' },
+  step: { kind: 'step', amplitude: '2 %', begin: '5 ms' },
+  ramp: { kind: 'ramp', amplitude: '10 %', begin: '5 ms', rise_time: '20 ms' },
+  pulse: { kind: 'pulse', amplitude: '5 %', begin: '5 ms', width: '10 ms' },
+};

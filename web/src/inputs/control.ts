@@ -1,0 +1,116 @@
+// One field of the spec on the page: a label, a slider where it has one, and the value to type; red with the reason where it is refused.
+//
+// Next door: which fields there are (`fields`), which of them are shown (`panels`).
+
+import { valueAt, withValue } from '../document';
+import { make } from '../dom';
+import type { Field } from '../fields';
+import { preset } from '../presets';
+import type { State, Store } from '../state';
+import { fromSlider, read, shown, STEPS, toSlider, typed, type Quantity } from './quantity';
+
+export class Control {
+  readonly element: HTMLElement;
+  private readonly input: HTMLInputElement | HTMLSelectElement;
+  private readonly slider: HTMLInputElement | null;
+  private readonly error = make('p', { class: 'error', role: 'alert', hidden: true });
+
+  constructor(
+    private readonly store: Store,
+    readonly place: string,
+    private readonly field: Field,
+    private readonly onInput: (event: Event) => void,
+  ) {
+    const id = place.replaceAll('.', '-');
+    this.error.id = `${id}-error`;
+    this.input = field.words ? this.choice(id, field.words) : this.text(id);
+    this.slider = field.slide ? this.range() : null;
+    const hint = field.hint ? make('span', { class: 'hint', id: `${id}-hint` }, field.hint) : null;
+    const said = [hint?.id, this.error.id].filter(Boolean).join(' ');
+    this.input.setAttribute('aria-describedby', said);
+    this.element = make(
+      'div',
+      { class: `field${this.slider ? ' slides' : ''}` },
+      make('label', { for: id }, field.label),
+      this.input,
+      this.slider,
+      hint,
+      this.error,
+    );
+  }
+
+  /** Shows what the state holds; what is being typed stays as it is. */
+  show(state: State): void {
+    const text = shown(valueAt(state.spec, this.place));
+    const wanted = this.field.words && text === '' ? (this.field.words[0] ?? '') : text;
+    if (this.input.value !== wanted && document.activeElement !== this.input) this.input.value = wanted;
+    else if (document.activeElement === this.input && !this.isTyping) this.input.value = wanted;
+    this.isTyping = false;
+    if (!this.slider) return;
+    const value = read(text);
+    this.slider.disabled = value === null;
+    if (!value) return;
+    const at = String(toSlider(this.field, value, this.usual(value)));
+    if (document.activeElement !== this.slider || !this.isSliding) this.slider.value = at;
+    this.slider.setAttribute('aria-valuetext', text);
+    this.slider.style.setProperty('--part', `${(100 * Number(this.slider.value)) / STEPS}%`);
+    this.isSliding = false;
+  }
+
+  /** Marks the field as wrong, or as right again. */
+  refuse(reason: string | null): void {
+    this.error.textContent = reason ?? '';
+    this.error.hidden = reason === null;
+    this.element.classList.toggle('wrong', reason !== null);
+    if (reason === null) this.input.removeAttribute('aria-invalid');
+    else this.input.setAttribute('aria-invalid', 'true');
+  }
+
+  private isTyping = false;
+  private isSliding = false;
+
+  private text(id: string): HTMLInputElement {
+    const input = make('input', { id, type: 'text', autocomplete: 'off', spellcheck: 'false' });
+    input.addEventListener('input', (event) => {
+      this.isTyping = true;
+      this.put(input.value, event);
+    });
+    return input;
+  }
+
+  private choice(id: string, words: readonly string[]): HTMLSelectElement {
+    const select = make('select', { id }, ...words.map((word) => make('option', { value: word }, word)));
+    select.addEventListener('change', (event) => this.put(select.value, event));
+    return select;
+  }
+
+  private range(): HTMLInputElement {
+    const slider = make('input', { type: 'range', min: 0, max: STEPS, step: 1, 'aria-label': `${this.field.label}, slider` });
+    slider.addEventListener('input', (event) => {
+      const { state } = this.store;
+      const value = read(shown(valueAt(state.spec, this.place)));
+      if (!value) return;
+      const moved = fromSlider(this.field, Number(slider.value), value, this.usual(value));
+      this.isSliding = true;
+      this.put(`${moved.number}${moved.unit ? ` ${moved.unit}` : ''}`, event);
+    });
+    return slider;
+  }
+
+  private put(text: string, event: Event): void {
+    this.onInput(event);
+    const { spec } = this.store.state;
+    this.store.setSpec(withValue(spec, this.place, typed(this.field, text)), `${event.type} ${this.place}`);
+  }
+
+  private anchor: Quantity | null = null;
+
+  /** The value that the slider's ends are shares of: the preset's, else the first one met in its unit. */
+  private usual(value: Quantity): Quantity {
+    const text = shown(valueAt(preset(this.store.state.preset).spec, this.place));
+    const given = text === '' ? null : read(text);
+    if (given && given.unit === value.unit && given.number !== 0) return given;
+    if (!this.anchor || this.anchor.unit !== value.unit) this.anchor = value.number === 0 ? { ...value, number: 1 } : value;
+    return this.anchor;
+  }
+}

@@ -1,0 +1,80 @@
+// Damping: one of those that the spec gives results for, or an own ratio by slider.
+//
+// Next door: all other fields (`control`).
+
+import type { Facts } from '../answer';
+import { section, withValue } from '../document';
+import { clamp, make } from '../dom';
+import type { State, Store } from '../state';
+
+/** The highest ζ of the slider; its square root is even, so that small ones can be told apart. */
+const MOST = 0.1;
+const STEPS = 1000;
+
+export class DampingControl {
+  readonly element: HTMLElement;
+  private readonly chips = make('div', { class: 'chips' });
+  private readonly input = make('input', { id: 'damping', type: 'text', autocomplete: 'off', spellcheck: 'false', 'aria-describedby': 'damping-hint damping-error' });
+  private readonly slider = make('input', { type: 'range', min: 0, max: STEPS, 'aria-label': 'Damping ζ, slider' });
+  private readonly error = make('p', { class: 'error', role: 'alert', id: 'damping-error', hidden: true });
+  private drawn = '';
+
+  constructor(
+    private readonly store: Store,
+    private readonly onInput: (event: Event) => void,
+  ) {
+    this.slider.addEventListener('input', (event) => {
+      const ratio = MOST * (Number(this.slider.value) / STEPS) ** 2;
+      this.put(Number(ratio.toPrecision(2)), event);
+    });
+    this.input.addEventListener('input', (event) => {
+      const text = this.input.value.trim();
+      if (text !== '') this.put(Number.isFinite(Number(text)) ? Number(text) : text, event);
+    });
+    this.element = make(
+      'div',
+      { class: 'field slides' },
+      make('label', { for: 'damping' }, 'Damping ζ'),
+      this.input,
+      this.slider,
+      make('span', { class: 'hint', id: 'damping-hint' }, 'how soon it stops ringing; rarely known'),
+      this.chips,
+      this.error,
+    );
+  }
+
+  show(state: State, facts: Facts | null): void {
+    const given = section(state.spec, 'mount')['damping_ratio'];
+    const ratio = typeof given === 'number' ? given : (facts?.dampings[state.view.damping]?.ratio ?? null);
+    const text = typeof given === 'string' ? given : ratio === null ? '' : String(ratio);
+    if (document.activeElement !== this.input) this.input.value = text;
+    if (document.activeElement !== this.slider) this.slider.value = String(STEPS * Math.sqrt(clamp((ratio ?? 0) / MOST, 0, 1)));
+    this.slider.style.setProperty('--part', `${(100 * Number(this.slider.value)) / STEPS}%`);
+    this.slider.setAttribute('aria-valuetext', text);
+    this.drawChips(state, facts);
+  }
+
+  refuse(reason: string | null): void {
+    this.error.textContent = reason ?? '';
+    this.error.hidden = reason === null;
+    this.element.classList.toggle('wrong', reason !== null);
+    if (reason === null) this.input.removeAttribute('aria-invalid');
+    else this.input.setAttribute('aria-invalid', 'true');
+  }
+
+  private put(value: number | string, event: Event): void {
+    this.onInput(event);
+    this.store.setSpec(withValue(this.store.state.spec, 'mount.damping_ratio', value), 'damping', { damping: 0 });
+  }
+
+  /** A button for each damping, where there are several. */
+  private drawChips(state: State, facts: Facts | null): void {
+    const labels = facts && facts.dampings.length > 1 ? facts.dampings.map((damping) => damping.label) : [];
+    const now = JSON.stringify([labels, state.view.damping]);
+    if (now === this.drawn) return;
+    this.drawn = now;
+    const chip = (label: string, index: number) =>
+      make('button', { type: 'button', class: 'chip', 'aria-pressed': String(index === state.view.damping), onclick: () => this.store.setView({ damping: index }, true) }, label.replace('ζ = ', ''));
+    this.chips.replaceChildren(...labels.map(chip));
+  }
+}

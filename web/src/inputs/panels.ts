@@ -1,0 +1,148 @@
+// The fields of the state that is shown, in groups: what is dragged first, then the spring, the condition, the sensors.
+//
+// Next door: one field (`control`), damping (`damping`), the fields' words (`fields`).
+
+import type { Facts } from '../answer';
+import { section, sections, withValue, type Spec } from '../document';
+import { make } from '../dom';
+import { BY_GEOMETRY, BY_VALUES, CONDITION, ENDS, GOAL, RADII, SENSOR, SHAPE, TEMPLATES, TIMING, type Field } from '../fields';
+import type { Refusal } from '../compute';
+import type { State, Store } from '../state';
+import { Control } from './control';
+import { DampingControl } from './damping';
+
+export class Panels {
+  private readonly damping: DampingControl;
+  private controls: Control[] = [];
+  private drawn = '';
+  private facts: Facts | null = null;
+
+  constructor(
+    private readonly store: Store,
+    private readonly host: HTMLElement,
+    private readonly onInput: (event: Event) => void,
+  ) {
+    this.damping = new DampingControl(store, onInput);
+  }
+
+  show(state: State, facts: Facts | null): void {
+    this.facts = facts ?? this.facts;
+    const shape = this.shape(state);
+    if (shape !== this.drawn) this.draw(state);
+    this.drawn = shape;
+    for (const control of this.controls) control.show(state);
+    this.damping.show(state, this.facts);
+  }
+
+  /** Puts a refusal beside its field; false where there is no such field. */
+  refuse(refusal: Refusal | null): boolean {
+    const place = refusal?.place ?? '';
+    let found = false;
+    for (const control of this.controls) {
+      const hit = control.place === place;
+      control.refuse(hit ? (refusal?.text ?? null) : null);
+      if (hit) {
+        found = true;
+        control.element.closest('details')?.setAttribute('open', '');
+      }
+    }
+    const damped = place === 'mount.damping_ratio';
+    this.damping.refuse(damped ? (refusal?.text ?? null) : null);
+    return found || damped;
+  }
+
+  /** What decides which fields there are. */
+  private shape({ preset, spec, view }: State): string {
+    const kind = sections(spec, 'condition')[view.condition]?.['kind'];
+    return JSON.stringify([preset, byGeometry(spec), view.condition, kind, section(spec, 'mount')['end2'], sections(spec, 'sensor').length]);
+  }
+
+  private draw(state: State): void {
+    this.controls = [];
+    const { spec, view } = state;
+    const number = view.condition;
+    const kind = String(sections(spec, 'condition')[number]?.['kind'] ?? 'impact');
+    const condition = CONDITION[kind] ?? { first: [], more: [] };
+    const geometry = byGeometry(spec);
+    const at = (place: string) => (field: Field) => this.control(`${place}.${field.key}`, field);
+    const spring = at('spring');
+    const open = new Set([...this.host.querySelectorAll('details[open]')].map((one) => one.id));
+    const group = (id: string, heading: string, ...children: (HTMLElement | null)[]) =>
+      make('details', { id, open: open.has(id) }, make('summary', {}, heading), ...children);
+    const mass = section(spec, 'mount')['end2'] === 'mass' ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' }) : null;
+    this.host.replaceChildren(
+      ...condition.first.map(at(`condition.${number}`)),
+      this.damping.element,
+      ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),
+      group('more-condition', 'What is done, in full', ...condition.more.map(at(`condition.${number}`)), ...TIMING.map(at(`condition.${number}`))),
+      group('more-spring', 'The spring, in full', this.way(geometry), ...SHAPE.map(spring), ...(geometry ? ENDS : RADII).map(spring), mass),
+      group('more-sensors', `Sensors (${sections(spec, 'sensor').length})`, ...this.sensors(spec)),
+      ...GOAL.map(at('goal')),
+    );
+  }
+
+  private control(place: string, field: Field): HTMLElement {
+    const control = new Control(this.store, place, field, this.onInput);
+    this.controls.push(control);
+    return control.element;
+  }
+
+  /** By Table I's values or by wire and coil: the other way begins with what the one way gives. */
+  private way(geometry: boolean): HTMLElement {
+    const radio = (label: string, checked: boolean, turn: (spec: Spec, facts: Facts) => Spec) =>
+      make('label', {}, make('input', { type: 'radio', name: 'way', checked, onchange: () => this.facts && this.store.setSpec(turn(this.store.state.spec, this.facts)) }), make('span', {}, label));
+    return make('fieldset', { class: 'choice' }, make('legend', {}, 'Given by'), radio('values', !geometry, toValues), radio('wire and coil', geometry, toGeometry));
+  }
+
+  private sensors(spec: Spec): HTMLElement[] {
+    const one = (table: Record<string, unknown>, index: number) =>
+      make(
+        'details',
+        { id: `sensor-${index}` },
+        make('summary', {}, String(table['name'] ?? table['kind'] ?? 'sensor')),
+        ...SENSOR.filter((field) => field.key !== 'end' || table['kind'] === 'load-cell').map((field) => this.control(`sensor.${index}.${field.key}`, field)),
+        make('button', { type: 'button', class: 'plain', onclick: () => this.setSensors(sections(spec, 'sensor').filter((_, other) => other !== index)) }, 'Remove this sensor'),
+      );
+    const add = () => {
+      const all = sections(this.store.state.spec, 'sensor');
+      this.setSensors([...all, { name: `sensor ${all.length + 1}`, kind: 'load-cell', end: 2, bandwidth: '1 kHz', sample_rate: '2.5 kHz' }]);
+    };
+    return [...sections(spec, 'sensor').map(one), make('button', { type: 'button', class: 'plain', onclick: add }, 'Add a sensor')];
+  }
+
+  private setSensors(sensor: Record<string, never>[] | ReturnType<typeof sections>): void {
+    this.store.setSpec({ ...structuredClone(this.store.state.spec), sensor: structuredClone(sensor) });
+  }
+}
+
+const byGeometry = (spec: Spec): boolean => 'wire_diameter' in section(spec, 'spring') || 'coil_diameter' in section(spec, 'spring');
+
+const millimetres = (metres: number): string => `${Number((1e3 * metres).toPrecision(6))} mm`;
+
+function toGeometry(spec: Spec, { spring }: Facts): Spec {
+  const without = ['stiffness', 'mass', 'coil_radius', 'wire_radius'].reduce((rest, key) => withValue(rest, `spring.${key}`, undefined), spec);
+  const wire = withValue(without, 'spring.wire_diameter', millimetres(spring.wireDiameter));
+  return withValue(wire, 'spring.coil_diameter', millimetres(2 * spring.coilRadius));
+}
+
+const ONLY_GEOMETRY = ['wire_diameter', 'coil_diameter', 'total_windings', 'wire_diameter_tolerance', 'coil_diameter_tolerance', 'windings_tolerance', 'shear_modulus_tolerance'];
+
+function toValues(spec: Spec, { spring }: Facts): Spec {
+  const without = ONLY_GEOMETRY.reduce((rest, key) => withValue(rest, `spring.${key}`, undefined), spec);
+  const values: Record<string, string> = {
+    stiffness: `${Number(spring.stiffness.toPrecision(6))} N/m`,
+    mass: `${Number((1e3 * spring.mass).toPrecision(6))} g`,
+    coil_radius: millimetres(spring.coilRadius),
+    wire_radius: millimetres(spring.wireDiameter / 2),
+  };
+  return Object.entries(values).reduce((rest, [key, value]) => withValue(rest, `spring.${key}`, value), without);
+}
+
+/** A condition more, with a name that no other has. */
+export function withCondition(spec: Spec, kind: string): Spec {
+  const all = sections(spec, 'condition');
+  const names = new Set(all.map((one) => String(one['name'] ?? one['kind'])));
+  let name = kind;
+  for (let number = 2; names.has(name); number++) name = `${kind} ${number}`;
+  return { ...structuredClone(spec), condition: [...structuredClone(all), { name, ...TEMPLATES[kind] }] };
+}

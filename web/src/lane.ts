@@ -1,0 +1,85 @@
+// One worker and the questions to it: one is under way, the newest waits, older ones are dropped.
+//
+// Next door: which questions there are (`compute`).
+
+import type { FromWorker, Question, ToWorker } from './answer';
+
+export type Reply = Exclude<FromWorker, never>;
+
+interface Job {
+  question: Question;
+  done: (reply: Reply) => void;
+}
+
+export class Lane {
+  private worker: Worker;
+  private underWay: (Job & { id: number }) | null = null;
+  private waiting: Job | null = null;
+  private next = 0;
+
+  /** `mayStop`: a newer question ends the one under way, at the price of a new worker, in place of waiting for it. */
+  constructor(
+    private readonly engine: Promise<WebAssembly.Module>,
+    private readonly files: Map<string, string>,
+    private readonly mayStop: boolean,
+  ) {
+    this.worker = this.begin();
+  }
+
+  addFile(file: string, text: string): void {
+    this.send({ file, text });
+  }
+
+  ask(question: Question, done: (reply: Reply) => void): void {
+    this.waiting = { question, done };
+    if (this.underWay && this.mayStop) {
+      this.worker.terminate();
+      this.underWay = null;
+      this.worker = this.begin();
+    }
+    if (!this.underWay) this.start();
+  }
+
+  /** Nobody waits for what was asked. */
+  drop(): void {
+    this.waiting = null;
+    if (this.underWay) this.underWay.done = () => {};
+  }
+
+  /** No more questions. */
+  end(): void {
+    this.worker.terminate();
+  }
+
+  private begin(): Worker {
+    const worker = new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => this.finish(data));
+    this.engine.then((engine) => {
+      worker.postMessage({ engine } satisfies ToWorker);
+      for (const [file, text] of this.files) worker.postMessage({ file, text } satisfies ToWorker);
+    });
+    return worker;
+  }
+
+  private start(): void {
+    if (!this.waiting) return;
+    const job = { ...this.waiting, id: this.next++ };
+    this.underWay = job;
+    this.waiting = null;
+    this.send({ id: job.id, question: job.question });
+  }
+
+  private send(message: ToWorker): void {
+    const { worker } = this;
+    // The engine's own message comes first.
+    void this.engine.then(() => worker.postMessage(message));
+  }
+
+  private finish(reply: Reply): void {
+    if (reply.id !== this.underWay?.id) return;
+    const { done } = this.underWay;
+    this.underWay = null;
+    this.start();
+    done(reply);
+  }
+}

@@ -1,0 +1,68 @@
+// The page: one store, one engine, a row of tabs.
+//
+// Next door: the tabs (`tabs/all`), the state (`state`), what is computed (`compute`).
+
+import 'uplot/dist/uPlot.min.css';
+import { Compute } from './compute';
+import { byId, make } from './dom';
+import { readInk } from './plots/looks';
+import { Store } from './state';
+import { TABS } from './tabs/all';
+
+const store = new Store();
+const compute = new Compute(store);
+const main = byId('main');
+const opened = new Set<string>();
+
+const buttons = TABS.map(({ id, label }) =>
+  make('button', { type: 'button', role: 'tab', id: `tab-${id}`, 'aria-controls': `panel-${id}`, onclick: () => store.setView({ tab: id }) }, label),
+);
+const panels = TABS.map(({ id }) => make('div', { role: 'tabpanel', id: `panel-${id}`, 'aria-labelledby': `tab-${id}`, hidden: true }));
+byId('tabs').replaceChildren(...buttons);
+main.replaceChildren(...panels);
+byId('tabs').addEventListener('keydown', (event) => {
+  const at = TABS.findIndex(({ id }) => id === store.state.view.tab);
+  const next = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: TABS.length - 1 }[event.key];
+  const tab = next === undefined ? undefined : TABS[(next + TABS.length) % TABS.length];
+  if (!tab) return;
+  event.preventDefault();
+  store.setView({ tab: tab.id });
+  byId(`tab-${tab.id}`).focus();
+});
+
+function showTab(): void {
+  const tab = TABS.find(({ id }) => id === store.state.view.tab) ?? TABS[0];
+  if (!tab) return;
+  TABS.forEach(({ id }, index) => {
+    buttons[index]?.setAttribute('aria-selected', String(id === tab.id));
+    buttons[index]?.setAttribute('tabindex', id === tab.id ? '0' : '-1');
+  });
+  panels.forEach((panel) => (panel.hidden = panel.id !== `panel-${tab.id}`));
+  if (opened.has(tab.id)) return;
+  opened.add(tab.id);
+  tab.open(byId(`panel-${tab.id}`), store, compute);
+}
+
+const [undo, redo, reset] = [byId<HTMLButtonElement>('undo'), byId<HTMLButtonElement>('redo'), byId<HTMLButtonElement>('reset')];
+undo.addEventListener('click', () => store.undo());
+redo.addEventListener('click', () => store.redo());
+reset.addEventListener('click', () => store.reset());
+addEventListener('keydown', (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+  event.preventDefault();
+  if (event.shiftKey) store.redo();
+  else store.undo();
+});
+const tools = () => {
+  undo.disabled = !store.canUndo;
+  redo.disabled = !store.canRedo;
+};
+
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readInk);
+store.subscribe((state, before) => {
+  if (state.view.tab !== before.view.tab) showTab();
+  tools();
+});
+tools();
+showTab();
+compute.begin();

@@ -1,0 +1,6 @@
+// What Vite makes of files that are no TypeScript.
+
+declare module '*.toml' {
+  const spec: import('./document').Spec;
+  export default spec;
+}

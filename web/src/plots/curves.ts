@@ -1,0 +1,42 @@
+// A still chart of named curves with a legend, for pages that compute once.
+
+import type uPlot from 'uplot';
+import { make, rich } from '../dom';
+import { axis, chart } from './chart';
+import { ink, look, sample } from './looks';
+
+export interface Curves {
+  title: string;
+  x: { label: string; values: Float64Array; factor?: number };
+  y: { label: string; logarithmic?: boolean; range?: [number, number] };
+  /** Drawn in the look of a force. */
+  curves: { look: string; label: string; values: Float64Array }[];
+}
+
+export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves): void {
+  const legend = lines.map(({ look, label }) => make('span', {}, sample(look), rich(label)));
+  const plot = make('div', { class: 'plot', role: 'img', 'aria-label': title });
+  host.append(make('figure', {}, make('figcaption', {}, make('b', {}, title), make('span', { class: 'keys' }, ...legend)), plot));
+  const factor = x.factor ?? 1;
+  const scale: uPlot.Scale = { distr: y.logarithmic ? 3 : 1, ...(y.range ? { range: y.range } : {}) };
+  const decade = (ticks: number[]) => ticks.map((tick) => (/^(0\.0*1|10*)$/.test(String(tick)) ? String(tick) : ''));
+  chart(
+    plot,
+    {
+      scales: { x: { time: false }, y: scale },
+      cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
+      axes: [
+        axis(x.label, { size: 36, labelSize: 16, values: (_, ticks) => ticks.map((tick) => String(Number((factor * tick).toFixed(4)))) }),
+        axis(y.label, { size: 60, ...(y.logarithmic ? { values: (_: uPlot, ticks: number[]) => decade(ticks) } : {}) }),
+      ],
+      series: [
+        {},
+        ...lines.map(({ look: name, label }): uPlot.Series => {
+          const { colour, dash, width } = look(name);
+          return { label, stroke: () => ink[colour as keyof typeof ink], width, dash, points: { show: false } };
+        }),
+      ],
+    },
+    [x.values, ...lines.map(({ values }) => values)] as unknown as uPlot.AlignedData,
+  );
+}

@@ -1,0 +1,52 @@
+// Colours and dashes: each alone tells lines apart; the four forces look as in the paper's figures.
+
+export interface Look {
+  colour: string;
+  dash: number[];
+  width: number;
+}
+
+const FORCES: Record<string, Look> = {
+  F_i: { colour: 'blue', dash: [9, 3, 2, 3], width: 1.6 },
+  F_o: { colour: 'red', dash: [], width: 1.6 },
+  F_x: { colour: 'green', dash: [2, 2.5], width: 2 },
+  F_L: { colour: 'ink', dash: [7, 4], width: 1.4 },
+};
+
+/** What each force is, for people. */
+export const MEANING: Record<string, string> = {
+  F_i: 'load cell at end 1',
+  F_o: 'load cell at end 2',
+  F_x: 'by length: k·Δl',
+  F_L: 'by inductance',
+};
+
+export const FORCE_NAMES = ['F_i', 'F_o', 'F_x', 'F_L'] as const;
+
+export const look = (name: string): Look => FORCES[name] ?? { colour: 'ink', dash: [], width: 1.4 };
+
+const COLOURS = ['ground', 'card', 'ink', 'soft', 'line', 'accent', 'red', 'blue', 'green', 'low', 'middle', 'high', 'touch', 'band', 'judged'] as const;
+export type Colour = (typeof COLOURS)[number];
+export const ink: Record<Colour, string> = Object.fromEntries(COLOURS.map((name) => [name, '#888'])) as Record<Colour, string>;
+
+/** Reads the colours that the style sheet has for the light or dark of now. */
+export function readInk(): void {
+  const style = getComputedStyle(document.documentElement);
+  for (const name of COLOURS) ink[name] = style.getPropertyValue(`--${name}`).trim();
+}
+
+/** A piece of a line, as in a legend. */
+export function sample(name: string): SVGSVGElement {
+  const { colour, dash, width } = look(name);
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  svg.setAttribute('viewBox', '0 0 34 8');
+  svg.setAttribute('aria-hidden', 'true');
+  svg.setAttribute('class', 'sample');
+  const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
+  for (const [key, value] of Object.entries({ x1: 0, y1: 4, x2: 34, y2: 4, 'stroke-width': width + 0.3, 'stroke-dasharray': dash.join(' ') })) {
+    line.setAttribute(key, String(value));
+  }
+  line.style.stroke = `var(--${colour})`;
+  svg.append(line);
+  return svg;
+}

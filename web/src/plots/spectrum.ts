@@ -1,0 +1,90 @@
+// The forces over frequency, with the surge lines marked.
+//
+// Next door: over time (`forces`), the bare chart (`chart`).
+
+import uPlot from 'uplot';
+import type { Answer, Facts } from '../answer';
+import { axis, chart, FONT, type Chart } from './chart';
+import { FORCE_NAMES, ink, look } from './looks';
+
+/** Shown up to so many surge frequencies. */
+const LINES = 8.5;
+/** What is shown below the largest line [1]. */
+const RANGE = 1e-4;
+
+export class SpectrumPlot {
+  private readonly chart: Chart;
+  private facts: Facts | null = null;
+
+  constructor(host: HTMLElement) {
+    this.chart = chart(host, this.options(), [[0, 1], ...FORCE_NAMES.map(() => [null, null])] as unknown as uPlot.AlignedData);
+  }
+
+  show(answer: Answer<Facts>, hidden: readonly string[]): void {
+    const { facts, series } = answer;
+    this.facts = facts;
+    const frequency = series['frequency'] ?? new Float64Array();
+    const last = LINES * (facts.lines[0] ?? 1);
+    const end = frequency.findIndex((line) => line > last);
+    const count = end < 0 ? frequency.length : end;
+    // The mean is no line; nothing below the lowest decade, which a logarithm cannot show.
+    const lines = FORCE_NAMES.map((name) => series[`spectrum ${name}`]?.subarray(1, count));
+    const most = Math.max(1e-12, ...lines.flatMap((values) => (values ? [values.reduce((a, b) => Math.max(a, b), 0)] : [])));
+    const data = [frequency.subarray(1, count), ...lines.map((values) => values?.map((value) => Math.max(value, most * RANGE)) ?? new Array(count - 1).fill(null))];
+    const { plot } = this.chart;
+    plot.batch(() => {
+      FORCE_NAMES.forEach((name, index) => {
+        const show = !hidden.includes(name);
+        if (plot.series[index + 1]?.show !== show) plot.setSeries(index + 1, { show });
+      });
+      plot.setData(data as unknown as uPlot.AlignedData, false);
+      plot.setScale('x', { min: 0, max: Math.min(last, frequency[frequency.length - 1] ?? last) });
+      plot.setScale('y', { min: most * RANGE, max: most * 2 });
+    });
+  }
+
+  get plot(): uPlot {
+    return this.chart.plot;
+  }
+
+  private options(): Omit<uPlot.Options, 'width' | 'height'> {
+    return {
+      scales: { x: { time: false, auto: false }, y: { distr: 3, auto: false } },
+      cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
+      axes: [
+        axis('Frequency [Hz]', { space: 60, size: 36, labelSize: 16 }),
+        axis('Amplitude [N]', { size: 62, values: (_, ticks) => ticks.map((tick) => (tick === null || !/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)) ? '' : String(tick))) }),
+      ],
+      series: [
+        {},
+        ...FORCE_NAMES.map((name): uPlot.Series => {
+          const { colour, dash, width } = look(name);
+          return { label: name, stroke: () => ink[colour as keyof typeof ink], width, dash, points: { show: false } };
+        }),
+      ],
+      hooks: { drawClear: [(plot) => this.markLines(plot)] },
+    };
+  }
+
+  private markLines(plot: uPlot): void {
+    const { ctx, bbox } = plot;
+    const ratio = devicePixelRatio || 1;
+    ctx.save();
+    ctx.strokeStyle = ctx.fillStyle = ink.soft;
+    ctx.lineWidth = ratio;
+    ctx.setLineDash([3 * ratio, 4 * ratio]);
+    ctx.font = FONT.replace('12px', `${11 * ratio}px`);
+    ctx.textBaseline = 'top';
+    this.facts?.lines.forEach((line, index) => {
+      const x = plot.valToPos(line, 'x', true);
+      if (x > bbox.left + bbox.width) return;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+      const words = index === 0 ? `f1 = ${line.toPrecision(3)} Hz` : `f${index + 1}`;
+      if (x + ctx.measureText(words).width + 4 * ratio < bbox.left + bbox.width) ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
+    });
+    ctx.restore();
+  }
+}

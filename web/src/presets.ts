@@ -1,0 +1,31 @@
+// The springs that the page begins with: the specs of `examples/`, the same files that the command's examples are.
+//
+// Next door: what a spec is (`document`).
+
+import car from '../../examples/car-suspension.toml';
+import cam from '../../examples/cam-6000rpm.csv?url';
+import parallelAnkle from '../../examples/parallel-ankle.toml';
+import road from '../../examples/road-c-20mps.csv?url';
+import ankle from '../../examples/sea-ankle.toml';
+import valve from '../../examples/valve-spring.toml';
+import type { Spec } from './document';
+
+export interface Preset {
+  /** As it stands in an address. */
+  id: string;
+  label: string;
+  /** The file in `examples/`. */
+  example: string;
+  spec: Spec;
+  /** Files that the spec names, and where they lie. */
+  files: Record<string, string>;
+}
+
+export const PRESETS: readonly Preset[] = [
+  { id: 'S_T', label: 'S_T – ankle of a humanoid robot', example: 'sea-ankle', spec: ankle, files: {} },
+  { id: 'S_A', label: 'S_A – ankle prosthesis', example: 'parallel-ankle', spec: parallelAnkle, files: {} },
+  { id: 'valve', label: 'Valve spring at 6000 rpm', example: 'valve-spring', spec: valve, files: { 'cam-6000rpm.csv': cam } },
+  { id: 'suspension', label: 'Car suspension on a rough road', example: 'car-suspension', spec: car, files: { 'road-c-20mps.csv': road } },
+];
+
+export const preset = (id: string): Preset => PRESETS.find((one) => one.id === id) ?? (PRESETS[0] as Preset);

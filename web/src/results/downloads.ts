@@ -1,0 +1,60 @@
+// What the user may take along: the spec that the command takes, the series as the command writes them, the picture of the forces.
+
+import type { Compute, Shown } from '../compute';
+import { toToml } from '../document';
+import { download, make } from '../dom';
+import { FORCE_NAMES } from '../plots/looks';
+import { preset } from '../presets';
+import type { Store } from '../state';
+import { forcesSvg } from './svg';
+
+export class Downloads {
+  private shown: Shown | null = null;
+
+  constructor(
+    private readonly store: Store,
+    private readonly compute: Compute,
+    host: HTMLElement,
+    private readonly plot: () => { width: number; height: number },
+  ) {
+    const button = (label: string, title: string, act: () => void) => make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
+    host.replaceChildren(
+      make('span', {}, 'Take along: '),
+      button('Spec (TOML)', 'For the command: coilsense analyze', () => this.spec()),
+      button('Series (CSV)', 'Every signal and reading, as coilsense simulate writes them', () => void this.csv()),
+      button('Forces (SVG)', 'The picture above', () => this.svg()),
+      button('Link', 'Copies the address, which holds the whole state', (): void => void navigator.clipboard?.writeText(location.href)),
+    );
+  }
+
+  show(shown: Shown): void {
+    this.shown = shown;
+  }
+
+  private get name(): string {
+    const { facts } = this.shown?.answer ?? {};
+    const words = [facts?.spring.name ?? 'spring', facts?.conditions[facts.condition]?.name ?? ''];
+    return words.join('-').replaceAll(/[^\w.-]+/g, '-');
+  }
+
+  private spec(): void {
+    const { files, example } = preset(this.store.state.preset);
+    const beside = Object.keys(files).map((file) => `# needs ${file} beside it, from examples/ of coilsense\n`);
+    const heading = `# Made on the page of coilsense, from examples/${example}.toml\n${beside.join('')}\n`;
+    download(`${this.name}.toml`, heading + toToml(this.store.state.spec).text, 'application/toml');
+  }
+
+  private async csv(): Promise<void> {
+    const { text, condition, damping } = this.compute.question(this.store.state);
+    const reply = await this.compute.ask({ kind: 'csv', text, condition, damping });
+    if ('bytes' in reply) download(`${this.name}.csv`, reply.bytes, 'text/csv');
+  }
+
+  private svg(): void {
+    if (!this.shown) return;
+    const { hidden } = this.store.state.view;
+    const { width, height } = this.plot();
+    const names = FORCE_NAMES.filter((name) => !hidden.includes(name));
+    download(`${this.name}.svg`, forcesSvg(this.shown.answer, this.shown.times, names, { width, height }), 'image/svg+xml');
+  }
+}

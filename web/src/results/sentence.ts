@@ -1,0 +1,31 @@
+// The answer in one sentence with numbers, for people who have just come.
+
+import type { Answer, Facts } from '../answer';
+import { digits, make, type Child } from '../dom';
+
+const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce, 2)} %`;
+const bold = (text: string) => make('b', {}, text);
+
+/** What the two ends do, and what that means for a load cell. */
+export function sentence(answer: Answer<Facts>): Child[] {
+  const { facts, series } = answer;
+  const { spring, forces, truth } = facts;
+  const [one, two] = [series['F_i'], series['F_o']];
+  if (!one || !two) return [];
+  const apart = one.reduce((most, force, index) => Math.max(most, Math.abs(force - (two[index] ?? force))), 0);
+  const name = facts.conditions[facts.condition]?.name ?? 'this';
+  const other = truth === 'F_o' ? 'F_i' : 'F_o';
+  const end = other === 'F_o' ? '2' : '1';
+  const meant = truth === 'F_x' ? 'k·Δl, the force by the spring’s length' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
+  const off = forces[other]?.rmsd ?? 0;
+  const ring = `${digits(facts.lines[0] ?? 0, 3)} Hz`;
+  return [
+    `In “${name}”, ${spring.name} rings at ${ring} and its ends pull with up to `,
+    bold(`${digits(apart, 3)} N`),
+    ` of difference, ${percent(apart, facts)} of F`,
+    make('sub', {}, 'nom'),
+    `. A load cell at end ${end} is off by `,
+    bold(`${percent(off, facts)} rms`),
+    ` from ${meant}.`,
+  ];
+}

@@ -1,0 +1,184 @@
+// The spring on a canvas: its ends true to scale, its windings off the straight line by a factor, coloured by local strain; where windings
+// touch, marked; the force at each end as an arrow.
+//
+// Next door: when it is drawn, and how fast time runs (`player`).
+
+import type { SpringFacts } from '../answer';
+import { clamp } from '../dom';
+import { FONT } from '../plots/chart';
+import { ink } from '../plots/looks';
+
+/** What is drawn at one moment. */
+export interface Moment {
+  /** u1, x_1…x_N, u2 [m]. */
+  positions: Float32Array;
+  spring: SpringFacts;
+  /** Ends over all of the shown times [m]. */
+  left: number;
+  right: number;
+  /** Largest local strain over the shown times [1]. */
+  peak: number;
+  /** By how much displacements are drawn larger. */
+  gain: number;
+  /** Forces at the ends [N], and what stands for the longest arrow [N]. */
+  forces: [number, number];
+  most: number;
+}
+
+interface Plan {
+  drawn: Float64Array;
+  strain: Float64Array;
+  touching: Uint8Array;
+  margin: number;
+  scale: number;
+  radius: number;
+  middle: number;
+  wire: number;
+}
+
+const COLOUR_STEPS = 24;
+let palette: string[] = [];
+let paletteOf = '';
+
+/** Strain as a colour: `part` from −1 (closer) to 1 (wider). */
+function shade(part: number): string {
+  const key = ink.low + ink.middle + ink.high;
+  if (key !== paletteOf) {
+    paletteOf = key;
+    palette = Array.from({ length: 2 * COLOUR_STEPS + 1 }, (_, step) => {
+      const at = step / COLOUR_STEPS - 1;
+      return mix(ink.middle, at < 0 ? ink.low : ink.high, Math.abs(at));
+    });
+  }
+  return palette[Math.round((clamp(part, -1, 1) + 1) * COLOUR_STEPS)] ?? ink.middle;
+}
+
+function mix(from: string, to: string, part: number): string {
+  const read = (text: string) => [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16));
+  const [a, b] = [read(from), read(to)];
+  return `rgb(${a.map((value, index) => Math.round(value + part * ((b[index] ?? value) - value))).join(',')})`;
+}
+
+/** Local strain of each gap between windings and of both half gaps at the ends [1]. */
+export function strains(positions: Float32Array): Float64Array {
+  const count = positions.length - 2;
+  const mean = ((positions[count + 1] ?? 0) - (positions[0] ?? 0)) / count;
+  return Float64Array.from({ length: count + 1 }, (_, gap) => {
+    const usual = gap === 0 || gap === count ? 0.5 * mean : mean;
+    return ((positions[gap + 1] ?? 0) - (positions[gap] ?? 0)) / usual - 1;
+  });
+}
+
+export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+  const context = canvas.getContext('2d');
+  if (!context || width === 0) return;
+  const ratio = devicePixelRatio || 1;
+  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+  }
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, width, height);
+  const plan = layOut(moment, width, height);
+  drawCoil(context, plan, moment.peak);
+  drawEnds(context, plan, moment);
+  drawRuler(context, plan, height);
+}
+
+function layOut({ positions, spring, left, right, gain }: Moment, width: number, height: number): Plan {
+  const margin = clamp(0.09 * width, 44, 110);
+  const scale = (width - 2 * margin) / (right - left);
+  const count = positions.length - 2;
+  const [first, last] = [positions[0] ?? 0, positions[count + 1] ?? 0];
+  const place = (position: number) => margin + (position - left) * scale;
+  const drawn = Float64Array.from(positions, (position, node) => {
+    if (node === 0 || node === count + 1) return place(position);
+    const straight = first + ((node - 0.5) / count) * (last - first);
+    return place(straight + gain * (position - straight));
+  });
+  const touching = Uint8Array.from({ length: count + 1 }, (_, gap) =>
+    Number(gap > 0 && gap < count && (positions[gap + 1] ?? 0) - (positions[gap] ?? 0) <= spring.contactPitch),
+  );
+  const radius = clamp(spring.coilRadius * scale, 18, height / 2 - 26);
+  return { drawn, strain: strains(positions), touching, margin, scale, radius, middle: (height - 16) / 2, wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12) };
+}
+
+function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): void {
+  const { drawn, strain, touching, radius, middle, wire } = plan;
+  const count = drawn.length - 2;
+  const at = (node: number) => drawn[node] ?? 0;
+  const between = (node: number) => (node === 0 ? at(0) : node === count ? at(count + 1) : (at(node) + at(node + 1)) / 2);
+  const colour = (gap: number) => (touching[gap] ? ink.touch : shade(peak > 0 ? (strain[gap] ?? 0) / peak : 0));
+  const half = (from: number, to: number, up: boolean) => {
+    const [start, end] = up ? [middle + radius, middle - radius] : [middle - radius, middle + radius];
+    // Control points of the cubic nearest to half a cosine wave.
+    const [near, far] = [from + 0.3642 * (to - from), from + 0.6358 * (to - from)];
+    context.moveTo(from, start);
+    context.bezierCurveTo(near, start, far, end, to, end);
+  };
+  context.lineCap = 'round';
+  context.globalAlpha = 0.5;
+  context.lineWidth = 0.7 * wire;
+  for (let node = 1; node <= count; node++) {
+    context.beginPath();
+    half(between(node - 1), at(node), true);
+    context.strokeStyle = colour(node - 1);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  for (let node = 1; node <= count; node++) {
+    context.beginPath();
+    half(at(node), between(node), false);
+    context.strokeStyle = ink.card;
+    context.lineWidth = wire + 1.6;
+    context.stroke();
+    context.strokeStyle = colour(node);
+    context.lineWidth = wire;
+    context.stroke();
+  }
+  context.fillStyle = ink.touch;
+  for (let gap = 1; gap < count; gap++) {
+    if (!touching[gap]) continue;
+    const [middleOfGap, foot] = [(at(gap) + at(gap + 1)) / 2, middle + radius + wire];
+    context.fill(new Path2D(`M${middleOfGap} ${foot + 1}l3.5 7h-7z`));
+  }
+}
+
+/** Both walls, and at each the force: an arrow out of the spring for tension, into it for compression. */
+function drawEnds(context: CanvasRenderingContext2D, plan: Plan, { forces, most }: Moment): void {
+  const { drawn, radius, middle, margin } = plan;
+  const colours = [ink.blue, ink.red];
+  [drawn[0] ?? 0, drawn[drawn.length - 1] ?? 0].forEach((at, end) => {
+    const outward = end ? 1 : -1;
+    context.fillStyle = ink.soft;
+    context.fillRect(at + (end ? 0 : -5), middle - radius - 8, 5, 2 * radius + 16);
+    const length = most > 0 ? ((margin - 16) * (forces[end] ?? 0)) / most : 0;
+    arrow(context, at + outward * 6, middle, length, outward, colours[end] ?? ink.ink);
+  });
+}
+
+function arrow(context: CanvasRenderingContext2D, at: number, middle: number, length: number, outward: number, colour: string): void {
+  const size = Math.abs(length);
+  if (size < 3) return;
+  const [tail, tip] = length > 0 ? [at, at + outward * size] : [at + outward * size, at];
+  const back = Math.sign(tail - tip) * Math.min(11, size);
+  context.fillStyle = context.strokeStyle = colour;
+  context.lineCap = 'butt';
+  context.lineWidth = 4;
+  context.stroke(new Path2D(`M${tail} ${middle}H${tip + back * 0.8}`));
+  context.fill(new Path2D(`M${tip} ${middle}l${back} -7v14z`));
+}
+
+function drawRuler(context: CanvasRenderingContext2D, { margin, scale }: Plan, height: number): void {
+  const room = 90 / scale;
+  const power = 10 ** Math.floor(Math.log10(room));
+  const length = power * ([5, 2, 1].find((step) => step * power <= room) ?? 1);
+  const [y, pixels] = [height - 8.5, length * scale];
+  context.strokeStyle = context.fillStyle = ink.soft;
+  context.lineWidth = 1;
+  context.stroke(new Path2D(`M${margin + 0.5} ${y - 4}v8m0 -4h${pixels}m0 -4v8`));
+  context.font = FONT;
+  context.textBaseline = 'middle';
+  context.fillText(`${Number((length * 1e3).toPrecision(3))} mm`, margin + pixels + 8, y);
+}

@@ -1,0 +1,183 @@
+// Time: runs slowly through what is shown, or is where the user puts it; the spring, its forces and the plots' mark follow.
+//
+// Next door: how the spring is drawn (`draw`).
+
+import type { Facts } from '../answer';
+import type { Shown } from '../compute';
+import { clamp, digits, fixed, make, rich } from '../dom';
+import type { Store } from '../state';
+import { drawSpring, strains } from './draw';
+
+const SPEEDS = [1, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+/** The largest strain is drawn as so much of a pitch. */
+const OPEN = 0.6;
+const GAINS = [200, 100, 50, 20, 10, 5, 2];
+/** Frames per second are counted over so many seconds. */
+const COUNTED = 2;
+
+export class Player {
+  private shown: Shown | null = null;
+  private time = 0;
+  private playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+  private running = false;
+  private inSight = false;
+  private before = 0;
+  private scene = { left: 0, right: 1, peak: 0, gain: 1, most: 1 };
+  private readonly counted: number[] = [];
+  private readonly ends: HTMLElement[];
+  private readonly difference = make('span', { class: 'difference' });
+  private readonly play = make('button', { type: 'button', class: 'play' });
+  private readonly scrub = make('input', { type: 'range', min: 0, max: 1000, step: 1, 'aria-label': 'Time' });
+  private readonly clock = make('output', { class: 'clock' });
+  private readonly gain = make('span', { class: 'gain' });
+  private readonly low = make('span');
+  private readonly high = make('span');
+  private readonly speed: HTMLSelectElement;
+
+  constructor(
+    private readonly store: Store,
+    host: HTMLElement,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly onTime: (time: number, inMotion: boolean) => void,
+  ) {
+    this.ends = [make('span', { class: 'end first' }), make('span', { class: 'end second' })];
+    const words = (slow: number) => (slow === 1 ? 'real time' : `${Math.round(1 / slow)}× slower`);
+    this.speed = make('select', { 'aria-label': 'Speed' }, ...SPEEDS.map((slow) => make('option', { value: slow }, words(slow))));
+    this.speed.addEventListener('change', () => store.setView({ slow: Number(this.speed.value) }));
+    this.play.addEventListener('click', () => this.setPlaying(!this.playing));
+    this.scrub.addEventListener('input', () => this.goTo(this.fromScrub()));
+    const scale = make('span', { class: 'scale', role: 'img', 'aria-label': 'from closer than the mean pitch to wider' });
+    host.replaceChildren(
+      make('div', { class: 'ends' }, this.ends[0] ?? null, this.difference, this.ends[1] ?? null),
+      canvas,
+      make('div', { class: 'player' }, this.play, this.scrub, this.clock, this.speed),
+      make('p', { class: 'legend' }, make('span', {}, 'Pitch against its mean: ', this.low, ' ', scale, ' ', this.high), make('span', { class: 'touch' }, 'windings touch'), this.gain),
+    );
+    new ResizeObserver(() => this.draw()).observe(canvas);
+    new IntersectionObserver((entries) => {
+      this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
+      this.run();
+    }).observe(canvas);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => requestAnimationFrame(() => this.draw()));
+    this.setPlaying(this.playing);
+  }
+
+  show(shown: Shown): void {
+    const sameFrames = shown.frames === this.shown?.frames;
+    this.shown = shown;
+    this.speed.value = String(this.store.state.view.slow);
+    if (!sameFrames) this.survey(shown);
+    if (this.time < shown.times[0] || this.time > shown.times[1]) this.time = shown.times[0];
+    this.draw();
+    this.run();
+  }
+
+  /** A time [s] that the user chose; the motion stops there. */
+  goTo(time: number): void {
+    this.setPlaying(false);
+    this.time = time;
+    this.draw();
+    this.onTime(time, false);
+  }
+
+  setPlaying(playing: boolean): void {
+    this.playing = playing;
+    this.play.textContent = playing ? 'Pause' : 'Play';
+    this.play.setAttribute('aria-pressed', String(playing));
+    this.run();
+  }
+
+  /** Frames per second, of the last two seconds of motion. */
+  get framesPerSecond(): number {
+    const [first, last] = [this.counted[0], this.counted[this.counted.length - 1]];
+    return first !== undefined && last !== undefined && last > first ? (1e3 * (this.counted.length - 1)) / (last - first) : 0;
+  }
+
+  private fromScrub(): number {
+    const [from, to] = this.shown?.times ?? [0, 1];
+    return from + (Number(this.scrub.value) / 1000) * (to - from);
+  }
+
+  /** What holds for all of the shown times. */
+  private survey({ frames, answer }: Shown): void {
+    const { positions, columns } = frames;
+    let [left, right, peak] = [Infinity, -Infinity, 0];
+    // Every sixth frame tells the largest strain well enough for a colour.
+    for (let frame = 0; frame < frames.times.length; frame += 1) {
+      left = Math.min(left, positions[frame * columns] ?? 0);
+      right = Math.max(right, positions[(frame + 1) * columns - 1] ?? 0);
+      if (frame % 6 === 0) for (const strain of strains(positions.subarray(frame * columns, (frame + 1) * columns))) peak = Math.max(peak, Math.abs(strain));
+    }
+    const gain = peak > 0 ? (GAINS.find((gain) => gain * peak <= OPEN) ?? 1) : 1;
+    const most = ['F_i', 'F_o'].reduce((most, name) => (answer.series[name] ?? new Float64Array()).reduce((a, b) => Math.max(a, Math.abs(b)), most), 0);
+    this.scene = { left, right, peak, gain, most };
+    const percent = (value: number) => `${digits(100 * value, 2)} %`;
+    this.low.textContent = percent(-peak);
+    this.high.textContent = `+${percent(peak)}`;
+    this.gain.textContent = gain === 1 ? 'Drawn true to scale.' : `Displacements are drawn ${gain} times larger.`;
+    const { clash } = answer.facts;
+    this.canvas.setAttribute('aria-label', label(answer.facts, peak, clash.firstContact));
+  }
+
+  private draw(): void {
+    const { shown } = this;
+    if (!shown) return;
+    const { frames, answer } = shown;
+    const frame = nearest(frames.times, this.time);
+    const positions = frames.positions.subarray(frame * frames.columns, (frame + 1) * frames.columns);
+    const at = nearest(answer.series['time'] ?? frames.times, this.time);
+    const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
+    if (positions.length === frames.columns) drawSpring(this.canvas, { positions, spring: answer.facts.spring, forces, ...this.scene });
+    this.tell(forces, answer.facts);
+    const [from, to] = shown.times;
+    this.scrub.value = String((1000 * (this.time - from)) / (to - from));
+    this.scrub.setAttribute('aria-valuetext', `${fixed(1e3 * this.time, 1)} milliseconds`);
+    this.clock.textContent = `${fixed(1e3 * this.time, 1)} ms`;
+  }
+
+  private tell(forces: [number, number], { spring }: Facts): void {
+    const decimals = clamp(2 - Math.floor(Math.log10(spring.nominalForce)) + 1, 0, 3);
+    ['F_i', 'F_o'].forEach((name, end) => this.ends[end]?.replaceChildren(make('small', {}, `End ${end + 1} `), make('b', {}, rich(name)), ` ${fixed(forces[end] ?? 0, decimals)} N`));
+    const apart = forces[1] - forces[0];
+    this.difference.replaceChildren(`${apart < 0 ? '−' : '+'}${fixed(Math.abs(apart), decimals)} N`, make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')));
+  }
+
+  private run(): void {
+    if (this.running || !this.playing || !this.inSight || !this.shown) return;
+    this.running = true;
+    this.counted.length = 0;
+    this.before = performance.now();
+    requestAnimationFrame((now) => this.step(now));
+  }
+
+  /** Goes round within what is shown. */
+  private step(now: number): void {
+    this.running = this.playing && this.inSight && this.shown !== null;
+    if (!this.running || !this.shown) return;
+    this.counted.push(now);
+    while (this.counted.length > 2 && now - (this.counted[0] ?? now) > 1e3 * COUNTED) this.counted.shift();
+    const [from, to] = this.shown.times;
+    const time = this.time + (clamp(now - this.before, 0, 100) / 1e3) * this.store.state.view.slow;
+    this.before = now;
+    this.time = time > to || time < from ? from : time;
+    this.draw();
+    this.onTime(this.time, true);
+    requestAnimationFrame((next) => this.step(next));
+  }
+}
+
+/** Number of the time that is nearest; times rise. */
+export function nearest(times: Float64Array, time: number): number {
+  let [low, high] = [0, times.length - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if ((times[middle] ?? 0) <= time) low = middle;
+    else high = middle;
+  }
+  return time - (times[low] ?? 0) < (times[high] ?? 0) - time ? low : high;
+}
+
+function label({ spring }: Facts, peak: number, contact: number | null): string {
+  const touch = contact === null ? 'No windings touch in what is shown.' : `Windings touch from ${fixed(1e3 * contact, 1)} ms on.`;
+  return `The spring ${spring.name} with its ${spring.masses} windings, end 1 at the left, coloured by local pitch, which changes by up to ${digits(100 * peak, 2)} percent. ${touch}`;
+}

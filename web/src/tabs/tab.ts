@@ -1,0 +1,14 @@
+// What a tab is. To add one: a file here that exports a `TabMaker`, and a line in `all.ts`; see DESIGN.md.
+//
+// Next door: the list of tabs (`all`), the page around them (`main`).
+
+import type { Compute } from '../compute';
+import type { Store } from '../state';
+
+export interface Tab {
+  /** As it stands in an address. */
+  id: string;
+  label: string;
+  /** Begins to work in its panel when it is first opened. */
+  open(panel: HTMLElement, store: Store, compute: Compute): void;
+}

@@ -1,0 +1,47 @@
+// What the command says of the presets, for the page to be held against: run once, before the tests.
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+export const EXAMPLES = { S_T: 'sea-ankle', S_A: 'parallel-ankle', valve: 'valve-spring', suspension: 'car-suspension' } as const;
+
+const page = new URL('..', import.meta.url).pathname;
+const out = join(page, 'test-results', 'command');
+const exampleFile = (example: string): string => join(page, '..', 'examples', `${example}.toml`);
+
+/** Runs the command; its own words where it fails. */
+export function command(...args: string[]): void {
+  const program = process.env['COILSENSE_COMMAND'];
+  if (!program) throw new Error('COILSENSE_COMMAND must be the path of the command coilsense');
+  execFileSync(program, args, { stdio: ['ignore', 'ignore', 'inherit'] });
+}
+
+interface Deviation {
+  rmsd_n: number;
+  maximum_n: number;
+  maximum_absolute_n: number;
+  mean_n: number;
+}
+
+export interface Results {
+  nominal_force_n: number;
+  cases: {
+    condition: string;
+    damping: string;
+    forces: Record<string, Deviation>;
+    sensors: { sensor: string; deviation: Deviation }[];
+    shortest_length_m: number;
+    longest_length_m: number;
+    smallest_pitch_m: number | null;
+    first_contact_s: number | null;
+  }[];
+}
+
+export const results = (folder: string): Results => JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as Results;
+export const resultsOf = (example: string): Results => results(join(out, example));
+
+/** `coilsense analyze` of every preset's example. */
+export default function setup(): void {
+  mkdirSync(out, { recursive: true });
+  for (const example of Object.values(EXAMPLES)) command('analyze', exampleFile(example), '--out', join(out, example), '--date', '2026-11-22');
+}

@@ -1,0 +1,53 @@
+// A page that watches itself: a test fails on any console error and on any request that leaves the page's own origin.
+import { test as base, expect, type Page } from '@playwright/test';
+import type { ExactFacts } from '../src/answer';
+import type { Shown } from '../src/compute';
+
+export { expect };
+
+export const test = base.extend<{ watched: string[] }>({
+  watched: [
+    async ({ page, baseURL }, use) => {
+      const complaints: string[] = [];
+      const origin = new URL(baseURL ?? '').origin;
+      page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(`console: ${message.text()}`));
+      page.on('pageerror', (error) => complaints.push(`error: ${error.message}`));
+      page.on('request', (request) => {
+        const { protocol, origin: asked } = new URL(request.url());
+        if (asked !== origin && !['data:', 'blob:'].includes(protocol)) complaints.push(`request: ${request.url()}`);
+      });
+      await use(complaints);
+      expect(complaints, 'what the page complained of or asked for elsewhere').toEqual([]);
+    },
+    { auto: true },
+  ],
+});
+
+declare global {
+  interface Window {
+    coilsense: { framesPerSecond(): number; last(): Shown | null };
+  }
+}
+
+/** Opens the page with a state in its address and waits for exact numbers. */
+export async function open(page: Page, hash = ''): Promise<void> {
+  await page.goto(`./${hash}`);
+  await exact(page);
+}
+
+/** Waits until what is shown is exact. */
+export async function exact(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.body.dataset['exact'] === 'true', null, { timeout: 30_000 });
+}
+
+/** The exact facts of what is shown. */
+export async function facts(page: Page): Promise<ExactFacts> {
+  await exact(page);
+  const found = await page.evaluate(() => window.coilsense.last()?.exact?.facts ?? null);
+  if (!found) throw new Error('no exact case');
+  return found;
+}
+
+/** A series of the curves that are shown. */
+export const series = (page: Page, name: string): Promise<number[]> =>
+  page.evaluate((name) => [...(window.coilsense.last()?.answer.series[name] ?? [])], name);

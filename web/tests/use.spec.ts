@@ -1,0 +1,169 @@
+// What a person does on the page: drag, type, undo, share, make mistakes, use the keyboard only.
+import { expect, exact, facts, open, series, test } from './page';
+
+const hitSlider = 'How hard it is hit, slider';
+
+test('a slider changes the curves, the number beside it, the answer and the table', async ({ page }) => {
+  await open(page);
+  const before = { force: Math.max(...(await series(page, 'F_o'))), sentence: await page.locator('#sentence').textContent(), rmsd: (await facts(page)).forces['F_o']!.rmsd };
+  await page.getByRole('slider', { name: hitSlider }).fill('500');
+  await expect(page.getByLabel('How hard it is hit', { exact: true })).toHaveValue('0.5 m/s');
+  await expect(page.locator('#sentence')).not.toHaveText(before.sentence ?? '');
+  const after = await facts(page);
+  // Linear: twice the speed, twice the ringing.
+  expect(after.forces['F_o']!.rmsd / before.rmsd).toBeCloseTo(2, 9);
+  expect(Math.max(...(await series(page, 'F_o')))).toBeGreaterThan(before.force + 3);
+  await expect(page.locator('tr[data-force=F_o] td').first()).toHaveText(((100 * after.forces['F_o']!.rmsd) / after.spring.nominalForce).toFixed(3));
+});
+
+test('a preview is marked, and exact values replace it within a second of rest', async ({ page }) => {
+  await open(page);
+  await page.getByRole('slider', { name: hitSlider }).fill('600');
+  await expect(page.locator('.status')).toHaveText('preview …');
+  await expect(page.locator('tbody')).toHaveClass(/stale/);
+  const begun = Date.now();
+  await exact(page);
+  console.log(`exact after ${Date.now() - begun} ms`);
+  await expect(page.locator('.status')).toHaveText('exact');
+  await expect(page.locator('tbody')).not.toHaveClass(/stale/);
+});
+
+test('the address reproduces the whole state', async ({ page, context }) => {
+  await open(page);
+  await page.getByLabel('Stiffness k', { exact: true }).fill('1.1 N/mm');
+  await page.getByLabel('Mass m', { exact: true }).fill('70 g');
+  await page.getByRole('button', { name: '0.005', exact: true }).click();
+  await page.locator('#condition').selectOption({ label: 'resonance' });
+  await page.getByRole('button', { name: 'Judged' }).click();
+  await expect.poll(() => page.url()).toContain('times');
+  const told = await facts(page);
+  const other = await context.newPage();
+  await other.goto(page.url());
+  const found = await facts(other);
+  expect(found).toEqual(told);
+  expect(found.spring.stiffness).toBe(1100);
+  expect(found.conditions[found.condition]!.name).toBe('resonance');
+  expect(found.dampings[found.damping]!.ratio).toBe(0.005);
+  await expect(other.getByLabel('Stiffness k', { exact: true })).toHaveValue('1.1 N/mm');
+  await other.close();
+});
+
+test('a drag is undone as one, done again, and reset', async ({ page }) => {
+  await open(page);
+  const value = page.getByLabel('How hard it is hit', { exact: true });
+  const slider = page.getByRole('slider', { name: hitSlider });
+  for (const at of ['300', '400', '700']) await slider.fill(at);
+  await expect(value).toHaveValue('0.7 m/s');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(value).toHaveValue('0.25 m/s');
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await expect(value).toHaveValue('0.7 m/s');
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await expect(value).toHaveValue('0.25 m/s');
+  await exact(page);
+});
+
+test('a wrong input is red with the reason, and the last good plot stays', async ({ page }) => {
+  await open(page);
+  const before = await series(page, 'F_o');
+  const mass = page.getByLabel('Mass m', { exact: true });
+  for (const [typed, reason] of [
+    ['65', 'must be a mass with its unit'],
+    ['-3 g', 'mass must be above zero'],
+    ['x', 'must be a mass'],
+  ] as const) {
+    await mass.fill(typed);
+    await expect(page.locator('#spring-mass-error')).toContainText(reason);
+    await expect(mass).toHaveAttribute('aria-invalid', 'true');
+    await expect(page.locator('.refusal').first()).toContainText('last state that could be computed');
+    expect(await series(page, 'F_o')).toEqual(before);
+  }
+  await mass.fill('66 g');
+  await expect(page.locator('#spring-mass-error')).toBeHidden();
+  await expect(mass).not.toHaveAttribute('aria-invalid', 'true');
+  await exact(page);
+  expect((await facts(page)).spring.mass).toBeCloseTo(0.066, 12);
+});
+
+test('an address that no page wrote is answered by a page that works', async ({ page }) => {
+  for (const hash of ['#nobody&spring.mass=1+kg&@condition=99', '#S_T&%E0%A4%A&constructor.prototype=1&@times=7&@tab=none', '#S_T&-condition&-spring.mass']) {
+    await page.goto(`./${hash}`);
+    await page.reload();
+    await expect(page.locator('#preset')).toBeVisible();
+    await page.getByRole('button', { name: 'Reset' }).click();
+    await exact(page);
+  }
+});
+
+test('a spring turns from values into wire and coil and back', async ({ page }) => {
+  await open(page);
+  const { spring } = await facts(page);
+  await page.getByText('The spring, in full').click();
+  await page.getByLabel('wire and coil').check();
+  await expect(page.getByLabel('Wire diameter d', { exact: true })).toHaveValue('2 mm');
+  await exact(page);
+  const wound = (await facts(page)).spring;
+  expect(wound.byGeometry).toBe(true);
+  // S_T's steel, by its formulas: k to some per cent.
+  expect(Math.abs(wound.stiffness / spring.stiffness - 1)).toBeLessThan(0.05);
+  await page.getByLabel('values', { exact: true }).check();
+  await exact(page);
+  expect((await facts(page)).spring.stiffness / wound.stiffness).toBeCloseTo(1, 5);
+});
+
+test('every kind of condition can be added', async ({ page }) => {
+  await open(page);
+  for (const kind of ['impact', 'end-stop', 'harmonic', 'sweep', 'step', 'ramp', 'pulse']) {
+    await page.locator('#condition').selectOption(`new:${kind}`);
+    await exact(page);
+    const found = await facts(page);
+    expect(found.conditions[found.condition]!.kind).toBe(kind);
+  }
+});
+
+test('windings that touch are said, marked and drawn', async ({ page }) => {
+  await open(page, '#S_A&@condition=4');
+  await expect(page.locator('[data-subject=clash]')).toContainText('windings touch from t = 0.529 s');
+  await expect(page.getByRole('img', { name: /The spring S_A with its 25 windings/ }).first()).toBeVisible();
+});
+
+test('zoom by buttons and keys, and the mark by arrows', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.getByRole('button', { name: 'All', exact: true }).click();
+  const times = () => page.evaluate(() => window.coilsense.last()?.times);
+  await expect.poll(times).toEqual([0, 1]);
+  await page.getByRole('group', { name: /Forces over time/ }).focus();
+  await page.keyboard.press('+');
+  await expect.poll(async () => ((await times()) ?? [0, 1])[1]! - ((await times()) ?? [0, 1])[0]!).toBeCloseTo(0.5, 6);
+  const clock = page.locator('.clock');
+  const before = await clock.textContent();
+  await page.keyboard.press('Shift+ArrowRight');
+  await expect(clock).not.toHaveText(before ?? '');
+});
+
+test('all of it by keyboard: every control is reached in order, and works', async ({ page }) => {
+  await open(page);
+  const met: string[] = [];
+  for (let press = 0; press < 80; press++) {
+    await page.keyboard.press('Tab');
+    const name = await page.evaluate(() => {
+      const at = document.activeElement;
+      return at && at !== document.body ? (at.getAttribute('aria-label') ?? (at as HTMLInputElement).labels?.[0]?.textContent ?? at.textContent ?? at.tagName).trim() : '';
+    });
+    // Behind the last control the browser's own begin.
+    if (name === '') break;
+    met.push(name);
+  }
+  for (const wanted of ['Spring', 'Reset', 'What happens', 'Pause', 'Time', 'Speed', 'First ringing', 'How hard it is hit', 'How hard it is hit, slider', 'Damping ζ', 'Stiffness k', 'Your limit', 'Spec (TOML)']) {
+    expect(met, wanted).toContain(wanted);
+  }
+  const slider = page.getByRole('slider', { name: hitSlider });
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByLabel('How hard it is hit', { exact: true })).toHaveValue('0.251 m/s');
+  await page.getByRole('tab', { name: 'Spring' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('tab', { name: 'Paper' })).toBeFocused();
+  await expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 60_000 });
+});
