@@ -17,6 +17,7 @@ const pairs = (page: Deviation, told: Results['cases'][number]['forces'][string]
 
 for (const [preset, example] of Object.entries(EXAMPLES)) {
   test(`${preset}: every condition and damping gives the numbers of coilsense analyze ${example}.toml`, async ({ page }) => {
+    test.slow();
     const { nominal_force_n: nominal, cases } = resultsOf(example);
     await open(page, `#${preset}`);
     const { conditions, dampings } = await facts(page);
@@ -72,12 +73,14 @@ test('the spec taken along gives the command the same numbers, and the CSV is th
 });
 
 test('a preview is the exact curve but for F_L, which is good to what its second order leaves', async ({ page }) => {
-  // Held at its preview by reading the first answer of a page that has just opened.
-  await page.goto('./#S_T');
-  await page.waitForFunction(() => window.coilsense?.last() !== null);
-  const preview = Object.fromEntries(await Promise.all(['time', 'F_i', 'F_o', 'F_L'].map(async (name) => [name, await series(page, name)] as const)));
+  // Six surge periods, in which preview and exact case share no time step but t = 0; so the view is set to one that they share.
+  await page.goto('./#S_T&@times=[0,0.1]');
+  await page.waitForFunction(() => window.coilsense?.last()?.exact === null);
+  const names = ['time', 'F_i', 'F_o', 'F_L'];
+  const read = async () => Object.fromEntries(await Promise.all(names.map(async (name) => [name, await series(page, name)] as const)));
+  const preview = await read();
   await exact(page);
-  const full = Object.fromEntries(await Promise.all(['time', 'F_i', 'F_o', 'F_L'].map(async (name) => [name, await series(page, name)] as const)));
+  const full = await read();
   const at = (time: number) => full['time']!.findIndex((other) => Math.abs(other - time) < 1e-9);
   let compared = 0;
   preview['time']!.forEach((time, index) => {
@@ -89,7 +92,7 @@ test('a preview is the exact curve but for F_L, which is good to what its second
     // 1e-7 of L (findings of the science) is 1e-5 of F_nom.
     expect(Math.abs(preview['F_L']![index]! - full['F_L']![same]!)).toBeLessThan(2e-3);
   });
-  expect(compared).toBeGreaterThan(5);
+  expect(compared).toBeGreaterThan(500);
 });
 
 test('Tables II and III of the tab Paper are the reproduction’s', async ({ page }, info) => {
@@ -98,7 +101,7 @@ test('Tables II and III of the tab Paper are the reproduction’s', async ({ pag
   await open(page);
   await page.getByRole('tab', { name: 'Paper' }).click();
   await expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 60_000 });
-  const shown = await page.locator('.tables td:not(.printed)').allTextContents();
+  const shown = await page.locator('.tables tbody td:not(.printed)').allTextContents();
   const cells = JSON.parse(readFileSync(join(folder, 'tables.json'), 'utf8')) as { tables_percent: number; text_percent: number }[];
   expect(cells.length).toBe(60);
   const told = cells.flatMap((cell) => [cell.tables_percent, cell.text_percent]).map((percent) => percent.toFixed(2).replace('-', '−'));
