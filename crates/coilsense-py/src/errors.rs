@@ -20,11 +20,26 @@ create_exception!(
     "A spec that cannot be used.\n\nThe text is one line that names file, line, key, value and what is allowed."
 );
 
+create_exception!(
+    coilsense,
+    AnalysisError,
+    Error,
+    "Why a spec cannot be worked off.\n\nThe text names the spec's file, the condition and the damping, and says what the science says."
+);
+create_exception!(
+    coilsense,
+    OutputError,
+    Error,
+    "Files that cannot be written.\n\nThe text names the path; what was there before is still there."
+);
+
 /// Adds the exceptions to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("Error", py.get_type::<Error>())?;
-    module.add("SpecError", py.get_type::<SpecError>())
+    module.add("SpecError", py.get_type::<SpecError>())?;
+    module.add("AnalysisError", py.get_type::<AnalysisError>())?;
+    module.add("OutputError", py.get_type::<OutputError>())
 }
 
 /// What of Rust's errors becomes which exception.
@@ -42,6 +57,21 @@ impl<T> IntoPython<T> for Result<T, coilsense::Error> {
 impl<T> IntoPython<T> for Result<T, coilsense_lab::spec::SpecError> {
     fn python(self) -> PyResult<T> {
         self.map_err(|error| SpecError::new_err(error.to_string()))
+    }
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense_lab::analysis::AnalysisError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| AnalysisError::new_err(error.to_string()))
+    }
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense_lab::report::ReportError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| match error {
+            coilsense_lab::report::ReportError::Output(error) => OutputError::new_err(error.to_string()),
+            other => Error::new_err(other.to_string()),
+        })
     }
 }
 

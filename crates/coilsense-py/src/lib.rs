@@ -9,14 +9,19 @@
 // Docstrings are laid out as NumPy's are.
 #![allow(clippy::doc_lazy_continuation, clippy::doc_overindented_list_items)]
 
+mod analysis;
 mod errors;
 mod excitation;
+mod html;
+mod json;
 mod measures;
 mod modes;
 mod motion;
 mod mount;
+mod progress;
 mod series;
 mod signals;
+mod spec;
 mod spring;
 mod stream;
 mod value;
@@ -38,6 +43,8 @@ fn _coilsense(module: &Bound<'_, PyModule>) -> PyResult<()> {
     windings::register(module)?;
     signals::register(module)?;
     measures::register(module)?;
+    spec::register(module)?;
+    analysis::register(module)?;
     // What is public is said once, by the package beside this module.
     module.delattr("__all__")
 }

@@ -6,12 +6,14 @@ mod clash;
 mod deviation;
 mod spectrum;
 
+pub use clash::PyClash;
+pub use deviation::PyDeviation;
 use pyo3::prelude::*;
 
 /// Adds the classes and the function to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<deviation::PyDeviation>()?;
-    module.add_class::<clash::PyClash>()?;
+    module.add_class::<PyDeviation>()?;
+    module.add_class::<PyClash>()?;
     module.add_class::<spectrum::PySpectrum>()?;
     module.add_function(wrap_pyfunction!(spectrum::py_alias_of, module)?)
 }

@@ -5,7 +5,7 @@
 
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Signals};
-use numpy::{IntoPyArray, PyArray1};
+use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -63,6 +63,11 @@ impl PySignals {
             signals.insert(*channel, numbers(values.bind(py))).python()?;
         }
         Ok(signals)
+    }
+
+    /// How many samples there are.
+    pub fn samples(&self, py: Python<'_>) -> usize {
+        self.time.bind(py).shape()[0]
     }
 
     fn find(&self, channel: Channel) -> Option<&Py<PyArray1<f64>>> {
@@ -268,6 +273,10 @@ impl PySignals {
 
     fn __getnewargs__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyArray1<f64>>, Arguments<'py>)> {
         Ok((self.time.bind(py).clone(), self.series(py)?))
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        crate::html::shown(slf.as_any(), "signals")
     }
 
     fn __repr__(&self, py: Python<'_>) -> String {

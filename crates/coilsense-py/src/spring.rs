@@ -324,6 +324,10 @@ impl PySpring {
         Ok(value::new_arguments(self.arguments(py)?))
     }
 
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        crate::html::shown(slf.as_any(), "spring")
+    }
+
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         value::shown("Spring", &self.arguments(py)?)
     }

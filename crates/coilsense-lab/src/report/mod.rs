@@ -13,7 +13,7 @@ mod placement;
 mod prose;
 mod reproduction;
 
-pub use analysis::{add_analysis, analysis_text};
+pub use analysis::{add_analysis, analysis_json, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use experiment::{add_experiment, experiment_json, experiment_text};

@@ -144,6 +144,10 @@ impl PyDeviation {
         Ok(value::new_arguments(self.arguments(py)?))
     }
 
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        crate::html::shown(slf.as_any(), "deviation")
+    }
+
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         value::shown("Deviation", &self.arguments(py)?)
     }

@@ -8,8 +8,11 @@ use serde_json::{Value, json};
 use crate::analysis::{Analysis, Case, SensorBudget, Verdict, answer};
 use crate::report::data_sheet::data_sheet_value;
 
-/// The whole analysis; what was not computed is null.
-pub(super) fn results_json(analysis: &Analysis, date: &str) -> Result<String, serde_json::Error> {
+/// The whole analysis as text; what was not computed is null.
+///
+/// # Errors
+/// What `serde_json` says.
+pub fn analysis_json(analysis: &Analysis, date: &str) -> Result<String, serde_json::Error> {
     let spec = &analysis.spec;
     let goal = &spec.goal;
     let value = json!({

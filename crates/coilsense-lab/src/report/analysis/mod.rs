@@ -8,6 +8,7 @@ mod json;
 mod text;
 mod viewer_data;
 
+pub use json::analysis_json;
 pub use text::analysis_text;
 
 use super::ReportError;
@@ -28,6 +29,6 @@ pub fn add_analysis(analysis: &Analysis, date: &str, output: &mut Output) -> Res
     let (name, format) = ("signals.csv", Format::Csv);
     output.write(name, |file| series::write(&runs, format, file))?;
     output.add("report.html", html::page(analysis, date)?.as_bytes())?;
-    output.add("results.json", json::results_json(analysis, date)?.as_bytes())?;
+    output.add("results.json", json::analysis_json(analysis, date)?.as_bytes())?;
     Ok(())
 }

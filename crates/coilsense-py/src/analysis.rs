@@ -1,0 +1,212 @@
+//! `coilsense.simulate` and `analyze`: a spec worked off.
+//!
+//! Next door: the spec (`spec`), progress and Ctrl-C (`progress`).
+
+mod case;
+
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+use coilsense_lab::analysis::{Analysis, answer, simulate};
+use coilsense_lab::output::Output;
+use coilsense_lab::report::{ReportError, add_analysis, analysis_json, analysis_text};
+use pyo3::prelude::*;
+
+use crate::errors::IntoPython;
+use crate::json;
+use crate::progress::watched;
+use crate::spec::PySpec;
+use case::PyCase;
+
+/// Adds the classes and the functions to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyCase>()?;
+    module.add_class::<PyAnalysis>()?;
+    module.add_function(wrap_pyfunction!(py_simulate, module)?)?;
+    module.add_function(wrap_pyfunction!(py_analyze, module)?)
+}
+
+/// Simulates every condition of a spec under every damping, on all cores.
+///
+/// Parameters
+/// ----------
+/// spec : Spec
+///     What to simulate.
+/// progress : callable, optional
+///     Called as ``progress(done, of)`` now and then; an exception of it stops the work.
+///
+/// Returns
+/// -------
+/// list of Case
+///     Condition by condition.
+///
+/// Raises
+/// ------
+/// AnalysisError
+///     For a spec without conditions, or the first case that the science refuses.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> cases = coilsense.simulate(coilsense.Spec.parse(coilsense.Spec.template("S_T")))
+/// >>> cases[0].condition, cases[0].signals["F_o"].shape == cases[0].readings["laser"].shape
+/// ('heel strike', True)
+#[pyfunction(name = "simulate")]
+#[pyo3(signature = (spec, progress=None))]
+fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<Vec<PyCase>> {
+    let spec = &spec.spec;
+    let cases = watched(py, progress.as_ref(), |progress| simulate(spec, progress))?.python()?;
+    cases.into_iter().map(|case| PyCase::of(py, spec, &spec.sensors, case)).collect()
+}
+
+/// Works a spec off: which sensor meets the goal, what breaks it, what would fix it.
+///
+/// Parameters
+/// ----------
+/// spec : Spec
+///     What to analyze.
+/// progress : callable, optional
+///     Called as ``progress(done, of)`` now and then; an exception of it stops the work.
+///
+/// Returns
+/// -------
+/// Analysis
+///
+/// Raises
+/// ------
+/// AnalysisError
+///     As `simulate`.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> analysis = coilsense.analyze(coilsense.Spec.parse(coilsense.Spec.template("S_T")))
+/// >>> analysis.answer[0].startswith("Choose")
+/// True
+#[pyfunction(name = "analyze")]
+#[pyo3(signature = (spec, progress=None))]
+fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
+    let spec = spec.spec.clone();
+    let analysis = watched(py, progress.as_ref(), |progress| Analysis::run(spec, progress))?.python()?;
+    Ok(PyAnalysis { analysis, cases: OnceLock::new() })
+}
+
+/// A spec, worked off; made by `analyze`.
+#[pyclass(name = "Analysis", module = "coilsense", frozen)]
+pub struct PyAnalysis {
+    analysis: Analysis,
+    cases: OnceLock<Vec<Py<PyCase>>>,
+}
+
+#[pymethods]
+impl PyAnalysis {
+    /// The answer in sentences, the most important first, as a list of str.
+    #[getter]
+    fn answer(&self) -> Vec<String> {
+        answer(&self.analysis)
+    }
+
+    /// What the command prints.
+    #[getter]
+    fn text(&self) -> String {
+        anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string()
+    }
+
+    /// The sensors' names, best first.
+    #[getter]
+    fn ranking(&self) -> Vec<&str> {
+        let name = |index: usize| self.analysis.sensors[index].name.as_str();
+        self.analysis.verdicts.iter().map(|verdict| name(verdict.sensor)).collect()
+    }
+
+    /// Combined standard uncertainty of each sensor in its worst case [N], best first, as a dict by the sensor's name.
+    #[getter]
+    fn uncertainties<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyDict>> {
+        let dict = pyo3::types::PyDict::new(py);
+        for (name, verdict) in self.ranking().into_iter().zip(&self.analysis.verdicts) {
+            dict.set_item(name, verdict.combined())?;
+        }
+        Ok(dict)
+    }
+
+    /// What a reader must know before using the numbers, as a list of str.
+    #[getter]
+    fn warnings(&self) -> Vec<&str> {
+        self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect()
+    }
+
+    /// Every condition under every damping, condition by condition, as a list of `Case`.
+    #[getter]
+    fn cases(&self, py: Python<'_>) -> PyResult<Vec<Py<PyCase>>> {
+        if self.cases.get().is_none() {
+            let (spec, sensors) = (&self.analysis.spec, &self.analysis.sensors);
+            let each = self.analysis.cases.iter().cloned();
+            let made = each.map(|case| Py::new(py, PyCase::of(py, spec, sensors, case)?));
+            let made = made.collect::<PyResult<Vec<_>>>()?;
+            // Another thread may have been faster; its cases are the same.
+            let _ = self.cases.set(made);
+        }
+        Ok(self.cases.get().into_iter().flatten().map(|case| case.clone_ref(py)).collect())
+    }
+
+    /// Everything, as ``results.json`` has it; what was not computed is None.
+    ///
+    /// Parameters
+    /// ----------
+    /// date : str, optional
+    ///     The date that it carries; today without it.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    #[pyo3(signature = (date=None))]
+    fn to_dict<'py>(&self, py: Python<'py>, date: Option<String>) -> PyResult<Bound<'py, PyAny>> {
+        let date = day(py, date)?;
+        json::loads(py, py.detach(|| analysis_json(&self.analysis, &date)))
+    }
+
+    /// Writes what ``coilsense analyze`` writes: report.html, results.json, signals.parquet; all of it, or nothing.
+    ///
+    /// Parameters
+    /// ----------
+    /// folder : str or os.PathLike
+    ///     Where; its other files are left alone.
+    /// date : str, optional
+    ///     The date that the report carries; today without it.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     How many files.
+    ///
+    /// Raises
+    /// ------
+    /// OutputError
+    ///     Where the folder cannot be written; it is then as it was.
+    #[pyo3(signature = (folder, date=None))]
+    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
+        let date = day(py, date)?;
+        let written = py.detach(|| {
+            let mut output = Output::begin(&folder)?;
+            add_analysis(&self.analysis, &date, &mut output)?;
+            Ok::<usize, ReportError>(output.commit()?)
+        });
+        written.python()
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        crate::html::shown(slf.as_any(), "analysis")
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Analysis of {}: {}>", self.analysis.spec.file, self.answer().first().map_or("", String::as_str))
+    }
+}
+
+/// The date as it is given, or today's.
+pub fn day(py: Python<'_>, date: Option<String>) -> PyResult<String> {
+    match date {
+        Some(date) => Ok(date),
+        None => py.import("datetime")?.getattr("date")?.call_method0("today")?.call_method0("isoformat")?.extract(),
+    }
+}

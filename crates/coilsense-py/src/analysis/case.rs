@@ -1,0 +1,115 @@
+//! `coilsense.Case`: a condition under one damping, simulated.
+//!
+//! Next door: all of them judged (the parent).
+
+use coilsense_lab::analysis::Case;
+use coilsense_lab::spec::{SensorSpec, Spec};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::measures::{PyClash, PyDeviation};
+use crate::series::frozen;
+use crate::signals::PySignals;
+
+/// A condition of a spec under one of its dampings, simulated; made by `simulate` and `analyze`.
+#[pyclass(name = "Case", module = "coilsense", frozen)]
+pub struct PyCase {
+    condition: String,
+    damping: String,
+    signals: Py<PySignals>,
+    readings: Py<PyDict>,
+    forces: Py<PyDict>,
+    deviations: Py<PyDict>,
+    judged: (usize, usize),
+    clash: coilsense::Clash,
+    lengths: (f64, f64),
+}
+
+impl PyCase {
+    /// A case moved to Python.
+    pub fn of(py: Python<'_>, spec: &Spec, sensors: &[SensorSpec], case: Case) -> PyResult<Self> {
+        let (readings, forces, deviations) = (PyDict::new(py), PyDict::new(py), PyDict::new(py));
+        for (channel, deviation) in &case.ideal {
+            deviations.set_item(channel.name(), PyDeviation(*deviation).into_pyobject(py)?)?;
+        }
+        for (sensor, reading) in sensors.iter().zip(case.readings) {
+            readings.set_item(&sensor.name, frozen(py, reading.native))?;
+            forces.set_item(&sensor.name, frozen(py, reading.force))?;
+            deviations.set_item(&sensor.name, PyDeviation(reading.deviation).into_pyobject(py)?)?;
+        }
+        Ok(Self {
+            condition: spec.conditions[case.condition].name.clone(),
+            damping: spec.mount.cases[case.damping].label.clone(),
+            signals: Py::new(py, PySignals::of(py, case.signals))?,
+            readings: readings.unbind(),
+            forces: forces.unbind(),
+            deviations: deviations.unbind(),
+            judged: (case.judged.start, case.judged.end),
+            clash: case.clash,
+            lengths: case.lengths,
+        })
+    }
+}
+
+#[pymethods]
+impl PyCase {
+    /// The condition's name.
+    #[getter]
+    fn condition(&self) -> &str {
+        &self.condition
+    }
+
+    /// The damping's label.
+    #[getter]
+    fn damping(&self) -> &str {
+        &self.damping
+    }
+
+    /// u1, u2, F_i, F_o, F_x, F_L and L from t = 0 on.
+    #[getter]
+    fn signals(&self, py: Python<'_>) -> Py<PySignals> {
+        self.signals.clone_ref(py)
+    }
+
+    /// What each sensor reads, in its native unit, as a dict of arrays by the sensor's name.
+    #[getter]
+    fn readings(&self, py: Python<'_>) -> Py<PyDict> {
+        self.readings.clone_ref(py)
+    }
+
+    /// The force that each reading means [N], as a dict of arrays by the sensor's name.
+    #[getter]
+    fn forces(&self, py: Python<'_>) -> Py<PyDict> {
+        self.forces.clone_ref(py)
+    }
+
+    /// Deviation of F_i, F_o, F_x, F_L and of each sensor's force from the true one [N] over the judged samples, as a dict.
+    #[getter]
+    fn deviations(&self, py: Python<'_>) -> Py<PyDict> {
+        self.deviations.clone_ref(py)
+    }
+
+    /// The samples that are judged, as a slice.
+    #[getter]
+    fn judged<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PySlice>> {
+        let bound = |sample: usize| isize::try_from(sample).unwrap_or(isize::MAX);
+        Ok(pyo3::types::PySlice::new(py, bound(self.judged.0), bound(self.judged.1), 1))
+    }
+
+    /// How near the windings come.
+    #[getter]
+    fn clash(&self) -> PyClash {
+        PyClash(self.clash)
+    }
+
+    /// Shortest and longest length of the spring [m], as a tuple.
+    #[getter]
+    fn lengths(&self) -> (f64, f64) {
+        self.lengths
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let samples = self.signals.bind(py).get().samples(py);
+        Ok(format!("<Case {}, {}: {samples} samples>", self.condition, self.damping))
+    }
+}

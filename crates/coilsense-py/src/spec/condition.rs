@@ -1,0 +1,78 @@
+//! `coilsense.Condition`: a condition of use in a spec.
+//!
+//! Next door: the spec (the parent), what is done to the spring (`excitation`).
+
+use coilsense_lab::spec::ConditionSpec;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::excitation::PyExcitation;
+use crate::value::{self, Arguments};
+
+/// A condition of use in a spec: what is done to the spring, for how long, and what of it is judged.
+#[pyclass(name = "Condition", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyCondition(pub ConditionSpec);
+
+#[pymethods]
+impl PyCondition {
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The spec's word for what is done, such as "impact".
+    #[getter]
+    fn kind(&self) -> &str {
+        self.0.kind
+    }
+
+    /// What is done to the spring.
+    #[getter]
+    fn excitation(&self) -> PyExcitation {
+        PyExcitation(self.0.excitation.clone())
+    }
+
+    /// How long it is simulated [s].
+    #[getter]
+    fn duration(&self) -> f64 {
+        self.0.duration
+    }
+
+    /// From when to when it is judged [s], as a tuple.
+    #[getter]
+    fn window(&self) -> (f64, f64) {
+        self.0.window
+    }
+
+    /// Samples per second [Hz].
+    #[getter]
+    fn sample_rate(&self) -> f64 {
+        self.0.sample_rate
+    }
+
+    /// What it is by name, the excitation as a dict.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("name", self.name())?;
+        dict.set_item("kind", self.kind())?;
+        dict.set_item("excitation", self.excitation().into_pyobject(py)?)?;
+        dict.set_item("duration", self.duration())?;
+        dict.set_item("window", self.window())?;
+        dict.set_item("sample_rate", self.sample_rate())?;
+        value::plain(&dict)
+    }
+
+    fn __repr__(&self) -> String {
+        let condition = &self.0;
+        format!(
+            "<Condition {}: {}, {} s at {} Hz>",
+            condition.name, condition.kind, condition.duration, condition.sample_rate
+        )
+    }
+}
