@@ -1,5 +1,7 @@
 """One value of each noun, for the tests that ask the same of all."""
 
+import numpy
+
 import coilsense
 
 SPRING = coilsense.Spring.of_paper("S_T")
@@ -41,4 +43,21 @@ def values() -> list[object]:
     deviation = coilsense.Deviation.between([1.0, 2.0], [0.5, 2.0])
     clash = coilsense.Clash.of(motion, [0.0, 0.1])
     nouns = [shaken, IMPACT, mount, motion, motion.truncated(3), signals, windings, deviation, clash]
-    return [SPRING, *inputs, *starts, *dampings, *far_ends, *nouns]
+    coil = coilsense.MaxwellSum(SPRING, "geometric-mean")
+    estimate = coilsense.Estimate(54.0, 0.1, 0.2)
+    return [SPRING, coil, estimate, *inputs, *starts, *dampings, *far_ends, *nouns]
+
+
+def tapped(noise: float = 0.05, seconds: float = 30.0, pulled: bool = True) -> coilsense.Signals:
+    """A slow pull at end 1 and a tap every five seconds, 2.5 kHz, both load cells with noise: the motion is linear, so that taps add up."""
+    mount, times = coilsense.Mount(damping=coilsense.Damping.modal(0.005)), coilsense.sampled_window(2500, 0, seconds)
+    end1 = coilsense.EndInput.harmonic(5e-3, 0.2) if pulled else None
+    signals = coilsense.Motion(SPRING, coilsense.Excitation(0.23, end1=end1), mount).signals(times)
+    tap = coilsense.Motion(SPRING, IMPACT, mount).signals(times)
+    random = numpy.random.default_rng(1)
+    for name in ("F_i", "F_o"):
+        force = signals[name] + random.normal(0, noise, len(times))
+        for begin in range(5000, len(times), 12_500):
+            force[begin:] += tap[name][: len(times) - begin] - SPRING.static_force(0.23)
+        signals = signals.inserted(name, force)
+    return signals

@@ -19,6 +19,12 @@ create_exception!(
     Error,
     "A spec that cannot be used.\n\nThe text is one line that names file, line, key, value and what is allowed."
 );
+create_exception!(
+    coilsense,
+    LogError,
+    Error,
+    "A log that cannot be used.\n\nThe text is one line that names file, line, column, what is there and what would do."
+);
 
 create_exception!(
     coilsense,
@@ -39,7 +45,8 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("Error", py.get_type::<Error>())?;
     module.add("SpecError", py.get_type::<SpecError>())?;
     module.add("AnalysisError", py.get_type::<AnalysisError>())?;
-    module.add("OutputError", py.get_type::<OutputError>())
+    module.add("OutputError", py.get_type::<OutputError>())?;
+    module.add("LogError", py.get_type::<LogError>())
 }
 
 /// What of Rust's errors becomes which exception.
@@ -72,6 +79,48 @@ impl<T> IntoPython<T> for Result<T, coilsense_lab::report::ReportError> {
             coilsense_lab::report::ReportError::Output(error) => OutputError::new_err(error.to_string()),
             other => Error::new_err(other.to_string()),
         })
+    }
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense_lab::recording::RecordingError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| LogError::new_err(in_python(&error.to_string())))
+    }
+}
+
+/// An exception with the text of an error that has no subclass of its own.
+pub fn refused(error: impl std::fmt::Display) -> PyErr {
+    Error::new_err(in_python(&error.to_string()))
+}
+
+/// What the command calls an option, and what it is here.
+const OPTIONS: [(&str, &str); 12] = [
+    ("--mass, --spec", "mass=, spring="),
+    ("--drop-incomplete", "drop_incomplete=True"),
+    ("--merge-repeated", "merge_repeated=True"),
+    ("--sort", "sort=True"),
+    ("--fill-gaps ", "fill_gaps="),
+    ("--resample ", "resample="),
+    ("--sample-rate", "sample_rate="),
+    ("--length-at-zero", "length_at_zero="),
+    ("--preset ", "preset="),
+    ("--clock ", "clock="),
+    ("--from", "from_="),
+    ("--to", "to="),
+];
+
+/// A message that names options of the command, with the arguments of Python in their place.
+pub fn in_python(message: &str) -> String {
+    let named = OPTIONS.iter().fold(message.to_owned(), |text, (option, argument)| text.replace(option, argument));
+    // `--column F_o="title [N]"` is an entry of a dict.
+    match named.split_once("--column ") {
+        Some((before, rest)) => match rest.split_once('=') {
+            Some((channel, title)) if !channel.contains(['"', ' ']) => {
+                format!("{before}columns={{{channel:?}: {title}}}")
+            }
+            _ => format!("{before}columns: {rest}"),
+        },
+        None => named,
     }
 }
 

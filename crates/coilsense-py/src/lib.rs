@@ -10,19 +10,29 @@
 #![allow(clippy::doc_lazy_continuation, clippy::doc_overindented_list_items)]
 
 mod analysis;
+mod calibration;
 mod errors;
+mod estimate;
 mod excitation;
 mod html;
+mod identification;
+mod interrupt;
 mod json;
+mod log_options;
+mod maxwell_sum;
 mod measures;
 mod modes;
 mod motion;
 mod mount;
 mod progress;
+mod quantity;
+mod recording;
+mod results;
 mod series;
 mod signals;
 mod spec;
 mod spring;
+mod spring_argument;
 mod stream;
 mod value;
 mod windings;
@@ -45,6 +55,11 @@ fn _coilsense(module: &Bound<'_, PyModule>) -> PyResult<()> {
     measures::register(module)?;
     spec::register(module)?;
     analysis::register(module)?;
+    maxwell_sum::register(module)?;
+    estimate::register(module)?;
+    recording::register(module)?;
+    calibration::register(module)?;
+    identification::register(module)?;
     // What is public is said once, by the package beside this module.
     module.delattr("__all__")
 }

@@ -61,7 +61,7 @@ pub(crate) fn interval(estimate: &Estimate, scale: f64) -> String {
 }
 
 /// A part of the forces, as tables call it.
-pub(crate) fn part_name(part: Option<Part>) -> &'static str {
+pub fn part_name(part: Option<Part>) -> &'static str {
     match part {
         Some(Part::Difference) => "in turn",
         Some(Part::Sum) => "together",

@@ -5,8 +5,8 @@
 mod answer;
 mod spec_file;
 
-pub use answer::answer;
-pub(crate) use answer::{interval, part_name};
+pub(crate) use answer::interval;
+pub use answer::{answer, part_name};
 pub use spec_file::{Coil, SpecFileError, spec_file};
 
 use coilsense::Signals;
@@ -15,7 +15,7 @@ use coilsense::identify::{Identification, Settings};
 use crate::recording::Recording;
 
 /// A log and what it says.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Identified {
     /// The log's name, as it was given.
     pub file: String,

@@ -107,6 +107,28 @@ impl Recording {
         Ok(Self { signals, account, remarks })
     }
 
+    /// Signals that were not read from a file, under a name for messages and reports.
+    pub fn of_signals(name: &str, signals: Signals) -> Self {
+        let time = signals.time();
+        let rows = time.len() as u64;
+        let steps = time.windows(2).map(|pair| pair[1] - pair[0]);
+        let (least, largest) =
+            steps.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), step| (least.min(step), most.max(step)));
+        let span = time.first().zip(time.last()).map(|(first, last)| [*first, *last]);
+        let interval = span.filter(|_| rows > 1).map(|[first, last]| (last - first) / (rows - 1) as f64);
+        let account = Account {
+            file: name.into(),
+            description: "signals in memory".to_owned(),
+            read: rows,
+            rows,
+            span,
+            interval,
+            steps: interval.map(|_| [least, largest]),
+            ..Account::default()
+        };
+        Self { signals, account, remarks: Vec::new() }
+    }
+
     /// The signals.
     pub fn signals(&self) -> &Signals {
         &self.signals

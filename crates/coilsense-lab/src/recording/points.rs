@@ -6,6 +6,7 @@ use std::path::Path;
 
 use coilsense::Channel;
 
+use super::Recording;
 use super::account::{Account, Reason};
 use super::error::RecordingError;
 use super::mapping::Mapping;
@@ -59,6 +60,17 @@ impl Points {
             return Err(RecordingError::of_file(path, nothing_left(&account)));
         }
         Ok(Self { channels, lines, account, remarks })
+    }
+
+    /// The rows of a recording, counted from 1 where their lines are no longer known.
+    pub fn of(recording: &Recording) -> Self {
+        let signals = recording.signals();
+        Self {
+            channels: signals.channels().map(|(channel, values)| (channel, values.to_vec())).collect(),
+            lines: (1..=signals.time().len() as u64).collect(),
+            account: recording.account().clone(),
+            remarks: recording.remarks().to_vec(),
+        }
     }
 
     /// A channel's values in SI, shape `rows`.

@@ -42,7 +42,7 @@ pub use verdict::{Answer, Verdict};
 pub use welch::Welch;
 
 /// What a record says of its spring.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Identification {
     /// When it was sampled.
     pub sampling: Sampling,

@@ -1,0 +1,108 @@
+//! What a calibration is made of: points from arrays, recordings and logs, and the law that goes on to force.
+//!
+//! Next door: what is made of them (the parent).
+
+use std::path::PathBuf;
+
+use coilsense::calibrate::CalibrationPoints;
+use coilsense_lab::calibration::{ForceLaw, Measured, read_lab_data};
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::{Points, Repairs};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{Error, IntoPython, refused};
+use crate::interrupt::interruptible;
+use crate::log_options::LogOptions;
+use crate::quantity::{Quantity, positive};
+use crate::recording::PyRecording;
+use crate::series::Series;
+use crate::spring_argument::Known;
+
+/// Where points come from.
+#[derive(FromPyObject)]
+pub enum PointsArgument<'py> {
+    /// A log that was read.
+    Recording(Bound<'py, PyRecording>),
+    /// Lengths and inductances.
+    Arrays(Series<'py>, Series<'py>),
+    /// A log.
+    Path(PathBuf),
+}
+
+/// The points; `zero` is the length of the coil where positions read zero \[m\].
+pub fn measured(
+    py: Python<'_>,
+    points: PointsArgument<'_>,
+    zero: Option<f64>,
+    preset: Option<String>,
+    columns: Option<Bound<'_, PyDict>>,
+    units: Option<Bound<'_, PyDict>>,
+) -> PyResult<Measured> {
+    let of_a_path = matches!(points, PointsArgument::Path(_));
+    if !of_a_path && (preset.is_some() || columns.is_some() || units.is_some()) {
+        return Err(Error::new_err("preset, columns and units go with the path of a log only"));
+    }
+    match points {
+        PointsArgument::Recording(recording) => {
+            Measured::of_log(&Points::of(&recording.get().0), zero).map_err(refused)
+        }
+        PointsArgument::Arrays(lengths, inductances) => of_arrays(&lengths.values(), &inductances.values(), zero),
+        PointsArgument::Path(path) if preset.is_some() => {
+            let needed = "length_at_zero is needed: the file holds displacements, the curve is one of lengths";
+            let zero = zero.ok_or_else(|| Error::new_err(needed))?;
+            interruptible(py, move || read_lab_data(&path, zero))?.map_err(refused)
+        }
+        PointsArgument::Path(path) => {
+            let options = LogOptions { columns, units, mapping: None, preset: None, sample_rate: None };
+            let mapping = options.mapping()?;
+            let points = interruptible(py, move || Points::read(&path, &mapping, &Repairs::default()))?.python()?;
+            Measured::of_log(&points, zero).map_err(refused)
+        }
+    }
+}
+
+fn of_arrays(lengths: &[f64], inductances: &[f64], zero: Option<f64>) -> PyResult<Measured> {
+    let lengths: Vec<f64> = lengths.iter().map(|length| zero.unwrap_or(0.0) + length).collect();
+    let points = CalibrationPoints::new(&lengths, inductances).python()?;
+    Ok(Measured {
+        file: "points".to_owned(),
+        points,
+        standard_errors: Vec::new(),
+        rows: (1..=lengths.len()).collect(),
+        zero_length: zero,
+        account: Vec::new(),
+        simulated: false,
+    })
+}
+
+/// What goes on to force, as Python gives it.
+pub struct ForceArguments {
+    pub stiffness: Option<Quantity>,
+    pub uncertainty: f64,
+    pub length_at_zero_force: Option<Quantity>,
+}
+
+/// The law by arguments, or by a spec's spring with its tolerances taken as evenly spread.
+pub fn force(given: &ForceArguments, spec: Option<&Known>) -> PyResult<Option<ForceLaw>> {
+    let stiffness = positive(given.stiffness.as_ref(), "stiffness", Dimension::Stiffness)?;
+    let rest_length = positive(given.length_at_zero_force.as_ref(), "length_at_zero_force", Dimension::Length)?;
+    match (spec, stiffness, rest_length) {
+        (Some(spec), None, None) => {
+            let (stiffness, even) = (spec.spring.stiffness(), 1.0 / 3.0_f64.sqrt());
+            Ok(Some(ForceLaw {
+                stiffness,
+                stiffness_u: even * stiffness * spec.stiffness_tolerance,
+                rest_length: spec.spring.rest_length(),
+                rest_length_u: even * spec.rest_length_tolerance,
+            }))
+        }
+        (Some(_), ..) => Err(Error::new_err("spring and stiffness say the same thing; give one of them")),
+        (None, Some(stiffness), Some(rest_length)) => {
+            let stiffness_u = stiffness * given.uncertainty;
+            Ok(Some(ForceLaw { stiffness, stiffness_u, rest_length, rest_length_u: 0.0 }))
+        }
+        (None, None, None) => Ok(None),
+        _ => Err(Error::new_err("stiffness and length_at_zero_force go together")),
+    }
+}

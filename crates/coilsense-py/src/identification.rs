@@ -1,0 +1,376 @@
+//! `coilsense.identify` and `Identification`: is it the spring that rings, and what spring is it?
+//!
+//! Next door: what was recorded (`recording`), values with intervals (`estimate`).
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use coilsense::FarEnd;
+use coilsense::identify::{Estimate, Settings};
+use coilsense::modes::ChainModes;
+use coilsense_lab::identification::{Coil, Identified, spec_file};
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::report::{add_identification, identification_json, identification_text};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{Error, in_python, refused, unknown};
+use crate::estimate::PyEstimate;
+use crate::interrupt::interruptible;
+use crate::json;
+use crate::quantity::{Quantity, open_share, positive, share};
+use crate::recording::recording;
+use crate::results::{laid_out, plain, save};
+use crate::spring_argument::SpringArgument;
+
+/// Adds class and function to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyIdentification>()?;
+    module.add_function(wrap_pyfunction!(identify, module)?)
+}
+
+/// What a record says of its spring; made by `identify`. ``str()`` of it is what ``coilsense identify`` prints.
+///
+/// Values with intervals are `Estimate`; what was not found is None, and `stiffness_refused` or `record_next` say why.
+#[pyclass(name = "Identification", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyIdentification(Arc<Identified>);
+
+/// Frequencies [Hz] and density [N²/Hz].
+type Density<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+#[pymethods]
+impl PyIdentification {
+    /// Whether the spring's own modes ring, in words.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.0.found.verdict.answer.name()
+    }
+
+    /// Why, the weightiest first.
+    #[getter]
+    fn evidence(&self) -> Vec<String> {
+        self.0.found.verdict.evidence.clone()
+    }
+
+    /// What to record next; empty where nothing is missing.
+    #[getter]
+    fn record_next(&self) -> Vec<String> {
+        self.0.found.verdict.next.iter().map(|next| in_python(next)).collect()
+    }
+
+    /// The answer, a sentence each, the verdict first.
+    #[getter]
+    fn answer(&self) -> Vec<String> {
+        coilsense_lab::identification::answer(&self.0).iter().map(|line| in_python(line)).collect()
+    }
+
+    /// f1: frequency of the first mode with both ends held, undamped [Hz].
+    #[getter]
+    fn first_frequency(&self) -> Option<PyEstimate> {
+        estimate(self.0.found.first_frequency)
+    }
+
+    /// ζ: damping ratio of the lowest mode that was found [1].
+    #[getter]
+    fn damping_ratio(&self) -> Option<PyEstimate> {
+        estimate(self.0.found.ratio)
+    }
+
+    /// k: stiffness [N/m].
+    #[getter]
+    fn stiffness(&self) -> Option<PyEstimate> {
+        estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.stiffness))
+    }
+
+    /// Why there is no stiffness; None where there is one.
+    #[getter]
+    fn stiffness_refused(&self) -> Option<String> {
+        self.0.found.stiffness.as_ref().err().cloned()
+    }
+
+    /// Length without force [m]; the position without force where only one end's was recorded.
+    #[getter]
+    fn rest_length(&self) -> Option<PyEstimate> {
+        estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.length_at_zero))
+    }
+
+    /// m: mass of the coil that rings, k τ² [kg].
+    #[getter]
+    fn mass(&self) -> Option<PyEstimate> {
+        estimate(self.0.found.mass)
+    }
+
+    /// τ: how long a wave takes from end to end [s].
+    #[getter]
+    fn transit_time(&self) -> Option<PyEstimate> {
+        estimate(self.0.found.transit_time)
+    }
+
+    /// Mass at end 2 [kg], where end 2 moves with the ringing.
+    #[getter]
+    fn end_mass(&self) -> Option<f64> {
+        self.0.found.end_mass
+    }
+
+    /// Which mount the modes fit, in words; None without modes.
+    #[getter]
+    fn mount(&self) -> Option<&'static str> {
+        self.0.found.ladder.map(|ladder| ladder.name())
+    }
+
+    /// Up to which frequencies [Hz] forces can be trusted to a tolerance [1]: a dict, or None where f1 is not known.
+    #[getter]
+    fn trust<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(trust) = self.0.found.trust else { return Ok(None) };
+        let dict = PyDict::new(py);
+        dict.set_item("tolerance", trust.tolerance)?;
+        dict.set_item("output_for_input", trust.output_for_input)?;
+        dict.set_item("deflection_for_input", trust.deflection_for_input)?;
+        dict.set_item("deflection_for_output", trust.deflection_for_output)?;
+        Ok(Some(dict))
+    }
+
+    /// The lines of the record, lowest frequency first, each a dict under the names of results.json.
+    #[getter]
+    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.to_dict(py)?.get_item("lines")
+    }
+
+    /// Times of the taps [s], shape (taps,).
+    #[getter]
+    fn taps<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.0.found.taps.iter().map(|tap| tap.time).collect::<Vec<_>>().into_pyarray(py)
+    }
+
+    /// Power spectral densities of the parts of the forces: for each part frequencies [Hz] and density [N²/Hz], shape (lines,).
+    ///
+    /// Notes
+    /// -----
+    /// Source: [Welch1967]; Hann-tapered segments, half overlapping.
+    #[getter]
+    fn spectra<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (part, welch) in &self.0.found.spectra {
+            let frequencies: Vec<f64> = (0..welch.density.len()).map(|line| line as f64 * welch.spacing).collect();
+            let density: Density<'py> = (frequencies.into_pyarray(py), PyArray1::from_slice(py, &welch.density));
+            dict.set_item(coilsense_lab::identification::part_name(Some(*part)), density)?;
+        }
+        Ok(dict)
+    }
+
+    /// Samples per second [Hz].
+    #[getter]
+    fn sample_rate(&self) -> f64 {
+        self.0.found.sampling.rate
+    }
+
+    /// What was found as the text of a spec that `Spec.parse` and ``coilsense analyze`` read.
+    ///
+    /// Parameters
+    /// ----------
+    /// windings : float, optional
+    ///     Active windings [1], which no record tells.
+    /// coil_radius : float or str, optional
+    ///     To the wire's centre [m].
+    /// wire_radius : float or str, optional
+    ///     Of the wire [m].
+    /// spring : Spring, str or os.PathLike, optional
+    ///     A spring or a spec that tells these three.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     TOML.
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     Where the three are not given, or stiffness, length or first mode was not found.
+    #[pyo3(signature = (windings=None, coil_radius=None, wire_radius=None, *, spring=None))]
+    fn to_spec(
+        &self,
+        windings: Option<f64>,
+        coil_radius: Option<Quantity>,
+        wire_radius: Option<Quantity>,
+        spring: Option<SpringArgument<'_>>,
+    ) -> PyResult<String> {
+        let known = spring.as_ref().map(SpringArgument::known).transpose()?;
+        let radius = positive(coil_radius.as_ref(), "coil_radius", Dimension::Length)?;
+        let wire = positive(wire_radius.as_ref(), "wire_radius", Dimension::Length)?;
+        let coil = match (known, windings, radius, wire) {
+            (Some(known), None, None, None) => {
+                let (windings, coil_radius) = (known.spring.windings(), known.spring.coil_radius());
+                Coil { windings, coil_radius, wire_radius: known.spring.wire_radius() }
+            }
+            (None, Some(windings), Some(coil_radius), Some(wire_radius)) => Coil { windings, coil_radius, wire_radius },
+            _ => {
+                let needed = "a spec needs windings, coil_radius and wire_radius, or spring: no log of forces and positions tells them";
+                return Err(Error::new_err(needed));
+            }
+        };
+        spec_file(&self.0, &coil).map_err(refused)
+    }
+
+    /// Writes what ``coilsense identify --out`` writes: report.html, results.json, figures; all of it or nothing.
+    ///
+    /// Parameters
+    /// ----------
+    /// folder : str or os.PathLike
+    ///     Its other files are left alone.
+    /// date : str, optional
+    ///     What the report carries; without it, today's.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     How many files.
+    #[pyo3(signature = (folder, date=None))]
+    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
+        save(py, &folder, date, |date, output| add_identification(&self.0, date, output))
+    }
+
+    /// Everything, under the names of results.json.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        json::loads(py, identification_json(&self.0, None))
+    }
+
+    /// The lines as a data frame of pandas; ``pip install coilsense[pandas]``.
+    ///
+    /// Returns
+    /// -------
+    /// pandas.DataFrame
+    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "lines_frame", (slf,))
+    }
+
+    /// Draws the spectrum with its lines by matplotlib; ``pip install coilsense[plot]``.
+    ///
+    /// Parameters
+    /// ----------
+    /// axes : matplotlib.axes.Axes, optional
+    ///     Where; without it, in a new figure.
+    ///
+    /// Returns
+    /// -------
+    /// matplotlib.axes.Axes
+    #[pyo3(signature = (axes=None))]
+    fn plot<'py>(slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "identification_plot", (slf, axes))
+    }
+
+    fn __str__(&self) -> String {
+        plain(&identification_text(&self.0))
+    }
+
+    fn __repr__(&self) -> String {
+        let first = self.0.found.first_frequency.map_or(String::new(), |first| format!(", f1={} Hz", first.value));
+        format!("<Identification of {}: {}{first}>", self.0.file, self.verdict())
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "identification_html", (slf,))
+    }
+}
+
+fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
+    found.map(PyEstimate)
+}
+
+/// Whether it is the spring that rings in a record, and what spring it is: f1, damping, stiffness, mass, each with its interval.
+///
+/// Parameters
+/// ----------
+/// record : Recording, Signals, str or os.PathLike
+///     Forces, and positions where they were recorded, on an even clock; or the path of a log whose columns carry their channels' names.
+/// spring : Spring, str or os.PathLike, optional
+///     Foretell f1 from a spring or a spec.
+/// mass : float or str, optional
+///     Mass of the active coil [kg]: with the stiffness it foretells f1.
+/// windings : float, optional
+///     Active windings [1]; the steps between modes are then those of a chain of so many.
+/// end2 : {"held", "free", "mass"}, optional
+///     What end 2 is tied to; without it the record decides.
+/// end_mass : float or str, optional
+///     Mass at end 2 [kg]; without it F_o over the acceleration of u2.
+/// prediction_tolerance : float
+///     How far a foretold f1 may be off, as a share [1].
+/// tolerance : float
+///     Dynamic error up to which a force counts as trusted, as a share [1].
+/// accuracy_force, accuracy_position : float
+///     Limits of error of the sensors, as shares of reading [1], which the intervals then hold.
+///
+/// Returns
+/// -------
+/// Identification
+///
+/// Raises
+/// ------
+/// Error
+///     For a record without a force, too short, or uneven in time; settings that make no sense.
+/// LogError
+///     For a log that cannot be read.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spring = coilsense.Spring.of_paper("S_T")
+/// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+/// >>> times = coilsense.sampled_window(2500, 0, 4)
+/// >>> hit = coilsense.Motion(spring, coilsense.Excitation.impact(0.23, 0.25), mount).signals(times)
+/// >>> found = coilsense.identify(hit, spring=spring)
+/// >>> found.verdict, round(found.first_frequency.value, 1)
+/// ('spring', 54.1)
+#[pyfunction]
+#[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, prediction_tolerance=0.05,
+                    tolerance=0.01, accuracy_force=0.0, accuracy_position=0.0))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
+fn identify(
+    py: Python<'_>,
+    record: &Bound<'_, PyAny>,
+    spring: Option<SpringArgument<'_>>,
+    mass: Option<Quantity>,
+    windings: Option<f64>,
+    end2: Option<&str>,
+    end_mass: Option<Quantity>,
+    prediction_tolerance: f64,
+    tolerance: f64,
+    accuracy_force: f64,
+    accuracy_position: f64,
+) -> PyResult<PyIdentification> {
+    let known = spring.as_ref().map(SpringArgument::known).transpose()?.map(|known| known.spring);
+    if known.is_some() && (mass.is_some() || windings.is_some()) {
+        return Err(Error::new_err("spring says mass and windings, too; give one of them"));
+    }
+    let foretold = known.as_ref().and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
+    let end_mass = positive(end_mass.as_ref(), "end_mass", Dimension::Mass)?;
+    let settings = Settings {
+        windings: known.as_ref().map(|spring| spring.chain_masses() as f64).or(windings),
+        mass: positive(mass.as_ref(), "mass", Dimension::Mass)?,
+        predicted: foretold.map(|angular| angular / std::f64::consts::TAU),
+        prediction_tolerance: open_share(prediction_tolerance, "prediction_tolerance")?,
+        far_end: far_end(end2, end_mass)?,
+        tolerance: open_share(tolerance, "tolerance")?,
+        accuracy_force: share(accuracy_force, "accuracy_force")?,
+        accuracy_position: share(accuracy_position, "accuracy_position")?,
+    };
+    let recording = recording(py, record)?;
+    let identified = interruptible(py, move || Identified::of(recording, &settings))?.map_err(refused)?;
+    Ok(PyIdentification(Arc::new(identified)))
+}
+
+fn far_end(end2: Option<&str>, mass: Option<f64>) -> PyResult<Option<FarEnd>> {
+    let known = ["held", "free", "mass"];
+    match (end2, mass) {
+        (None | Some("mass"), mass) => Ok(mass.map(FarEnd::Mass)),
+        (Some("held"), None) => Ok(Some(FarEnd::Position)),
+        (Some("free"), None) => Ok(Some(FarEnd::Force)),
+        (Some(word), _) if !known.contains(&word) => Err(unknown("end2", &known, word)),
+        _ => Err(Error::new_err("end_mass goes with end2=\"mass\" only")),
+    }
+}

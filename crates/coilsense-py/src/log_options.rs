@@ -1,0 +1,65 @@
+//! Which column of a log is which channel, as Python says it.
+//!
+//! Next door: what is read (`recording`), what may be mended there.
+
+use std::path::PathBuf;
+
+use coilsense_lab::recording::Mapping;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{Error, IntoPython};
+use crate::quantity::{Quantity, rate};
+
+/// Arguments of everything that reads a log.
+pub struct LogOptions<'py> {
+    /// Titles or numbers by channel.
+    pub columns: Option<Bound<'py, PyDict>>,
+    /// Units by channel.
+    pub units: Option<Bound<'py, PyDict>>,
+    /// A TOML file.
+    pub mapping: Option<PathBuf>,
+    /// A known layout.
+    pub preset: Option<String>,
+    /// For a log without a time column.
+    pub sample_rate: Option<Quantity>,
+}
+
+/// A column by its title, or by its number from 1.
+#[derive(FromPyObject)]
+enum Column {
+    Number(u32),
+    Title(String),
+}
+
+impl LogOptions<'_> {
+    /// The mapping they make.
+    pub fn mapping(&self) -> PyResult<Mapping> {
+        let mut mapping = match (&self.preset, &self.mapping) {
+            (Some(_), Some(_)) => {
+                return Err(Error::new_err("preset and mapping say the same thing; give one of them"));
+            }
+            (Some(name), None) => Mapping::preset(name).python()?,
+            (None, Some(file)) => Mapping::read(file).python()?,
+            (None, None) => Mapping::default(),
+        };
+        let mut titles: Vec<(String, String)> = Vec::new();
+        for (name, column) in self.columns.iter().flatten() {
+            let title = match column.extract()? {
+                Column::Number(number) => format!("#{number}"),
+                Column::Title(title) => title,
+            };
+            titles.push((name.extract()?, title));
+        }
+        for (name, unit) in self.units.iter().flatten() {
+            let (name, unit): (String, String) = (name.extract()?, unit.extract()?);
+            match titles.iter_mut().find(|(other, _)| *other == name) {
+                Some((_, title)) => title.push_str(&format!(" [{unit}]")),
+                None => titles.push((name.clone(), format!("{name} [{unit}]"))),
+            }
+        }
+        titles.iter().try_for_each(|(name, title)| mapping.set(&format!("{name}={title}")).python())?;
+        mapping.format.sample_rate = rate(self.sample_rate.as_ref(), "sample_rate")?.or(mapping.format.sample_rate);
+        Ok(mapping)
+    }
+}

@@ -1,0 +1,165 @@
+//! `coilsense.MaxwellSum`: the inductance of a coil by its windings, pair by pair.
+//!
+//! Next door: where windings are (`windings`), the curve that is fitted to measurements (`calibration`).
+
+use coilsense::inductance::{MaxwellSum, SelfDistance};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{Error, IntoPython, unknown};
+use crate::series::Series;
+use crate::spring::PySpring;
+use crate::value::{self, Arguments, NewArguments};
+use crate::windings::PyWindings;
+
+/// Adds the class to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyMaxwellSum>()
+}
+
+/// Words for the self distance.
+const DISTANCES: [(&str, SelfDistance); 2] =
+    [("as-printed", SelfDistance::AsPrinted), ("geometric-mean", SelfDistance::GeometricMean)];
+
+/// Maxwell's summation: the inductance of a coil as that of rings at its windings, each with each.
+///
+/// Parameters
+/// ----------
+/// spring : Spring
+/// self_distance : {"as-printed", "geometric-mean"}
+///     What distance a ring's own inductance takes: ½ ρ exp(-1/4), as the paper prints, or ρ exp(-1/4), that of a round wire.
+///
+/// Notes
+/// -----
+/// L = Σ_i Σ_j M(|x_i - x_j|), M of two coaxial rings by complete elliptic integrals. Source: [Weijde2017] eqs. 8 to 11.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+/// >>> bool(coil.at_lengths([0.2])[0] > coil.at_lengths([0.26])[0])
+/// True
+#[pyclass(name = "MaxwellSum", module = "coilsense", frozen)]
+pub struct PyMaxwellSum {
+    sum: MaxwellSum,
+    spring: coilsense::Spring,
+    distance: &'static str,
+}
+
+impl PyMaxwellSum {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
+        dict.set_item("self_distance", self.distance)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyMaxwellSum {
+    #[new]
+    #[pyo3(signature = (spring, self_distance="as-printed"))]
+    fn new(spring: &PySpring, self_distance: &str) -> PyResult<Self> {
+        let found = DISTANCES.into_iter().find(|(word, _)| *word == self_distance);
+        let known = DISTANCES.map(|(word, _)| word);
+        let (distance, kind) = found.ok_or_else(|| unknown("self_distance", &known, self_distance))?;
+        Ok(Self { sum: MaxwellSum::new(&spring.0, kind), spring: spring.0.clone(), distance })
+    }
+
+    /// The spring.
+    #[getter]
+    fn spring(&self) -> PySpring {
+        PySpring(self.spring.clone())
+    }
+
+    /// What distance a ring's own inductance takes.
+    #[getter]
+    fn self_distance(&self) -> &'static str {
+        self.distance
+    }
+
+    /// The inductance of windings spread uniformly over lengths.
+    ///
+    /// Parameters
+    /// ----------
+    /// lengths : array_like of float, shape (samples,)
+    ///     [m], above zero.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     L [H].
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For the first length that is not above zero and finite.
+    fn at_lengths<'py>(&self, py: Python<'py>, lengths: Series<'_>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let lengths = lengths.values();
+        if let Some(place) = lengths.iter().position(|length| !(*length > 0.0 && length.is_finite())) {
+            let wrong = lengths[place];
+            return Err(Error::new_err(format!("lengths[{place}] must be above zero and finite, got {wrong} m")));
+        }
+        let series: Vec<f64> = py.detach(|| lengths.iter().map(|length| self.sum.at_length(*length)).collect());
+        Ok(series.into_pyarray(py))
+    }
+
+    /// The inductance of windings that stand somewhere.
+    ///
+    /// Parameters
+    /// ----------
+    /// positions : array_like of float, shape (turns,)
+    ///     Places of the turns that carry the current along the axis [m].
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     L [H]; infinite where two turns coincide.
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For another number of turns, or the first position that is not finite.
+    fn at_positions(&self, positions: Series<'_>) -> PyResult<f64> {
+        self.sum.at_positions(&positions.values()).python()
+    }
+
+    /// The inductance at every sample of a motion.
+    ///
+    /// Parameters
+    /// ----------
+    /// windings : Windings
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     L [H]; infinite where two turns coincide.
+    fn series<'py>(&self, py: Python<'py>, windings: &PyWindings) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let windings = windings.to_rust(py)?;
+        Ok(py.detach(|| self.sum.series(&windings)).into_pyarray(py))
+    }
+
+    /// Its arguments by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        value::plain(&self.arguments(py)?)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other
+            .cast::<Self>()
+            .is_ok_and(|other| (&other.get().spring, other.get().distance) == (&self.spring, self.distance))
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("MaxwellSum", &self.arguments(py)?)
+    }
+}

@@ -1,0 +1,304 @@
+//! `coilsense.Recording` and `open_log`: a measured log in SI on one rising clock, with an account of its rows.
+//!
+//! Next door: how a log is to be read (`log_options`), what is made of it (`calibration`, `identification`, `mitigation`).
+
+use std::path::PathBuf;
+
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::{Clock, Recording};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::IntoPython;
+use crate::interrupt::interruptible;
+use crate::log_options::LogOptions;
+use crate::quantity::Quantity;
+use crate::results::laid_out;
+use crate::signals::{PySignals, channel};
+
+/// Adds class and function to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyRecording>()?;
+    module.add_function(wrap_pyfunction!(open_log, module)?)
+}
+
+/// Signals that were recorded, with an account of where they come from; made by `open_log`, or of signals in memory.
+///
+/// Parameters
+/// ----------
+/// signals : Signals
+/// name : str, optional
+///     What messages and reports call it.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> signals = coilsense.Signals([0.0, 0.1, 0.2], {"F_o": [1.0, 2.0, 4.0]})
+/// >>> coilsense.Recording(signals).sample_rate
+/// 10.0
+#[pyclass(name = "Recording", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyRecording(pub Recording);
+
+/// What is known about a second device's clock.
+#[derive(FromPyObject)]
+enum ClockArgument {
+    /// A channel of the first and one of the second that saw the same motion.
+    Pair(String, String),
+    /// What to add to its times.
+    Offset(Quantity),
+}
+
+impl ClockArgument {
+    fn clock(self) -> PyResult<Clock> {
+        match self {
+            Self::Pair(mine, theirs) => Ok(Clock::Found(Some([channel(&mine)?, channel(&theirs)?]))),
+            Self::Offset(offset) => offset.finite("clock", Dimension::Time).map(Clock::Offset),
+        }
+    }
+}
+
+#[pymethods]
+impl PyRecording {
+    #[new]
+    #[pyo3(signature = (signals, name="signals"))]
+    fn new(py: Python<'_>, signals: &PySignals, name: &str) -> PyResult<Self> {
+        Ok(Self(Recording::of_signals(name, signals.to_rust(py)?)))
+    }
+
+    /// What was recorded, copied.
+    #[getter]
+    fn signals(&self, py: Python<'_>) -> PySignals {
+        PySignals::of(py, self.0.signals().clone())
+    }
+
+    /// What became of every row: a line each, as ``coilsense import`` prints them.
+    #[getter]
+    fn account(&self) -> Vec<String> {
+        self.0.account().lines()
+    }
+
+    /// The file, or the name it was given.
+    #[getter]
+    fn file(&self) -> String {
+        self.0.account().file.display().to_string()
+    }
+
+    /// Rows by what became of them: "read", "kept", "added in gaps", and each reason for which some were left out.
+    #[getter]
+    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let account = self.0.account();
+        let dict = PyDict::new(py);
+        dict.set_item("read", account.read)?;
+        for (reason, tally) in &account.left_out {
+            dict.set_item(reason.words(), tally.count)?;
+        }
+        dict.set_item("added in gaps", account.filled_rows)?;
+        dict.set_item("kept", account.rows)?;
+        Ok(dict)
+    }
+
+    /// Comment lines and what else stands above the rows.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.0.remarks().to_vec()
+    }
+
+    /// What the log says of its being simulated; None where it does not.
+    #[getter]
+    fn simulated(&self) -> Option<&str> {
+        self.0.simulated()
+    }
+
+    /// Samples per second [Hz]; a LogError where the clock is not even.
+    #[getter]
+    fn sample_rate(&self) -> PyResult<f64> {
+        self.0.sample_rate().python()
+    }
+
+    /// The same with the channels of a second device, which has a clock of its own.
+    ///
+    /// Parameters
+    /// ----------
+    /// other : Recording
+    ///     The second device's.
+    /// clock : float, str or (str, str), optional
+    ///     What to add to its times [s]; or a channel of each that saw the same motion, as in ``("F_o", "F_x")``. Without it the offset is
+    ///     found by a channel that both have.
+    ///
+    /// Returns
+    /// -------
+    /// Recording
+    ///     On the first device's times; rows where the second has no values are left out.
+    ///
+    /// Raises
+    /// ------
+    /// LogError
+    ///     Where the offset cannot be found, or no times are in common.
+    #[pyo3(signature = (other, clock=None))]
+    fn joined(&self, py: Python<'_>, other: &Self, clock: Option<ClockArgument>) -> PyResult<Self> {
+        let clock = clock.map_or(Ok(Clock::Found(None)), ClockArgument::clock)?;
+        let (mine, theirs) = (self.0.clone(), other.0.clone());
+        interruptible(py, move || mine.joined(&theirs, clock))?.python().map(Self)
+    }
+
+    /// File, account and signals: nothing but numbers, texts, lists and dicts.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        dict.set_item("file", self.file())?;
+        dict.set_item("account", self.account())?;
+        dict.set_item("signals", Py::new(py, self.signals(py))?.call_method0(py, "to_dict")?)?;
+        Ok(dict)
+    }
+
+    /// The channels as a data frame of pandas over an index of time; ``pip install coilsense[pandas]``.
+    ///
+    /// Returns
+    /// -------
+    /// pandas.DataFrame
+    ///     One column per channel; ``attrs["units"]`` holds their units.
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        Py::new(py, self.signals(py))?.into_bound(py).call_method0("to_pandas")
+    }
+
+    /// Draws channels over time with matplotlib; ``pip install coilsense[plot]``.
+    ///
+    /// Parameters
+    /// ----------
+    /// channels : list of str, optional
+    ///     Which, all of one unit; without it, the forces.
+    /// axes : matplotlib.axes.Axes, optional
+    ///     Where; without it, in a new figure.
+    ///
+    /// Returns
+    /// -------
+    /// matplotlib.axes.Axes
+    #[pyo3(signature = (channels=None, axes=None))]
+    fn plot<'py>(
+        &self,
+        py: Python<'py>,
+        channels: Option<Vec<String>>,
+        axes: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        Py::new(py, self.signals(py))?.into_bound(py).call_method1("plot", (channels, axes))
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.signals().time().len()
+    }
+
+    fn __str__(&self) -> String {
+        self.account().join("\n")
+    }
+
+    fn __repr__(&self) -> String {
+        let names: Vec<&str> = self.0.signals().channels().map(|(channel, _)| channel.name()).collect();
+        format!("<Recording {}: {}, {} rows>", self.file(), names.join(", "), self.__len__())
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "recording_html", (slf,))
+    }
+}
+
+/// A log of any layout as a recording: text (CSV and the like), Parquet, MATLAB up to 7, MDF 4.
+///
+/// Nothing is mended unless an argument says so, and whatever is mended or left out is counted in the recording's account. Quantities are
+/// numbers in SI, or texts with a unit such as ``"2.5 kHz"``.
+///
+/// Parameters
+/// ----------
+/// path : str or os.PathLike
+///     The file.
+/// columns : dict of str to str or int, optional
+///     Which column is which channel ("time", "u1", "u2", "F_i", "F_o", "F_x", "F_L", "L"): its title, with its unit as in
+///     ``{"F_o": "LC [N]"}``, or its number from 1. Columns that carry a channel's name need none.
+/// units : dict of str to str, optional
+///     Units by channel, where titles carry none, as in ``{"F_o": "mN"}``.
+/// mapping : str or os.PathLike, optional
+///     The same as a TOML file, which can say more: gains, offsets, means of several columns; see docs/logs.md.
+/// preset : {"lab-data"}, optional
+///     A known layout.
+/// sample_rate : float or str, optional
+///     How often a log without a time column was sampled [Hz].
+/// drop_incomplete : bool
+///     Leave out rows that lack a value or cannot be read.
+/// sort : bool
+///     Put rows into the order of their times.
+/// merge_repeated : bool
+///     Take the mean of rows that have the same time.
+/// fill_gaps : float or str, optional
+///     Fill gaps and missing values up to this length [s] along straight lines.
+/// resample : float or str, optional
+///     Bring all channels to this rate [Hz] along straight lines.
+/// from_, to : float or str, optional
+///     Leave out what is before or after [s].
+///
+/// Returns
+/// -------
+/// Recording
+///
+/// Raises
+/// ------
+/// LogError
+///     One line with file, line and column for what cannot be read, is wrong, and may not be mended.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, pathlib, tempfile
+/// >>> with tempfile.TemporaryDirectory() as folder:
+/// ...     path = pathlib.Path(folder) / "run.csv"
+/// ...     _ = path.write_text("Zeit [ms];LC [N]\n0;1,5\n4;1,75\n8;1,5\n")
+/// ...     recording = coilsense.open_log(path, {"time": "Zeit [ms]", "F_o": "LC [N]"})
+/// >>> recording.sample_rate, recording.signals["F_o"]
+/// (250.0, array([1.5 , 1.75, 1.5 ]))
+#[pyfunction]
+#[pyo3(signature = (path, columns=None, units=None, *, mapping=None, preset=None, sample_rate=None, drop_incomplete=false,
+                    sort=false, merge_repeated=false, fill_gaps=None, resample=None, from_=None, to=None))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
+fn open_log(
+    py: Python<'_>,
+    path: PathBuf,
+    columns: Option<Bound<'_, PyDict>>,
+    units: Option<Bound<'_, PyDict>>,
+    mapping: Option<PathBuf>,
+    preset: Option<String>,
+    sample_rate: Option<Quantity>,
+    drop_incomplete: bool,
+    sort: bool,
+    merge_repeated: bool,
+    fill_gaps: Option<Quantity>,
+    resample: Option<Quantity>,
+    from_: Option<Quantity>,
+    to: Option<Quantity>,
+) -> PyResult<PyRecording> {
+    let mapping = LogOptions { columns, units, mapping, preset, sample_rate }.mapping()?;
+    let repairs = coilsense_lab::recording::Repairs {
+        drop_incomplete,
+        sort,
+        merge_repeated,
+        fill_gaps: crate::quantity::positive(fill_gaps.as_ref(), "fill_gaps", Dimension::Time)?,
+        resample: crate::quantity::rate(resample.as_ref(), "resample")?,
+        from: crate::quantity::finite(from_.as_ref(), "from_", Dimension::Time)?,
+        to: crate::quantity::finite(to.as_ref(), "to", Dimension::Time)?,
+    };
+    interruptible(py, move || Recording::read(&path, &mapping, &repairs))?.python().map(PyRecording)
+}
+
+/// A recording from Python: one, signals in memory, or the path of a log whose columns carry their channels' names.
+pub fn recording(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Recording> {
+    if let Ok(recording) = object.cast::<PyRecording>() {
+        return Ok(recording.get().0.clone());
+    }
+    if let Ok(signals) = object.cast::<PySignals>() {
+        return Ok(Recording::of_signals("signals", signals.get().to_rust(py)?));
+    }
+    let wrong =
+        |_| pyo3::exceptions::PyTypeError::new_err("recording must be a Recording, Signals, or the path of a log");
+    let path: PathBuf = object.extract().map_err(wrong)?;
+    interruptible(py, move || Recording::read(&path, &Default::default(), &Default::default()))?.python()
+}

@@ -1,0 +1,48 @@
+//! A spring that is known beforehand, as an argument: a noun, or the file of a spec.
+//!
+//! Next door: the noun (`spring`).
+
+use std::path::PathBuf;
+
+use coilsense::Spring;
+use coilsense_lab::spec::SpringSpec;
+use pyo3::prelude::*;
+
+use crate::errors::IntoPython;
+use crate::spring::PySpring;
+
+/// A spring, or a spec that has one.
+#[derive(FromPyObject)]
+pub enum SpringArgument<'py> {
+    /// The noun.
+    Spring(Bound<'py, PySpring>),
+    /// A spec, of which only the table `[spring]` is read.
+    Path(PathBuf),
+}
+
+/// What is known of it.
+pub struct Known {
+    /// The spring.
+    pub spring: Spring,
+    /// How far the stiffness may be off, either way, as a share \[1\].
+    pub stiffness_tolerance: f64,
+    /// How far the rest length may be off, either way \[m\].
+    pub rest_length_tolerance: f64,
+}
+
+impl SpringArgument<'_> {
+    /// The spring and its tolerances; a noun has none.
+    pub fn known(&self) -> PyResult<Known> {
+        match self {
+            Self::Spring(spring) => {
+                Ok(Known { spring: spring.get().0.clone(), stiffness_tolerance: 0.0, rest_length_tolerance: 0.0 })
+            }
+            Self::Path(path) => {
+                let spec = SpringSpec::read(path).python()?;
+                let (stiffness_tolerance, rest_length_tolerance) =
+                    (spec.stiffness_tolerance, spec.rest_length_tolerance);
+                Ok(Known { spring: spec.spring, stiffness_tolerance, rest_length_tolerance })
+            }
+        }
+    }
+}
