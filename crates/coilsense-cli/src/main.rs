@@ -11,10 +11,12 @@ mod import;
 mod init;
 mod log;
 mod mitigate;
+mod pareto;
 mod placement;
 mod progress;
 mod reproduce;
 mod rig;
+mod sensitivity;
 mod simulate;
 mod spring;
 mod sweep;
@@ -56,6 +58,10 @@ enum Command {
     Placement(placement::Arguments),
     /// Which of a million springs and sensors: vary a spec's values, judge every design, write rows as Parquet; a killed run is continued
     Sweep(sweep::Arguments),
+    /// What the columns of a sweep hang on: first-order and total sensitivity indices of its variables
+    Sensitivity(sensitivity::Arguments),
+    /// Which designs of a sweep are worth a look: those that no other beats
+    Pareto(pareto::Arguments),
     /// Work off an experiment: how load cell, position and inductance part, what is biased, what drifts
     Experiment(experiment::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
@@ -83,6 +89,8 @@ fn main() -> ExitCode {
         Command::Mitigate(arguments) => mitigate::run(&arguments),
         Command::Placement(arguments) => placement::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Sensitivity(arguments) => sensitivity::run(&arguments),
+        Command::Pareto(arguments) => pareto::run(&arguments),
         Command::Experiment(arguments) => experiment::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });

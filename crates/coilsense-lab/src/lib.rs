@@ -43,3 +43,6 @@ pub mod rig;
 pub mod report;
 
 pub mod output;
+
+pub mod pareto;
+pub mod sensitivity;

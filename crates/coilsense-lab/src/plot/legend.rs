@@ -119,7 +119,7 @@ impl Sample {
             }
             Self::Marker(colour, marker) => {
                 let outlines = vec![marker.outline([x + 0.5 * BLOCK, y])];
-                return Shape::Area { outlines, ink: theme.shade(colour), opacity: 1.0 };
+                return Shape::Area { outlines, ink: theme.shade(colour), opacity: marker.opacity() };
             }
             Self::Band(colour) => (theme.shade(colour), band::opacity(theme)),
             Self::Block(colour) => (theme.shade(colour), 1.0),

@@ -41,9 +41,16 @@ pub enum Marker {
     Square,
     /// A square on its corner.
     Diamond,
+    /// A pale dot, one of thousands.
+    Dot,
 }
 
 impl Marker {
+    /// How much of what is behind it it hides.
+    pub(super) fn opacity(self) -> f64 {
+        if self == Self::Dot { 0.35 } else { 1.0 }
+    }
+
     /// Its outline about a point.
     pub(super) fn outline(self, [x, y]: Point) -> Vec<Point> {
         // Corners, how far out, and the turn of the first in steps from corner to corner.
@@ -51,6 +58,7 @@ impl Marker {
             Self::Disc => (CORNERS, SIZE, 0.0),
             Self::Square => (4, 1.25 * SIZE, 0.5),
             Self::Diamond => (4, 1.35 * SIZE, 0.0),
+            Self::Dot => (4, 0.4 * SIZE, 0.5),
         };
         let angle = |corner: usize| std::f64::consts::TAU * (corner as f64 + turn) / corners as f64;
         (0..corners).map(|corner| [x + radius * angle(corner).cos(), y + radius * angle(corner).sin()]).collect()
@@ -95,6 +103,6 @@ pub(super) fn shapes(scene: &Scene, shapes: &mut Vec<Shape>) {
         shapes.push(Shape::Lines { runs, pen: whisker(points.colour, scene.theme) });
         let outline = |index: usize| points.marker.outline(scene.frame.at(across(index), up(points.y[index])));
         let outlines = shown.into_iter().map(outline).collect();
-        shapes.push(Shape::Area { outlines, ink: scene.theme.shade(points.colour), opacity: 1.0 });
+        shapes.push(Shape::Area { outlines, ink: scene.theme.shade(points.colour), opacity: points.marker.opacity() });
     }
 }

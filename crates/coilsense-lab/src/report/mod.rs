@@ -9,9 +9,15 @@ mod data_sheet;
 mod experiment;
 mod identification;
 mod mitigation;
+#[cfg(feature = "parquet")]
+mod pareto;
 mod placement;
 mod prose;
 mod reproduction;
+#[cfg(feature = "parquet")]
+mod sensitivity;
+#[cfg(feature = "parquet")]
+mod units;
 
 pub use analysis::{add_analysis, analysis_json, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
@@ -19,8 +25,15 @@ pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use experiment::{add_experiment, experiment_json, experiment_text};
 pub use identification::{add_identification, identification_json, identification_text};
 pub use mitigation::{add_mitigation, mitigation_json, mitigation_text};
+#[cfg(feature = "parquet")]
+pub use pareto::{add_pareto, pareto_json, pareto_text};
 pub use placement::{add_placement, placement_json, placement_text};
 pub use reproduction::{add_reproduction, reproduction_text};
+
+#[cfg(feature = "parquet")]
+pub use sensitivity::{add_sensitivity, sensitivity_json, sensitivity_text};
+#[cfg(feature = "parquet")]
+pub(crate) use units::Shown;
 
 use crate::output::OutputError;
 use crate::plot::{Figure, PlotError, Theme};
@@ -48,6 +61,9 @@ pub enum ReportError {
     /// Settings cannot be exported.
     #[error("export: {0}")]
     Export(#[from] crate::mitigation::export::ExportError),
+    /// A table cannot be written.
+    #[error("{0}")]
+    Table(String),
     /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -25,10 +25,10 @@ pub(crate) struct Draft<'a> {
 /// Where a value stands in a spec.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Place {
-    table: &'static str,
+    pub(super) table: &'static str,
     /// Which of several tables of that name.
-    index: Option<usize>,
-    key: &'static str,
+    pub(super) index: Option<usize>,
+    pub(super) key: &'static str,
     /// What the key takes.
     pub domain: Domain,
 }

@@ -16,6 +16,7 @@ mod material;
 mod measurand;
 mod mount;
 mod recorded;
+mod replaced;
 mod rig;
 mod run;
 mod section;
@@ -47,6 +48,7 @@ use std::path::Path;
 
 pub(crate) use draft::{Core, Draft, Place};
 pub(crate) use keys::Domain;
+pub(crate) use replaced::replaced;
 
 /// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.
 pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;

@@ -125,6 +125,12 @@ impl Ready {
         }
     }
 
+    /// What a row sets.
+    pub fn settings(&self, row: usize) -> impl Iterator<Item = (&Target, Setting)> {
+        let columns = self.columns.iter().zip(&self.cells);
+        columns.filter_map(move |(column, cells)| Some((column.target.as_ref()?, cells.get(row)?.clone())))
+    }
+
     /// A row's values as the result shows them.
     pub fn cells(&self, row: usize) -> Vec<Cell> {
         let cell = |(column, cells): (&Column, &Vec<Setting>)| {

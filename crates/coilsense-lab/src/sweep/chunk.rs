@@ -31,6 +31,21 @@ pub enum Data {
 }
 
 impl Data {
+    /// How many values there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Whole(values) => values.len(),
+            Self::Numbers(values) => values.len(),
+            Self::Texts(values) => values.len(),
+            Self::Flags(values) => values.len(),
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// Puts the values of another column of its kind behind its own; one of another kind is left out.
     #[cfg(feature = "parquet")]
     pub(super) fn append(&mut self, other: Self) {
@@ -46,7 +61,7 @@ impl Data {
 
 /// What kind of values a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Whole,
     Numbers,
     Texts,

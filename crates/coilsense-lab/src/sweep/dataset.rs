@@ -152,7 +152,8 @@ impl Dataset {
         Ok(tally)
     }
 
-    fn for_each_chunk(&self, titles: &[&str], mut visit: impl FnMut(Vec<Data>)) -> Result<(), SweepError> {
+    /// Shows some columns of each chunk that is there, one chunk in memory at a time.
+    pub(crate) fn for_each_chunk(&self, titles: &[&str], mut visit: impl FnMut(Vec<Data>)) -> Result<(), SweepError> {
         for chunk in 0..self.plan.chunks() {
             let path = self.path(chunk);
             if !path.is_file() {

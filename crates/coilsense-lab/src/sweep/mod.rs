@@ -11,6 +11,7 @@
 //! Next door: reading a spec (`spec`), the analysis of a single design (`analysis`).
 
 mod catalogue;
+mod chosen;
 mod chunk;
 mod column;
 #[cfg(feature = "parquet")]
@@ -22,6 +23,8 @@ mod forces;
 #[cfg(feature = "parquet")]
 mod manifest;
 mod permutation;
+#[cfg(feature = "parquet")]
+mod picked;
 mod plan;
 mod sampling;
 mod sobol;
@@ -30,10 +33,16 @@ mod values;
 mod variable;
 
 pub use catalogue::Catalogue;
+#[cfg(feature = "parquet")]
+pub(crate) use chunk::Kind;
 pub use chunk::{Chunk, Data};
 pub use column::column_words;
 #[cfg(feature = "parquet")]
 pub use dataset::{Dataset, Tally};
+#[cfg(feature = "parquet")]
+pub(crate) use permutation::mixed;
+#[cfg(feature = "parquet")]
+pub(crate) use picked::{unit_of, without_unit};
 pub use plan::{Plan, PlanParameters};
 pub use sampling::Sampling;
 

@@ -37,7 +37,8 @@ pub struct PlanParameters {
     /// How rows are laid over the variables; without it a grid where every variable has its points, else a Latin hypercube.
     #[serde(default)]
     pub sampling: Option<Sampling>,
-    /// How many rows, for each of the catalogue where there is one; a grid has its own number.
+    /// How many rows, for each of the catalogue where there is one; a grid has its own number. Of Saltelli's design base rows, each of which
+    /// is evaluated two times and once more for each variable.
     #[serde(default)]
     pub rows: Option<u64>,
     /// Of all randomness.
@@ -117,7 +118,8 @@ impl Plan {
         let whole = points.iter().all(Option::is_some);
         let usual = if whole && parameters.rows.is_none() { Sampling::Grid } else { Sampling::Lhs };
         let sampling = parameters.sampling.unwrap_or(usual);
-        let inner = number_of_rows(sampling, &variables, parameters.rows)?;
+        let asked = number_of_rows(sampling, &variables, parameters.rows)?;
+        let inner = asked.saturating_mul(evaluations(sampling, variables.len()));
         let items = parameters.catalogue.as_ref().map_or(1, |table| table.rows.len() as u64);
         let rows = inner.saturating_mul(items);
         if rows > MOST_ROWS {
@@ -133,7 +135,7 @@ impl Plan {
         }
         let parameters = PlanParameters {
             sampling: Some(sampling),
-            rows: Some(inner),
+            rows: Some(asked),
             columns: words,
             chunk_rows: Some(chunk_rows),
             ..parameters
@@ -187,6 +189,15 @@ impl Plan {
     /// Titles of all columns, in order, each with its unit in brackets where it holds numbers.
     pub fn titles(&self) -> Vec<String> {
         super::chunk::titles(self).into_iter().map(|(title, _)| title).collect()
+    }
+
+    /// What a row's design replaces in the spec, and by what; the catalogue's first.
+    pub(super) fn settings(&self, row: u64) -> Vec<(&variable::Target, variable::Setting)> {
+        let (item, inner) = (row / self.inner, row % self.inner);
+        let catalogue = self.catalogue.iter().flat_map(|catalogue| catalogue.settings(item as usize));
+        let of_variable = |(variable, coordinate): (&'_ Variable, _)| variable.at(coordinate);
+        let sampled = self.variables.iter().zip(self.sampler.row(inner)).map(of_variable);
+        catalogue.chain(self.variables.iter().map(|variable| &variable.target).zip(sampled)).collect()
     }
 
     /// Sets a draft to a row's design; gives the values as the result shows them, the catalogue's first.
@@ -270,9 +281,11 @@ fn number_of_rows(sampling: Sampling, variables: &[Variable], rows: Option<u64>)
         let key = open.map_or("", |variable| variable.target.key.as_str());
         return Err(SweepError(format!("say how many rows with --rows, or give {key} points, as in {key}=1..2 : 11")));
     };
-    if sampling == Sampling::Sobol {
-        if variables.len() > sobol::MOST_VARIABLES {
-            let text = format!("Sobol's sequence is here for {} variables at most", sobol::MOST_VARIABLES);
+    if matches!(sampling, Sampling::Sobol | Sampling::Saltelli) {
+        let most = if sampling == Sampling::Sobol { sobol::MOST_VARIABLES } else { sobol::MOST_VARIABLES / 2 };
+        if variables.len() > most {
+            let text =
+                format!("sampling {} is here for {most} variables at most, got {}", sampling.name(), variables.len());
             return Err(SweepError(text));
         }
         if rows > sobol::MOST_ROWS {
@@ -280,6 +293,11 @@ fn number_of_rows(sampling: Sampling, variables: &[Variable], rows: Option<u64>)
         }
     }
     if rows == 0 { Err(SweepError("--rows must be at least 1, got 0".to_owned())) } else { Ok(rows) }
+}
+
+/// Rows of one that is asked for.
+fn evaluations(sampling: Sampling, variables: usize) -> u64 {
+    if sampling == Sampling::Saltelli { variables as u64 + 2 } else { 1 }
 }
 
 fn grid_rows(variables: &[Variable]) -> Option<u64> {

@@ -21,12 +21,20 @@ pub enum Sampling {
     MonteCarlo,
     /// Sobol's sequence, Owen-scrambled: first numbers of 2^n rows fill the ranges most evenly.
     Sobol,
+    /// Saltelli's design for sensitivity indices: for each base row two independent rows of Sobol's sequence in one, and between them the
+    /// first with one variable after the other from the second (`[Saltelli2010]`, section 3); see [`crate::sensitivity`].
+    Saltelli,
 }
 
 impl Sampling {
     /// All of them, by their words.
-    pub const ALL: [(&'static str, Self); 4] =
-        [("grid", Self::Grid), ("lhs", Self::Lhs), ("monte-carlo", Self::MonteCarlo), ("sobol", Self::Sobol)];
+    pub const ALL: [(&'static str, Self); 5] = [
+        ("grid", Self::Grid),
+        ("lhs", Self::Lhs),
+        ("monte-carlo", Self::MonteCarlo),
+        ("sobol", Self::Sobol),
+        ("saltelli", Self::Saltelli),
+    ];
 
     /// The sampling of a word.
     pub fn named(name: &str) -> Option<Self> {
@@ -56,6 +64,7 @@ pub(super) enum Sampler {
     Lhs { permutations: Vec<Permutation>, rows: u64, seed: u64 },
     MonteCarlo { dimensions: usize, seed: u64 },
     Sobol(Sobol),
+    Saltelli { dimensions: usize, sobol: Sobol },
 }
 
 /// Apart from one another: draws of Monte Carlo, jitter of a hypercube's parts, the orders of its parts.
@@ -73,6 +82,7 @@ impl Sampler {
             }
             Sampling::MonteCarlo => Self::MonteCarlo { dimensions, seed },
             Sampling::Sobol => Self::Sobol(Sobol::new(dimensions, seed)),
+            Sampling::Saltelli => Self::Saltelli { dimensions, sobol: Sobol::new(2 * dimensions, seed) },
         }
     }
 
@@ -94,6 +104,15 @@ impl Sampler {
                 draws(*seed, row, *dimensions).into_iter().map(Coordinate::Share).collect()
             }
             Self::Sobol(sobol) => sobol.row(row).into_iter().map(Coordinate::Share).collect(),
+            Self::Saltelli { dimensions, sobol } => {
+                let of_base = *dimensions as u64 + 2;
+                let (first, second) = (sobol.row(row / of_base), (row % of_base) as usize);
+                let of = |variable: usize| {
+                    let from_second = second == variable + 1 || second == dimensions + 1;
+                    Coordinate::Share(first[variable + if from_second { *dimensions } else { 0 }])
+                };
+                (0..*dimensions).map(of).collect()
+            }
         }
     }
 }
@@ -158,6 +177,19 @@ mod tests {
             assert!(mean(&|row, _| (row[0] - 0.5) * (row[1] - 0.5)).abs() < 0.0065, "{sampling:?}");
             if sampling != Sampling::Sobol {
                 assert!(mean(&|row, next| (row[0] - 0.5) * (next[0] - 0.5)).abs() < 0.0065, "{sampling:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_base_row_goes_from_one_row_of_sobol_to_another_one_variable_at_a_time() {
+        let (design, plain) = (shares(Sampling::Saltelli, 3, 5 * 64, 4), shares(Sampling::Sobol, 6, 64, 4));
+        for (base, sobol) in design.chunks(5).zip(plain) {
+            let (a, b) = sobol.split_at(3);
+            assert_eq!((base[0].as_slice(), base[4].as_slice()), (a, b));
+            for variable in 0..3 {
+                let mixed: Vec<f64> = (0..3).map(|other| if other == variable { b[other] } else { a[other] }).collect();
+                assert_eq!(base[variable + 1], mixed);
             }
         }
     }

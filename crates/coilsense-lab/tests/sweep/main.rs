@@ -2,6 +2,7 @@
 //!
 //! Next door: the command with its kills (`coilsense-cli/tests/sweep.rs`).
 
+mod asked;
 mod dataset;
 mod refusals;
 mod rows;

@@ -1,0 +1,35 @@
+//! A front in a few sentences: how many are left, where the knee is, what the extremes cost.
+//!
+//! Next door: the front (`study`), numbers in units that people use (`crate::report`).
+
+use super::Study;
+use crate::report::Shown;
+
+/// The answer, the most important line first.
+pub fn answer(study: &Study) -> Vec<String> {
+    let units = Shown::of_objectives(study);
+    let of = |place: usize| {
+        let values = study.objectives_of(place).iter().zip(&study.question.objectives).zip(&units);
+        let said =
+            values.map(|((value, objective), shown)| format!("{} {}", objective.name(), shown.with_unit(*value)));
+        said.collect::<Vec<_>>().join(", ")
+    };
+    let count = study.rows.len();
+    let compared = study.counts.compared;
+    let mut lines = vec![match count {
+        1 => format!("One design of {compared} is best in every respect: row {}, {}.", study.rows[0], of(0)),
+        _ => format!(
+            "{count} of {compared} designs are beaten by none; the knee between them is row {}: {}.",
+            study.rows[study.knee],
+            of(study.knee)
+        ),
+    }];
+    if count > 1 {
+        for (place, objective) in study.extremes.iter().zip(&study.question.objectives) {
+            let (word, name) = (objective.best_word(), objective.name());
+            lines.push(format!("The {word} {name} has row {}: {}.", study.rows[*place], of(*place)));
+        }
+    }
+    lines.push(format!("{}.", study.counts.account()));
+    lines
+}
