@@ -13,8 +13,8 @@ import type { State, Store } from './state';
 const REST = 140;
 /** Most times that are drawn while a slider moves. */
 const MOST_SAMPLES = 2000;
-/** What is shown where nobody chose: so many first surge periods. */
-const PERIODS = 6;
+/** What is shown where nobody chose: so many first surge periods as fit the screen. */
+const PERIODS = innerWidth < 640 ? 3 : 6;
 
 export interface Shown {
   /** The curves: of the exact case where it is there, else of the preview. */

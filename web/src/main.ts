@@ -8,6 +8,7 @@ import { byId, make } from './dom';
 import { readInk } from './plots/looks';
 import { Store } from './state';
 import { TABS } from './tabs/all';
+import type { Tab } from './tabs/tab';
 
 const store = new Store();
 const compute = new Compute(store);
@@ -38,9 +39,16 @@ function showTab(): void {
     buttons[index]?.setAttribute('tabindex', id === tab.id ? '0' : '-1');
   });
   panels.forEach((panel) => (panel.hidden = panel.id !== `panel-${tab.id}`));
+  openTab(tab);
+}
+
+function openTab(tab: Tab): void {
   if (opened.has(tab.id)) return;
   opened.add(tab.id);
-  tab.open(byId(`panel-${tab.id}`), store, compute);
+  void tab.load().then(({ open }) => {
+    open(byId(`panel-${tab.id}`), store, compute);
+    if (tab === TABS[0]) compute.begin();
+  });
 }
 
 const [undo, redo, reset] = [byId<HTMLButtonElement>('undo'), byId<HTMLButtonElement>('redo'), byId<HTMLButtonElement>('reset')];
@@ -64,5 +72,6 @@ store.subscribe((state, before) => {
   tools();
 });
 tools();
+// The first tab also says the answer above all tabs.
+if (TABS[0]) openTab(TABS[0]);
 showTab();
-compute.begin();

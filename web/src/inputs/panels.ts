@@ -71,6 +71,7 @@ export class Panels {
       make('details', { id, open: open.has(id) }, make('summary', {}, heading), ...children);
     const mass = section(spec, 'mount')['end2'] === 'mass' ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' }) : null;
     this.host.replaceChildren(
+      make('h2', {}, 'Drag a slider, or type'),
       ...condition.first.map(at(`condition.${number}`)),
       this.damping.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),

@@ -114,6 +114,7 @@ export class ForcePlot {
       ctx.fillStyle = ink.soft;
       ctx.font = FONT.replace('12px', `${11 * ratio}px`);
       ctx.textBaseline = 'top';
+      ctx.textAlign = 'left';
       if (x(to) - x(from) > ctx.measureText(words).width + 12 * ratio) ctx.fillText(words, x(from) + 6 * ratio, bbox.top + 4 * ratio);
     };
     ctx.save();

@@ -75,6 +75,7 @@ export class SpectrumPlot {
     ctx.setLineDash([3 * ratio, 4 * ratio]);
     ctx.font = FONT.replace('12px', `${11 * ratio}px`);
     ctx.textBaseline = 'top';
+    ctx.textAlign = 'left';
     this.facts?.lines.forEach((line, index) => {
       const x = plot.valToPos(line, 'x', true);
       if (x > bbox.left + bbox.width) return;
@@ -82,7 +83,9 @@ export class SpectrumPlot {
       ctx.moveTo(x, bbox.top);
       ctx.lineTo(x, bbox.top + bbox.height);
       ctx.stroke();
-      const words = index === 0 ? `f1 = ${line.toPrecision(3)} Hz` : `f${index + 1}`;
+      const next = plot.valToPos(this.facts?.lines[1] ?? 2 * line, 'x', true);
+      const long = `f1 = ${line.toPrecision(3)} Hz`;
+      const words = index === 0 && x + ctx.measureText(long).width + 8 * ratio < next ? long : `f${index + 1}`;
       if (x + ctx.measureText(words).width + 4 * ratio < bbox.left + bbox.width) ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
     });
     ctx.restore();

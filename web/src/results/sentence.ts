@@ -3,7 +3,7 @@
 import type { Answer, Facts } from '../answer';
 import { digits, make, type Child } from '../dom';
 
-const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce, 2)} %`;
+const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce)} %`;
 const bold = (text: string) => make('b', {}, text);
 
 /** What the two ends do, and what that means for a load cell. */

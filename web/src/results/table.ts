@@ -21,7 +21,7 @@ export class Table {
     private readonly store: Store,
     host: HTMLElement,
   ) {
-    const heads = ['RMSD', 'Maximum', 'Bias', 'Your limit'].map((text) => make('th', { scope: 'col' }, text));
+    const heads = ['RMSD', 'Max.', 'Bias', 'Limit'].map((text) => make('th', { scope: 'col' }, text));
     host.replaceChildren(make('table', {}, this.caption, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'Force'), ...heads)), this.body));
   }
 
@@ -53,14 +53,14 @@ export class Table {
     const percent = (force: number) => fixed((100 * force) / nominal, 3);
     const cells = off ? [percent(off.rmsd), percent(off.maximumAbsolute), percent(off.mean)] : ['–', '–', '–'];
     const above = off && goal !== null ? off.rmsd > goal : null;
-    const verdict = above === null ? '' : above ? '✗ above' : '✓ within';
+    const verdict = above === null ? [] : [above ? '✗' : '✓', make('span', { class: 'word' }, above ? ' above' : ' within')];
     const title = drawn ? this.toggle(name, meaning) : make('span', {}, name);
     return make(
       'tr',
       { 'data-force': name },
       make('th', { scope: 'row' }, title),
       ...cells.map((text) => make('td', {}, text)),
-      make('td', { class: above === null ? '' : above ? 'above' : 'within' }, verdict),
+      make('td', { class: above === null ? '' : above ? 'above' : 'within' }, ...verdict),
     );
   }
 

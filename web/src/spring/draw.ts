@@ -20,9 +20,10 @@ export interface Moment {
   peak: number;
   /** By how much displacements are drawn larger. */
   gain: number;
-  /** Forces at the ends [N], and what stands for the longest arrow [N]. */
+  /** Forces at the ends [N], their mean over both ends and all shown times [N], and the largest departure from it [N]. */
   forces: [number, number];
-  most: number;
+  mean: number;
+  departure: number;
 }
 
 interface Plan {
@@ -146,14 +147,15 @@ function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): 
 }
 
 /** Both walls, and at each the force: an arrow out of the spring for tension, into it for compression. */
-function drawEnds(context: CanvasRenderingContext2D, plan: Plan, { forces, most }: Moment): void {
+function drawEnds(context: CanvasRenderingContext2D, plan: Plan, { forces, mean, departure }: Moment): void {
   const { drawn, radius, middle, margin } = plan;
   const colours = [ink.blue, ink.red];
   [drawn[0] ?? 0, drawn[drawn.length - 1] ?? 0].forEach((at, end) => {
     const outward = end ? 1 : -1;
     context.fillStyle = ink.soft;
     context.fillRect(at + (end ? 0 : -5), middle - radius - 8, 5, 2 * radius + 16);
-    const length = most > 0 ? ((margin - 16) * (forces[end] ?? 0)) / most : 0;
+    // Half of the room stands for the mean, a third of it for the largest departure, which would not be seen to scale.
+    const length = (margin - 16) * (Math.sign(mean) * 0.55 + (departure > 0 ? (0.4 * ((forces[end] ?? 0) - mean)) / departure : 0));
     arrow(context, at + outward * 6, middle, length, outward, colours[end] ?? ink.ink);
   });
 }

@@ -2,7 +2,7 @@
 //
 // Next door: how the spring is drawn (`draw`).
 
-import type { Facts } from '../answer';
+import type { Facts, Series } from '../answer';
 import type { Shown } from '../compute';
 import { clamp, digits, fixed, make, rich } from '../dom';
 import type { Store } from '../state';
@@ -22,7 +22,7 @@ export class Player {
   private running = false;
   private inSight = false;
   private before = 0;
-  private scene = { left: 0, right: 1, peak: 0, gain: 1, most: 1 };
+  private scene = { left: 0, right: 1, peak: 0, gain: 1, mean: 0, departure: 0 };
   private readonly counted: number[] = [];
   private readonly ends: HTMLElement[];
   private readonly difference = make('span', { class: 'difference' });
@@ -109,12 +109,11 @@ export class Player {
       if (frame % 6 === 0) for (const strain of strains(positions.subarray(frame * columns, (frame + 1) * columns))) peak = Math.max(peak, Math.abs(strain));
     }
     const gain = peak > 0 ? (GAINS.find((gain) => gain * peak <= OPEN) ?? 1) : 1;
-    const most = ['F_i', 'F_o'].reduce((most, name) => (answer.series[name] ?? new Float64Array()).reduce((a, b) => Math.max(a, Math.abs(b)), most), 0);
-    this.scene = { left, right, peak, gain, most };
+    this.scene = { left, right, peak, gain, ...departures(answer.series, this.shown?.times ?? [0, 0]) };
     const percent = (value: number) => `${digits(100 * value, 2)} %`;
     this.low.textContent = percent(-peak);
     this.high.textContent = `+${percent(peak)}`;
-    this.gain.textContent = gain === 1 ? 'Drawn true to scale.' : `Displacements are drawn ${gain} times larger.`;
+    this.gain.textContent = `${gain === 1 ? 'The spring is drawn true to scale' : `Displacements are drawn ${gain} times larger`}; the arrows’ changes, too, are enlarged.`;
     const { clash } = answer.facts;
     this.canvas.setAttribute('aria-label', label(answer.facts, peak, clash.firstContact));
   }
@@ -164,6 +163,16 @@ export class Player {
     this.onTime(this.time, true);
     requestAnimationFrame((next) => this.step(next));
   }
+}
+
+/** Mean of the end forces over the shown times [N], and the largest departure from it [N]. */
+function departures(series: Series, [from, to]: [number, number]): { mean: number; departure: number } {
+  const time = series['time'] ?? new Float64Array();
+  const [first, past] = [nearest(time, from), nearest(time, to) + 1];
+  const forces = ['F_i', 'F_o'].map((name) => (series[name] ?? new Float64Array()).subarray(first, past));
+  const mean = forces.reduce((sum, values) => sum + values.reduce((a, b) => a + b, 0), 0) / Math.max(1, 2 * (past - first));
+  const departure = forces.reduce((most, values) => values.reduce((a, b) => Math.max(a, Math.abs(b - mean)), most), 0);
+  return { mean, departure };
 }
 
 /** Number of the time that is nearest; times rise. */

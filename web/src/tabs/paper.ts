@@ -3,14 +3,10 @@
 // Next door: how they are computed (`coilsense-web`, `paper`).
 
 import type { Answer, PaperFacts } from '../answer';
-import type { Compute } from '../compute';
 import { fixed, make, rich } from '../dom';
 import { curves } from '../plots/curves';
 import { readInk } from '../plots/looks';
-import type { Store } from '../state';
-import type { Tab } from './tab';
-
-export const paperTab: Tab = { id: 'paper', label: 'Paper', open };
+import type { Open } from './tab';
 
 const CONDITIONS = [
   ['heel strike', '(a) Heel strike'],
@@ -18,7 +14,7 @@ const CONDITIONS = [
   ['resonance', '(c) At the first eigenfrequency'],
 ] as const;
 
-function open(panel: HTMLElement, _: Store, compute: Compute): void {
+export const open: Open = (panel, _, compute) => {
   readInk();
   const place = make('div', { class: 'paper', 'aria-busy': 'true' }, make('p', {}, 'Computing both springs in five conditions under two readings …'));
   panel.replaceChildren(place);
@@ -27,7 +23,7 @@ function open(panel: HTMLElement, _: Store, compute: Compute): void {
     if ('answer' in reply) fill(place, reply.answer as Answer<PaperFacts>, performance.now() - begun);
     else place.replaceChildren(make('p', { class: 'refusal' }, 'error' in reply ? reply.error : 'no answer'));
   });
-}
+};
 
 function fill(place: HTMLElement, { facts, series }: Answer<PaperFacts>, milliseconds: number): void {
   place.setAttribute('aria-busy', 'false');

@@ -3,7 +3,7 @@
 // Next door: each of its parts (`inputs`, `plots`, `spring`, `results`), what is computed (`compute`).
 
 import type { Facts } from '../answer';
-import type { Compute, Shown } from '../compute';
+import type { Shown } from '../compute';
 import { make, rich } from '../dom';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
@@ -16,11 +16,9 @@ import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
 import { Player } from '../spring/player';
 import type { Store } from '../state';
-import type { Tab } from './tab';
+import type { Open } from './tab';
 
-export const springTab: Tab = { id: 'spring', label: 'Spring', open };
-
-function open(panel: HTMLElement, store: Store, compute: Compute): void {
+export const open: Open = (panel, store, compute) => {
   const parts = layOut(panel);
   readInk();
   const clock = (event: Event) => compute.mark(event);
@@ -92,7 +90,7 @@ function open(panel: HTMLElement, store: Store, compute: Compute): void {
   });
   Object.assign(window, { coilsense: { framesPerSecond: () => player.framesPerSecond, last: () => last } });
   inputs();
-}
+};
 
 /** Which times are shown, by buttons. */
 class Views {

@@ -1,4 +1,4 @@
-// What a tab is. To add one: a file here that exports a `TabMaker`, and a line in `all.ts`; see DESIGN.md.
+// What a tab is. To add one: a file here that exports `open`, and a line in `all.ts`; see DESIGN.md.
 //
 // Next door: the list of tabs (`all`), the page around them (`main`).
 
@@ -9,6 +9,9 @@ export interface Tab {
   /** As it stands in an address. */
   id: string;
   label: string;
-  /** Begins to work in its panel when it is first opened. */
-  open(panel: HTMLElement, store: Store, compute: Compute): void;
+  /** Its code, loaded when it is first looked at. */
+  load(): Promise<{ open: Open }>;
 }
+
+/** Begins to work in its panel; called once. */
+export type Open = (panel: HTMLElement, store: Store, compute: Compute) => void;
