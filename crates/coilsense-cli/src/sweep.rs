@@ -42,6 +42,9 @@ pub struct Arguments {
     /// Threads; without it as many as there are cores
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u64).range(1..=1024))]
     jobs: Option<u64>,
+    /// Print the summary as JSON
+    #[arg(long)]
+    json: bool,
     /// Folder for the manifest and one Parquet file a chunk; a folder of the same sweep is continued
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -112,7 +115,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let tally = dataset.tally()?;
     let made = plan.rows() - before;
     // A reader that closes the pipe early has all it wants.
-    let _ = write!(anstream::stdout().lock(), "{}", summary(&arguments.out, &plan, &tally, made, seconds));
+    let told = Told { folder: &arguments.out, plan: &plan, tally: &tally, made, seconds };
+    let text = if arguments.json { told.json() } else { told.text() };
+    let _ = write!(anstream::stdout().lock(), "{text}");
     Ok(())
 }
 
@@ -137,42 +142,76 @@ fn plan(arguments: &Arguments) -> anyhow::Result<Plan> {
 /// Most reasons that are shown.
 const SHOWN: usize = 3;
 
-fn summary(folder: &Path, plan: &Plan, tally: &Tally, made: u64, seconds: f64) -> String {
-    let plural = |count: u64, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-    let mut text = format!(
-        "{} in {} ({}): {} ok, {} clash, {} refused\n",
-        plural(tally.rows, "row"),
-        folder.display(),
-        plural(plan.chunks(), "file"),
-        tally.ok,
-        tally.clash,
-        tally.refused
-    );
-    for (count, reason) in tally.reasons.iter().take(SHOWN) {
-        text.push_str(&format!("  {count} × such as: {reason}\n"));
-    }
-    if tally.reasons.len() > SHOWN {
-        text.push_str(&format!("  and {} other kinds of reasons\n", tally.reasons.len() - SHOWN));
-    }
-    if made == 0 {
-        text.push_str("all of them were there before\n");
-    } else {
-        let earlier = if made < tally.rows { format!(", {} from before", tally.rows - made) } else { String::new() };
-        let rate = made as f64 / seconds;
-        let peak = peak_memory().map_or_else(String::new, |megabytes| format!(", {megabytes} MB of memory at most"));
-        text.push_str(&format!("{} in {seconds:.2} s, {rate:.0} a second{peak}{earlier}\n", plural(made, "design")));
-    }
-    let folder = folder.display();
-    text.push_str(&format!(
-        "read it: pandas.read_parquet({folder:?}), or DuckDB: SELECT * FROM '{folder}/*.parquet'\n"
-    ));
-    text
+/// What a run tells at its end.
+struct Told<'a> {
+    folder: &'a Path,
+    plan: &'a Plan,
+    tally: &'a Tally,
+    /// Rows that this run has made.
+    made: u64,
+    seconds: f64,
 }
 
-/// The most memory that this process has had \[MB\], where the system says it.
+impl Told<'_> {
+    fn text(&self) -> String {
+        let Self { plan, tally, made, seconds, .. } = self;
+        let folder = self.folder.display();
+        let plural = |count: u64, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
+        let (rows, files) = (plural(tally.rows, "row"), plural(plan.chunks(), "file"));
+        let (ok, clash, refused) = (tally.ok, tally.clash, tally.refused);
+        let mut text = format!("{rows} in {folder} ({files}): {ok} ok, {clash} clash, {refused} refused\n");
+        for (count, reason) in tally.reasons.iter().take(SHOWN) {
+            text.push_str(&format!("  {count} × such as: {reason}\n"));
+        }
+        if tally.reasons.len() > SHOWN {
+            text.push_str(&format!("  and {} other kinds of reasons\n", tally.reasons.len() - SHOWN));
+        }
+        if *made == 0 {
+            text.push_str("all of them were there before\n");
+        } else {
+            let earlier =
+                if *made < tally.rows { format!(", {} from before", tally.rows - made) } else { String::new() };
+            let rate = self.rate();
+            let peak =
+                peak_memory().map_or_else(String::new, |kb| format!(", {} MB of memory at most", kb.div_ceil(1000)));
+            text.push_str(&format!(
+                "{} in {seconds:.2} s, {rate:.0} a second{peak}{earlier}\n",
+                plural(*made, "design")
+            ));
+        }
+        let quoted = format!("{:?}", self.folder.display().to_string());
+        text + &format!("read it: pandas.read_parquet({quoted}), or DuckDB: SELECT * FROM '{folder}/*.parquet'\n")
+    }
+
+    fn json(&self) -> String {
+        let reason = |(count, reason): &(u64, String)| serde_json::json!({ "count": count, "such_as": reason });
+        let value = serde_json::json!({
+            "schema": "coilsense/sweep-summary/1",
+            "folder": self.folder,
+            "digest": self.plan.digest(),
+            "rows": self.tally.rows,
+            "ok": self.tally.ok,
+            "clash": self.tally.clash,
+            "refused": self.tally.refused,
+            "reasons": self.tally.reasons.iter().map(reason).collect::<Vec<_>>(),
+            "chunks": self.plan.chunks(),
+            "made": self.made,
+            "seconds": self.seconds,
+            "designs_per_second": self.rate(),
+            "peak_memory_kb": peak_memory(),
+        });
+        format!("{value:#}\n")
+    }
+
+    /// Designs a second.
+    fn rate(&self) -> f64 {
+        self.made as f64 / self.seconds.max(1e-9)
+    }
+}
+
+/// The most memory that this process has had \[kB\], where the system says it.
 fn peak_memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kilobytes: u64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
-    Some(kilobytes.div_ceil(1000))
+    line.trim().trim_end_matches("kB").trim().parse().ok()
 }

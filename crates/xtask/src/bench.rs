@@ -21,6 +21,12 @@ pub struct Arguments {
     /// Only the import of logs: a minute of five channels, and 2 GB (which it makes in target/bench-logs and removes again)
     #[arg(long)]
     logs: bool,
+    /// Only sweeps: designs a second on one core and on two
+    #[arg(long)]
+    sweep: bool,
+    /// With --sweep: a million designs, and the most memory that takes
+    #[arg(long, requires = "sweep")]
+    million: bool,
 }
 
 /// How often the whole command is run; the median counts.
@@ -55,6 +61,9 @@ pub struct Row {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.logs {
         return crate::logs::run();
+    }
+    if arguments.sweep {
+        return crate::sweep::run(arguments.million);
     }
     let jobs = root().join("target/bench-jobs");
     let environment = python::environment("bench/.venv", "bench/python/requirements.txt")?;

@@ -9,6 +9,7 @@ mod package;
 mod page;
 mod python;
 mod robot;
+mod sweep;
 mod test;
 
 use std::path::PathBuf;

@@ -6,7 +6,7 @@ use coilsense::Deviation;
 use coilsense::inductance::MaxwellSum;
 
 use super::column::{BY_INDUCTANCE, Column, Measure, Needs, OfSensor};
-use super::forces::{self, Judged};
+use super::forces::{self, Judged, Windows};
 use crate::analysis::{Assessed, assess};
 use crate::spec::{Core, Draft, Files};
 
@@ -69,10 +69,11 @@ fn judged(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Need
     };
     let coil = needs.forces[BY_INDUCTANCE].then(|| MaxwellSum::new(&core.spring.spring, core.spring.self_distance));
     let dampings = core.mount.cases.len();
+    let mut windows = Windows::default();
     let mut cases = Vec::with_capacity(core.conditions.len() * dampings);
     for condition in 0..core.conditions.len() {
         for damping in 0..dampings {
-            let case = forces::judge(&core, coil.as_ref(), condition, damping, needs);
+            let case = forces::judge(&core, coil.as_ref(), (condition, damping), needs, &mut windows);
             cases.push(case.map_err(|error| format!("{}: {error}", place(&core, condition, damping)))?);
         }
     }

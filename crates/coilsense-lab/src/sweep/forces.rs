@@ -3,7 +3,6 @@
 //! Next door: what is made of it (`design`), the same with sensors, spectra and all signals (`crate::analysis`).
 
 use coilsense::inductance::MaxwellSum;
-use coilsense::sensors::deflection_force;
 use coilsense::signals::sampled_window;
 use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor, Motion};
 
@@ -12,6 +11,12 @@ use crate::spec::Core;
 
 /// L is taken to second order where that is within this share of it.
 const TOLERANCE: f64 = 1e-6;
+
+/// F_x among [`Channel::FORCES`].
+const BY_DEFLECTION: usize = 2;
+
+/// Of the true force from itself.
+const NONE: Deviation = Deviation { rmsd: 0.0, maximum: 0.0, maximum_absolute: 0.0, mean: 0.0, standard_error: 0.0 };
 
 /// One condition under one damping.
 #[derive(Debug, Clone, Default)]
@@ -26,13 +31,32 @@ pub(super) struct Judged {
     pub clash: Option<Clash>,
 }
 
+/// Times of judged windows, which conditions mostly share.
+#[derive(Debug, Default)]
+pub(super) struct Windows {
+    known: Vec<([f64; 3], Vec<f64>)>,
+}
+
+impl Windows {
+    fn of(&mut self, rate: f64, (from, to): (f64, f64)) -> Result<&[f64], Error> {
+        let place = match self.known.iter().position(|(window, _)| *window == [rate, from, to]) {
+            Some(place) => place,
+            None => {
+                self.known.push(([rate, from, to], sampled_window(rate, from, to)?));
+                self.known.len() - 1
+            }
+        };
+        Ok(&self.known[place].1)
+    }
+}
+
 /// Judges a condition under a damping.
 pub(super) fn judge(
     core: &Core,
     coil: Option<&MaxwellSum>,
-    condition: usize,
-    damping: usize,
+    (condition, damping): (usize, usize),
     needs: &Needs,
+    windows: &mut Windows,
 ) -> Result<Judged, Error> {
     let asked = &core.conditions[condition];
     let spring = &core.spring.spring;
@@ -41,29 +65,27 @@ pub(super) fn judge(
     if needs.forces == [false; 4] {
         return Ok(judged);
     }
-    let times = sampled_window(asked.sample_rate, asked.window.0, asked.window.1)?;
-    let forces = motion.end_forces(&times)?;
-    let by_deflection = || {
-        let (u1, u2): (Vec<f64>, Vec<f64>) = motion.ends(&times)?.into_iter().map(<(f64, f64)>::from).unzip();
-        deflection_force(spring, &u1, &u2)
-    };
-    let deflection = match needs.forces[2] || core.goal.force == Channel::DeflectionForce {
-        true => by_deflection()?,
+    let times = windows.of(asked.sample_rate, asked.window)?;
+    let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
+    let forces = motion.end_forces(times)?;
+    let deflection = match needs.forces[BY_DEFLECTION] || truth == BY_DEFLECTION {
+        true => motion.ends(times)?.iter().map(|[u1, u2]| spring.static_force(u2 - u1)).collect(),
         false => Vec::new(),
     };
     let series = [forces.input.as_slice(), forces.output.as_slice(), deflection.as_slice()];
-    let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force);
-    let truth = series[truth.unwrap_or(2)];
-    for (index, series) in series.into_iter().enumerate().filter(|(index, _)| needs.forces[*index]) {
-        judged.deviations[index] = Some(Deviation::between(series, truth)?);
+    for index in (0..series.len()).filter(|index| needs.forces[*index]) {
+        judged.deviations[index] = Some(match index == truth {
+            true => NONE,
+            false => Deviation::between(series[index], series[truth])?,
+        });
     }
     if let Some(coil) = coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
-        let windings = motion.windings(&times)?;
+        let windings = motion.windings(times)?;
         let inductance = coil.series_within(&windings, TOLERANCE)?;
         let calibration = Calibration::theoretical(spring, coil, asked.excitation.mean_length())?;
         let samples: Vec<f64> = inductance.samples.iter().map(|sample| sample.inductance).collect();
         let force = InductanceSensor::new(spring, calibration).force(&samples);
-        judged.deviations[BY_INDUCTANCE] = Some(Deviation::between(&force, truth)?);
+        judged.deviations[BY_INDUCTANCE] = Some(Deviation::between(&force, series[truth])?);
         judged.methods = [inductance.second_order, inductance.exact];
         judged.bound = inductance.samples.iter().map(|sample| sample.bound / sample.inductance).fold(0.0, f64::max);
     }

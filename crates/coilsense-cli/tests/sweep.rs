@@ -1,0 +1,189 @@
+//! `coilsense sweep` as a person meets it: killed at any time, on a full disk, beside another run, on another processor.
+//!
+//! Next door: rows and refusals as a library (`coilsense-lab/tests/sweep`).
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// A coil of few windings, watched for a few samples: thousands of rows a second, also in a test build.
+const SPEC: &str = r#"
+[spring]
+name = "short"
+rest_length = "30 mm"
+windings = 4
+coil_radius = "8 mm"
+wire_radius = "1 mm"
+mass = "10 g"
+stiffness = "760 N/m"
+min_length = "35 mm"
+max_length = "60 mm"
+
+[mount]
+damping_ratio = 0
+
+[[condition]]
+name = "strike"
+kind = "impact"
+velocity = "0.25 m/s"
+duration = "10 ms"
+window = ["8 ms", "10 ms"]
+"#;
+
+/// A folder with the spec, and the command on it.
+struct Place {
+    folder: tempfile::TempDir,
+}
+
+impl Place {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        fs::write(folder.path().join("spec.toml"), SPEC).expect("written");
+        Self { folder }
+    }
+
+    fn command(&self, out: &str, rows: u64) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_coilsense"));
+        command.current_dir(self.folder.path()).args(["sweep", "spec.toml", "--over", "spring.mass=-1..20 g"]);
+        command.args(["--over", "spring.stiffness=normal(760 N/m, 5 %)", "--chunk", "100", "--seed", "4"]);
+        command.args(["--rows", &rows.to_string(), "--out", out]).stdout(Stdio::piped()).stderr(Stdio::piped());
+        command
+    }
+
+    fn path(&self, name: &str) -> std::path::PathBuf {
+        self.folder.path().join(name)
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// Exit code 2 and one line.
+fn refusal(output: &Output) -> String {
+    let message = text(&output.stderr);
+    assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{message}");
+    message
+}
+
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let file = |entry: std::io::Result<fs::DirEntry>| {
+        let entry = entry.expect("an entry");
+        (entry.file_name().into_string().expect("UTF-8"), fs::read(entry.path()).expect("read"))
+    };
+    fs::read_dir(folder).expect("a folder").map(file).collect()
+}
+
+#[test]
+fn a_sweep_says_how_its_rows_went_and_how_to_read_them() {
+    let place = Place::new();
+    let output = place.command("out", 300).output().expect("it starts");
+    let printed = text(&output.stdout);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(printed.starts_with("300 rows in out (3 files): "), "{printed}");
+    // Masses from -1 to 20 g: one in 21 is not above zero.
+    assert!(printed.contains(" 0 clash, 15 refused\n  15 × such as: spec.toml:8: mass = \"-"), "{printed}");
+    assert!(printed.contains("300 designs in ") && printed.contains("pandas.read_parquet(\"out\")"), "{printed}");
+    let again = text(&place.command("out", 300).output().expect("it starts").stdout);
+    assert!(again.contains("all of them were there before"), "{again}");
+    assert!(refusal(&place.command("out", 400).output().expect("it starts")).contains("--rows is 400, not 300"));
+}
+
+/// Twenty kills at random times, then a run to the end: no row lost, doubled or torn, and not a byte that differs from an unbroken run.
+#[test]
+fn a_run_that_is_killed_again_and_again_leaves_the_rows_of_an_unbroken_one() {
+    const ROWS: u64 = 20_000;
+    let place = Place::new();
+    let begun = Instant::now();
+    assert!(place.command("unbroken", ROWS).output().expect("it starts").status.success());
+    let whole = begun.elapsed();
+    // A fixed sequence of fractions (golden ratio), so that kills spread over all phases of a run; each run makes a tenth of the way at most.
+    let mut struck = 0;
+    for kill in 1..=20 {
+        let mut running = place.command("killed", ROWS).spawn().expect("it starts");
+        let fraction = (f64::from(kill) * 0.618_034).fract();
+        sleep(Duration::from_secs_f64(0.002 + 0.1 * fraction * whole.as_secs_f64()));
+        struck += u32::from(running.try_wait().expect("asked").is_none());
+        running.kill().expect("killed");
+        running.wait().expect("gone");
+    }
+    // A kill that comes before the manifest leaves a folder to begin with.
+    assert!(struck >= 10, "only {struck} of 20 kills met a run");
+    assert!(place.command("killed", ROWS).output().expect("it starts").status.success());
+    let (unbroken, killed) = (files(&place.path("unbroken")), files(&place.path("killed")));
+    assert_eq!(unbroken.len() as u64, ROWS / 100 + 2);
+    assert_eq!(unbroken.keys().collect::<Vec<_>>(), killed.keys().collect::<Vec<_>>());
+    assert!(unbroken == killed, "a file differs");
+}
+
+#[test]
+fn the_bytes_are_the_same_on_any_number_of_threads() {
+    let place = Place::new();
+    for jobs in ["1", "3"] {
+        assert!(place.command(jobs, 500).args(["--jobs", jobs]).output().expect("it starts").status.success());
+    }
+    assert!(files(&place.path("1")) == files(&place.path("3")));
+}
+
+#[test]
+fn a_sweep_of_other_vector_instructions_is_not_gone_on_with() {
+    let place = Place::new();
+    let scalar = |command: &mut Command| command.env("COILSENSE_SIMD", "scalar").output().expect("it starts");
+    assert!(scalar(&mut place.command("out", 200)).status.success());
+    fs::remove_file(place.path("out/chunk-000001.parquet")).expect("removed");
+    let other = place.command("out", 200).env_remove("COILSENSE_SIMD").output().expect("it starts");
+    if !other.status.success() {
+        // Where the processor has nothing wider, there is nothing to refuse.
+        assert!(refusal(&other).contains("set COILSENSE_SIMD=scalar"));
+    }
+    assert!(scalar(&mut place.command("out", 200)).status.success());
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_one_line() {
+    let place = Place::new();
+    fs::write(place.path("file"), "").expect("written");
+    let message = refusal(&place.command("file/out", 10).output().expect("it starts"));
+    assert!(message.contains("file/out: cannot be written"), "{message}");
+    let message = refusal(&place.command("file", 10).output().expect("it starts"));
+    assert!(message.contains("file: "), "{message}");
+}
+
+/// A limit on the size of files stands for a full disk: the write fails in the middle of a chunk.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_one_line_and_the_next_run_goes_on() {
+    let place = Place::new();
+    let mut limited = Command::new("sh");
+    let script = "trap '' XFSZ; ulimit -f 8; exec \"$@\"";
+    let plain = place.command("out", 400);
+    limited.args(["-c", script, "sh"]).arg(plain.get_program()).args(plain.get_args());
+    let output = limited.current_dir(place.folder.path()).output().expect("it starts");
+    let message = refusal(&output);
+    assert!(message.contains("out/chunk-000000.parquet: cannot be written: "), "{message}");
+    assert_eq!(files(&place.path("out")).keys().collect::<Vec<_>>(), ["_lock", "_manifest.json"]);
+    assert!(place.command("out", 400).output().expect("it starts").status.success());
+    assert!(place.command("whole", 400).output().expect("it starts").status.success());
+    assert!(files(&place.path("out")) == files(&place.path("whole")));
+}
+
+/// What is interrupted by hand stops between rows, keeps whole chunks, and says how to go on.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_keeps_what_is_whole() {
+    let place = Place::new();
+    let running = place.command("out", 1_000_000).spawn().expect("it starts");
+    while !place.path("out/chunk-000000.parquet").is_file() {
+        sleep(Duration::from_millis(5));
+    }
+    let status = Command::new("kill").args(["-INT", &running.id().to_string()]).status().expect("kill");
+    assert!(status.success());
+    let output = running.wait_with_output().expect("it ends");
+    let message = text(&output.stderr);
+    assert_eq!((output.status.code(), message.lines().count()), (Some(130), 1), "{message}");
+    assert!(message.contains("of 10000 chunks are whole, the same command goes on from there"), "{message}");
+    assert!(files(&place.path("out")).keys().all(|name| !name.starts_with('.')));
+}
