@@ -64,7 +64,7 @@ const FITS: Record<string, (value: unknown) => boolean> = {
   damping: isCount,
   times: (value) => Array.isArray(value) && value.length === 2 && value.every(isTime) && value[0] < value[1],
   hidden: (value) => Array.isArray(value) && value.every((name) => typeof name === 'string'),
-  slow: (value) => isTime(value) && Number(value) > 0 && Number(value) <= 1,
+  slow: (value) => isTime(value) && Number(value) <= 1,
 } satisfies Record<keyof View, (value: unknown) => boolean>;
 
 /** Texts as they are, unless they would be read as something else. */

@@ -44,6 +44,8 @@ export class Compute {
   private readonly listeners: Listener[] = [];
   private readonly loaded = new Map<string, Promise<void>>();
   private last: Shown | null = null;
+  /** The newest exact case, and the spec that it is of; it may come before the first preview. */
+  private exact: Answer<ExactFacts> | null = null;
   private exactText = '';
   private rest = 0;
   private since = 0;
@@ -132,9 +134,10 @@ export class Compute {
     this.exacts.ask({ kind: 'exact', ...question }, (reply) => {
       for (const listener of this.listeners) listener.busy(false);
       if ('error' in reply) return this.refuse(reply.error, places);
-      if (!('answer' in reply) || !this.last) return;
+      if (!('answer' in reply)) return;
       const answer = reply.answer as Answer<ExactFacts>;
-      this.exactText = question.text;
+      [this.exact, this.exactText] = [answer, question.text];
+      if (!this.last) return;
       this.show({ ...this.last, answer, exact: answer });
       const { times, frames } = this.last;
       if (frames.times[frames.times.length - 1] !== times[1]) this.askPreview(this.store.state, asked, false);
@@ -145,7 +148,7 @@ export class Compute {
   private take(answer: Answer<Facts>, times: [number, number], stillExact: boolean, since: number): void {
     const time = answer.series['time'] ?? new Float64Array();
     const frames = { times: time, positions: answer.positions, columns: answer.facts.spring.masses + 2 };
-    const same = this.last?.exact && stillExact && this.sameCase(answer.facts, this.last.exact.facts) ? this.last.exact : null;
+    const same = this.exact && stillExact && this.sameCase(answer.facts, this.exact.facts) ? this.exact : null;
     for (const listener of this.listeners) listener.refused(null);
     this.show({ answer: same ?? answer, exact: same, frames, times, since });
   }

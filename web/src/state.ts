@@ -15,7 +15,7 @@ export interface View {
   times: [number, number] | null;
   /** Curves that are not drawn. */
   hidden: string[];
-  /** Seconds of the spring per second of the viewer. */
+  /** Seconds of the spring per second of the viewer; zero as fits what is shown. */
   slow: number;
 }
 
@@ -25,7 +25,7 @@ export interface State {
   view: View;
 }
 
-export const defaultView = (): View => ({ tab: 'spring', condition: 0, damping: 0, times: null, hidden: [], slow: 0.01 });
+export const defaultView = (): View => ({ tab: 'spring', condition: 0, damping: 0, times: null, hidden: [], slow: 0 });
 
 type Listener = (state: State, before: State) => void;
 

@@ -21,6 +21,9 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
   };
 }
 
+/** A tick as people read it. */
+export const plain = (tick: number): string => String(Number(tick.toPrecision(10))).replace('-', '−');
+
 export interface Chart {
   plot: uPlot;
   /** The same picture again: colours or overlays have changed. */

@@ -2,7 +2,7 @@
 
 import type uPlot from 'uplot';
 import { make, rich } from '../dom';
-import { axis, chart } from './chart';
+import { axis, chart, plain } from './chart';
 import { ink, look, sample } from './looks';
 
 export interface Curves {
@@ -14,7 +14,7 @@ export interface Curves {
 }
 
 export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves): void {
-  const legend = lines.map(({ look, label }) => make('span', {}, sample(look), rich(label)));
+  const legend = lines.map(({ look, label }) => make('span', {}, sample(look), make('span', {}, rich(label))));
   const plot = make('div', { class: 'plot', role: 'img', 'aria-label': title });
   host.append(make('figure', {}, make('figcaption', {}, make('b', {}, title), make('span', { class: 'keys' }, ...legend)), plot));
   const factor = x.factor ?? 1;
@@ -26,8 +26,8 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves
       scales: { x: { time: false }, y: scale },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
-        axis(x.label, { size: 36, labelSize: 16, values: (_, ticks) => ticks.map((tick) => String(Number((factor * tick).toFixed(4)))) }),
-        axis(y.label, { size: 60, ...(y.logarithmic ? { values: (_: uPlot, ticks: number[]) => decade(ticks) } : {}) }),
+        axis(x.label, { size: 36, labelSize: 16, values: (_, ticks) => ticks.map((tick) => plain(factor * tick)) }),
+        axis(y.label, { size: 60, values: (_, ticks) => (y.logarithmic ? decade(ticks) : ticks.map(plain)) }),
       ],
       series: [
         {},

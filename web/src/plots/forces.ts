@@ -5,7 +5,7 @@
 import uPlot from 'uplot';
 import type { Answer, Facts } from '../answer';
 import { clamp } from '../dom';
-import { axis, chart, FONT, type Chart } from './chart';
+import { axis, chart, FONT, plain, type Chart } from './chart';
 import { FORCE_NAMES, ink, look } from './looks';
 
 export interface ForceEvents {
@@ -70,8 +70,8 @@ export class ForcePlot {
       scales: { x: { time: false, auto: false }, y: { range: (_, low, high) => uPlot.rangeNum(low ?? 0, high ?? 1, 0.08, false) } },
       cursor: { drag: { x: true, y: false, dist: 6 }, points: { show: false }, y: false },
       axes: [
-        axis('Time [ms]', { values: (_, ticks) => ticks.map((tick) => String(Number((1e3 * tick).toFixed(4)))), space: 60, size: 36, labelSize: 16 }),
-        axis('Force [N]', { size: 56, space: 34 }),
+        axis('Time [ms]', { values: (_, ticks) => ticks.map((tick) => plain(1e3 * tick)), space: 60, size: 36, labelSize: 16 }),
+        axis('Force [N]', { size: 58, space: 34, values: (_, ticks) => ticks.map(plain) }),
       ],
       series: [
         {},

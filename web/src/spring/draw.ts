@@ -101,8 +101,8 @@ function layOut({ positions, spring, left, right, gain }: Moment, width: number,
   const touching = Uint8Array.from({ length: count + 1 }, (_, gap) =>
     Number(gap > 0 && gap < count && (positions[gap + 1] ?? 0) - (positions[gap] ?? 0) <= spring.contactPitch),
   );
-  const radius = clamp(spring.coilRadius * scale, 18, height / 2 - 26);
-  return { drawn, strain: strains(positions), touching, margin, scale, radius, middle: (height - 16) / 2, wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12) };
+  const radius = clamp(spring.coilRadius * scale, 18, height / 2 - 32);
+  return { drawn, strain: strains(positions), touching, margin, scale, radius, middle: (height - 28) / 2, wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12) };
 }
 
 function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): void {

@@ -8,7 +8,9 @@ import { clamp, digits, fixed, make, rich } from '../dom';
 import type { Store } from '../state';
 import { drawSpring, strains } from './draw';
 
-const SPEEDS = [1, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+/** Where nobody chose, what is shown takes about so long [s]. */
+const ROUND = 10;
 /** The largest strain is drawn as so much of a pitch. */
 const OPEN = 0.6;
 const GAINS = [200, 100, 50, 20, 10, 5, 2];
@@ -65,7 +67,7 @@ export class Player {
   show(shown: Shown): void {
     const sameFrames = shown.frames === this.shown?.frames;
     this.shown = shown;
-    this.speed.value = String(this.store.state.view.slow);
+    this.speed.value = String(this.slow(shown));
     if (!sameFrames) this.survey(shown);
     if (this.time < shown.times[0] || this.time > shown.times[1]) this.time = shown.times[0];
     this.draw();
@@ -93,6 +95,14 @@ export class Player {
     return first !== undefined && last !== undefined && last > first ? (1e3 * (this.counted.length - 1)) / (last - first) : 0;
   }
 
+  /** Seconds of the spring per second of the viewer. */
+  private slow({ times }: Shown): number {
+    const chosen = this.store.state.view.slow;
+    if (chosen > 0) return chosen;
+    const off = (slow: number) => Math.abs(Math.log((times[1] - times[0]) / slow / ROUND));
+    return SPEEDS.reduce((best, slow) => (off(slow) < off(best) ? slow : best), 1);
+  }
+
   private fromScrub(): number {
     const [from, to] = this.shown?.times ?? [0, 1];
     return from + (Number(this.scrub.value) / 1000) * (to - from);
@@ -113,7 +123,7 @@ export class Player {
     const percent = (value: number) => `${digits(100 * value, 2)} %`;
     this.low.textContent = percent(-peak);
     this.high.textContent = `+${percent(peak)}`;
-    this.gain.textContent = `${gain === 1 ? 'The spring is drawn true to scale' : `Displacements are drawn ${gain} times larger`}; the arrows’ changes, too, are enlarged.`;
+    this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements are drawn ${gain} times larger`}; what changes in the arrows is enlarged.`;
     const { clash } = answer.facts;
     this.canvas.setAttribute('aria-label', label(answer.facts, peak, clash.firstContact));
   }
@@ -156,7 +166,7 @@ export class Player {
     this.counted.push(now);
     while (this.counted.length > 2 && now - (this.counted[0] ?? now) > 1e3 * COUNTED) this.counted.shift();
     const [from, to] = this.shown.times;
-    const time = this.time + (clamp(now - this.before, 0, 100) / 1e3) * this.store.state.view.slow;
+    const time = this.time + (clamp(now - this.before, 0, 100) / 1e3) * this.slow(this.shown);
     this.before = now;
     this.time = time > to || time < from ? from : time;
     this.draw();

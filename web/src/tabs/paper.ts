@@ -86,7 +86,7 @@ function table({ cells }: PaperFacts, numeral: string): HTMLElement {
     make(
       'table',
       {},
-      make('caption', {}, make('b', {}, `Table ${numeral}: `), `${what}, in % of F`, make('sub', {}, 'nom')),
+      make('caption', {}, make('b', {}, `Table ${numeral}: `), rich(what), ', in % of F', make('sub', {}, 'nom')),
       make(
         'thead',
         {},

@@ -4,11 +4,12 @@
 
 import type { Facts } from '../answer';
 import type { Shown } from '../compute';
-import { make, rich } from '../dom';
+import { make } from '../dom';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
 import { ForcePlot } from '../plots/forces';
-import { FORCE_NAMES, MEANING, readInk, sample } from '../plots/looks';
+import { readInk } from '../plots/looks';
+import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
 import { Downloads } from '../results/downloads';
 import { sentence } from '../results/sentence';
@@ -30,7 +31,11 @@ export const open: Open = (panel, store, compute) => {
     zoom: (times) => store.setView({ times }),
     point: (time) => player.goTo(time),
   });
-  const player = new Player(store, parts.spring, parts.canvas, (time) => forces.moveMark(time));
+  const readOut = new ReadOut(parts.keys);
+  const player = new Player(store, parts.spring, parts.canvas, (time, inMotion) => {
+    forces.moveMark(time);
+    readOut.at(time, inMotion);
+  });
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
   const views = new Views(store, parts.views, forces);
   let facts: Facts | null = null;
@@ -63,6 +68,7 @@ export const open: Open = (panel, store, compute) => {
     shown: (shown) => {
       [last, facts] = [shown, shown.answer.facts];
       curves(shown);
+      readOut.show(shown);
       player.show(shown);
       document.getElementById('sentence')?.replaceChildren(...sentence(shown.answer).filter((part) => part !== null && part !== undefined && part !== false));
       table.show(facts, shown.exact);
@@ -117,12 +123,6 @@ class Views {
   }
 }
 
-/** Which line is which, below the curves. */
-function keys(): HTMLElement {
-  const key = (name: string) => make('span', {}, sample(name), make('b', {}, rich(name)), ` ${MEANING[name]}`);
-  return make('p', { class: 'keys' }, ...FORCE_NAMES.map(key), make('span', {}, make('i', { class: 'limit' }), 'within your limit'));
-}
-
 function layOut(panel: HTMLElement) {
   const canvas = make('canvas', { class: 'coil', role: 'img' });
   const parts = {
@@ -135,6 +135,7 @@ function layOut(panel: HTMLElement) {
     views: make('div', { class: 'views' }),
     forces: make('div', { class: 'plot forces', tabindex: 0, role: 'group', 'aria-label': 'Forces over time; arrows move the mark, plus and minus zoom' }),
     spectrum: make('div', { class: 'plot spectrum', role: 'img', 'aria-label': 'Amplitude of each force over frequency, with the surge lines marked' }),
+    keys: make('p', { class: 'keys' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
     warnings: make('ul', { class: 'warnings' }),
     facts: make('p', { class: 'facts' }),
@@ -143,7 +144,7 @@ function layOut(panel: HTMLElement) {
   panel.classList.add('workbench');
   panel.replaceChildren(
     parts.choose,
-    make('div', { class: 'stage' }, parts.spring, make('section', { class: 'card', 'aria-label': 'Forces over time' }, make('div', { class: 'head' }, make('h2', {}, 'Forces'), parts.status, parts.views), parts.forces, keys())),
+    make('div', { class: 'stage' }, parts.spring, make('section', { class: 'card', 'aria-label': 'Forces over time' }, make('div', { class: 'head' }, make('h2', {}, 'Forces'), parts.status, parts.views), parts.forces, parts.keys)),
     make('div', { class: 'controls' }, parts.refusal, parts.fields),
     make(
       'div',
