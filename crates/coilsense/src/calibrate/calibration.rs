@@ -57,7 +57,7 @@ impl Calibration {
         let (shortest, longest) = spring.operating_range();
         let step = (longest - shortest) / (CALIBRATION_LENGTHS - 1) as f64;
         let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS).map(|index| shortest + index as f64 * step).collect();
-        let inductances: Vec<f64> = lengths.iter().map(|&l| coil.at_length(l)).collect();
+        let inductances = coil.at_lengths(&lengths);
         let preload = (preload_length, coil.at_length(preload_length));
         Self::through(preload, &lengths, &inductances)
     }

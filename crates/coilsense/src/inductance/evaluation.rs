@@ -35,7 +35,7 @@ impl<'a> Evaluation<'a> {
         let turns = coil.places().len();
         Self {
             coil,
-            polynomials: LagPolynomials::default(),
+            polynomials: LagPolynomials::new(),
             near: NearUniform::new(turns),
             expansion: Expansion::new(turns),
             lanes: vec![[0.0; LANES]; turns],

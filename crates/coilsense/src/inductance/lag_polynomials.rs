@@ -28,7 +28,7 @@ const MARGIN: f64 = 0.06;
 /// `∫ J₁(κr)² e^(−κh) dκ`, so that |F| on the ellipse is at most F at its left end: the bound is rigorous.
 ///
 /// Source: `[Trefethen2013]` theorem 8.2.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct LagPolynomials {
     /// What they are good for; none yet where `None`.
     range: Option<Range>,
@@ -40,6 +40,8 @@ pub(super) struct LagPolynomials {
     coefficients: Vec<f64>,
     begins: Vec<usize>,
     interpolations: Vec<Option<Interpolation>>,
+    /// Places of a block's turns, shape `turns × WIDTH`.
+    places: AVec<f64>,
 }
 
 /// Distances that occur.
@@ -89,6 +91,19 @@ impl Range {
 }
 
 impl LagPolynomials {
+    /// None yet.
+    pub(super) fn new() -> Self {
+        Self {
+            range: None,
+            middle: 0.0,
+            constant: 0.0,
+            coefficients: Vec::new(),
+            begins: Vec::new(),
+            interpolations: Vec::new(),
+            places: avec![],
+        }
+    }
+
     /// Σ_{i<j} y³ D(c) of each sample as of [`super::pairs::sum`]; `None` where turns meet, change their order, or come so near in one
     /// sample and are so far in another that polynomials are no gain.
     ///
@@ -105,7 +120,10 @@ impl LagPolynomials {
             self.build(block.turns(), wanted, radius, floor).then(|| self.range = Some(wanted))?;
         }
         let mut sums = [self.constant; WIDTH];
-        dispatch(Sum { polynomials: self, block, sums: &mut sums });
+        let mut places = std::mem::replace(&mut self.places, avec![]);
+        places.resize(block.displacements.len(), 0.0);
+        dispatch(Sum { polynomials: self, block, places: &mut places, sums: &mut sums });
+        self.places = places;
         Some(sums)
     }
 
@@ -206,6 +224,7 @@ impl WithSimd for Reduce<'_> {
 struct Sum<'a> {
     polynomials: &'a LagPolynomials,
     block: &'a TurnBlock,
+    places: &'a mut AVec<f64>,
     sums: &'a mut Columns,
 }
 
@@ -223,16 +242,15 @@ impl Sum<'_> {
     #[inline(always)]
     fn evaluate<S: Simd, const VECTORS: usize>(self, simd: S) {
         let turns = self.block.turns();
-        let mut places: AVec<f64> = avec![0.0; turns * WIDTH];
         // Places but for a uniform pitch of p0, of which the polynomials know.
-        let rows = places.chunks_exact_mut(WIDTH).zip(self.block.displacements.chunks_exact(WIDTH));
+        let rows = self.places.chunks_exact_mut(WIDTH).zip(self.block.displacements.chunks_exact(WIDTH));
         for (turn, (place, displacement)) in rows.enumerate() {
             for column in 0..WIDTH {
                 place[column] =
                     displacement[column] + turn as f64 * (self.block.pitches[column] - self.polynomials.middle);
             }
         }
-        let (places, _) = S::as_simd_f64s(&places);
+        let (places, _) = S::as_simd_f64s(self.places);
         let (sums, _) = S::as_mut_simd_f64s(self.sums);
         let width = WIDTH / S::F64_LANES;
         for (chunk, sums) in sums.chunks_exact_mut(VECTORS).enumerate() {

@@ -8,6 +8,7 @@ use super::mutual::{MU_0, mutual_inductance};
 use super::pairs;
 use super::self_term::SelfDistance;
 use super::theories::Coil;
+use super::uniform;
 use crate::motion::Windings;
 use crate::spring::Spring;
 
@@ -69,14 +70,15 @@ impl MaxwellSum {
 
     /// L \[H\] of windings spread uniformly over a length \[m\].
     pub fn at_length(&self, length: f64) -> f64 {
-        let pitch = length / self.windings;
+        self.at_lengths(&[length])[0]
+    }
+
+    /// The same for many lengths at once, shape `lengths`.
+    pub fn at_lengths(&self, lengths: &[f64]) -> Vec<f64> {
+        let pitches: Vec<f64> = lengths.iter().map(|length| length / self.windings).collect();
         // Uniform windings repeat each distance: Σ_{i<j} is a sum over N − 1 distances.
-        let turns = self.places.len();
-        let pairs: f64 = (1..turns)
-            .rev()
-            .map(|apart| (turns - apart) as f64 * mutual_inductance(self.coil_radius, apart as f64 * pitch))
-            .sum();
-        self.self_part + 2.0 * pairs
+        let pairs = uniform::sums(self.places.len(), self.coil_radius, &pitches);
+        pairs.into_iter().map(|sum| self.self_part + 4.0 * MU_0 * self.coil_radius * sum).collect()
     }
 
     /// L \[H\] of every sample of a motion, shape `samples`; infinite where two turns coincide.

@@ -21,8 +21,10 @@ mod quadratic;
 mod reduced;
 mod second_order;
 mod self_term;
+mod squares;
 pub mod theories;
 mod turn_block;
+mod uniform;
 mod within;
 
 pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};

@@ -7,6 +7,7 @@ use pulp::{Simd, WithSimd};
 use super::chebyshev::Interpolation;
 use super::expansion::{Expansion, LANES};
 use super::maxwell::MaxwellSum;
+use super::squares;
 use super::turn_block::{Columns, TurnBlock};
 use crate::motion::WIDTH;
 use crate::simd::dispatch;
@@ -33,6 +34,8 @@ pub(super) struct NearUniform {
     remainders: Vec<f64>,
     expansion: Expansion,
     interpolation: Interpolation,
+    /// Of a block, by lag.
+    squares: Vec<Columns>,
 }
 
 /// The second-order form of each sample, and what its bound is made of.
@@ -55,6 +58,7 @@ impl NearUniform {
             remainders: Vec::new(),
             expansion: Expansion::new(turns),
             interpolation: Interpolation::new(LANES),
+            squares: Vec::new(),
         }
     }
 
@@ -107,11 +111,9 @@ impl NearUniform {
         self.remainders = self.expansion.remainders.iter().map(|lanes| rise * lanes[0]).collect();
     }
 
-    /// The form over lags from 1 to `lags` only, which is less than the whole in its remainder.
-    pub(super) fn remainder_of(&self, block: &TurnBlock, lags: usize) -> Columns {
-        let mut forms = Forms { inductance: [0.0; WIDTH], remainder: [0.0; WIDTH] };
-        dispatch(AddPairs { near: self, block, lags: lags.min(self.remainders.len()), forms: &mut forms });
-        forms.remainder
+    /// The remainder of turns up to `lags` apart only, which is less than the whole.
+    pub(super) fn remainder_of(&mut self, block: &TurnBlock, lags: usize) -> Columns {
+        self.pairs(block, lags).remainder
     }
 
     /// L0 \[H\] of every sample.
@@ -120,10 +122,21 @@ impl NearUniform {
     }
 
     /// The form of every sample.
-    pub(super) fn forms(&self, block: &TurnBlock) -> Forms {
-        let mut forms = Forms { inductance: [0.0; WIDTH], remainder: [0.0; WIDTH] };
-        dispatch(AddPairs { near: self, block, lags: self.remainders.len(), forms: &mut forms });
+    pub(super) fn forms(&mut self, block: &TurnBlock) -> Forms {
+        let mut forms = self.pairs(block, self.remainders.len());
         dispatch(AddLine { near: self, block, forms: &mut forms });
+        forms
+    }
+
+    /// ½ δᵀHδ and the remainder of turns up to `lags` apart.
+    fn pairs(&mut self, block: &TurnBlock, lags: usize) -> Forms {
+        let mut forms = Forms { inductance: [0.0; WIDTH], remainder: [0.0; WIDTH] };
+        let mut buffer = std::mem::take(&mut self.squares);
+        buffer.resize(self.remainders.len(), [0.0; WIDTH]);
+        let squares = &mut buffer[..lags.min(self.remainders.len())];
+        squares::fill(block, squares);
+        dispatch(AddPairs { near: self, block, squares, forms: &mut forms });
+        self.squares = buffer;
         forms
     }
 
@@ -156,49 +169,35 @@ fn polynomial<const FUSED: bool>(coefficients: &[f64], places: &Columns) -> Colu
     values
 }
 
-/// Adds ½ δᵀHδ and the remainder of pairs up to so many turns apart.
+/// Adds ½ δᵀHδ and the remainder of pairs as far apart as there are squares for.
 struct AddPairs<'a> {
     near: &'a NearUniform,
     block: &'a TurnBlock,
-    lags: usize,
+    squares: &'a [Columns],
     forms: &'a mut Forms,
+}
+
+impl AddPairs<'_> {
+    #[inline(always)]
+    fn add<const FUSED: bool>(self) {
+        let places = self.near.places(self.block);
+        let each = self.near.curvatures.chunks_exact(self.near.terms).zip(&self.near.remainders);
+        for ((curvature, remainder), squares) in each.zip(self.squares) {
+            let curvature = polynomial::<FUSED>(curvature, &places);
+            for column in 0..WIDTH {
+                self.forms.inductance[column] += curvature[column] * squares[column];
+                self.forms.remainder[column] += remainder * squares[column];
+            }
+        }
+    }
 }
 
 impl WithSimd for AddPairs<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let places = self.near.places(self.block);
-        let turns = self.block.turns();
-        let width = WIDTH / S::F64_LANES;
-        let (displacements, _) = S::as_simd_f64s(&self.block.displacements);
-        let each = self.near.curvatures.chunks_exact(self.near.terms).zip(&self.near.remainders);
-        for (lag, (curvature, remainder)) in (1..turns).zip(each).take(self.lags) {
-            let mut squares = [0.0; WIDTH];
-            let (vectors, _) = S::as_mut_simd_f64s(&mut squares);
-            for (chunk, vectors) in vectors.chunks_exact_mut(8).enumerate() {
-                let mut sums = [simd.splat_f64s(0.0); 8];
-                for turn in 0..turns - lag {
-                    let near = &displacements[turn * width + 8 * chunk..][..8];
-                    let far = &displacements[(turn + lag) * width + 8 * chunk..][..8];
-                    for vector in 0..8 {
-                        let change = simd.sub_f64s(far[vector], near[vector]);
-                        sums[vector] = simd.mul_add_e_f64s(change, change, sums[vector]);
-                    }
-                }
-                vectors.copy_from_slice(&sums);
-            }
-            let curvature = if S::IS_SCALAR {
-                polynomial::<false>(curvature, &places)
-            } else {
-                polynomial::<true>(curvature, &places)
-            };
-            for column in 0..WIDTH {
-                self.forms.inductance[column] += curvature[column] * squares[column];
-                self.forms.remainder[column] += remainder * squares[column];
-            }
-        }
+    fn with_simd<S: Simd>(self, _: S) {
+        if S::IS_SCALAR { self.add::<false>() } else { self.add::<true>() }
     }
 }
 
