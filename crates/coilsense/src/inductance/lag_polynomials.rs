@@ -7,6 +7,7 @@ use aligned_vec::{AVec, avec};
 use pulp::{Simd, WithSimd};
 
 use super::chebyshev::{Interpolation, ellipse};
+use super::distances::Distances;
 use super::reduced;
 use super::turn_block::{Columns, TurnBlock};
 use crate::motion::WIDTH;
@@ -18,9 +19,6 @@ const HIGHEST: usize = 24;
 const TRUNCATION: f64 = 2e-16;
 /// Where ellipses may end on the left, as shares of the middle distance: the one is taken that gives the lowest degree.
 const LEFT: [f64; 5] = [0.5, 0.25, 0.125, 0.0625, 0.03125];
-/// Room left about the distances at hand, as a share of their spread, so that the next samples mostly need no new polynomials.
-const MARGIN: f64 = 0.06;
-
 /// Polynomials for distances within a range.
 ///
 /// Turns a apart are a p0 + z apart, |z| ≤ w_a; M there is a polynomial in z of the least degree n with
@@ -31,7 +29,7 @@ const MARGIN: f64 = 0.06;
 #[derive(Debug, Clone)]
 pub(super) struct LagPolynomials {
     /// What they are good for; none yet where `None`.
-    range: Option<Range>,
+    range: Option<Distances>,
     /// p0 \[m\].
     middle: f64,
     /// Σ_a (turns − a) times the polynomial's value at z = 0.
@@ -42,52 +40,6 @@ pub(super) struct LagPolynomials {
     interpolations: Vec<Option<Interpolation>>,
     /// Places of a block's turns, shape `turns × WIDTH`.
     places: AVec<f64>,
-}
-
-/// Distances that occur.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Range {
-    /// Of neighbours \[m\].
-    spacings: [f64; 2],
-    /// Of uniform neighbours \[m\].
-    pitches: [f64; 2],
-    /// The largest change of any distance from that of uniform turns \[m\].
-    reach: f64,
-}
-
-impl Range {
-    fn of(block: &TurnBlock) -> Self {
-        Self { spacings: block.spacing_range(), pitches: block.pitch_range(), reach: block.reach() }
-    }
-
-    fn holds(&self, other: &Self) -> bool {
-        let within = |ours: [f64; 2], theirs: [f64; 2]| ours[0] <= theirs[0] && theirs[1] <= ours[1];
-        within(self.spacings, other.spacings) && within(self.pitches, other.pitches) && other.reach <= self.reach
-    }
-
-    /// Both together.
-    fn union(&self, other: &Self) -> Self {
-        let both = |ours: [f64; 2], theirs: [f64; 2]| [ours[0].min(theirs[0]), ours[1].max(theirs[1])];
-        Self {
-            spacings: both(self.spacings, other.spacings),
-            pitches: both(self.pitches, other.pitches),
-            reach: self.reach.max(other.reach),
-        }
-    }
-
-    /// Spread of the neighbours' distances relative to their middle.
-    fn width(&self) -> f64 {
-        2.0 * (self.spacings[1] - self.spacings[0]) / (self.spacings[1] + self.spacings[0])
-    }
-
-    /// A little wider.
-    fn widened(&self) -> Self {
-        let wider = |[least, largest]: [f64; 2]| {
-            let room = MARGIN * (largest - least);
-            [least - room, largest + room]
-        };
-        Self { spacings: wider(self.spacings), pitches: wider(self.pitches), reach: self.reach * (1.0 + MARGIN) }
-    }
 }
 
 impl LagPolynomials {
@@ -112,7 +64,7 @@ impl LagPolynomials {
         if !block.extent.is_finite {
             return None;
         }
-        let range = Range::of(block);
+        let range = Distances::of(block);
         if !self.range.is_some_and(|known| known.holds(&range)) {
             let wide = self.range.map(|known| known.union(&range)).filter(|both| both.width() < 2.0 * range.width());
             let wanted = wide.unwrap_or(range).widened();
@@ -128,7 +80,7 @@ impl LagPolynomials {
     }
 
     /// Finds all polynomials; whether there are such.
-    fn build(&mut self, turns: usize, range: Range, radius: f64, floor: f64) -> bool {
+    fn build(&mut self, turns: usize, range: Distances, radius: f64, floor: f64) -> bool {
         let [nearest, farthest] = range.spacings;
         let middle = 0.5 * (nearest + farthest);
         // The change of the pitch itself counts at every lag, that of the turns' places at most as far as they reach.

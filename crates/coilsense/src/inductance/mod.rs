@@ -7,6 +7,7 @@
 mod carry;
 mod chebyshev;
 mod derivatives;
+mod distances;
 pub mod elliptic;
 mod evaluation;
 mod expansion;

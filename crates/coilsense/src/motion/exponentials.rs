@@ -1,6 +1,6 @@
 //! e^z of many z at once, in the processor's vector instructions.
 //!
-//! Next door: what needs them (`phasor_sum`, `modal_block`), one at a time (`oscillator`).
+//! Next door: what needs them (`phasors`, `stretch`), one at a time (`oscillator`).
 
 use num_complex::Complex64;
 
