@@ -102,6 +102,9 @@ export type Question =
   | ({ kind: 'csv' } & Case)
   | { kind: 'paper' };
 
+/** How an error begins after which the engine is no more to be used. */
+export const STOPPED = 'the engine stopped: ';
+
 /** To the worker: first the compiled engine, files as they come, then questions. */
 export type ToWorker = { engine: WebAssembly.Module } | { file: string; text: string } | { id: number; question: Question };
 

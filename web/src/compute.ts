@@ -54,6 +54,10 @@ export class Compute {
   constructor(private readonly store: Store) {
     this.previews = new Lane(this.engine, this.files, false);
     this.exacts = new Lane(this.engine, this.files, true);
+    this.engine.catch((reason: unknown) => {
+      const text = `The engine could not be loaded (${reason}). A browser of 2023 or later runs it.`;
+      for (const listener of this.listeners) listener.refused({ place: '', text });
+    });
     store.subscribe((state, before) => {
       const { view } = state;
       const moved = state.spec !== before.spec || view.condition !== before.view.condition || view.damping !== before.view.damping;

@@ -2,7 +2,7 @@
 //
 // Next door: who asks and drops what is out of date (`compute`).
 
-import type { Answer, FromWorker, Question, Series, ToWorker } from './answer';
+import { STOPPED, type Answer, type FromWorker, type Question, type Series, type ToWorker } from './answer';
 import init, { Engine, type Answer as Found } from './engine/coilsense_web';
 
 const ready: { engine: Promise<Engine> } & { open: (engine: Promise<Engine>) => void } = (() => {
@@ -27,7 +27,7 @@ addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
     const hand = [...Object.values(answer.series).map((values) => values.buffer as ArrayBuffer), answer.positions.buffer as ArrayBuffer];
     say({ id, milliseconds: performance.now() - begun, answer }, hand);
   } catch (reason) {
-    say({ id: data.id, milliseconds: performance.now() - begun, error: typeof reason === 'string' ? reason : `the engine stopped: ${reason}` }, []);
+    say({ id: data.id, milliseconds: performance.now() - begun, error: typeof reason === 'string' ? reason : `${STOPPED}${reason}` }, []);
   }
 });
 

@@ -2,7 +2,10 @@
 //
 // Next door: which questions there are (`compute`).
 
-import type { FromWorker, Question, ToWorker } from './answer';
+import { STOPPED, type FromWorker, type Question, type ToWorker } from './answer';
+
+/** An engine that cannot be had is told of once, by whoever fetched it. */
+const ignored = () => {};
 
 export type Reply = Exclude<FromWorker, never>;
 
@@ -57,7 +60,7 @@ export class Lane {
     this.engine.then((engine) => {
       worker.postMessage({ engine } satisfies ToWorker);
       for (const [file, text] of this.files) worker.postMessage({ file, text } satisfies ToWorker);
-    });
+    }, ignored);
     return worker;
   }
 
@@ -72,13 +75,18 @@ export class Lane {
   private send(message: ToWorker): void {
     const { worker } = this;
     // The engine's own message comes first.
-    void this.engine.then(() => worker.postMessage(message));
+    this.engine.then(() => worker.postMessage(message), ignored);
   }
 
   private finish(reply: Reply): void {
     if (reply.id !== this.underWay?.id) return;
     const { done } = this.underWay;
     this.underWay = null;
+    if ('error' in reply && reply.error.startsWith(STOPPED)) {
+      // What is left of an engine that stopped halfway is not to be asked again.
+      this.worker.terminate();
+      this.worker = this.begin();
+    }
     this.start();
     done(reply);
   }

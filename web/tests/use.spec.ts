@@ -1,4 +1,5 @@
 // What a person does on the page: drag, type, undo, share, make mistakes, use the keyboard only.
+import { test as base } from '@playwright/test';
 import { expect, exact, facts, open, series, test } from './page';
 
 const hitSlider = 'How hard it is hit, slider';
@@ -14,6 +15,15 @@ test('a slider changes the curves, the number beside it, the answer and the tabl
   expect(after.forces['F_o']!.rmsd / before.rmsd).toBeCloseTo(2, 9);
   expect(Math.max(...(await series(page, 'F_o')))).toBeGreaterThan(before.force + 3);
   await expect(page.locator('tr[data-force=F_o] td').first()).toHaveText(((100 * after.forces['F_o']!.rmsd) / after.spring.nominalForce).toFixed(3));
+});
+
+test('a curve is hidden by keyboard, and the focus stays where it was', async ({ page }) => {
+  await open(page);
+  const line = page.locator('tr[data-force=F_i] button');
+  await line.focus();
+  await page.keyboard.press('Enter');
+  await expect(line).toHaveAttribute('aria-pressed', 'false');
+  await expect(line).toBeFocused();
 });
 
 test('a preview is marked, and exact values replace it within a second of rest', async ({ page }) => {
@@ -166,4 +176,11 @@ test('all of it by keyboard: every control is reached in order, and works', asyn
   await page.keyboard.press('ArrowRight');
   await expect(page.getByRole('tab', { name: 'Paper' })).toBeFocused();
   await expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 60_000 });
+});
+
+base('an engine that cannot be had is said, in place of waiting for ever', async ({ page }) => {
+  await page.route('**/*.wasm', (route) => route.abort());
+  await page.goto('./');
+  await expect(page.locator('.refusal').first()).toContainText('The engine could not be loaded');
+  await expect(page.locator('#sentence')).toHaveText('Nothing is computed yet.');
 });

@@ -19,12 +19,14 @@ export class Choose {
   constructor(
     private readonly store: Store,
     host: HTMLElement,
+    first: HTMLElement,
   ) {
     this.spring.addEventListener('change', () => store.choosePreset(this.spring.value));
     this.condition.addEventListener('change', () => this.choose(this.condition.value));
     host.replaceChildren(
       make('div', { class: 'field' }, make('label', { for: 'preset' }, 'Spring'), this.spring),
       make('div', { class: 'field' }, make('label', { for: 'condition' }, 'What happens'), this.condition),
+      first,
     );
   }
 

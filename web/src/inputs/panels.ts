@@ -1,15 +1,16 @@
 // The fields of the state that is shown, in groups: what is dragged first, then the spring, the condition, the sensors.
 //
-// Next door: one field (`control`), damping (`damping`), the fields' words (`fields`).
+// Next door: one field (`control`), damping (`damping`), the spring given the other way (`way`), the fields' words (`fields`).
 
 import type { Facts } from '../answer';
-import { section, sections, withValue, type Spec } from '../document';
+import { section, sections, type Spec } from '../document';
 import { make } from '../dom';
 import { BY_GEOMETRY, BY_VALUES, CONDITION, ENDS, GOAL, RADII, SENSOR, SHAPE, TEMPLATES, TIMING, type Field } from '../fields';
 import type { Refusal } from '../compute';
 import type { State, Store } from '../state';
 import { Control } from './control';
 import { DampingControl } from './damping';
+import { byGeometry, toGeometry, toValues } from './way';
 
 export class Panels {
   private readonly damping: DampingControl;
@@ -19,6 +20,7 @@ export class Panels {
 
   constructor(
     private readonly store: Store,
+    private readonly first: HTMLElement,
     private readonly host: HTMLElement,
     private readonly onInput: (event: Event) => void,
   ) {
@@ -70,9 +72,10 @@ export class Panels {
     const group = (id: string, heading: string, ...children: (HTMLElement | null)[]) =>
       make('details', { id, open: open.has(id) }, make('summary', {}, heading), ...children);
     const mass = section(spec, 'mount')['end2'] === 'mass' ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' }) : null;
+    // What is done comes first, beside the choice of it: on a phone it stands above the spring.
+    this.first.replaceChildren(...condition.first.map(at(`condition.${number}`)));
     this.host.replaceChildren(
       make('h2', {}, 'Drag a slider, or type'),
-      ...condition.first.map(at(`condition.${number}`)),
       this.damping.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),
       group('more-condition', 'What is done, in full', ...condition.more.map(at(`condition.${number}`)), ...TIMING.map(at(`condition.${number}`))),
@@ -114,29 +117,6 @@ export class Panels {
   private setSensors(sensor: Record<string, never>[] | ReturnType<typeof sections>): void {
     this.store.setSpec({ ...structuredClone(this.store.state.spec), sensor: structuredClone(sensor) });
   }
-}
-
-const byGeometry = (spec: Spec): boolean => 'wire_diameter' in section(spec, 'spring') || 'coil_diameter' in section(spec, 'spring');
-
-const millimetres = (metres: number): string => `${Number((1e3 * metres).toPrecision(6))} mm`;
-
-function toGeometry(spec: Spec, { spring }: Facts): Spec {
-  const without = ['stiffness', 'mass', 'coil_radius', 'wire_radius'].reduce((rest, key) => withValue(rest, `spring.${key}`, undefined), spec);
-  const wire = withValue(without, 'spring.wire_diameter', millimetres(spring.wireDiameter));
-  return withValue(wire, 'spring.coil_diameter', millimetres(2 * spring.coilRadius));
-}
-
-const ONLY_GEOMETRY = ['wire_diameter', 'coil_diameter', 'total_windings', 'wire_diameter_tolerance', 'coil_diameter_tolerance', 'windings_tolerance', 'shear_modulus_tolerance'];
-
-function toValues(spec: Spec, { spring }: Facts): Spec {
-  const without = ONLY_GEOMETRY.reduce((rest, key) => withValue(rest, `spring.${key}`, undefined), spec);
-  const values: Record<string, string> = {
-    stiffness: `${Number(spring.stiffness.toPrecision(6))} N/m`,
-    mass: `${Number((1e3 * spring.mass).toPrecision(6))} g`,
-    coil_radius: millimetres(spring.coilRadius),
-    wire_radius: millimetres(spring.wireDiameter / 2),
-  };
-  return Object.entries(values).reduce((rest, [key, value]) => withValue(rest, `spring.${key}`, value), without);
 }
 
 /** A condition more, with a name that no other has. */

@@ -4,7 +4,7 @@
 
 import type { Shown } from '../compute';
 import { clamp, fixed, make, rich } from '../dom';
-import { nearest } from '../spring/player';
+import { nearest } from '../spring/scene';
 import { FORCE_NAMES, MEANING, sample } from './looks';
 
 /** Numbers that change faster than this cannot be read [ms]. */

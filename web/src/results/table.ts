@@ -40,6 +40,7 @@ export class Table {
       make('sub', {}, 'nom'),
       ` = ${fixed(spring.nominalForce, 1)} N, from ${fixed(window[0], 2)} to ${fixed(window[1], 2)} s.`,
     );
+    const focused = this.body.contains(document.activeElement) ? document.activeElement?.closest('tr')?.getAttribute('data-force') : null;
     const heading = (text: string) => make('tr', { class: 'group' }, make('th', { colspan: 5, scope: 'rowgroup' }, text));
     this.body.replaceChildren(
       heading('What the spring alone does'),
@@ -47,6 +48,7 @@ export class Table {
       ...(own.length > 0 ? [heading('With each sensor’s own noise, filter and lag')] : []),
       ...own.map((row) => this.row(row, spring.nominalForce, goal, false)),
     );
+    if (focused) this.body.querySelector<HTMLElement>(`tr[data-force="${focused}"] button`)?.focus();
   }
 
   private row({ name, meaning, off }: Row, nominal: number, goal: number | null, drawn: boolean): HTMLElement {

@@ -1,32 +1,24 @@
 // The spring on a canvas: its ends true to scale, its windings off the straight line by a factor, coloured by local strain; where windings
 // touch, marked; the force at each end as an arrow.
 //
-// Next door: when it is drawn, and how fast time runs (`player`).
+// Next door: its ends (`walls`), when it is drawn, and how fast time runs (`player`).
 
 import type { SpringFacts } from '../answer';
 import { clamp } from '../dom';
-import { FONT } from '../plots/chart';
 import { ink } from '../plots/looks';
+import type { Scene } from './scene';
+import { drawEnds, drawRuler } from './walls';
 
 /** What is drawn at one moment. */
-export interface Moment {
+export interface Moment extends Scene {
   /** u1, x_1…x_N, u2 [m]. */
   positions: Float32Array;
   spring: SpringFacts;
-  /** Ends over all of the shown times [m]. */
-  left: number;
-  right: number;
-  /** Largest local strain over the shown times [1]. */
-  peak: number;
-  /** By how much displacements are drawn larger. */
-  gain: number;
-  /** Forces at the ends [N], their mean over both ends and all shown times [N], and the largest departure from it [N]. */
+  /** Forces at the ends [N]. */
   forces: [number, number];
-  mean: number;
-  departure: number;
 }
 
-interface Plan {
+export interface Plan {
   drawn: Float64Array;
   strain: Float64Array;
   touching: Uint8Array;
@@ -144,43 +136,4 @@ function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): 
     const [middleOfGap, foot] = [(at(gap) + at(gap + 1)) / 2, middle + radius + wire];
     context.fill(new Path2D(`M${middleOfGap} ${foot + 1}l3.5 7h-7z`));
   }
-}
-
-/** Both walls, and at each the force: an arrow out of the spring for tension, into it for compression. */
-function drawEnds(context: CanvasRenderingContext2D, plan: Plan, { forces, mean, departure }: Moment): void {
-  const { drawn, radius, middle, margin } = plan;
-  const colours = [ink.blue, ink.red];
-  [drawn[0] ?? 0, drawn[drawn.length - 1] ?? 0].forEach((at, end) => {
-    const outward = end ? 1 : -1;
-    context.fillStyle = ink.soft;
-    context.fillRect(at + (end ? 0 : -5), middle - radius - 8, 5, 2 * radius + 16);
-    // Half of the room stands for the mean, a third of it for the largest departure, which would not be seen to scale.
-    const length = (margin - 16) * (Math.sign(mean) * 0.55 + (departure > 0 ? (0.4 * ((forces[end] ?? 0) - mean)) / departure : 0));
-    arrow(context, at + outward * 6, middle, length, outward, colours[end] ?? ink.ink);
-  });
-}
-
-function arrow(context: CanvasRenderingContext2D, at: number, middle: number, length: number, outward: number, colour: string): void {
-  const size = Math.abs(length);
-  if (size < 3) return;
-  const [tail, tip] = length > 0 ? [at, at + outward * size] : [at + outward * size, at];
-  const back = Math.sign(tail - tip) * Math.min(11, size);
-  context.fillStyle = context.strokeStyle = colour;
-  context.lineCap = 'butt';
-  context.lineWidth = 4;
-  context.stroke(new Path2D(`M${tail} ${middle}H${tip + back * 0.8}`));
-  context.fill(new Path2D(`M${tip} ${middle}l${back} -7v14z`));
-}
-
-function drawRuler(context: CanvasRenderingContext2D, { margin, scale }: Plan, height: number): void {
-  const room = 90 / scale;
-  const power = 10 ** Math.floor(Math.log10(room));
-  const length = power * ([5, 2, 1].find((step) => step * power <= room) ?? 1);
-  const [y, pixels] = [height - 8.5, length * scale];
-  context.strokeStyle = context.fillStyle = ink.soft;
-  context.lineWidth = 1;
-  context.stroke(new Path2D(`M${margin + 0.5} ${y - 4}v8m0 -4h${pixels}m0 -4v8`));
-  context.font = FONT;
-  context.textBaseline = 'middle';
-  context.fillText(`${Number((length * 1e3).toPrecision(3))} mm`, margin + pixels + 8, y);
 }

@@ -1,19 +1,17 @@
 // Time: runs slowly through what is shown, or is where the user puts it; the spring, its forces and the plots' mark follow.
 //
-// Next door: how the spring is drawn (`draw`).
+// Next door: how the spring is drawn (`draw`), what holds for all times (`scene`).
 
-import type { Facts, Series } from '../answer';
+import type { Facts } from '../answer';
 import type { Shown } from '../compute';
 import { clamp, digits, fixed, make, rich } from '../dom';
 import type { Store } from '../state';
-import { drawSpring, strains } from './draw';
+import { drawSpring } from './draw';
+import { label, nearest, survey, type Scene } from './scene';
 
 const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 /** Where nobody chose, what is shown takes about so long [s]. */
 const ROUND = 10;
-/** The largest strain is drawn as so much of a pitch. */
-const OPEN = 0.6;
-const GAINS = [200, 100, 50, 20, 10, 5, 2];
 /** Frames per second are counted over so many seconds. */
 const COUNTED = 2;
 
@@ -24,7 +22,7 @@ export class Player {
   private running = false;
   private inSight = false;
   private before = 0;
-  private scene = { left: 0, right: 1, peak: 0, gain: 1, mean: 0, departure: 0 };
+  private scene: Scene = { left: 0, right: 1, peak: 0, gain: 1, mean: 0, departure: 0 };
   private readonly counted: number[] = [];
   private readonly ends: HTMLElement[];
   private readonly difference = make('span', { class: 'difference' });
@@ -68,7 +66,7 @@ export class Player {
     const sameFrames = shown.frames === this.shown?.frames;
     this.shown = shown;
     this.speed.value = String(this.slow(shown));
-    if (!sameFrames) this.survey(shown);
+    if (!sameFrames) this.look(shown);
     if (this.time < shown.times[0] || this.time > shown.times[1]) this.time = shown.times[0];
     this.draw();
     this.run();
@@ -108,24 +106,16 @@ export class Player {
     return from + (Number(this.scrub.value) / 1000) * (to - from);
   }
 
-  /** What holds for all of the shown times. */
-  private survey({ frames, answer }: Shown): void {
-    const { positions, columns } = frames;
-    let [left, right, peak] = [Infinity, -Infinity, 0];
-    // Every sixth frame tells the largest strain well enough for a colour.
-    for (let frame = 0; frame < frames.times.length; frame += 1) {
-      left = Math.min(left, positions[frame * columns] ?? 0);
-      right = Math.max(right, positions[(frame + 1) * columns - 1] ?? 0);
-      if (frame % 6 === 0) for (const strain of strains(positions.subarray(frame * columns, (frame + 1) * columns))) peak = Math.max(peak, Math.abs(strain));
-    }
-    const gain = peak > 0 ? (GAINS.find((gain) => gain * peak <= OPEN) ?? 1) : 1;
-    this.scene = { left, right, peak, gain, ...departures(answer.series, this.shown?.times ?? [0, 0]) };
-    const percent = (value: number) => `${digits(100 * value, 2)} %`;
-    this.low.textContent = percent(-peak);
-    this.high.textContent = `+${percent(peak)}`;
+  /** What holds for all of the shown times, and the words about it. */
+  private look(shown: Shown): void {
+    this.scene = survey(shown);
+    const { peak, gain } = this.scene;
+    const percent = `${digits(100 * peak, 2)} %`;
+    this.low.textContent = `−${percent}`;
+    this.high.textContent = `+${percent}`;
     this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements are drawn ${gain} times larger`}; what changes in the arrows is enlarged.`;
-    const { clash } = answer.facts;
-    this.canvas.setAttribute('aria-label', label(answer.facts, peak, clash.firstContact));
+    const { facts } = shown.answer;
+    this.canvas.setAttribute('aria-label', label(facts, peak, facts.clash.firstContact));
   }
 
   private draw(): void {
@@ -148,7 +138,7 @@ export class Player {
     const decimals = clamp(2 - Math.floor(Math.log10(spring.nominalForce)) + 1, 0, 3);
     ['F_i', 'F_o'].forEach((name, end) => this.ends[end]?.replaceChildren(make('small', {}, `End ${end + 1} `), make('b', {}, rich(name)), ` ${fixed(forces[end] ?? 0, decimals)} N`));
     const apart = forces[1] - forces[0];
-    this.difference.replaceChildren(`${apart < 0 ? '−' : '+'}${fixed(Math.abs(apart), decimals)} N`, make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')));
+    this.difference.replaceChildren(`${fixed(Math.abs(apart), decimals)} N apart`, make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')));
   }
 
   private run(): void {
@@ -173,30 +163,4 @@ export class Player {
     this.onTime(this.time, true);
     requestAnimationFrame((next) => this.step(next));
   }
-}
-
-/** Mean of the end forces over the shown times [N], and the largest departure from it [N]. */
-function departures(series: Series, [from, to]: [number, number]): { mean: number; departure: number } {
-  const time = series['time'] ?? new Float64Array();
-  const [first, past] = [nearest(time, from), nearest(time, to) + 1];
-  const forces = ['F_i', 'F_o'].map((name) => (series[name] ?? new Float64Array()).subarray(first, past));
-  const mean = forces.reduce((sum, values) => sum + values.reduce((a, b) => a + b, 0), 0) / Math.max(1, 2 * (past - first));
-  const departure = forces.reduce((most, values) => values.reduce((a, b) => Math.max(a, Math.abs(b - mean)), most), 0);
-  return { mean, departure };
-}
-
-/** Number of the time that is nearest; times rise. */
-export function nearest(times: Float64Array, time: number): number {
-  let [low, high] = [0, times.length - 1];
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if ((times[middle] ?? 0) <= time) low = middle;
-    else high = middle;
-  }
-  return time - (times[low] ?? 0) < (times[high] ?? 0) - time ? low : high;
-}
-
-function label({ spring }: Facts, peak: number, contact: number | null): string {
-  const touch = contact === null ? 'No windings touch in what is shown.' : `Windings touch from ${fixed(1e3 * contact, 1)} ms on.`;
-  return `The spring ${spring.name} with its ${spring.masses} windings, end 1 at the left, coloured by local pitch, which changes by up to ${digits(100 * peak, 2)} percent. ${touch}`;
 }

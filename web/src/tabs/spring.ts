@@ -23,8 +23,8 @@ export const open: Open = (panel, store, compute) => {
   const parts = layOut(panel);
   readInk();
   const clock = (event: Event) => compute.mark(event);
-  const choose = new Choose(store, parts.choose);
-  const panels = new Panels(store, parts.fields, clock);
+  const choose = new Choose(store, parts.choose, parts.first);
+  const panels = new Panels(store, parts.first, parts.fields, clock);
   const table = new Table(store, parts.table);
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
@@ -84,7 +84,9 @@ export const open: Open = (panel, store, compute) => {
     refused: (refusal) => {
       const beside = panels.refuse(refusal);
       parts.refusal.hidden = refusal === null;
-      parts.refusal.textContent = refusal ? `${beside ? '' : `${refusal.text} – `}What is shown is the last state that could be computed.` : '';
+      const words = [beside ? '' : (refusal?.text ?? ''), refusal && last ? 'What is shown is the last state that could be computed.' : ''];
+      parts.refusal.textContent = words.filter(Boolean).join(' ');
+      if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
     },
     busy: () => {},
   });
@@ -128,6 +130,7 @@ function layOut(panel: HTMLElement) {
   const parts = {
     canvas,
     choose: make('section', { class: 'choose', 'aria-label': 'Which spring, and what happens to it' }),
+    first: make('div', { class: 'first' }),
     refusal: make('p', { class: 'refusal', role: 'status', hidden: true }),
     fields: make('section', { class: 'fields', 'aria-label': 'Values' }),
     spring: make('div', { class: 'card see' }),
