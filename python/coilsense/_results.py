@@ -1,160 +1,39 @@
-"""Results of the lab laid out: data frames, plots, pages for notebooks. Next door: signals (`_frames`), whose way to other libraries is used here."""
+"""Where the compiled module finds how a result is laid out: data frames, plots, pages for notebooks."""
 
-from __future__ import annotations
+from coilsense._logs import (
+    calibration_html,
+    calibration_plot,
+    identification_html,
+    identification_plot,
+    lines_frame,
+    points_frame,
+    recording_html,
+)
+from coilsense._studies import (
+    experiment_html,
+    experiment_plot,
+    limits_frame,
+    mitigation_html,
+    mitigation_plot,
+    placement_html,
+    ranking_frame,
+    runs_frame,
+)
 
-import html
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
-
-import numpy
-
-from coilsense._frames import _library
-
-if TYPE_CHECKING:
-    import matplotlib.axes
-    import pandas
-
-    from coilsense import Calibration, Estimate, Identification, Recording
-
-# Colours that people who see red and green alike can tell apart (Okabe and Ito).
-_BLUE, _RED, _GREY = "#0072b2", "#d55e00", "#777777"
-
-
-def new_axes(axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
-    """The axes that were given, or those of a new figure."""
-    if axes is not None:
-        return axes
-    made: matplotlib.axes.Axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained", figsize=(7.5, 4))[1]
-    made.grid(alpha=0.3)
-    return made
-
-
-def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """A table of HTML; numbers and texts are escaped."""
-    body = "".join(f"<tr>{_cells('td', row)}</tr>" for row in rows)
-    return f"<table><thead><tr>{_cells('th', head)}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def _cells(tag: str, values: Sequence[object]) -> str:
-    return "".join(f"<{tag}>{html.escape(str(value))}</{tag}>" for value in values)
-
-
-def paragraphs(lines: Sequence[str]) -> str:
-    """The first line in bold, the others below it."""
-    escaped = [html.escape(line) for line in lines]
-    return "".join(f"<p>{'<b>' + line + '</b>' if place == 0 else line}</p>" for place, line in enumerate(escaped))
-
-
-def frame(rows: Sequence[dict[str, Any]], index: str | None = None) -> pandas.DataFrame:
-    """A data frame of dicts."""
-    made: pandas.DataFrame = _library("pandas", "pandas").DataFrame(list(rows))
-    return made if index is None or made.empty else made.set_index(index)
-
-
-# recording
-
-
-def recording_html(recording: Recording) -> str:
-    """The account of the rows."""
-    lines = "\n".join(html.escape(line) for line in recording.account)
-    return f"<pre>{lines}</pre>"
-
-
-# calibration
-
-
-def points_frame(calibration: Calibration) -> pandas.DataFrame:
-    """One row per point."""
-    return frame(calibration.to_dict()["points"], "row")
-
-
-def calibration_plot(calibration: Calibration, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
-    """Points, and the curve through them over their range."""
-    axes = new_axes(axes)
-    lengths, inductances = calibration.lengths, calibration.inductances
-    over = numpy.linspace(lengths.min(), lengths.max(), 200)
-    axes.plot(1e3 * over, 1e6 * calibration.inductance(over), color=_RED, linewidth=1.2, label="1/l = αL + β")
-    axes.plot(1e3 * lengths, 1e6 * inductances, "o", color=_BLUE, markersize=4, label="measured")
-    axes.set_xlabel("Length [mm]")
-    axes.set_ylabel("Inductance [µH]")
-    axes.legend()
-    return axes
-
-
-def calibration_html(calibration: Calibration) -> str:
-    """The answer, and the theories."""
-    rows = [
-        (theory["name"], *((f"{theory['r2']:.5f}", f"{1e3 * theory['rmse']:.4g}") if "r2" in theory else ("", theory["refused"])))
-        for theory in calibration.theories
-    ]
-    return paragraphs(calibration.answer) + (table(("theory", "R²", "RMSE [mm]"), rows) if rows else "")
-
-
-# identification
-
-
-def lines_frame(identification: Identification) -> pandas.DataFrame:
-    """One row per line of the record, values and their 95 % intervals side by side."""
-    rows = []
-    for line in identification.lines:
-        row: dict[str, Any] = {}
-        for key, value in line.items():
-            if isinstance(value, dict):
-                row[key] = value["value"]
-                row[f"{key}_low"], row[f"{key}_high"] = value["low"], value["high"]
-            else:
-                row[key] = value
-        rows.append(row)
-    return frame(rows)
-
-
-def identification_plot(identification: Identification, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
-    """The spectrum of the record, with a mark at each line and the names of the modes."""
-    axes = new_axes(axes)
-    nyquist = 0.5 * identification.sample_rate
-    seen = [line["frequency_hz"]["value"] for line in identification.lines]
-    highest = min(1.15 * max(seen), nyquist) if seen else nyquist
-    floor, peak = numpy.inf, 0.0
-    for colour, (part, (frequencies, density)) in zip((_RED, _BLUE), identification.spectra.items()):
-        # The mean's line says nothing.
-        shown = (frequencies > 0) & (frequencies <= highest)
-        amplitude = numpy.sqrt(density[shown])
-        axes.semilogy(frequencies[shown], amplitude, color=colour, linewidth=1, label=f"ends pull {part}")
-        floor, peak = min(floor, numpy.quantile(amplitude, 0.05)), max(peak, amplitude.max())
-    if peak > 0:
-        axes.set_ylim(max(0.5 * floor, 1e-9 * peak), 4 * peak)
-    for line in identification.lines:
-        frequency = line["frequency_hz"]["value"]
-        axes.axvline(frequency, color=_GREY, linewidth=0.7, linestyle=":", zorder=0)
-        if line["kind"] in ("mode", "alias"):
-            name = f"f$_{{{line['number']}}}$" + (" folded" if line["kind"] == "alias" else "")
-            axes.annotate(name, (frequency, 0.99), xycoords=("data", "axes fraction"), ha="center", va="top", fontsize=9,
-                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})
-    axes.set_xlim(0, highest)
-    axes.set_xlabel("Frequency [Hz]")
-    axes.set_ylabel("Density [N/√Hz]")
-    axes.legend(loc="lower left")
-    return axes
-
-
-def identification_html(identification: Identification) -> str:
-    """The answer, the values with their intervals, the lines."""
-    values: list[tuple[str, Estimate | None, float, str]] = [
-        ("f₁", identification.first_frequency, 1, "Hz"),
-        ("ζ", identification.damping_ratio, 1, ""),
-        ("k", identification.stiffness, 1, "N/m"),
-        ("l₀", identification.rest_length, 1e3, "mm"),
-        ("m", identification.mass, 1e3, "g"),
-        ("τ", identification.transit_time, 1e3, "ms"),
-    ]
-    rows = [
-        (name, f"{scale * found.value:.6g}", f"± {scale * found.expanded:.2g}", unit)
-        for name, found, scale, unit in values
-        if found is not None
-    ]
-    lines = [
-        (f"{line['frequency_hz']['value']:.3f}", f"{line['amplitude_n']:.3g}", line["kind"], line["reason"])
-        for line in identification.lines
-    ]
-    shown = table(("", "value", "95 %", "unit"), rows) if rows else ""
-    return paragraphs(identification.answer) + shown + table(("line [Hz]", "amplitude [N]", "what", "why"), lines)
+__all__ = [
+    "calibration_html",
+    "calibration_plot",
+    "identification_html",
+    "identification_plot",
+    "lines_frame",
+    "points_frame",
+    "recording_html",
+    "experiment_html",
+    "experiment_plot",
+    "limits_frame",
+    "mitigation_html",
+    "mitigation_plot",
+    "placement_html",
+    "ranking_frame",
+    "runs_frame",
+]

@@ -47,8 +47,8 @@ else:
     axes.set_ylabel("Off from F_i [% of its swing]")
     axes.legend()
     axes.grid(alpha=0.3, which="both")
-    axes.xaxis.set_major_formatter("{x:g}")
-    axes.xaxis.set_minor_formatter("{x:g}")
+    axes.set_xticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
+    axes.xaxis.set_minor_formatter("")
     axes.yaxis.set_major_formatter("{x:g}")
     path = pathlib.Path(tempfile.mkdtemp(prefix="coilsense-")) / "which_sensor.png"
     figure.savefig(path, dpi=120)

@@ -243,7 +243,7 @@ fn theory<'py>(py: Python<'py>, judged: &Judged) -> PyResult<Bound<'py, PyDict>>
 ///     Length at the preload [m], and its inductance [H] where there is no point.
 /// inversion : {"exact", "25-lengths"}, optional
 ///     How a length is read from a theory; without it 25-lengths with the preset lab-data, else exact.
-/// spring : Spring, str or os.PathLike, optional
+/// spring : Spring, Spec, str or os.PathLike, optional
 ///     Coil, stiffness and length at zero force, from a spring or a spec.
 /// stiffness : float or str, optional
 ///     k, to go on to force [N/m]; with length_at_zero_force.

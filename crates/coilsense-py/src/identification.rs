@@ -176,7 +176,7 @@ impl PyIdentification {
     ///     To the wire's centre [m].
     /// wire_radius : float or str, optional
     ///     Of the wire [m].
-    /// spring : Spring, str or os.PathLike, optional
+    /// spring : Spring, Spec, str or os.PathLike, optional
     ///     A spring or a spec that tells these three.
     ///
     /// Returns
@@ -288,7 +288,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// ----------
 /// record : Recording, Signals, str or os.PathLike
 ///     Forces, and positions where they were recorded, on an even clock; or the path of a log whose columns carry their channels' names.
-/// spring : Spring, str or os.PathLike, optional
+/// spring : Spring, Spec, str or os.PathLike, optional
 ///     Foretell f1 from a spring or a spec.
 /// mass : float or str, optional
 ///     Mass of the active coil [kg]: with the stiffness it foretells f1.

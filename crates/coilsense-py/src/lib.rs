@@ -14,6 +14,7 @@ mod calibration;
 mod errors;
 mod estimate;
 mod excitation;
+mod experiment;
 mod html;
 mod identification;
 mod interrupt;
@@ -21,9 +22,11 @@ mod json;
 mod log_options;
 mod maxwell_sum;
 mod measures;
+mod mitigation;
 mod modes;
 mod motion;
 mod mount;
+mod placement;
 mod progress;
 mod quantity;
 mod recording;
@@ -31,6 +34,7 @@ mod results;
 mod series;
 mod signals;
 mod spec;
+mod spec_argument;
 mod spring;
 mod spring_argument;
 mod stream;
@@ -60,6 +64,9 @@ fn _coilsense(module: &Bound<'_, PyModule>) -> PyResult<()> {
     recording::register(module)?;
     calibration::register(module)?;
     identification::register(module)?;
+    experiment::register(module)?;
+    mitigation::register(module)?;
+    placement::register(module)?;
     // What is public is said once, by the package beside this module.
     module.delattr("__all__")
 }

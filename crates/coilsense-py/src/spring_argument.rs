@@ -1,6 +1,6 @@
-//! A spring that is known beforehand, as an argument: a noun, or the file of a spec.
+//! A spring that is known beforehand, as an argument: a noun, or a spec or its file.
 //!
-//! Next door: the noun (`spring`).
+//! Next door: the nouns (`spring`, `spec`).
 
 use std::path::PathBuf;
 
@@ -9,6 +9,7 @@ use coilsense_lab::spec::SpringSpec;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::spec::PySpec;
 use crate::spring::PySpring;
 
 /// A spring, or a spec that has one.
@@ -16,7 +17,9 @@ use crate::spring::PySpring;
 pub enum SpringArgument<'py> {
     /// The noun.
     Spring(Bound<'py, PySpring>),
-    /// A spec, of which only the table `[spring]` is read.
+    /// A spec.
+    Spec(Bound<'py, PySpec>),
+    /// A spec's file, of which only the table `[spring]` is read.
     Path(PathBuf),
 }
 
@@ -37,12 +40,16 @@ impl SpringArgument<'_> {
             Self::Spring(spring) => {
                 Ok(Known { spring: spring.get().0.clone(), stiffness_tolerance: 0.0, rest_length_tolerance: 0.0 })
             }
-            Self::Path(path) => {
-                let spec = SpringSpec::read(path).python()?;
-                let (stiffness_tolerance, rest_length_tolerance) =
-                    (spec.stiffness_tolerance, spec.rest_length_tolerance);
-                Ok(Known { spring: spec.spring, stiffness_tolerance, rest_length_tolerance })
-            }
+            Self::Spec(spec) => Ok(of_spec(&spec.get().spec.spring)),
+            Self::Path(path) => Ok(of_spec(&SpringSpec::read(path).python()?)),
         }
+    }
+}
+
+fn of_spec(spec: &SpringSpec) -> Known {
+    Known {
+        spring: spec.spring.clone(),
+        stiffness_tolerance: spec.stiffness_tolerance,
+        rest_length_tolerance: spec.rest_length_tolerance,
     }
 }

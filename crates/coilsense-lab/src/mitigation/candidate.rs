@@ -2,6 +2,8 @@
 //!
 //! Next door: how it runs (`start`), which there are (`candidates`), how they are judged (`judge`).
 
+use coilsense_rt::Measured;
+
 use super::export::Settings;
 use super::start::Start;
 
@@ -60,6 +62,13 @@ pub struct Candidate {
 impl Candidate {
     pub(super) fn new(name: impl Into<String>, origin: Origin, truth: Truth, start: impl Start + 'static) -> Self {
         Self { name: name.into(), origin, truth, start: Box::new(start) }
+    }
+
+    /// What it makes of samples one after the other \[N\], started on a spring that rests as it is at the first of them.
+    pub fn run(&self, measured: &[Measured<f64>]) -> Vec<f64> {
+        let Some(first) = measured.first() else { return Vec::new() };
+        let mut running = self.start.start(first);
+        measured.iter().map(running.as_mut()).collect()
     }
 
     /// What a controller takes of it; nothing for what is measured as it is.

@@ -1,0 +1,267 @@
+//! `coilsense.mitigate` and `Mitigation`: what to do about ringing, every way of it judged.
+//!
+//! Next door: one way of doing it (`remedy`), the spec (`spec_argument`), the log (`recording`).
+
+mod remedy;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use coilsense::mitigation::ToleranceBox;
+use coilsense_lab::mitigation::export::Precision;
+use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
+use coilsense_lab::spec::Spec;
+use pyo3::prelude::*;
+
+use crate::errors::{Error, IntoPython, refused, unknown};
+use crate::interrupt::interruptible;
+use crate::json;
+use crate::quantity::{Quantity, finite, positive};
+use crate::recording::recording;
+use crate::results::{laid_out, plain, save};
+use crate::spec_argument::SpecArgument;
+use remedy::PyRemedy;
+
+/// Adds classes and function to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyMitigation>()?;
+    module.add_class::<PyRemedy>()?;
+    module.add_function(wrap_pyfunction!(mitigate, module)?)
+}
+
+/// In which numbers the target computes, by its word.
+fn precision(word: &str) -> PyResult<Precision> {
+    match word {
+        "single" => Ok(Precision::Single),
+        "double" => Ok(Precision::Double),
+        _ => Err(unknown("precision", &["single", "double"], word)),
+    }
+}
+
+/// Every way of doing something about ringing, judged on the same runs; made by `mitigate`. ``str()`` of it is what ``coilsense mitigate``
+/// prints.
+///
+/// Filters of F_i are to give k·Δl, the force of a spring without mass; estimators are to give F_o. A sequence of `Remedy`, best first, filters
+/// before estimators.
+#[pyclass(name = "Mitigation", module = "coilsense", frozen, sequence)]
+pub struct PyMitigation {
+    answer: Arc<Answer>,
+    spec: Spec,
+}
+
+#[pymethods]
+impl PyMitigation {
+    /// The remedies, best first by their worst case; filters of F_i, then estimators of F_o.
+    #[getter]
+    fn remedies(&self) -> Vec<PyRemedy> {
+        (0..self.answer.judged.len()).map(|place| PyRemedy::of(&self.answer, place)).collect()
+    }
+
+    /// The remedies as dicts under the names of results.json, errors in N, angles in degrees as their names say.
+    #[getter]
+    fn ranking<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.to_dict(py)?.get_item("candidates")
+    }
+
+    /// What cannot be, and why: name and reason.
+    #[getter]
+    fn left_out(&self) -> Vec<(String, String)> {
+        self.answer.left_out.iter().map(|left| (left.name.clone(), left.reason.clone())).collect()
+    }
+
+    /// The best filter of F_i that is not too late; where all are too late, the least late. None without filters.
+    #[getter]
+    fn best_filter(&self) -> Option<PyRemedy> {
+        self.best(Truth::Static)
+    }
+
+    /// The best estimator of F_o that is not too late. None without estimators.
+    #[getter]
+    fn best_estimator(&self) -> Option<PyRemedy> {
+        self.best(Truth::Output)
+    }
+
+    /// How often the controller samples [Hz].
+    #[getter]
+    fn rate(&self) -> f64 {
+        self.answer.study.rate
+    }
+
+    /// White noise of F_i [N rms].
+    #[getter]
+    fn noise(&self) -> f64 {
+        self.answer.study.noise
+    }
+
+    /// Up to which frequency the force moves by itself [Hz].
+    #[getter]
+    fn bandwidth(&self) -> f64 {
+        self.answer.study.bandwidth
+    }
+
+    /// Writes what ``coilsense mitigate --out`` writes: report.html, results.json, the trade-off as a figure, settings as JSON, C and Rust.
+    ///
+    /// Parameters
+    /// ----------
+    /// folder : str or os.PathLike
+    ///     Its other files are left alone.
+    /// date : str, optional
+    ///     What the report carries; without it, today's.
+    /// precision : {"single", "double"}
+    ///     Numbers of the exported settings.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     How many files.
+    #[pyo3(signature = (folder, date=None, precision="single"))]
+    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>, precision: &str) -> PyResult<usize> {
+        let precision = self::precision(precision)?;
+        save(py, &folder, date, |date, output| add_mitigation(&self.answer, &self.spec, date, precision, output))
+    }
+
+    /// Everything, under the names of results.json.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        json::loads(py, mitigation_json(&self.answer))
+    }
+
+    /// The ranking as a data frame of pandas; ``pip install coilsense[pandas]``.
+    ///
+    /// Returns
+    /// -------
+    /// pandas.DataFrame
+    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "ranking_frame", (slf,))
+    }
+
+    /// Draws worst errors over lags with matplotlib, the best marked; ``pip install coilsense[plot]``.
+    ///
+    /// Parameters
+    /// ----------
+    /// axes : matplotlib.axes.Axes, optional
+    ///     Where; without it, in a new figure.
+    ///
+    /// Returns
+    /// -------
+    /// matplotlib.axes.Axes
+    #[pyo3(signature = (axes=None))]
+    fn plot<'py>(slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "mitigation_plot", (slf, axes))
+    }
+
+    fn __len__(&self) -> usize {
+        self.answer.judged.len()
+    }
+
+    fn __getitem__(&self, place: isize) -> PyResult<PyRemedy> {
+        let count = self.__len__();
+        let at = if place < 0 { count.checked_add_signed(place) } else { usize::try_from(place).ok() };
+        let at = at.filter(|at| *at < count);
+        let beyond =
+            || pyo3::exceptions::PyIndexError::new_err(format!("there are {count} remedies, got place {place}"));
+        Ok(PyRemedy::of(&self.answer, at.ok_or_else(beyond)?))
+    }
+
+    fn __str__(&self) -> String {
+        plain(&mitigation_text(&self.answer))
+    }
+
+    fn __repr__(&self) -> String {
+        let name = |remedy: Option<PyRemedy>| remedy.map_or("none".to_owned(), |remedy| remedy.name().to_owned());
+        let (filter, estimator) = (name(self.best_filter()), name(self.best_estimator()));
+        format!("<Mitigation of {} remedies: filter {filter}, estimator {estimator}>", self.__len__())
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "mitigation_html", (slf,))
+    }
+}
+
+impl PyMitigation {
+    fn best(&self, truth: Truth) -> Option<PyRemedy> {
+        let (best, _) = self.answer.best(truth)?;
+        let place = self.answer.judged.iter().position(|(candidate, _)| std::ptr::eq(candidate, best))?;
+        Some(PyRemedy::of(&self.answer, place))
+    }
+}
+
+/// What to do about ringing: filters and estimators, designed for the spring and judged over its tolerances.
+///
+/// Parameters
+/// ----------
+/// spec : Spec, str or os.PathLike
+///     Spring, mount and conditions.
+/// record : Recording, Signals, str or os.PathLike, optional
+///     Judge on a record in place of the conditions: F_i, u1, u2 and, for estimators, F_o.
+/// stated : bool
+///     Judge on the stated scenario in place of the conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds.
+/// rate : float or str
+///     How often the controller samples [Hz]; a record has its own.
+/// noise : float or str, optional
+///     White noise of F_i [N rms per sample]; without it, 0.2 % of the nominal force.
+/// bandwidth : float or str, optional
+///     Up to which frequency the force moves by itself [Hz]; without it, the goal's bandwidth, or f1/20.
+/// stiffness_tolerance, mass_tolerance : float
+///     By how much k and m may be off, either way, as shares [1].
+/// most_lag : float or str
+///     Most lag at the bandwidth that what is advised may have [rad]; without it, 30 degrees.
+/// seeds : int
+///     Series of noise, 1 to 1000.
+///
+/// Returns
+/// -------
+/// Mitigation
+///
+/// Raises
+/// ------
+/// Error
+///     For a spec without conditions to judge on, or a setting that makes no sense.
+/// LogError
+///     For a record without one of the channels, or not evenly sampled.
+#[pyfunction]
+#[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1,
+                    mass_tolerance=0.1, most_lag=None, seeds=5))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
+fn mitigate(
+    py: Python<'_>,
+    spec: SpecArgument<'_>,
+    record: Option<Bound<'_, PyAny>>,
+    stated: bool,
+    rate: Option<Quantity>,
+    noise: Option<Quantity>,
+    bandwidth: Option<Quantity>,
+    stiffness_tolerance: f64,
+    mass_tolerance: f64,
+    most_lag: Option<Quantity>,
+    seeds: u64,
+) -> PyResult<PyMitigation> {
+    let spec = spec.spec(py)?;
+    if stated && record.is_some() {
+        return Err(Error::new_err("record and stated are two things to judge on; give one of them"));
+    }
+    if !(1..=1000).contains(&seeds) {
+        return Err(Error::new_err(format!("seeds must be from 1 to 1000, got {seeds}")));
+    }
+    let asked = Asked {
+        rate: crate::quantity::rate(rate.as_ref(), "rate")?.unwrap_or(2500.0),
+        noise: positive(noise.as_ref(), "noise", Dimension::Force)?,
+        bandwidth: positive(bandwidth.as_ref(), "bandwidth", Dimension::Frequency)?,
+        tolerances: ToleranceBox::new(stiffness_tolerance, mass_tolerance).python()?,
+        most_lag: finite(most_lag.as_ref(), "most_lag", Dimension::Angle)?.map_or(30.0, f64::to_degrees),
+        seeds,
+    };
+    let study = match (stated, record) {
+        (true, _) => Study::stated(&spec.spring.spring).python()?,
+        (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,
+        (false, None) => Study::of(&spec, &asked).map_err(refused)?,
+    };
+    let file = spec.file.clone();
+    let answer = interruptible(py, move || study.run())?.map_err(|error| refused(format!("{file}: {error}")))?;
+    Ok(PyMitigation { answer: Arc::new(answer), spec })
+}

@@ -1,0 +1,186 @@
+//! `coilsense.placement` and `Placement`: which force a control loop may feed back, and how fast it can then be.
+//!
+//! Next door: the spec, whose table `[control]` describes the loop (`spec_argument`).
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use coilsense_lab::placement::{Judged, Placement};
+use coilsense_lab::report::{add_placement, placement_json, placement_text};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::refused;
+use crate::interrupt::interruptible;
+use crate::json;
+use crate::results::{laid_out, plain, save};
+use crate::spec_argument::SpecArgument;
+
+/// Adds class and function to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyPlacement>()?;
+    module.add_function(wrap_pyfunction!(placement, module)?)
+}
+
+/// Every force judged as the one that is fed back; made by `placement`. ``str()`` of it is what ``coilsense placement`` prints.
+///
+/// Crossovers are those of the loop with a spring without mass; ``inf`` stands for what is without bound.
+#[pyclass(name = "Placement", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyPlacement(Arc<Placement>);
+
+#[pymethods]
+impl PyPlacement {
+    /// The answer, a sentence each.
+    #[getter]
+    fn answer(&self) -> Vec<String> {
+        coilsense_lab::placement::answer(&self.0)
+    }
+
+    /// The force to feed back: that of the fastest loop with a sensitivity of at most 2 at every damping.
+    #[getter]
+    fn feed_back(&self) -> &'static str {
+        self.0.candidates[self.0.best].channel.name()
+    }
+
+    /// The loop's crossover as it is set, with a spring without mass [Hz].
+    #[getter]
+    fn crossover(&self) -> f64 {
+        self.0.crossover
+    }
+
+    /// The proportional gain that makes it so, in command units per N.
+    #[getter]
+    fn gain(&self) -> f64 {
+        self.0.gain
+    }
+
+    /// The drive's command unit.
+    #[getter]
+    fn command_unit(&self) -> &'static str {
+        self.0.control.drive.command_unit()
+    }
+
+    /// The limits of each force and, behind estimators, of each estimate: (stable, robust) crossover [Hz] by name.
+    #[getter]
+    fn limits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for force in &self.0.candidates {
+            dict.set_item(force.channel.name(), (force.stable_crossover(), force.robust_crossover()))?;
+        }
+        for estimate in &self.0.estimates {
+            dict.set_item(&estimate.name, (estimate.stable_crossover, estimate.robust_crossover))?;
+        }
+        Ok(dict)
+    }
+
+    /// Margins of each force's loop as it is set, a dict per damping: stable, gain_limit [1], phase [rad], delay [s], modulus [1], and the
+    /// peak of F_o over the reference with its frequency [Hz].
+    #[getter]
+    fn margins<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for force in &self.0.candidates {
+            let each = force.judged.iter().zip(&self.0.dampings);
+            let each =
+                each.map(|(judged, damping)| margins(py, judged, &damping.label)).collect::<PyResult<Vec<_>>>()?;
+            dict.set_item(force.channel.name(), each)?;
+        }
+        Ok(dict)
+    }
+
+    /// Whether the sampled loop over time turned unstable where predicted; None where there is no limit, or no run.
+    #[getter]
+    fn confirmed(&self) -> Option<bool> {
+        self.0.confirmed
+    }
+
+    /// Writes what ``coilsense placement --out`` writes: report.html and results.json; all of it or nothing.
+    ///
+    /// Parameters
+    /// ----------
+    /// folder : str or os.PathLike
+    ///     Its other files are left alone.
+    /// date : str, optional
+    ///     What the report carries; without it, today's.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     How many files.
+    #[pyo3(signature = (folder, date=None))]
+    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
+        save(py, &folder, date, |date, output| add_placement(&self.0, date, output))
+    }
+
+    /// Everything, under the names of results.json; None stands for what is without bound.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        json::loads(py, placement_json(&self.0))
+    }
+
+    /// The limits as a data frame of pandas; ``pip install coilsense[pandas]``.
+    ///
+    /// Returns
+    /// -------
+    /// pandas.DataFrame
+    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "limits_frame", (slf,))
+    }
+
+    fn __str__(&self) -> String {
+        plain(&placement_text(&self.0))
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<Placement of {}: feed back {}, crossover {} Hz>",
+            self.0.spec.file,
+            self.feed_back(),
+            self.0.crossover
+        )
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "placement_html", (slf,))
+    }
+}
+
+fn margins<'py>(py: Python<'py>, judged: &Judged, damping: &str) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("damping", damping)?;
+    dict.set_item("stable", judged.margins.stable)?;
+    dict.set_item("gain_limit", judged.margins.gain_limit)?;
+    dict.set_item("phase", judged.margins.phase)?;
+    dict.set_item("delay", judged.margins.delay)?;
+    dict.set_item("modulus", judged.margins.modulus)?;
+    dict.set_item("load_peak", judged.load_peak.0)?;
+    dict.set_item("load_peak_frequency", judged.load_peak.1)?;
+    Ok(dict)
+}
+
+/// Which force a control loop may feed back: limits of stability and margins of F_i, F_o, F_x and F_L, and behind estimators.
+///
+/// Parameters
+/// ----------
+/// spec : Spec, str or os.PathLike
+///     Its table [control] describes the loop.
+///
+/// Returns
+/// -------
+/// Placement
+///
+/// Raises
+/// ------
+/// SpecError
+///     For a spec that cannot be read.
+/// Error
+///     For a spec without [control], or without damping.
+#[pyfunction]
+fn placement(py: Python<'_>, spec: SpecArgument<'_>) -> PyResult<PyPlacement> {
+    let spec = spec.spec(py)?;
+    let placement = interruptible(py, move || Placement::of(spec))?.map_err(refused)?;
+    Ok(PyPlacement(Arc::new(placement)))
+}

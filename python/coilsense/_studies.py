@@ -1,0 +1,120 @@
+"""Remedies, placements and experiments laid out. Next door: what they are laid out with (`_layout`)."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from coilsense._html import table
+from coilsense._layout import BLUE, RED, frame, new_axes, paragraphs
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+    import pandas
+
+    from coilsense import Experiment, Mitigation, Placement
+
+# mitigation
+
+
+def ranking_frame(mitigation: Mitigation) -> pandas.DataFrame:
+    """One row per remedy, best first; without the settings."""
+    rows = [{key: value for key, value in remedy.to_dict().items() if key != "settings"} for remedy in mitigation.remedies]
+    return frame(rows, "name")
+
+
+def mitigation_plot(mitigation: Mitigation, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+    """Worst error over lag; the best of either kind by its name."""
+    axes = new_axes(axes)
+    looks = {"k·Δl": (BLUE, "o", "filters of F_i, against k·Δl"), "F_o": (RED, "s", "estimators, against F_o")}
+    for against, (colour, mark, label) in looks.items():
+        those = [remedy for remedy in mitigation.remedies if remedy.against == against]
+        lags = [math.degrees(remedy.lag) for remedy in those]
+        axes.semilogy(lags, [remedy.worst_rms_error for remedy in those], mark, color=colour, label=label, markersize=5)
+    for best in (mitigation.best_filter, mitigation.best_estimator):
+        if best is not None:
+            at = (math.degrees(best.lag), best.worst_rms_error)
+            axes.annotate(best.name, at, xytext=(0, -12), textcoords="offset points", ha="center", va="top", fontsize=9,
+                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
+    # Room for names below and beside the marks.
+    low, high = axes.get_ylim()
+    axes.set_ylim(low / 1.6, high)
+    axes.margins(x=0.15)
+    axes.set_xlabel(f"Lag at {mitigation.bandwidth:.3g} Hz [deg]")
+    axes.set_ylabel("Worst rms error [N]")
+    axes.legend()
+    return axes
+
+
+def mitigation_html(mitigation: Mitigation) -> str:
+    """The advice, and the ranking."""
+    rows = [
+        (
+            remedy.name,
+            remedy.against,
+            f"{remedy.worst_rms_error:.3g}",
+            f"{remedy.rms_error:.3g}",
+            f"{math.degrees(remedy.lag):.1f}",
+            f"{remedy.noise_gain:.2f}",
+            f"{1e3 * remedy.settling:.0f}",
+        )
+        for remedy in mitigation.remedies
+    ]
+    head = ("remedy", "against", "worst rms [N]", "nominal rms [N]", "lag [deg]", "noise gain", "settles [ms]")
+    return paragraphs(mitigation.to_dict()["advice"]) + table("Remedies", rows, head)
+
+
+# placement
+
+
+def limits_frame(placement: Placement) -> pandas.DataFrame:
+    """One row per force or estimate."""
+    rows = [
+        {"force": name, "stable_crossover": stable, "robust_crossover": robust}
+        for name, (stable, robust) in placement.limits.items()
+    ]
+    return frame(rows, "force")
+
+
+def placement_html(placement: Placement) -> str:
+    """The answer, and the limits."""
+    rows = [(name, f"{stable:.4g}", f"{robust:.4g}") for name, (stable, robust) in placement.limits.items()]
+    return paragraphs(placement.answer) + table("Limits", rows, ("fed back", "stable up to [Hz]", "sensitivity 2 up to [Hz]"))
+
+
+# experiment
+
+
+def runs_frame(experiment: Experiment) -> pandas.DataFrame:
+    """One row per run; of each force its mean and how uncertain that is."""
+    rows = []
+    for run in experiment.rows:
+        row = {key: value for key, value in run.items() if key != "means"}
+        for force, mean in run["means"].items():
+            row[f"{force}_mean_n"], row[f"{force}_standard_error_n"] = mean["mean_n"], mean["standard_error_n"]
+        rows.append(row)
+    return frame(rows, "name")
+
+
+def experiment_plot(experiment: Experiment, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+    """Deviation of F_o from F_x over the frequency of the sines, as a share of F_nom."""
+    axes = new_axes(axes)
+    sines = sorted((run for run in experiment.rows if run["kind"] == "harmonic"), key=lambda run: run["frequency_hz"])
+    over = [run["frequency_hz"] for run in sines]
+    axes.semilogy(over, [run["maximum_absolute_percent"] for run in sines], "s--", color=RED, markersize=4, label="largest")
+    axes.semilogy(over, [run["rmsd_percent"] for run in sines], "o-", color=BLUE, markersize=4, label="RMSD")
+    axes.set_xlabel("Frequency [Hz]")
+    axes.set_ylabel("F_o against F_x [% of F_nom]")
+    axes.set_title("simulated data" if experiment.simulated else "")
+    axes.legend()
+    return axes
+
+
+def experiment_html(experiment: Experiment) -> str:
+    """The answer, and the runs."""
+    rows = [
+        (run["name"], run["kind"], f"{run['frequency_hz']:g}", f"{run['rmsd_percent']:.3g}", f"{run['maximum_absolute_percent']:.3g}")
+        for run in experiment.rows
+    ]
+    head = ("run", "kind", "frequency [Hz]", "RMSD [% of F_nom]", "largest [% of F_nom]")
+    return paragraphs(experiment.answer) + table("Runs", rows, head)
