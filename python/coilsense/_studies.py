@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from coilsense._frames import _library
 from coilsense._html import table
 from coilsense._layout import BLUE, RED, frame, new_axes, paragraphs
 
@@ -33,13 +34,12 @@ def mitigation_plot(mitigation: Mitigation, axes: matplotlib.axes.Axes | None) -
         axes.semilogy(lags, [remedy.worst_rms_error for remedy in those], mark, color=colour, label=label, markersize=5)
     for best in (mitigation.best_filter, mitigation.best_estimator):
         if best is not None:
-            at = (math.degrees(best.lag), best.worst_rms_error)
-            axes.annotate(best.name, at, xytext=(0, -12), textcoords="offset points", ha="center", va="top", fontsize=9,
-                          bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
-    # Room for names below and beside the marks.
-    low, high = axes.get_ylim()
-    axes.set_ylim(low / 1.6, high)
-    axes.margins(x=0.15)
+            at = ([math.degrees(best.lag)], [best.worst_rms_error])
+            colour, mark, _ = looks[best.against]
+            axes.plot(*at, mark, color=colour, fillstyle="none", markersize=12, label=f"best: {best.name}")
+    axes.yaxis.set_major_locator(_library("matplotlib.ticker", "plot").LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_formatter("")
     axes.set_xlabel(f"Lag at {mitigation.bandwidth:.3g} Hz [deg]")
     axes.set_ylabel("Worst rms error [N]")
     axes.legend()

@@ -31,7 +31,7 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// >>> stiffness.low, stiffness.high, 760.8 in stiffness
 /// (759.0, 761.0, True)
 #[pyclass(name = "Estimate", module = "coilsense", frozen, eq)]
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct PyEstimate(pub Estimate);
 
 impl PyEstimate {

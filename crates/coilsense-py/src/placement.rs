@@ -69,7 +69,7 @@ impl PyPlacement {
             dict.set_item(force.channel.name(), (force.stable_crossover(), force.robust_crossover()))?;
         }
         for estimate in &self.0.estimates {
-            dict.set_item(&estimate.name, (estimate.stable_crossover, estimate.robust_crossover))?;
+            dict.set_item(estimate.name, (estimate.stable_crossover, estimate.robust_crossover))?;
         }
         Ok(dict)
     }
