@@ -42,10 +42,19 @@ def values() -> list[object]:
     windings = coilsense.Windings([[0.0, 0.3], [0.0, 0.31]], [[0.1, 0.2], [0.11, 0.2]])
     deviation = coilsense.Deviation.between([1.0, 2.0], [0.5, 2.0])
     clash = coilsense.Clash.of(motion, [0.0, 0.1])
+    steel = coilsense.Material(shear_modulus=81.5e9, youngs_modulus=206e9, density=7850.0, resistivity=2e-7)
+    loads = [coilsense.Load.held(), coilsense.Load.free(), coilsense.Load.mass(0.5), coilsense.Load.stiffness(300.0, 40.0)]
+    others = [
+        steel,
+        coilsense.Geometry.of_spring(SPRING, "hooks", steel),
+        coilsense.TwoPort(SPRING, dampings[1], "wave"),
+        coilsense.Readout(bandwidth=1e3, order=2, noise=0.1),
+        coilsense.Spec.parse(coilsense.Spec.template("S_T")),
+    ]
     nouns = [shaken, IMPACT, mount, motion, motion.truncated(3), signals, windings, deviation, clash]
     coil = coilsense.MaxwellSum(SPRING, "geometric-mean")
     estimate = coilsense.Estimate(54.0, 0.1, 0.2)
-    return [SPRING, coil, estimate, *inputs, *starts, *dampings, *far_ends, *nouns]
+    return [SPRING, coil, estimate, *inputs, *starts, *dampings, *far_ends, *loads, *others, *nouns]
 
 
 def tapped(noise: float = 0.05, seconds: float = 30.0, pulled: bool = True) -> coilsense.Signals:

@@ -27,6 +27,9 @@ pub struct Arguments {
     /// With --sweep: a million designs, and the most memory that takes
     #[arg(long, requires = "sweep")]
     million: bool,
+    /// Only calls from Python: what one costs, and a motion's end forces beside the same from Rust
+    #[arg(long)]
+    python: bool,
 }
 
 /// How often the whole command is run; the median counts.
@@ -65,6 +68,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.sweep {
         return crate::sweep::run(arguments.million);
     }
+    if arguments.python {
+        return from_python();
+    }
     let jobs = root().join("target/bench-jobs");
     let environment = python::environment("bench/.venv", "bench/python/requirements.txt")?;
     make_jobs(&environment, &jobs)?;
@@ -85,6 +91,53 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
         .with_context(|| format!("{} cannot be written", path.display()))?;
     println!("\n{} rows in target/bench.json", rows.len());
+    Ok(())
+}
+
+/// Longest that a trivial call from Python may take \[ms\], and how much longer end forces may than from Rust.
+const PYTHON_GOALS: (f64, f64) = (5e-3, 1.2);
+/// How often Rust and Python take turns; the medians of the turns count, for the machine is not always as fast.
+const TURNS: usize = 5;
+
+/// Calls from Python, by turns with the same from Rust.
+fn from_python() -> anyhow::Result<()> {
+    let environment = crate::package::installed()?;
+    if !cargo(&["build", "--release", "--package", "coilsense", "--example", "end_forces"]).status()?.success() {
+        bail!("the release build failed");
+    }
+    let mut measurements = Vec::new();
+    for _ in 0..TURNS {
+        measurements.extend(measure(
+            "Rust",
+            cargo(&["run", "--release", "--quiet", "-p", "coilsense", "--example", "end_forces"]),
+        )?);
+        let mut python = environment.python();
+        python.arg("python/bench.py");
+        measurements.extend(measure("Python", python)?);
+    }
+    let median = |setting: &str| -> anyhow::Result<f64> {
+        let of_setting = measurements.iter().filter(|each| each.setting == setting);
+        let mut all: Vec<f64> = of_setting.filter_map(|each| each.median_ms).collect();
+        all.sort_by(f64::total_cmp);
+        all.get(all.len() / 2).copied().with_context(|| format!("{setting} was not measured"))
+    };
+    let verdict = |holds: bool| if holds { "met   " } else { "MISSED" };
+    for setting in ["Spring.static_force", "Spring.surge_frequency"] {
+        let call = median(setting)?;
+        println!(
+            "{}  {setting}: {:.3} us (goal {} us)",
+            verdict(call <= PYTHON_GOALS.0),
+            1e3 * call,
+            1e3 * PYTHON_GOALS.0
+        );
+    }
+    let (rust, python) = (median("Motion::end_forces")?, median("Motion.end_forces")?);
+    let ratio = python / rust;
+    println!(
+        "{}  S_T, 1 s at 10 kHz, end forces: {python:.4} ms from Python, {rust:.4} ms from Rust: {ratio:.2}x (goal {}x)",
+        verdict(ratio <= PYTHON_GOALS.1),
+        PYTHON_GOALS.1
+    );
     Ok(())
 }
 

@@ -28,25 +28,28 @@ pub fn missing() -> Option<String> {
 
 /// Builds the wheel, installs it, and runs everything; whether all succeed.
 pub fn steps() -> anyhow::Result<bool> {
-    let tests = python::environment("target/python", REQUIREMENTS)?;
-    let wheel = build(&tests)?;
-    let size = wheel.metadata()?.len();
-    println!("{}: {:.1} MB (at most {:.0})", name(&wheel), 1e-6 * size as f64, 1e-6 * LARGEST_WHEEL as f64);
-    if size > LARGEST_WHEEL {
-        return Ok(false);
-    }
-    let mut install = tests.pip();
-    install.args(["--force-reinstall", "--no-deps"]).arg(&wheel);
-    let checks: [&[&str]; 4] = [
+    let tests = installed()?;
+    let checks: [&[&str]; 3] = [
         &["-m", "pytest", "-q"],
         &["-m", "mypy", "python/coilsense", "python/tests", "python/examples"],
         &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
-        &["-m", "compileall", "-q", "python/examples"],
     ];
-    Ok(succeeds(&mut install)?
-        && every(&checks, |arguments| succeeds(tests.python().args(*arguments)))?
-        && examples(&tests)?
-        && readme()?)
+    Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments)))? && examples(&tests)? && readme()?)
+}
+
+/// The tests' environment with the wheel of this source in it.
+pub fn installed() -> anyhow::Result<Environment> {
+    let environment = python::environment("target/python", REQUIREMENTS)?;
+    let wheel = build(&environment)?;
+    let size = wheel.metadata()?.len();
+    println!("{}: {:.1} MB (at most {:.0})", name(&wheel), 1e-6 * size as f64, 1e-6 * LARGEST_WHEEL as f64);
+    if size > LARGEST_WHEEL {
+        bail!("the wheel is too large");
+    }
+    if !succeeds(environment.pip().args(["--force-reinstall", "--no-deps"]).arg(&wheel))? {
+        bail!("the wheel cannot be installed");
+    }
+    Ok(environment)
 }
 
 /// The wheel, built anew.

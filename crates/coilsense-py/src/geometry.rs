@@ -1,0 +1,269 @@
+//! `coilsense.Geometry` and `Material`: from wire and coil to stiffness, mass and stress.
+//!
+//! Next door: the spring as Table I of the paper gives it (`spring`).
+
+mod material;
+
+use coilsense::geometry::{EndType, Geometry, GeometryParameters};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+pub use material::PyMaterial;
+
+use crate::errors::{IntoPython, unknown};
+use crate::spring::PySpring;
+use crate::value::{self, Arguments, NewArguments};
+
+/// Adds the classes to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyMaterial>()?;
+    module.add_class::<PyGeometry>()
+}
+
+/// Words for how the wire ends, those of a spec.
+const ENDS: [(&str, EndType); 5] = [
+    ("hooks", EndType::Hooks),
+    ("open", EndType::Open),
+    ("open-ground", EndType::OpenGround),
+    ("closed", EndType::Closed),
+    ("closed-ground", EndType::ClosedGround),
+];
+
+fn end_type(word: &str) -> PyResult<EndType> {
+    let found = ENDS.iter().find(|(name, _)| *name == word);
+    found.map(|(_, end)| *end).ok_or_else(|| unknown("end type", &ENDS.map(|(name, _)| name), word))
+}
+
+/// Wire and coil.
+///
+/// Parameters
+/// ----------
+/// wire_diameter : float
+///     d [m].
+/// coil_diameter : float
+///     D, to the centre of the wire [m].
+/// active_windings : float
+///     n [1], may be fractional.
+/// end_type : {"hooks", "open", "open-ground", "closed", "closed-ground"}
+///     How the wire ends.
+/// material : Material
+///     What the wire is made of.
+/// rest_length : float
+///     l0, without force [m]; of an extension spring, closed.
+/// total_windings : float, optional
+///     n_t [1]; without it the active ones and what the ends take.
+/// initial_tension : float, optional
+///     F_0, force at which an extension spring begins to open [N].
+///
+/// Raises
+/// ------
+/// Error
+///     For the first value that is not finite or not above zero, a wire that is not thinner than the coil, fewer windings in total than
+///     active, a compression spring shorter than its solid length or with initial tension.
+///
+/// Notes
+/// -----
+/// Source: [Shigley2011] chapter 10, [EN13906-1].
+///
+/// Examples
+/// --------
+/// >>> from coilsense import Geometry, Material
+/// >>> steel = Material(shear_modulus=81.5e9, youngs_modulus=206e9, density=7850)
+/// >>> s_t = Geometry(wire_diameter=0.002, coil_diameter=0.016, active_windings=52, end_type="hooks", material=steel, rest_length=0.104)
+/// >>> round(s_t.stiffness, 1)  # Table I: 760 N/m
+/// 765.3
+#[pyclass(name = "Geometry", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyGeometry(pub Geometry);
+
+impl PyGeometry {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let p = self.0.parameters();
+        let dict = PyDict::new(py);
+        dict.set_item("wire_diameter", p.wire_diameter)?;
+        dict.set_item("coil_diameter", p.coil_diameter)?;
+        dict.set_item("active_windings", p.active_windings)?;
+        dict.set_item("end_type", self.end_type())?;
+        dict.set_item("material", self.material().into_pyobject(py)?)?;
+        dict.set_item("rest_length", p.rest_length)?;
+        dict.set_item("total_windings", p.total_windings)?;
+        dict.set_item("initial_tension", p.initial_tension)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyGeometry {
+    #[new]
+    #[pyo3(signature = (*, wire_diameter, coil_diameter, active_windings, end_type, material, rest_length, total_windings=None,
+                        initial_tension=0.0))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per dimension")]
+    fn new(
+        wire_diameter: f64,
+        coil_diameter: f64,
+        active_windings: f64,
+        end_type: &str,
+        material: &PyMaterial,
+        rest_length: f64,
+        total_windings: Option<f64>,
+        initial_tension: f64,
+    ) -> PyResult<Self> {
+        let parameters = GeometryParameters {
+            wire_diameter,
+            coil_diameter,
+            active_windings,
+            total_windings,
+            end_type: self::end_type(end_type)?,
+            material: material.0,
+            rest_length,
+            initial_tension,
+        };
+        Geometry::new(parameters).python().map(Self)
+    }
+
+    /// Wire and coil of a spring whose stiffness and mass are known from elsewhere: all windings active, no initial tension.
+    ///
+    /// Parameters
+    /// ----------
+    /// spring : Spring
+    ///     The spring.
+    /// end_type : str
+    ///     How the wire ends.
+    /// material : Material
+    ///     What the wire is made of.
+    ///
+    /// Returns
+    /// -------
+    /// Geometry
+    ///     Its stiffness and mass are the formulas', not the spring's.
+    #[staticmethod]
+    fn of_spring(spring: &PySpring, end_type: &str, material: &PyMaterial) -> PyResult<Self> {
+        Geometry::of_spring(&spring.0, self::end_type(end_type)?, material.0).python().map(Self)
+    }
+
+    /// How the wire ends.
+    #[getter]
+    fn end_type(&self) -> &'static str {
+        let own = self.0.parameters().end_type;
+        ENDS.iter().find(|(_, end)| *end == own).map_or("", |(word, _)| word)
+    }
+
+    /// What the wire is made of.
+    #[getter]
+    fn material(&self) -> PyMaterial {
+        PyMaterial(*self.0.material())
+    }
+
+    /// n_t: all windings [1].
+    #[getter]
+    fn total_windings(&self) -> f64 {
+        self.0.total_windings()
+    }
+
+    /// C: spring index D/d [1].
+    #[getter]
+    fn index(&self) -> f64 {
+        self.0.index()
+    }
+
+    /// Length with all windings touching, inactive ones included [m].
+    #[getter]
+    fn solid_length(&self) -> f64 {
+        self.0.solid_length()
+    }
+
+    /// Length at which the straight line of force over length crosses zero [m]: l0 - F_0/k.
+    #[getter]
+    fn effective_rest_length(&self) -> f64 {
+        self.0.effective_rest_length()
+    }
+
+    /// k = G d^4 / (8 D^3 n) [N/m]; index above 4, small helix angle.
+    #[getter]
+    fn stiffness(&self) -> f64 {
+        self.0.stiffness()
+    }
+
+    /// Mass of the active windings [kg].
+    #[getter]
+    fn active_mass(&self) -> f64 {
+        self.0.active_mass()
+    }
+
+    /// Mass of all windings [kg].
+    #[getter]
+    fn total_mass(&self) -> f64 {
+        self.0.total_mass()
+    }
+
+    /// f1 of a flat coil with both ends held [Hz].
+    #[getter]
+    fn surge_frequency(&self) -> f64 {
+        self.0.surge_frequency()
+    }
+
+    /// Length of the wire [m], helix angle left out.
+    #[getter]
+    fn wire_length(&self) -> f64 {
+        self.0.wire_length()
+    }
+
+    /// Resistance of the wire [Ohm]; None where the material's resistivity is not known.
+    #[getter]
+    fn wire_resistance(&self) -> Option<f64> {
+        self.0.wire_resistance()
+    }
+
+    /// Wahl's factor for the curvature of the wire [1]. Source: [Wahl1963].
+    #[getter]
+    fn wahl_factor(&self) -> f64 {
+        self.0.wahl_factor()
+    }
+
+    /// Shear stress in the wire, curvature left out.
+    ///
+    /// Parameters
+    /// ----------
+    /// force : float
+    ///     F [N].
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     8 F D / (pi d^3) [Pa]; for static strength.
+    fn shear_stress(&self, force: f64) -> f64 {
+        self.0.shear_stress(force)
+    }
+
+    /// Shear stress at the inside of the coil, for fatigue.
+    ///
+    /// Parameters
+    /// ----------
+    /// force : float
+    ///     F [N].
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     With Wahl's factor [Pa].
+    fn corrected_shear_stress(&self, force: f64) -> f64 {
+        self.0.corrected_shear_stress(force)
+    }
+
+    /// The arguments by name, the material as a dict.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        value::plain(&self.arguments(py)?)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("Geometry", &self.arguments(py)?)
+    }
+}

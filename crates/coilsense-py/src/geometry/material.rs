@@ -1,0 +1,159 @@
+//! `coilsense.Material`: what a wire is made of.
+//!
+//! Next door: the coil wound from it (the parent).
+
+use coilsense::geometry::{Material, MaterialParameters};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::IntoPython;
+use crate::value::{self, Arguments, NewArguments};
+
+/// What a wire is made of, at 20 degrees Celsius.
+///
+/// Parameters
+/// ----------
+/// shear_modulus : float
+///     G [Pa].
+/// youngs_modulus : float
+///     E [Pa].
+/// density : float
+///     [kg/m^3].
+/// shear_modulus_temperature : float, optional
+///     (dG/dT)/G [1/K], below zero for steel.
+/// expansion : float, optional
+///     Thermal expansion [1/K].
+/// resistivity : float, optional
+///     [Ohm m].
+/// relative_permeability : float, optional
+///     mu_r [1].
+///
+/// Raises
+/// ------
+/// Error
+///     For the first value that is not finite or not of a size that solids have.
+#[pyclass(name = "Material", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyMaterial(pub Material);
+
+impl PyMaterial {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let p = self.0.parameters();
+        let dict = PyDict::new(py);
+        dict.set_item("shear_modulus", p.shear_modulus)?;
+        dict.set_item("youngs_modulus", p.youngs_modulus)?;
+        dict.set_item("density", p.density)?;
+        dict.set_item("shear_modulus_temperature", p.shear_modulus_temperature)?;
+        dict.set_item("expansion", p.expansion)?;
+        dict.set_item("resistivity", p.resistivity)?;
+        dict.set_item("relative_permeability", p.relative_permeability)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyMaterial {
+    #[new]
+    #[pyo3(signature = (*, shear_modulus, youngs_modulus, density, shear_modulus_temperature=None, expansion=None, resistivity=None,
+                        relative_permeability=None))]
+    fn new(
+        shear_modulus: f64,
+        youngs_modulus: f64,
+        density: f64,
+        shear_modulus_temperature: Option<f64>,
+        expansion: Option<f64>,
+        resistivity: Option<f64>,
+        relative_permeability: Option<f64>,
+    ) -> PyResult<Self> {
+        let parameters = MaterialParameters {
+            shear_modulus,
+            youngs_modulus,
+            density,
+            shear_modulus_temperature,
+            expansion,
+            resistivity,
+            relative_permeability,
+        };
+        Material::new(parameters).python().map(Self)
+    }
+
+    /// G: shear modulus [Pa].
+    #[getter]
+    fn shear_modulus(&self) -> f64 {
+        self.0.shear_modulus()
+    }
+
+    /// E: Young's modulus [Pa].
+    #[getter]
+    fn youngs_modulus(&self) -> f64 {
+        self.0.youngs_modulus()
+    }
+
+    /// Density [kg/m^3].
+    #[getter]
+    fn density(&self) -> f64 {
+        self.0.density()
+    }
+
+    /// (dG/dT)/G [1/K]; None where it is not known.
+    #[getter]
+    fn shear_modulus_temperature(&self) -> Option<f64> {
+        self.0.parameters().shear_modulus_temperature
+    }
+
+    /// Thermal expansion [1/K]; None where it is not known.
+    #[getter]
+    fn expansion(&self) -> Option<f64> {
+        self.0.parameters().expansion
+    }
+
+    /// Electrical resistivity [Ohm m]; None where it is not known.
+    #[getter]
+    fn resistivity(&self) -> Option<f64> {
+        self.0.resistivity()
+    }
+
+    /// mu_r: relative magnetic permeability [1]; None where it is not known.
+    #[getter]
+    fn relative_permeability(&self) -> Option<f64> {
+        self.0.relative_permeability()
+    }
+
+    /// How the stiffness of a spring of it drifts, (dk/dT)/k [1/K]; None where a part is not known.
+    #[getter]
+    fn stiffness_temperature(&self) -> Option<f64> {
+        self.0.stiffness_temperature()
+    }
+
+    /// Highest stress that an impact adds to the wire, whatever the spring's dimensions.
+    ///
+    /// Parameters
+    /// ----------
+    /// velocity : float
+    ///     v [m/s], of one end against the other.
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     v sqrt(2 rho G) [Pa].
+    fn impact_stress(&self, velocity: f64) -> f64 {
+        self.0.impact_stress(velocity)
+    }
+
+    /// The values by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        self.arguments(py)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("Material", &self.arguments(py)?)
+    }
+}

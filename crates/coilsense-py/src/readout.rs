@@ -1,0 +1,176 @@
+//! `coilsense.Readout`: what an instrument makes of a quantity.
+//!
+//! Next door: the signals that it reads (`signals`).
+
+use coilsense::sensors::{Readout, ReadoutParameters};
+use num_complex::Complex64;
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::IntoPython;
+use crate::series::Series;
+use crate::value::{self, Arguments, NewArguments};
+
+/// Adds the class to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyReadout>()
+}
+
+/// What an instrument makes of a quantity: low-pass, delay, averaging, sampling, noise, resolution.
+///
+/// Parameters
+/// ----------
+/// bandwidth : float, optional
+///     Where the low-pass, a Butterworth, has lost 3 dB [Hz]; no low-pass without it.
+/// order : int, optional
+///     Of the low-pass, 1 to 8.
+/// delay : float, optional
+///     Time by which the reading comes late [s].
+/// averaging : float, optional
+///     The reading is the mean over the preceding time of this length [s].
+/// sample_rate : float, optional
+///     Samples per second [Hz], each held until the next.
+/// noise : float, optional
+///     Rms, in the quantity's unit.
+/// resolution : float, optional
+///     Step between readings, in the quantity's unit.
+///
+/// Raises
+/// ------
+/// Error
+///     For the first value that is not finite, below zero or, where it must be, not above.
+///
+/// Examples
+/// --------
+/// >>> from coilsense import Readout
+/// >>> meter = Readout(averaging=0.01, sample_rate=100.0, resolution=1e-9)  # an LCR meter
+/// >>> round(meter.lag(0.0), 12)  # half a window and half a hold [s]
+/// 0.01
+#[pyclass(name = "Readout", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyReadout(Readout);
+
+impl PyReadout {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let p = self.0.parameters();
+        let dict = PyDict::new(py);
+        dict.set_item("bandwidth", p.bandwidth)?;
+        dict.set_item("order", p.order)?;
+        dict.set_item("delay", p.delay)?;
+        dict.set_item("averaging", p.averaging)?;
+        dict.set_item("sample_rate", p.sample_rate)?;
+        dict.set_item("noise", p.noise)?;
+        dict.set_item("resolution", p.resolution)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyReadout {
+    #[new]
+    #[pyo3(signature = (*, bandwidth=None, order=1, delay=0.0, averaging=None, sample_rate=None, noise=0.0, resolution=None))]
+    fn new(
+        bandwidth: Option<f64>,
+        order: usize,
+        delay: f64,
+        averaging: Option<f64>,
+        sample_rate: Option<f64>,
+        noise: f64,
+        resolution: Option<f64>,
+    ) -> PyResult<Self> {
+        let parameters = ReadoutParameters { bandwidth, order, delay, averaging, sample_rate, noise, resolution };
+        Readout::new(parameters).python().map(Self)
+    }
+
+    /// The reading at each time.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array_like of float, shape (samples,)
+    ///     [s], strictly increasing.
+    /// values : array_like of float, shape (samples,)
+    ///     The quantity, in any unit; taken as straight between samples.
+    /// seed : int, optional
+    ///     Of the noise; the same seed gives the same noise.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     In the unit of the values.
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For a time that is not after its predecessor, a value beyond 1e9 either way, or series of different lengths.
+    ///
+    /// Examples
+    /// --------
+    /// >>> from coilsense import Readout
+    /// >>> Readout(delay=0.1, resolution=0.5).series([0.0, 0.1, 0.2, 0.3], [1.0, 2.0, 3.1, 3.2])
+    /// array([1., 1., 2., 3.])
+    #[pyo3(signature = (times, values, seed=1))]
+    fn series<'py>(
+        &self,
+        py: Python<'py>,
+        times: Series<'_>,
+        values: Series<'_>,
+        seed: u64,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (times, values) = (times.values(), values.values());
+        Ok(py.detach(|| self.0.series(&times, &values, seed)).python()?.into_pyarray(py))
+    }
+
+    /// How it answers to sines.
+    ///
+    /// Parameters
+    /// ----------
+    /// frequencies : array_like of float, shape (samples,)
+    ///     [Hz].
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray of complex, shape (samples,)
+    ///     Reading over quantity [1].
+    fn response<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> Bound<'py, PyArray1<Complex64>> {
+        frequencies.values().iter().map(|&hertz| self.0.response(hertz)).collect::<Vec<_>>().into_pyarray(py)
+    }
+
+    /// How late it is for a sine.
+    ///
+    /// Parameters
+    /// ----------
+    /// frequency : float
+    ///     [Hz].
+    ///
+    /// Returns
+    /// -------
+    /// float
+    ///     [s].
+    fn lag(&self, frequency: f64) -> f64 {
+        self.0.lag(frequency)
+    }
+
+    /// Where all of it together has lost 3 dB [Hz]; infinite without limits.
+    #[getter]
+    fn bandwidth_3db(&self) -> f64 {
+        self.0.bandwidth_3db()
+    }
+
+    /// The settings by name.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        self.arguments(py)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("Readout", &self.arguments(py)?)
+    }
+}
