@@ -54,7 +54,8 @@ def values() -> list[object]:
     nouns = [shaken, IMPACT, mount, motion, motion.truncated(3), signals, windings, deviation, clash]
     coil = coilsense.MaxwellSum(SPRING, "geometric-mean")
     estimate = coilsense.Estimate(54.0, 0.1, 0.2)
-    return [SPRING, coil, estimate, *inputs, *starts, *dampings, *far_ends, *loads, *others, *nouns]
+    meter = coilsense.InductanceSensor.theoretical(coil, 0.23)
+    return [SPRING, coil, meter, estimate, *inputs, *starts, *dampings, *far_ends, *loads, *others, *nouns]
 
 
 def tapped(noise: float = 0.05, seconds: float = 30.0, pulled: bool = True) -> coilsense.Signals:

@@ -42,8 +42,10 @@ const DISTANCES: [(&str, SelfDistance); 2] =
 /// True
 #[pyclass(name = "MaxwellSum", module = "coilsense", frozen)]
 pub struct PyMaxwellSum {
-    sum: MaxwellSum,
-    spring: coilsense::Spring,
+    /// The sum.
+    pub sum: MaxwellSum,
+    /// Of what.
+    pub spring: coilsense::Spring,
     distance: &'static str,
 }
 

@@ -1,0 +1,187 @@
+//! `coilsense.InductanceSensor`: a meter of L with a calibration; and the theories of a coil side by side.
+//!
+//! Next door: the coil by its windings (`maxwell_sum`), what is fitted to measurements (`calibration`).
+
+use coilsense::inductance::theories::{Coil, Theory};
+use coilsense::{Calibration, InductanceSensor, Spring};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::IntoPython;
+use crate::maxwell_sum::PyMaxwellSum;
+use crate::series::Series;
+use crate::spring::PySpring;
+use crate::value::{self, Arguments, NewArguments};
+
+/// Adds the class and the function to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyInductanceSensor>()?;
+    module.add_function(wrap_pyfunction!(theories, module)?)
+}
+
+/// A meter of L with a calibration: L in, F_L out.
+///
+/// Parameters
+/// ----------
+/// spring : Spring
+///     The spring that it is on.
+/// alpha : float
+///     Of eq. (13), 1/l = alpha L + beta [1/(H m)], not zero.
+/// beta : float
+///     Of eq. (13) [1/m].
+///
+/// Raises
+/// ------
+/// Error
+///     For an alpha that is zero or not finite, or a beta that is not finite.
+///
+/// Notes
+/// -----
+/// F_L = k (1 / (alpha L + beta) - l0). Source: [Weijde2017] eq. 13 and section III-C.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+/// >>> sensor = coilsense.InductanceSensor.theoretical(coil, 0.23)
+/// >>> sensor.force(coil.at_lengths([0.23])).round(9)  # at the preload it is right
+/// array([95.76])
+#[pyclass(name = "InductanceSensor", module = "coilsense", frozen)]
+pub struct PyInductanceSensor {
+    sensor: InductanceSensor,
+    spring: Spring,
+}
+
+impl PyInductanceSensor {
+    fn of(spring: &Spring, calibration: Calibration) -> Self {
+        Self { sensor: InductanceSensor::new(spring, calibration), spring: spring.clone() }
+    }
+
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
+        dict.set_item("alpha", self.alpha())?;
+        dict.set_item("beta", self.beta())?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyInductanceSensor {
+    #[new]
+    fn new(spring: &PySpring, alpha: f64, beta: f64) -> PyResult<Self> {
+        Ok(Self::of(&spring.0, Calibration::new(alpha, beta).python()?))
+    }
+
+    /// Calibrated by a coil's own theory: uniform windings over the operating range, through a preload.
+    ///
+    /// Parameters
+    /// ----------
+    /// coil : MaxwellSum
+    ///     The theory, and the spring.
+    /// preload_length : float
+    ///     Where it is right [m].
+    ///
+    /// Returns
+    /// -------
+    /// InductanceSensor
+    #[staticmethod]
+    fn theoretical(py: Python<'_>, coil: &PyMaxwellSum, preload_length: f64) -> PyResult<Self> {
+        let fitted = py.detach(|| Calibration::theoretical(&coil.spring, &coil.sum, preload_length));
+        Ok(Self::of(&coil.spring, fitted.python()?))
+    }
+
+    /// The spring that it is on.
+    #[getter]
+    fn spring(&self) -> PySpring {
+        PySpring(self.spring.clone())
+    }
+
+    /// Of eq. (13) [1/(H m)].
+    #[getter]
+    fn alpha(&self) -> f64 {
+        self.sensor.calibration().alpha()
+    }
+
+    /// Of eq. (13) [1/m].
+    #[getter]
+    fn beta(&self) -> f64 {
+        self.sensor.calibration().beta()
+    }
+
+    /// F_L.
+    ///
+    /// Parameters
+    /// ----------
+    /// inductance : array_like of float, shape (samples,)
+    ///     L [H].
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     [N].
+    fn force<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Bound<'py, PyArray1<f64>> {
+        self.sensor.force(&inductance.values()).into_pyarray(py)
+    }
+
+    /// The arguments by name, the spring as a dict.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        value::plain(&self.arguments(py)?)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        other.cast::<Self>().is_ok_and(|other| {
+            let other = other.get();
+            self.spring == other.spring && (self.alpha(), self.beta()) == (other.alpha(), other.beta())
+        })
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("InductanceSensor", &self.arguments(py)?)
+    }
+}
+
+/// The inductance of a spring's coil by every theory, side by side.
+///
+/// Parameters
+/// ----------
+/// spring : Spring
+///     The spring, its windings uniform.
+/// lengths : array_like of float, shape (samples,)
+///     l [m], above zero.
+///
+/// Returns
+/// -------
+/// dict of str to numpy.ndarray, shape (samples,)
+///     L [H] by the theory's name, the simplest theory first; NaN for a length that is not above zero.
+///
+/// Raises
+/// ------
+/// Error
+///     For a coil that the theories cannot take.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> found = coilsense.theories(coilsense.Spring.of_paper("S_T"), [0.23])
+/// >>> all(2.7e-6 < L[0] < 3.1e-6 for L in found.values()), len(found)
+/// (True, 9)
+#[pyfunction]
+fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) -> PyResult<Bound<'py, PyDict>> {
+    let (coil, lengths) = (Coil::of(&spring.0).python()?, lengths.values());
+    let dict = PyDict::new(py);
+    for theory in Theory::ALL {
+        let each: Vec<f64> = py.detach(|| lengths.iter().map(|&length| theory.inductance(&coil, length)).collect());
+        dict.set_item(theory.name(), each.into_pyarray(py))?;
+    }
+    Ok(dict)
+}
