@@ -3,17 +3,22 @@
 // Next door: what is drawn (`forces`, `spectrum`, `paper`).
 
 import uPlot from 'uplot';
-import { ink } from './looks';
+import { ink, look } from './looks';
 
-export const FONT = '12px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif';
+/** How much larger than on a desk things are drawn: on a wall, words are larger, too. */
+export const LARGER = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16 || 1;
 
-/** An axis with the page's colours; `label` with its unit. */
-export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
+/** Words on a canvas of so many dots per pixel. */
+export const font = (size = 12, ratio = 1): string => `${size * LARGER * ratio}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif`;
+
+/** An axis with the page's colours; `label` with its unit, `size` its width beside the plot [pixels of a desk]. */
+export function axis(label: string, size: number, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
   return {
     label,
-    labelFont: FONT,
-    font: FONT,
-    labelSize: 20,
+    labelFont: font(),
+    font: font(),
+    size: size * LARGER,
+    labelSize: 18 * LARGER,
     stroke: () => ink.soft,
     grid: { stroke: () => ink.line, width: 1 },
     ticks: { stroke: () => ink.line, width: 1, size: 5 },
@@ -23,6 +28,12 @@ export function axis(label: string, more: Partial<uPlot.Axis> = {}): uPlot.Axis 
 
 /** A tick as people read it. */
 export const plain = (tick: number): string => String(Number(tick.toPrecision(10))).replace('-', '−');
+
+/** A curve in the look of a name. */
+export function curve(name: string, label: string): uPlot.Series {
+  const { colour, dash, width } = look(name);
+  return { label, stroke: () => ink[colour as keyof typeof ink], width: width * LARGER, dash: dash.map((part) => part * LARGER), points: { show: false } };
+}
 
 export interface Chart {
   plot: uPlot;

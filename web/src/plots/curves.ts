@@ -2,8 +2,8 @@
 
 import type uPlot from 'uplot';
 import { make, rich } from '../dom';
-import { axis, chart, plain } from './chart';
-import { ink, look, sample } from './looks';
+import { axis, chart, curve, plain } from './chart';
+import { sample } from './looks';
 
 export interface Curves {
   title: string;
@@ -26,15 +26,12 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves
       scales: { x: { time: false }, y: scale },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
-        axis(x.label, { size: 36, labelSize: 16, values: (_, ticks) => ticks.map((tick) => plain(factor * tick)) }),
-        axis(y.label, { size: 60, values: (_, ticks) => (y.logarithmic ? decade(ticks) : ticks.map(plain)) }),
+        axis(x.label, 36, { values: (_, ticks) => ticks.map((tick) => plain(factor * tick)) }),
+        axis(y.label, 60, { values: (_, ticks) => (y.logarithmic ? decade(ticks) : ticks.map(plain)) }),
       ],
       series: [
         {},
-        ...lines.map(({ look: name, label }): uPlot.Series => {
-          const { colour, dash, width } = look(name);
-          return { label, stroke: () => ink[colour as keyof typeof ink], width, dash, points: { show: false } };
-        }),
+        ...lines.map(({ look, label }) => curve(look, label)),
       ],
     },
     [x.values, ...lines.map(({ values }) => values)] as unknown as uPlot.AlignedData,

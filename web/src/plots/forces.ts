@@ -5,8 +5,8 @@
 import uPlot from 'uplot';
 import type { Answer, Facts } from '../answer';
 import { clamp } from '../dom';
-import { axis, chart, FONT, plain, type Chart } from './chart';
-import { FORCE_NAMES, ink, look } from './looks';
+import { axis, chart, curve, font, LARGER, plain, type Chart } from './chart';
+import { FORCE_NAMES, ink } from './looks';
 
 export interface ForceEvents {
   /** The user chose other times [s]. */
@@ -70,17 +70,14 @@ export class ForcePlot {
       scales: { x: { time: false, auto: false }, y: { range: (_, low, high) => uPlot.rangeNum(low ?? 0, high ?? 1, 0.08, false) } },
       cursor: { drag: { x: true, y: false, dist: 6 }, points: { show: false }, y: false },
       axes: [
-        axis('Time [ms]', { values: (_, ticks) => ticks.map((tick) => plain(1e3 * tick)), space: 60, size: 36, labelSize: 16 }),
-        axis('Force [N]', { size: 58, space: 34, values: (_, ticks) => ticks.map(plain) }),
+        axis('Time [ms]', 36, { values: (_, ticks) => ticks.map((tick) => plain(1e3 * tick)), space: 60 * LARGER }),
+        axis('Force [N]', 58, { space: 34 * LARGER, values: (_, ticks) => ticks.map(plain) }),
       ],
       series: [
         {},
         edge,
         edge,
-        ...FORCE_NAMES.map((name): uPlot.Series => {
-          const { colour, dash, width } = look(name);
-          return { label: name, stroke: () => ink[colour as keyof typeof ink], width, dash, points: { show: false } };
-        }),
+        ...FORCE_NAMES.map((name) => curve(name, name)),
       ],
       bands: [{ series: [1, 2], fill: () => ink.band }],
       hooks: {
@@ -112,7 +109,7 @@ export class ForcePlot {
       ctx.fillStyle = colour;
       ctx.fillRect(x(from), bbox.top, x(to) - x(from), bbox.height);
       ctx.fillStyle = ink.soft;
-      ctx.font = FONT.replace('12px', `${11 * ratio}px`);
+      ctx.font = font(11, ratio);
       ctx.textBaseline = 'top';
       ctx.textAlign = 'left';
       if (x(to) - x(from) > ctx.measureText(words).width + 12 * ratio) ctx.fillText(words, x(from) + 6 * ratio, bbox.top + 4 * ratio);

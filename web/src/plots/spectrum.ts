@@ -4,8 +4,8 @@
 
 import uPlot from 'uplot';
 import type { Answer, Facts } from '../answer';
-import { axis, chart, FONT, type Chart } from './chart';
-import { FORCE_NAMES, ink, look } from './looks';
+import { axis, chart, curve, font, LARGER, type Chart } from './chart';
+import { FORCE_NAMES, ink } from './looks';
 
 /** Shown up to so many surge frequencies. */
 const LINES = 8.5;
@@ -52,15 +52,12 @@ export class SpectrumPlot {
       scales: { x: { time: false, auto: false }, y: { distr: 3, auto: false } },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
-        axis('Frequency [Hz]', { space: 60, size: 36, labelSize: 16 }),
-        axis('Amplitude [N]', { size: 62, values: (_, ticks) => ticks.map((tick) => (tick === null || !/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)) ? '' : String(tick))) }),
+        axis('Frequency [Hz]', 36, { space: 60 * LARGER }),
+        axis('Amplitude [N]', 62, { values: (_, ticks) => ticks.map((tick) => (tick === null || !/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)) ? '' : String(tick))) }),
       ],
       series: [
         {},
-        ...FORCE_NAMES.map((name): uPlot.Series => {
-          const { colour, dash, width } = look(name);
-          return { label: name, stroke: () => ink[colour as keyof typeof ink], width, dash, points: { show: false } };
-        }),
+        ...FORCE_NAMES.map((name) => curve(name, name)),
       ],
       hooks: { drawClear: [(plot) => this.markLines(plot)] },
     };
@@ -73,7 +70,7 @@ export class SpectrumPlot {
     ctx.strokeStyle = ctx.fillStyle = ink.soft;
     ctx.lineWidth = ratio;
     ctx.setLineDash([3 * ratio, 4 * ratio]);
-    ctx.font = FONT.replace('12px', `${11 * ratio}px`);
+    ctx.font = font(11, ratio);
     ctx.textBaseline = 'top';
     ctx.textAlign = 'left';
     this.facts?.lines.forEach((line, index) => {

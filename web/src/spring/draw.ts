@@ -5,6 +5,7 @@
 
 import type { SpringFacts } from '../answer';
 import { clamp } from '../dom';
+import { LARGER } from '../plots/chart';
 import { ink } from '../plots/looks';
 import type { Scene } from './scene';
 import { drawEnds, drawRuler } from './walls';
@@ -94,7 +95,7 @@ function layOut({ positions, spring, left, right, gain }: Moment, width: number,
     Number(gap > 0 && gap < count && (positions[gap + 1] ?? 0) - (positions[gap] ?? 0) <= spring.contactPitch),
   );
   const radius = clamp(spring.coilRadius * scale, 18, height / 2 - 32);
-  return { drawn, strain: strains(positions), touching, margin, scale, radius, middle: (height - 28) / 2, wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12) };
+  return { drawn, strain: strains(positions), touching, margin, scale, radius, middle: (height - 28) / 2, wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12 * LARGER) };
 }
 
 function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): void {

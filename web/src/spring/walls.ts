@@ -2,7 +2,7 @@
 //
 // Next door: the coil (`draw`).
 
-import { FONT } from '../plots/chart';
+import { font } from '../plots/chart';
 import { ink } from '../plots/looks';
 import type { Moment, Plan } from './draw';
 
@@ -40,7 +40,7 @@ export function drawRuler(context: CanvasRenderingContext2D, { margin, scale }: 
   context.strokeStyle = context.fillStyle = ink.soft;
   context.lineWidth = 1;
   context.stroke(new Path2D(`M${margin + 0.5} ${y - 4}v8m0 -4h${pixels}m0 -4v8`));
-  context.font = FONT;
+  context.font = font();
   context.textBaseline = 'middle';
   context.fillText(`${Number((length * 1e3).toPrecision(3))} mm`, margin + pixels + 8, y);
 }
