@@ -87,7 +87,7 @@ pub enum SensitivityError {
         all: usize,
     },
     /// The output is the same everywhere.
-    #[error("the output is {0} everywhere: nothing can matter to it")]
+    #[error("it is {} everywhere, so that nothing can matter to it", crate::quantity::plainly(*.0))]
     Constant(f64),
     /// An interval cannot be found.
     #[error("an interval needs 20 resamples or more and a level above 0 and below 1, got {resamples} and {level}")]

@@ -27,7 +27,7 @@ pub fn sentence(study: &Study, column: &OfColumn) -> String {
     let name = without_unit(&column.title);
     let found = match &column.found {
         Ok(found) => found,
-        Err(error) => return format!("{name}: {error}."),
+        Err(error) => return format!("No indices of {name}: {error}."),
     };
     let ranked = ranked(study, found);
     let those = |wanted: &dyn Fn(&Index) -> bool| ranked.iter().filter(|(_, index)| wanted(index)).collect::<Vec<_>>();

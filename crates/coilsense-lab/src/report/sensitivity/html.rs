@@ -48,7 +48,7 @@ fn section(study: &Study, column: &OfColumn) -> Result<Value, ReportError> {
     });
     Ok(context! {
         name,
-        mean => signed(&shown.digits(found.mean)),
+        mean => signed(&shown.with_unit(found.mean)),
         deviation => shown.with_unit(found.variance.sqrt()),
         base_rows => found.base_rows,
         left_out => found.left_out,
