@@ -26,7 +26,7 @@ pub struct Objective {
 /// Objectives and conditions, whose columns are those of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
-    /// The objectives, from 1 to [`MOST_OBJECTIVES`].
+    /// The objectives, from 1 to 6.
     pub objectives: Vec<Objective>,
     pub(super) conditions: Vec<Condition>,
 }
