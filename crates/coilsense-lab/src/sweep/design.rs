@@ -3,6 +3,7 @@
 //! Next door: its forces (`forces`), many of them (`chunk`), which values it has (`plan`).
 
 use coilsense::Deviation;
+use coilsense::calibrate::Theory;
 use coilsense::inductance::MaxwellSum;
 
 use super::column::{BY_INDUCTANCE, Column, Measure, Needs, OfSensor};
@@ -67,7 +68,11 @@ fn judged(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Need
     } else {
         (draft.core(files).map_err(|error| error.to_string())?, Vec::new())
     };
-    let coil = needs.forces[BY_INDUCTANCE].then(|| MaxwellSum::new(&core.spring.spring, core.spring.self_distance));
+    let coil = needs.forces[BY_INDUCTANCE].then(|| {
+        let coil = MaxwellSum::new(&core.spring.spring, core.spring.self_distance);
+        let theory = Theory::new(&core.spring.spring, &coil);
+        (coil, theory)
+    });
     let dampings = core.mount.cases.len();
     let mut windows = Windows::default();
     let mut cases = Vec::with_capacity(core.conditions.len() * dampings);

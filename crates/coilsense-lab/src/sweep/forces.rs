@@ -2,9 +2,10 @@
 //!
 //! Next door: what is made of it (`design`), the same with sensors, spectra and all signals (`crate::analysis`).
 
+use coilsense::calibrate::Theory;
 use coilsense::inductance::MaxwellSum;
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor, Motion};
+use coilsense::{Channel, Clash, Deviation, Error, InductanceSensor, Motion};
 
 use super::column::{BY_INDUCTANCE, Needs};
 use crate::spec::Core;
@@ -53,7 +54,7 @@ impl Windows {
 /// Judges a condition under a damping.
 pub(super) fn judge(
     core: &Core,
-    coil: Option<&MaxwellSum>,
+    coil: Option<&(MaxwellSum, Theory)>,
     (condition, damping): (usize, usize),
     needs: &Needs,
     windows: &mut Windows,
@@ -79,10 +80,10 @@ pub(super) fn judge(
             false => Deviation::between(series[index], series[truth])?,
         });
     }
-    if let Some(coil) = coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
+    if let Some((coil, theory)) = coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
         let windings = motion.windings(times)?;
         let inductance = coil.series_within(&windings, TOLERANCE)?;
-        let calibration = Calibration::theoretical(spring, coil, asked.excitation.mean_length())?;
+        let calibration = theory.calibration(coil, asked.excitation.mean_length())?;
         let samples: Vec<f64> = inductance.samples.iter().map(|sample| sample.inductance).collect();
         let force = InductanceSensor::new(spring, calibration).force(&samples);
         judged.deviations[BY_INDUCTANCE] = Some(Deviation::between(&force, series[truth])?);

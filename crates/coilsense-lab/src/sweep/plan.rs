@@ -126,7 +126,9 @@ impl Plan {
             return Err(SweepError(format!("the sweep has {rows} rows; at most {MOST_ROWS} are taken")));
         }
         let sampler = Sampler::new(sampling, &points, inner, parameters.seed);
-        let (words, columns) = columns(&parameters, &draft)?;
+        let names = names(&draft);
+        let words = words(&parameters, &draft, &names);
+        let columns = columns(&words, &names, &parameters.spec_file)?;
         let mut needs = Needs::default();
         columns.iter().for_each(|(_, column)| column.add_to(&mut needs));
         let chunk_rows = parameters.chunk_rows.unwrap_or(usual_chunk(&needs));
@@ -315,26 +317,34 @@ fn once_each(variables: &[Variable], catalogue: Option<&Ready>) -> Result<(), Sw
     }
 }
 
-/// The columns that are asked for, or the usual ones, with their words.
-fn columns(parameters: &PlanParameters, draft: &Draft<'_>) -> Result<(Vec<String>, Vec<(String, Column)>), SweepError> {
+/// Conditions and sensors that columns may name.
+fn names(draft: &Draft<'_>) -> Names {
     let table = |name| TABLES.into_iter().find(|table| table.name == name);
     let names = |name| table(name).map_or_else(Vec::new, |table| draft.names(table));
-    let names = Names { conditions: names("condition"), sensors: names("sensor") };
-    let words = match parameters.columns.is_empty() {
+    Names { conditions: names("condition"), sensors: names("sensor") }
+}
+
+/// Words of the columns that are asked for, or of the usual ones.
+fn words(parameters: &PlanParameters, draft: &Draft<'_>, names: &Names) -> Vec<String> {
+    match parameters.columns.is_empty() {
         true => column::usual(draft.truth(), !names.conditions.is_empty()),
         false => parameters.columns.iter().map(|word| word.trim().to_owned()).collect(),
-    };
+    }
+}
+
+/// The columns of words, each with its title.
+fn columns(words: &[String], names: &Names, spec_file: &str) -> Result<Vec<(String, Column)>, SweepError> {
     let mut columns = Vec::new();
     let mut needs = Needs::default();
-    for word in &words {
-        let column = Column::parse(word, &names)?;
+    for word in words {
+        let column = Column::parse(word, names)?;
         column.add_to(&mut needs);
         let title = column.unit().map_or_else(|| word.clone(), |unit| format!("{word} [{unit}]"));
         columns.push((title, column));
     }
     let forces = needs != Needs::default();
     if forces && names.conditions.is_empty() {
-        return Err(SweepError(format!("{}: no [[condition]] says what is done to the spring", parameters.spec_file)));
+        return Err(SweepError(format!("{}: no [[condition]] says what is done to the spring", spec_file)));
     }
-    Ok((words, columns))
+    Ok(columns)
 }

@@ -54,12 +54,7 @@ impl Calibration {
     /// # Errors
     /// As [`Self::through`].
     pub fn theoretical(spring: &Spring, coil: &MaxwellSum, preload_length: f64) -> Result<Self, Error> {
-        let (shortest, longest) = spring.operating_range();
-        let step = (longest - shortest) / (CALIBRATION_LENGTHS - 1) as f64;
-        let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS).map(|index| shortest + index as f64 * step).collect();
-        let inductances = coil.at_lengths(&lengths);
-        let preload = (preload_length, coil.at_length(preload_length));
-        Self::through(preload, &lengths, &inductances)
+        Theory::new(spring, coil).calibration(coil, preload_length)
     }
 
     /// A relation whose constants are known.
@@ -95,5 +90,31 @@ impl Calibration {
     /// Inductance \[H\] at which the relation reads a length l \[m\]: (1/l − β) / α.
     pub fn inductance(&self, length: f64) -> f64 {
         (1.0 / length - self.beta) / self.alpha
+    }
+}
+
+/// A coil's own theory over the operating range, at hand for calibrations through several preloads: see [`Calibration::theoretical`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Theory {
+    lengths: Vec<f64>,
+    inductances: Vec<f64>,
+}
+
+impl Theory {
+    /// L of [`CALIBRATION_LENGTHS`] uniform windings over the operating range.
+    pub fn new(spring: &Spring, coil: &MaxwellSum) -> Self {
+        let (shortest, longest) = spring.operating_range();
+        let step = (longest - shortest) / (CALIBRATION_LENGTHS - 1) as f64;
+        let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS).map(|index| shortest + index as f64 * step).collect();
+        let inductances = coil.at_lengths(&lengths);
+        Self { lengths, inductances }
+    }
+
+    /// The fit through `preload_length` \[m\] on the same coil.
+    ///
+    /// # Errors
+    /// As [`Calibration::through`].
+    pub fn calibration(&self, coil: &MaxwellSum, preload_length: f64) -> Result<Calibration, Error> {
+        Calibration::through((preload_length, coil.at_length(preload_length)), &self.lengths, &self.inductances)
     }
 }

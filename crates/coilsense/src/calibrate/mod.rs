@@ -12,7 +12,7 @@ mod points;
 mod reading;
 mod stiffness;
 
-pub use calibration::{CALIBRATION_LENGTHS, Calibration};
+pub use calibration::{CALIBRATION_LENGTHS, Calibration, Theory};
 pub use inductance::InductanceFit;
 pub use inverse_length::InverseLengthFit;
 pub use inversion::Inversion;
