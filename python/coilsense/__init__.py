@@ -54,6 +54,9 @@ from coilsense._coilsense import (
     Start,
     Stream,
     TwoPort,
+    SweepDataset,
+    SweepError,
+    SweepPlan,
     Windings,
     alias_of,
     analyze,
@@ -70,11 +73,13 @@ from coilsense._coilsense import (
     sampled_window,
     simulate,
     theories,
+    simd_path,
     third_rule_error,
     third_rule_frequency,
     traverse_velocity,
     __version__,
 )
+from coilsense._sweep import sweep
 
 __all__ = [
     "Analysis",
@@ -117,6 +122,9 @@ __all__ = [
     "Start",
     "Stream",
     "TwoPort",
+    "SweepDataset",
+    "SweepError",
+    "SweepPlan",
     "Windings",
     "alias_of",
     "analyze",
@@ -133,6 +141,8 @@ __all__ = [
     "sampled_window",
     "simulate",
     "theories",
+    "simd_path",
+    "sweep",
     "third_rule_error",
     "third_rule_frequency",
     "traverse_velocity",

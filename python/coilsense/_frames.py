@@ -69,3 +69,9 @@ def _unlike_units(names: list[str], units: set[str]) -> Exception:
     from coilsense import Error
 
     return Error(f"channels must have one unit in one plot, got {', '.join(names)} in {', '.join(sorted(units))}")
+
+
+def frame(columns: dict[str, Any]) -> pandas.DataFrame:
+    """Columns by title as a data frame."""
+    made: pandas.DataFrame = _library("pandas", "pandas").DataFrame(columns)
+    return made

@@ -25,6 +25,12 @@ create_exception!(
     Error,
     "A log that cannot be used.\n\nThe text is one line that names file, line, column, what is there and what would do."
 );
+create_exception!(
+    coilsense,
+    SweepError,
+    Error,
+    "A sweep that cannot be.\n\nThe text is one line that names the key, the file or the folder, the value and what is allowed."
+);
 
 create_exception!(
     coilsense,
@@ -46,7 +52,8 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("SpecError", py.get_type::<SpecError>())?;
     module.add("AnalysisError", py.get_type::<AnalysisError>())?;
     module.add("OutputError", py.get_type::<OutputError>())?;
-    module.add("LogError", py.get_type::<LogError>())
+    module.add("LogError", py.get_type::<LogError>())?;
+    module.add("SweepError", py.get_type::<SweepError>())
 }
 
 /// What of Rust's errors becomes which exception.
@@ -94,7 +101,7 @@ pub fn refused(error: impl std::fmt::Display) -> PyErr {
 }
 
 /// What the command calls an option, and what it is here.
-const OPTIONS: [(&str, &str); 12] = [
+const OPTIONS: [(&str, &str); 20] = [
     ("--mass, --spec", "mass=, spring="),
     ("--drop-incomplete", "drop_incomplete=True"),
     ("--merge-repeated", "merge_repeated=True"),
@@ -107,6 +114,14 @@ const OPTIONS: [(&str, &str); 12] = [
     ("--clock ", "clock="),
     ("--from", "from_="),
     ("--to", "to="),
+    ("--over KEY=VALUES", "over"),
+    ("--over", "over"),
+    ("--catalogue FILE", "catalogue"),
+    ("--sampling", "sampling"),
+    ("--rows", "rows"),
+    ("--seed", "seed"),
+    ("--columns", "columns"),
+    ("--chunk", "chunk"),
 ];
 
 /// A message that names options of the command, with the arguments of Python in their place.
@@ -121,6 +136,12 @@ pub fn in_python(message: &str) -> String {
             _ => format!("{before}columns: {rest}"),
         },
         None => named,
+    }
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense_lab::sweep::SweepError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| SweepError::new_err(in_python(&error.to_string())))
     }
 }
 

@@ -4,7 +4,7 @@
 
 mod condition;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use coilsense_lab::data_sheet::DataSheet;
 use coilsense_lab::report::data_sheet_json;
@@ -43,7 +43,16 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 pub struct PySpec {
     /// What it says.
     pub spec: Spec,
-    folder: Option<PathBuf>,
+    /// Where files that it names lie.
+    pub folder: Option<PathBuf>,
+}
+
+/// Reads files that lie in a folder.
+pub fn beside(folder: Option<&Path>) -> impl Fn(&str) -> Result<String, String> {
+    move |name: &str| {
+        let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
+        std::fs::read_to_string(&path).map_err(|error| format!("{} cannot be read: {error}", path.display()))
+    }
 }
 
 #[pymethods]
@@ -91,12 +100,7 @@ impl PySpec {
     #[staticmethod]
     #[pyo3(signature = (text, file="spec.toml", folder=None))]
     fn parse(py: Python<'_>, text: &str, file: &str, folder: Option<PathBuf>) -> PyResult<Self> {
-        let beside = folder.clone().unwrap_or_default();
-        let files = move |name: &str| {
-            let path = beside.join(name);
-            std::fs::read_to_string(&path).map_err(|error| format!("{} cannot be read: {error}", path.display()))
-        };
-        let spec = py.detach(|| Spec::parse(file, text, &files)).python()?;
+        let spec = py.detach(|| Spec::parse(file, text, &beside(folder.as_deref()))).python()?;
         Ok(Self { spec, folder })
     }
 

@@ -15,7 +15,7 @@ use super::column::{self, Column, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
 use super::{sobol, variable};
-use crate::spec::{Draft, Spec, TABLES, files_beside, read_text};
+use crate::spec::{Draft, Files, Spec, TABLES, files_beside, read_text};
 
 /// A plan as people give it, and as a manifest keeps it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -77,17 +77,23 @@ impl PlanParameters {
     /// # Errors
     /// [`SweepError`] where one of them cannot be read.
     pub fn with_spec(self, path: &Path) -> Result<Self, SweepError> {
-        let spec = read_text(path)?;
-        let spec_file = path.display().to_string();
-        let (kept, beside) = (RefCell::new(BTreeMap::new()), files_beside(path));
+        self.with_text(&path.display().to_string(), &read_text(path)?, &files_beside(path))
+    }
+
+    /// The plan's spec from its text; `file` names it in errors, `beside` reads the files that it names.
+    ///
+    /// # Errors
+    /// [`SweepError`] where one of them cannot be read.
+    pub fn with_text(self, file: &str, text: &str, beside: &Files<'_>) -> Result<Self, SweepError> {
+        let kept = RefCell::new(BTreeMap::new());
         let reader = |name: &str| -> Result<String, String> {
             let text = beside(name)?;
             kept.borrow_mut().insert(name.to_owned(), text.clone());
             Ok(text)
         };
         // Whatever else is wrong with the spec is said by the plan.
-        let _ = Spec::parse(&spec_file, &spec, &reader);
-        let draft = Draft::parse(&spec_file, &spec)?;
+        let _ = Spec::parse(file, text, &reader);
+        let draft = Draft::parse(file, text)?;
         for over in &self.over {
             let variable = Variable::parse(over, &draft)?;
             if variable.target.key.ends_with(".file") {
@@ -96,7 +102,7 @@ impl PlanParameters {
                 }
             }
         }
-        Ok(Self { files: kept.into_inner(), spec_file, spec, ..self })
+        Ok(Self { files: kept.into_inner(), spec_file: file.to_owned(), spec: text.to_owned(), ..self })
     }
 }
 

@@ -1,0 +1,40 @@
+"""How much faster two Dask workers are than one, on a sweep of at least half a minute: the same chunks, each worker one thread.
+
+Run by `cargo xtask bench --dask`; prints the seconds of each and their ratio.
+"""
+
+import pathlib
+import sys
+import tempfile
+import time
+
+import distributed
+
+import coilsense
+
+SPEC = pathlib.Path(__file__).parents[2] / "examples" / "sea-ankle.toml"
+OVER = {"spring.stiffness": "600..900 N/m", "spring.mass": "50..80 g", "mount.damping_ratio": "log 1e-3..5e-2"}
+COLUMNS = ["f1", "F_i.rmsd", "F_o.rmsd", "F_L.rmsd"]
+
+
+def seconds(workers: int, rows: int) -> float:
+    """Of a sweep on so many workers of one thread each, once they have warmed up."""
+    options = {"n_workers": workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
+        for name, count in (("warm", 64 * workers), ("timed", rows)):
+            with tempfile.TemporaryDirectory() as folder:
+                begun = time.perf_counter()
+                coilsense.sweep(SPEC, OVER, f"{folder}/{name}", rows=count, chunk=32, columns=COLUMNS, client=client)
+                elapsed = time.perf_counter() - begun
+    return elapsed
+
+
+def main() -> None:
+    rows = int(sys.argv[1]) if len(sys.argv) > 1 else 6000
+    one = seconds(1, rows)
+    two = seconds(2, rows)
+    print(f"{rows} designs with F_L under five conditions: one worker {one:.1f} s ({rows / one:.0f} a second), two {two:.1f} s: {one / two:.2f}×")
+
+
+if __name__ == "__main__":
+    main()

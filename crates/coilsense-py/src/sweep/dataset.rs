@@ -1,0 +1,171 @@
+//! `coilsense.SweepDataset`.
+//!
+//! Next door: what decides its rows (`plan`).
+
+use std::path::PathBuf;
+
+use coilsense_lab::sweep::Dataset;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::by_title;
+use super::plan::PySweepPlan;
+use crate::errors::IntoPython;
+
+/// A sweep on disk: a folder with a manifest and one Parquet file a chunk.
+///
+/// What exists under its final name is whole; a run that was killed is continued, and leaves the same files as one that was not. pandas, Polars,
+/// DuckDB and Dask read the folder as it is.
+///
+/// Parameters
+/// ----------
+/// folder : path-like
+///     Made where it is not there; gone on with where it holds the same plan.
+/// plan : SweepPlan, optional
+///     Without it the folder is opened to be read.
+///
+/// Raises
+/// ------
+/// SweepError
+///     Where the folder cannot be written or read, is held by another run, or holds another sweep: then it says what differs.
+#[pyclass(name = "SweepDataset", module = "coilsense", frozen)]
+pub struct PySweepDataset {
+    dataset: Dataset,
+    folder: PathBuf,
+}
+
+#[pymethods]
+impl PySweepDataset {
+    #[new]
+    #[pyo3(signature = (folder, plan=None))]
+    fn new(folder: PathBuf, plan: Option<&PySweepPlan>) -> PyResult<Self> {
+        let dataset = match plan {
+            Some(plan) => Dataset::create_or_open(&folder, &plan.0),
+            None => Dataset::open(&folder),
+        };
+        Ok(Self { dataset: dataset.python()?, folder })
+    }
+
+    /// The folder.
+    #[getter]
+    fn folder(&self) -> PathBuf {
+        self.folder.clone()
+    }
+
+    /// What its rows are made by.
+    #[getter]
+    fn plan(&self) -> PySweepPlan {
+        PySweepPlan(self.dataset.plan().clone())
+    }
+
+    /// Numbers of the chunks that are not there yet, in order.
+    #[getter]
+    fn missing(&self) -> Vec<u64> {
+        self.dataset.missing()
+    }
+
+    /// Writes a chunk's bytes under another name, lets them come to rest on the disk, and gives them their name.
+    ///
+    /// Parameters
+    /// ----------
+    /// index : int
+    ///     Of the chunk, from 0.
+    /// data : bytes
+    ///     Of :meth:`SweepPlan.chunk_bytes`.
+    ///
+    /// Raises
+    /// ------
+    /// SweepError
+    ///     Where that fails; nothing is left of the chunk then.
+    ///
+    /// Returns
+    /// -------
+    /// None
+    fn write(&self, py: Python<'_>, index: u64, data: &[u8]) -> PyResult<()> {
+        py.detach(|| self.dataset.write(index, data)).python()
+    }
+
+    /// Columns of all chunks that are there, in the order of rows.
+    ///
+    /// Parameters
+    /// ----------
+    /// titles : sequence of str, optional
+    ///     As :attr:`SweepPlan.titles` has them; without it all.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     Arrays of numbers (NaN where a design was refused), lists of texts and truths, by title.
+    ///
+    /// Raises
+    /// ------
+    /// SweepError
+    ///     For a title that is not there, or a file that cannot be read.
+    #[pyo3(signature = (titles=None))]
+    fn read<'py>(&self, py: Python<'py>, titles: Option<Vec<String>>) -> PyResult<Bound<'py, PyDict>> {
+        let titles = titles.unwrap_or_else(|| self.dataset.plan().titles());
+        let names: Vec<&str> = titles.iter().map(String::as_str).collect();
+        let columns = py.detach(|| self.dataset.read(&names)).python()?;
+        by_title(py, names.into_iter().zip(columns))
+    }
+
+    /// How the rows that are there went.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    ///     ``rows``, of them ``ok``, ``clash``, ``refused``, and ``reasons``: pairs of a count and a text, the commonest first.
+    fn tally<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let tally = py.detach(|| self.dataset.tally()).python()?;
+        let dict = PyDict::new(py);
+        for (name, count) in
+            [("rows", tally.rows), ("ok", tally.ok), ("clash", tally.clash), ("refused", tally.refused)]
+        {
+            dict.set_item(name, count)?;
+        }
+        dict.set_item("reasons", tally.reasons)?;
+        Ok(dict)
+    }
+
+    /// All rows that are there as a data frame of pandas, or some of their columns.
+    ///
+    /// Parameters
+    /// ----------
+    /// titles : sequence of str, optional
+    ///     As :attr:`SweepPlan.titles` has them; without it all.
+    ///
+    /// Returns
+    /// -------
+    /// pandas.DataFrame
+    ///
+    /// Raises
+    /// ------
+    /// ImportError
+    ///     Without pandas: ``pip install 'coilsense[pandas]'``.
+    #[pyo3(signature = (titles=None))]
+    fn to_pandas<'py>(&self, py: Python<'py>, titles: Option<Vec<String>>) -> PyResult<Bound<'py, PyAny>> {
+        let columns = self.read(py, titles)?;
+        py.import("coilsense._frames")?.call_method1("frame", (columns,))
+    }
+
+    fn __len__(&self) -> usize {
+        let plan = self.dataset.plan();
+        let there = |chunk: u64| {
+            let rows = plan.rows_of(chunk);
+            (rows.end - rows.start) as usize
+        };
+        plan.rows() as usize - self.dataset.missing().into_iter().map(there).sum::<usize>()
+    }
+
+    fn __repr__(&self) -> String {
+        let plan = self.dataset.plan();
+        let missing = self.dataset.missing().len() as u64;
+        let (whole, of) = (plan.chunks() - missing, plan.chunks());
+        format!(
+            "<SweepDataset in {}: {} of {} rows, {whole} of {of} chunks>",
+            self.folder.display(),
+            self.__len__(),
+            plan.rows()
+        )
+    }
+}

@@ -1,0 +1,183 @@
+"""Sweeps on this machine: rows against single designs, folders that are continued, refusals in one line."""
+
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+
+import numpy
+import pandas
+import pytest
+import sweeps
+
+import coilsense
+
+
+def test_a_row_is_what_a_single_design_gives(tmp_path: pathlib.Path) -> None:
+    dataset = sweeps.whole(tmp_path, rows=12, chunk=5)
+    rows = dataset.read()
+    assert list(rows["row"]) == list(range(12))
+    times = coilsense.sampled_window(10_000, 0.75, 1.0)
+    mount = coilsense.Mount(coilsense.FarEnd.position(), coilsense.Damping.modal(0.005))
+    parameters = coilsense.Spring.of_paper("S_T").to_dict()
+    for row in range(12):
+        stiffness, mass = rows["spring.stiffness [N/m]"][row], rows["spring.mass [kg]"][row]
+        spring = coilsense.Spring(**{**parameters, "stiffness": stiffness, "mass": mass})
+        motion = coilsense.Motion(spring, coilsense.Excitation.impact(0.23, 0.25), mount)
+        signals = motion.signals(times)
+        share = coilsense.Deviation.between(signals["F_i"], signals["F_x"]).relative_to(spring.nominal_force)
+        # The same numbers by another order of sums.
+        assert rows["F_i.max[heel strike] [%]"][row] == pytest.approx(100 * share.maximum_absolute, rel=1e-11)
+        assert rows["f1 [Hz]"][row] == pytest.approx(spring.surge_frequency, rel=1e-14)
+
+
+def test_a_plan_is_a_value() -> None:
+    plan = coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g : 3"], columns=["f1"])
+    assert pickle.loads(pickle.dumps(plan)) == plan == coilsense.SweepPlan.from_json(plan.to_json())
+    assert plan != coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g : 4"], columns=["f1"])
+    assert (plan.rows, plan.chunks, plan.rows_of(0), plan.rows_of(1)) == (3, 1, range(3), range(0))
+    assert repr(plan) == "<SweepPlan of spec: 3 rows (grid) in 1 chunks>"
+    assert plan.to_dict()["over"] == ["spring.mass=50..80 g : 3"]
+    assert plan.titles == ["row", "spring.mass [kg]", "status", "reason", "f1 [Hz]"]
+    assert len(plan.digest) == 64
+    numbers = plan.chunk(0, jobs=1)["spring.mass [kg]"]
+    assert numbers.dtype == numpy.float64
+    numpy.testing.assert_allclose(numbers, [0.05, 0.065, 0.08], rtol=1e-15)
+
+
+def test_values_come_as_texts_numbers_and_tables(tmp_path: pathlib.Path) -> None:
+    def stiffnesses(name: str, **what: object) -> list[float]:
+        arguments = {"columns": ["f1"], **what}
+        dataset = coilsense.sweep(sweeps.SPEC, out=tmp_path / name, **arguments)  # type: ignore[arg-type]
+        return list(dataset.read(["spring.stiffness [N/m]"])["spring.stiffness [N/m]"])
+
+    values = [600.1, 700.0, 1e3 / 3]
+    assert stiffnesses("list", over={"spring.stiffness [N/m]": values}) == values
+    assert stiffnesses("array", over={"spring.stiffness [N/m]": numpy.array(values)}) == values
+    assert stiffnesses("command", over=["spring.stiffness=600..700 N/m : 2"]) == [600.0, 700.0]
+    assert stiffnesses("text", over={"spring.stiffness": "600..700 N/m : 2"}) == [600.0, 700.0]
+    table = pandas.DataFrame({"spring.name": ["a", "b", "c"], "spring.stiffness [N/m]": values})
+    assert stiffnesses("table", catalogue=table) == values
+    path = tmp_path / "springs.csv"
+    table.to_csv(path, index=False)
+    assert stiffnesses("file", catalogue=path) == values
+
+
+@pytest.mark.parametrize(
+    ("over", "text"),
+    [
+        ({"spring.stifness": "600..900 N/m"}, "stiffness"),
+        ({"spring.stiffness": "900..600 N/m"}, "900"),
+        ({"spring.stiffness": "600..900 kg"}, "kg"),
+        ({"spring.stiffness": ""}, "spring.stiffness"),
+        ({}, "nothing is varied"),
+    ],
+)
+def test_what_cannot_be_is_one_line(tmp_path: pathlib.Path, over: dict[str, str], text: str) -> None:
+    with pytest.raises(coilsense.SweepError) as raised:
+        coilsense.sweep(sweeps.SPEC, over, tmp_path / "out", rows=3, columns=["f1"])
+    assert text in str(raised.value)
+    assert "\n" not in str(raised.value)
+    assert not (tmp_path / "out").exists()
+
+
+def test_wrong_arguments_say_which(tmp_path: pathlib.Path) -> None:
+    with pytest.raises(TypeError, match="out"):
+        coilsense.sweep(sweeps.SPEC, sweeps.OVER)
+    with pytest.raises(TypeError, match="over"):
+        coilsense.sweep(sweeps.SPEC, "spring.mass=1..2 g", tmp_path)
+    with pytest.raises(coilsense.Error, match="sampling must be one of grid"):
+        coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g"], sampling="latin")
+    with pytest.raises(coilsense.SweepError, match="jobs must be at least 1"):
+        coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g : 2"], columns=["f1"]).chunk(0, jobs=0)
+
+
+def test_designs_that_cannot_be_are_rows_with_a_reason(tmp_path: pathlib.Path) -> None:
+    over = {"spring.wire_radius [mm]": [1.0, 9.0], "spring.windings": "52, 200"}
+    dataset = coilsense.sweep(sweeps.SPEC, over, tmp_path, columns=["f1", "F_o.rmsd"])
+    frame = dataset.to_pandas()
+    tally = dataset.tally()
+    assert (tally["rows"], tally["ok"] + tally["clash"] + tally["refused"]) == (4, 4)
+    assert tally["refused"] >= 2
+    refused = frame[frame["status"] == "refused"]
+    assert refused["F_o.rmsd [%]"].isna().all()
+    assert refused["reason"].str.len().min() > 10
+
+
+def test_a_folder_is_gone_on_with_and_read_by_others(tmp_path: pathlib.Path) -> None:
+    dataset = sweeps.whole(tmp_path / "one", rows=40, chunk=10)
+    before = sweeps.files(tmp_path / "one")
+    plan = dataset.plan
+    (tmp_path / "one" / "chunk-000002.parquet").unlink()
+    assert coilsense.SweepDataset(tmp_path / "one").missing == [2]
+    assert len(coilsense.SweepDataset(tmp_path / "one")) == 30
+    told: list[tuple[int, int]] = []
+    again = coilsense.sweep(
+        sweeps.SPEC, sweeps.OVER, tmp_path / "one", rows=40, chunk=10, columns=sweeps.COLUMNS, seed=7, jobs=1,
+        progress=lambda done, of: told.append((done, of)),
+    )
+    assert told == [(4, 4)]
+    assert sweeps.files(tmp_path / "one") == before
+    assert again.plan == plan
+    with pytest.raises(coilsense.SweepError, match="seed is 8, not 7; take the same options"):
+        coilsense.sweep(sweeps.SPEC, sweeps.OVER, tmp_path / "one", rows=40, chunk=10, columns=sweeps.COLUMNS, seed=8)
+    with pytest.raises(coilsense.SweepError, match="opened to be read"):
+        again.write(0, b"")
+    holder = coilsense.SweepDataset(tmp_path / "one", plan)
+    with pytest.raises(coilsense.SweepError, match="another run is writing"):
+        coilsense.SweepDataset(tmp_path / "one", plan)
+    del holder
+    assert "40 of 40 rows, 4 of 4 chunks" in repr(again)
+
+
+SCRIPT = """
+    import sys
+    sys.path.insert(0, {tests!r})
+    import pathlib, sweeps
+    print("begun", flush=True)
+    sweeps.whole(pathlib.Path(sys.argv[1]), rows={rows}, chunk={chunk})
+"""
+
+
+def script(rows: int, chunk: int) -> list[str]:
+    """A process that sweeps into the folder that follows."""
+    tests = str(pathlib.Path(__file__).parent)
+    return [sys.executable, "-c", textwrap.dedent(SCRIPT).format(tests=tests, rows=rows, chunk=chunk)]
+
+
+def test_ctrl_c_stops_in_the_middle_of_a_chunk(tmp_path: pathlib.Path) -> None:
+    run = subprocess.Popen(
+        [*script(rows=1_000_000, chunk=1_000_000), str(tmp_path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    assert run.stdout is not None
+    assert run.stdout.readline() == b"begun\n"
+    while not (tmp_path / "_manifest.json").exists():
+        time.sleep(0.01)
+    run.send_signal(signal.SIGINT)
+    _, errors = run.communicate(timeout=20)
+    assert b"KeyboardInterrupt" in errors
+    assert coilsense.SweepDataset(tmp_path).missing == [0]
+
+
+def test_runs_that_are_killed_leave_what_an_unbroken_one_leaves(tmp_path: pathlib.Path) -> None:
+    sweeps.whole(tmp_path / "unbroken", rows=6000, chunk=100)
+    expected = sweeps.files(tmp_path / "unbroken")
+    random = numpy.random.default_rng(1)
+    killed = 0
+    for _ in range(7):
+        command = [*script(rows=6000, chunk=100), str(tmp_path / "killed")]
+        run = subprocess.Popen(command, stdout=subprocess.PIPE)
+        assert run.stdout is not None
+        run.stdout.readline()
+        time.sleep(random.uniform(0.0, 0.3))
+        run.kill()
+        killed += run.wait() == -signal.SIGKILL
+        run.stdout.close()
+        there = sweeps.files(tmp_path / "killed")
+        assert all(expected[name] == data for name, data in there.items())  # none is torn
+    assert killed > 0
+    sweeps.whole(tmp_path / "killed", rows=6000, chunk=100)
+    assert sweeps.files(tmp_path / "killed") == expected
