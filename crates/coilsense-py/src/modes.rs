@@ -149,7 +149,7 @@ impl PyChainModes {
 /// Source: [Weijde2017] eq. 3.
 #[pyfunction(name = "continuous_frequency")]
 fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
-    if mode == 0 || !(transit_time > 0.0) {
+    if mode == 0 || transit_time.is_nan() || transit_time <= 0.0 {
         return Err(Error::new_err(format!(
             "transit time must be above zero and mode at least 1, got {transit_time} s and {mode}"
         )));

@@ -92,7 +92,7 @@ pub fn frozen(py: Python<'_>, values: Vec<f64>) -> Py<PyArray1<f64>> {
 
 /// Rows moved into a NumPy array of shape `rows × columns`.
 pub fn rows<'py>(py: Python<'py>, values: Vec<f64>, columns: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let count = if columns == 0 { 0 } else { values.len() / columns };
+    let count = values.len().checked_div(columns).unwrap_or(0);
     values.into_pyarray(py).reshape([count, columns])
 }
 

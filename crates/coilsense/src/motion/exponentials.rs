@@ -40,8 +40,7 @@ impl Exponentials {
     pub(super) fn evaluate<const FUSED: bool>(&mut self) {
         let largest =
             self.im.iter().fold(0.0, |largest: f64, angle| if angle.abs() > largest { angle.abs() } else { largest });
-        // Also where an angle is not a number.
-        if !FUSED || !(largest < LARGEST_ANGLE) {
+        if !FUSED || largest >= LARGEST_ANGLE {
             for (re, im) in self.re.iter_mut().zip(&mut self.im) {
                 let value = exponential(Complex64::new(*re, *im));
                 (*re, *im) = (value.re, value.im);
