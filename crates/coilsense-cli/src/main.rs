@@ -4,6 +4,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod analyze;
+mod app;
 mod calibrate;
 mod experiment;
 mod identify;
@@ -64,6 +65,8 @@ enum Command {
     Pareto(pareto::Arguments),
     /// Work off an experiment: how load cell, position and inductance part, what is biased, what drifts
     Experiment(experiment::Arguments),
+    /// The page: hit a spring in the browser and see its two ends disagree; needs a command built with the feature app
+    App(app::Arguments),
     /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
     Reproduce(reproduce::Arguments),
 }
@@ -92,6 +95,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(arguments) => sensitivity::run(&arguments),
         Command::Pareto(arguments) => pareto::run(&arguments),
         Command::Experiment(arguments) => experiment::run(&arguments),
+        Command::App(arguments) => app::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
     });
     match result {

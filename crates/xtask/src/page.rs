@@ -53,6 +53,10 @@ pub fn check() -> anyhow::Result<bool> {
     if !build()? {
         return Ok(false);
     }
+    let served = ["test", "--package", "coilsense-cli", "--features", "app", "--test", "app"];
+    if !cargo(&served).status()?.success() {
+        return Ok(false);
+    }
     let command = commands::executable()?;
     let Some(browser) = browser::find() else { bail!("no browser") };
     let mut tests = in_web("npm", &["test"]);
