@@ -8,12 +8,10 @@ from collections.abc import Callable
 import coilsense
 
 
-def median_ms(work: Callable[[], object], most: float) -> float:
-    """Median over repeats, each long enough to be timed, of one call [ms]."""
+def median_ms(work: Callable[[], object], calls: int, batch: int = 1) -> float:
+    """Median time of a call [ms]. As in Rust each is timed by itself, or in batches where it is shorter than the clock's own time."""
     timer = timeit.Timer(work)
-    count, _ = timer.autorange()
-    repeats = max(11, int(most / 0.2))
-    return statistics.median(timer.repeat(repeats, max(1, count // 10))) / max(1, count // 10) * 1e3
+    return statistics.median(timer.repeat(calls, batch)) / batch * 1e3
 
 
 def tell(job: str, setting: str, median: float) -> None:
@@ -21,8 +19,8 @@ def tell(job: str, setting: str, median: float) -> None:
 
 
 spring = coilsense.Spring.of_paper("S_T")
-tell("call", "Spring.static_force", median_ms(lambda: spring.static_force(0.2), 2.0))
-tell("call", "Spring.surge_frequency", median_ms(lambda: spring.surge_frequency, 2.0))
+tell("call", "Spring.static_force", median_ms(lambda: spring.static_force(0.2), 1000, 1000))
+tell("call", "Spring.surge_frequency", median_ms(lambda: spring.surge_frequency, 1000, 1000))
 motion = coilsense.Motion(spring, coilsense.Excitation.impact(spring.mid_length, 0.25))
 times = coilsense.sampled_window(10_000, 0.0, 1.0)
-tell("impact-10001", "Motion.end_forces", median_ms(lambda: motion.end_forces(times), 5.0))
+tell("impact-10001", "Motion.end_forces", median_ms(lambda: motion.end_forces(times), 2000))
