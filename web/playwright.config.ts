@@ -1,8 +1,8 @@
 // The built page in the system's own Chromium; no browser is downloaded. COILSENSE_CHROMIUM and COILSENSE_COMMAND say where the browser and the
-// command are; `cargo xtask test --only page` sets both.
+// command are, which `cargo xtask test --only page` sets; COILSENSE_PORT where two run on one machine.
 import { defineConfig } from '@playwright/test';
 
-const PORT = 4187;
+const PORT = Number(process.env['COILSENSE_PORT'] ?? 4187);
 
 export default defineConfig({
   testDir: 'tests',
