@@ -42,8 +42,8 @@ mod spec_argument;
 mod spring;
 mod spring_argument;
 mod stream;
-mod two_port;
 mod sweep;
+mod two_port;
 mod value;
 mod windings;
 

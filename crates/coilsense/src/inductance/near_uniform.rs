@@ -177,27 +177,29 @@ struct AddPairs<'a> {
     forms: &'a mut Forms,
 }
 
-impl AddPairs<'_> {
-    #[inline(always)]
-    fn add<const FUSED: bool>(self) {
-        let places = self.near.places(self.block);
-        let each = self.near.curvatures.chunks_exact(self.near.terms).zip(&self.near.remainders);
-        for ((curvature, remainder), squares) in each.zip(self.squares) {
-            let curvature = polynomial::<FUSED>(curvature, &places);
-            for column in 0..WIDTH {
-                self.forms.inductance[column] += curvature[column] * squares[column];
-                self.forms.remainder[column] += remainder * squares[column];
-            }
-        }
-    }
-}
-
 impl WithSimd for AddPairs<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        if S::IS_SCALAR { self.add::<false>() } else { self.add::<true>() }
+    fn with_simd<S: Simd>(self, simd: S) {
+        let places = self.near.places(self.block);
+        let (places, _) = S::as_simd_f64s(&places);
+        let (inductance, _) = S::as_mut_simd_f64s(&mut self.forms.inductance);
+        let (remainders, _) = S::as_mut_simd_f64s(&mut self.forms.remainder);
+        for (column, place) in places.iter().enumerate() {
+            let (mut sum, mut remainder) = (inductance[column], remainders[column]);
+            let each = self.near.curvatures.chunks_exact(self.near.terms).zip(&self.near.remainders);
+            for ((curvature, weight), squares) in each.zip(self.squares) {
+                let square = S::as_simd_f64s(squares).0[column];
+                let mut value = simd.splat_f64s(0.0);
+                for coefficient in curvature.iter().rev() {
+                    value = simd.mul_add_e_f64s(value, *place, simd.splat_f64s(*coefficient));
+                }
+                sum = simd.mul_add_e_f64s(value, square, sum);
+                remainder = simd.mul_add_e_f64s(simd.splat_f64s(*weight), square, remainder);
+            }
+            (inductance[column], remainders[column]) = (sum, remainder);
+        }
     }
 }
 

@@ -126,27 +126,37 @@ impl WithSimd for Measure<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        // Plain loops: the compiler turns them into the vectors that are allowed here.
-        let (mut low, mut high) = ([f64::INFINITY; WIDTH], [f64::NEG_INFINITY; WIDTH]);
-        let (mut least, mut largest, mut sums) = (low, high, [0.0; WIDTH]);
-        let rows = self.0.displacements.chunks_exact(WIDTH);
-        for row in rows.clone() {
-            for column in 0..WIDTH {
+    fn with_simd<S: Simd>(self, simd: S) {
+        let block = self.0;
+        let width = WIDTH / S::F64_LANES;
+        let (rows, _) = S::as_simd_f64s(&block.displacements);
+        let least_of = |a, b| simd.select_f64s(simd.less_than_f64s(a, b), a, b);
+        let largest_of = |a, b| simd.select_f64s(simd.less_than_f64s(a, b), b, a);
+        let mut sums = [0.0; WIDTH];
+        let [low, high] = &mut block.extent.neighbours;
+        let [least, largest] = &mut block.extent.displacements;
+        let results = [low, high, least, largest, &mut sums].map(|columns| S::as_mut_simd_f64s(columns).0);
+        for column in 0..width {
+            let (upper, lower) = (simd.splat_f64s(f64::NEG_INFINITY), simd.splat_f64s(f64::INFINITY));
+            let (mut low, mut high, mut least, mut largest) = (lower, upper, lower, upper);
+            let mut sum = simd.splat_f64s(0.0);
+            let mut before = None;
+            for row in rows.chunks_exact(width) {
                 let value = row[column];
-                sums[column] += value;
-                least[column] = if value < least[column] { value } else { least[column] };
-                largest[column] = if value > largest[column] { value } else { largest[column] };
+                sum = simd.add_f64s(sum, value);
+                (least, largest) = (least_of(value, least), largest_of(largest, value));
+                if let Some(before) = before {
+                    let change = simd.sub_f64s(value, before);
+                    (low, high) = (least_of(change, low), largest_of(high, change));
+                }
+                before = Some(value);
             }
+            results[0][column] = low;
+            results[1][column] = high;
+            results[2][column] = least;
+            results[3][column] = largest;
+            results[4][column] = sum;
         }
-        for (far, near) in rows.clone().skip(1).zip(rows) {
-            for column in 0..WIDTH {
-                let change = far[column] - near[column];
-                low[column] = if change < low[column] { change } else { low[column] };
-                high[column] = if change > high[column] { change } else { high[column] };
-            }
-        }
-        let is_finite = sums.iter().zip(&self.0.pitches).all(|(sum, pitch)| (sum + pitch).is_finite());
-        self.0.extent = Extent { neighbours: [low, high], displacements: [least, largest], is_finite };
+        block.extent.is_finite = sums.iter().zip(&block.pitches).all(|(sum, pitch)| (sum + pitch).is_finite());
     }
 }
