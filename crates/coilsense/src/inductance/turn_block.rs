@@ -20,7 +20,7 @@ pub(super) struct TurnBlock {
     pub(super) pitches: Columns,
     /// δ \[m\], shape `turns × WIDTH`.
     pub(super) displacements: AVec<f64>,
-    /// What [`Self::measure`] found.
+    /// What [`Measure`] found.
     pub(super) extent: Extent,
 }
 
