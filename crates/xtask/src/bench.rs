@@ -112,7 +112,7 @@ fn from_python() -> anyhow::Result<()> {
             cargo(&["run", "--release", "--quiet", "-p", "coilsense", "--example", "end_forces"]),
         )?);
         let mut python = environment.python();
-        python.arg("python/bench.py");
+        python.arg("python/bench/calls.py");
         measurements.extend(measure("Python", python)?);
     }
     let median = |setting: &str| -> anyhow::Result<f64> {
