@@ -70,7 +70,7 @@ pub(super) fn judge(
     let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
     let forces = motion.end_forces(times)?;
     let deflection = match needs.forces[BY_DEFLECTION] || truth == BY_DEFLECTION {
-        true => motion.ends(times)?.iter().map(|[u1, u2]| spring.static_force(u2 - u1)).collect(),
+        true => motion.deflection_forces(times)?,
         false => Vec::new(),
     };
     let series = [forces.input.as_slice(), forces.output.as_slice(), deflection.as_slice()];
@@ -81,8 +81,7 @@ pub(super) fn judge(
         });
     }
     if let Some((coil, theory)) = coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
-        let windings = motion.windings(times)?;
-        let inductance = coil.series_within(&windings, TOLERANCE)?;
+        let inductance = coil.along(&motion, times, TOLERANCE)?;
         let calibration = theory.calibration(coil, asked.excitation.mean_length())?;
         let samples: Vec<f64> = inductance.samples.iter().map(|sample| sample.inductance).collect();
         let force = InductanceSensor::new(spring, calibration).force(&samples);
