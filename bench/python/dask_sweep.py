@@ -1,6 +1,6 @@
 """How much faster two Dask workers are than one, on a sweep of at least half a minute: the same chunks, each worker one thread.
 
-Run by `cargo xtask bench --dask`; prints the seconds of each and their ratio.
+Run it where the wheel is installed with its extra "dask": `python bench/python/dask_sweep.py [ROWS]`; prints the seconds of each and their ratio.
 """
 
 import pathlib
