@@ -124,11 +124,11 @@ const ROUNDING: f64 = 1e-13;
 ///
 /// ```
 /// use coilsense_lab::sensitivity::{Resampling, indices};
-/// // f = 2 x1 + x2 on shares that halve each other's ranges: A, A_B^1, A_B^2, B.
+/// // f = 2 x1 + x2, so that S_T1 = 4/5; multiples of four roots of primes stand for four independent shares. A, A_B^1, A_B^2, B:
 /// let share = |row: u32, step: f64| (f64::from(row) * step).fract();
 /// let f = |x1: f64, x2: f64| 2.0 * x1 + x2;
-/// let rows = (0..256).flat_map(|row| {
-///     let [a1, a2, b1, b2] = [0.856_674_9, 0.733_891_9, 0.628_707_3, 0.538_597_2].map(|step| share(row, step));
+/// let rows = (0..512).flat_map(|row| {
+///     let [a1, a2, b1, b2] = [2.0_f64, 3.0, 7.0, 11.0].map(|prime| share(row, prime.sqrt()));
 ///     [f(a1, a2), f(b1, a2), f(a1, b2), f(b1, b2)]
 /// });
 /// let found = indices(&rows.collect::<Vec<_>>(), 2, &Resampling::default())?;
