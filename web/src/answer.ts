@@ -102,11 +102,23 @@ export type Question =
   | ({ kind: 'csv' } & Case)
   | { kind: 'paper' };
 
+/** What only the larger engine answers. */
+export type Job =
+  | { kind: 'columns'; name: string; bytes: Uint8Array }
+  | { kind: 'identify' | 'calibrate'; name: string; bytes: Uint8Array; asked: string }
+  | { kind: 'mitigate'; text: string; seeds: number; mostLag: number };
+
 /** How an error begins after which the engine is no more to be used. */
 export const STOPPED = 'the engine stopped: ';
 
 /** To the worker: first the compiled engine, files as they come, then questions. */
 export type ToWorker = { engine: WebAssembly.Module } | { file: string; text: string } | { id: number; question: Question };
+
+/** To the larger engine's worker: all of it at once. */
+export type ToWorkshop = { engine: WebAssembly.Module; files: Map<string, string>; job: Job };
+
+/** From the worker while it works: how much is done, and of how much. */
+export type Told = { told: [number, number] };
 
 /** From the worker. */
 export type FromWorker = { id: number; milliseconds: number } & ({ answer: Answer<unknown> } | { bytes: Uint8Array<ArrayBuffer> } | { error: string });

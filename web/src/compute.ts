@@ -2,7 +2,7 @@
 //
 // Next door: one worker's queue (`lane`), what shows the results (`tabs`).
 
-import type { Answer, ExactFacts, Facts, Question } from './answer';
+import type { Answer, ExactFacts, Facts, Job, Question } from './answer';
 import { toToml } from './document';
 import engineAddress from './engine/coilsense_web_bg.wasm?url';
 import { Lane, type Reply } from './lane';
@@ -90,6 +90,12 @@ export class Compute {
     const reply = await new Promise<Reply>((resolve) => lane.ask(question, resolve));
     lane.end();
     return reply;
+  }
+
+  /** A job for the larger engine, in a worker of its own, which tells how much is done until somebody cancels it. */
+  async job(job: Job, told: (done: number, of: number) => void): Promise<{ reply: Promise<Reply>; cancel: () => void }> {
+    await this.load(this.store.state.preset);
+    return (await import('./jobs/job')).begin(job, this.files, told);
   }
 
   /** The case that is shown, as a question. */

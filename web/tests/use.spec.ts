@@ -174,6 +174,8 @@ test('all of it by keyboard: every control is reached in order, and works', asyn
   await expect(page.getByLabel('How hard it is hit', { exact: true })).toHaveValue('0.251 m/s');
   await page.getByRole('tab', { name: 'Spring' }).focus();
   await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('tab', { name: 'Log' })).toBeFocused();
+  await page.keyboard.press('End');
   await expect(page.getByRole('tab', { name: 'Paper' })).toBeFocused();
   await expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 60_000 });
 });

@@ -2,6 +2,7 @@
 
 use std::io::Write;
 use std::path::PathBuf;
+use std::time::Instant;
 
 use anyhow::Context;
 use coilsense::mitigation::ToleranceBox;
@@ -110,7 +111,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             None => Study::of(&spec, &asked)?,
         }
     };
+    let begun = Instant::now();
     let answer = study.run().context(file)?;
+    let seconds = begun.elapsed().as_secs_f64();
     let text = if arguments.json { mitigation_json(&answer)? } else { mitigation_text(&answer) };
     if let Some(output) = &mut output {
         let precision = match arguments.precision {
@@ -129,7 +132,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             out,
             "\n{files} files in {} in {:.2} s; open {}",
             folder.display(),
-            answer.seconds,
+            seconds,
             folder.join("report.html").display()
         );
     }

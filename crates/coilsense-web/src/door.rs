@@ -82,7 +82,7 @@ impl Engine {
 }
 
 impl Engine {
-    fn spec(&self, text: &str) -> Result<Spec, String> {
+    pub(crate) fn spec(&self, text: &str) -> Result<Spec, String> {
         let files = |name: &str| self.files.get(name).cloned().ok_or_else(|| format!("{name} is not on this page"));
         Spec::parse(NAME, text, &files).map_err(|error| error.to_string())
     }

@@ -18,7 +18,13 @@ pub mod answer;
 mod door;
 pub mod exact;
 mod facts;
+#[cfg(feature = "workshop")]
+pub mod log;
+#[cfg(feature = "workshop")]
+pub mod mitigate;
 pub mod paper;
 pub mod preview;
+#[cfg(feature = "workshop")]
+mod workshop;
 
 pub use door::Engine;

@@ -45,7 +45,11 @@ pub fn missing_for_tests(may_install: bool) -> Option<String> {
 /// Builds `web/dist` from source; whether that succeeds.
 pub fn build() -> anyhow::Result<bool> {
     let tools = !root().join("web/node_modules/.package-lock.json").is_file() || is_older();
-    Ok(engine()? && (!tools || npm(&["ci"])?) && npm(&["run", "types"])? && npm(&["run", "build"])?)
+    Ok(engine("engine", &[])?
+        && engine("workshop", &["--features", "workshop"])?
+        && (!tools || npm(&["ci"])?)
+        && npm(&["run", "types"])?
+        && npm(&["run", "build"])?)
 }
 
 /// Builds the page and tries it out; whether all of it is as it should be.
@@ -64,17 +68,17 @@ pub fn check() -> anyhow::Result<bool> {
     Ok(tests.status().context("cannot start npm")?.success())
 }
 
-/// The engine as wasm, and the JavaScript beside it.
-fn engine() -> anyhow::Result<bool> {
+/// An engine as wasm, and the JavaScript beside it, in `web/src/<name>`.
+fn engine(name: &str, features: &[&str]) -> anyhow::Result<bool> {
     let folder = target();
     let mut compile = cargo(&["build", "--package", "coilsense-web", "--profile", "web", "--target", TARGET]);
-    compile.arg("--target-dir").arg(folder.join("web")).env("RUSTFLAGS", FLAGS);
+    compile.args(features).arg("--target-dir").arg(folder.join("web")).env("RUSTFLAGS", FLAGS);
     if !compile.status()?.success() {
         return Ok(false);
     }
     let wasm = folder.join("web").join(TARGET).join("web/coilsense_web.wasm");
     let mut bind = cargo(&["run", "--quiet", "--locked"]);
-    bind.arg("--target-dir").arg(folder.join("bindgen")).arg("--").arg(wasm).arg(root().join("web/src/engine"));
+    bind.arg("--target-dir").arg(folder.join("bindgen")).arg("--").arg(wasm).arg(root().join("web/src").join(name));
     Ok(bind.current_dir(root().join("crates/coilsense-web/bindgen")).status()?.success())
 }
 

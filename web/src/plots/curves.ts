@@ -2,21 +2,23 @@
 
 import type uPlot from 'uplot';
 import { make, rich } from '../dom';
-import { axis, chart, curve, plain } from './chart';
-import { sample } from './looks';
+import { axis, chart, curve, font, plain } from './chart';
+import { ink, look, sample } from './looks';
 
 export interface Curves {
   title: string;
   x: { label: string; values: Float64Array; factor?: number };
   y: { label: string; logarithmic?: boolean; range?: [number, number] };
-  /** Drawn in the look of a force. */
-  curves: { look: string; label: string; values: Float64Array }[];
+  /** Drawn in the look of a force; as dots where that is asked for. */
+  curves: { look: string; label: string; values: ArrayLike<number | null>; dots?: boolean }[];
+  /** Upright lines with a name. */
+  marks?: { x: number; label: string }[];
 }
 
-export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves): void {
-  const legend = lines.map(({ look, label }) => make('span', {}, sample(look), make('span', {}, rich(label))));
+export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = [] }: Curves): void {
+  const legend = lines.map(({ look: name, label, dots }) => make('span', {}, dots ? disc(name) : sample(name), make('span', {}, rich(label))));
   const plot = make('div', { class: 'plot', role: 'img', 'aria-label': title });
-  host.append(make('figure', {}, make('figcaption', {}, make('b', {}, title), make('span', { class: 'keys' }, ...legend)), plot));
+  host.append(make('figure', {}, make('figcaption', {}, make('b', {}, rich(title)), make('span', { class: 'keys' }, ...legend)), plot));
   const factor = x.factor ?? 1;
   const scale: uPlot.Scale = { distr: y.logarithmic ? 3 : 1, ...(y.range ? { range: y.range } : {}) };
   const decade = (ticks: number[]) => ticks.map((tick) => (/^(0\.0*1|10*)$/.test(String(tick)) ? String(tick) : ''));
@@ -24,6 +26,7 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves
     plot,
     {
       scales: { x: { time: false }, y: scale },
+      hooks: { draw: [(drawn) => draw(drawn, marks)] },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
         axis(x.label, 36, { values: (_, ticks) => ticks.map((tick) => plain(factor * tick)) }),
@@ -31,9 +34,45 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines }: Curves
       ],
       series: [
         {},
-        ...lines.map(({ look, label }) => curve(look, label)),
+        ...lines.map(({ look: name, label, dots }): uPlot.Series => {
+          const stroke = () => ink[look(name).colour as keyof typeof ink];
+          return dots ? { label, stroke, paths: () => null, points: { show: true, size: 7, fill: stroke } } : curve(name, label);
+        }),
       ],
     },
     [x.values, ...lines.map(({ values }) => values)] as unknown as uPlot.AlignedData,
   );
+}
+
+/** Marks with their names above each other where they would meet. */
+function draw({ ctx, bbox, scales, valToPos }: uPlot, marks: { x: number; label: string }[]): void {
+  const ratio = devicePixelRatio || 1;
+  const { min = 0, max = 1 } = scales['x'] ?? {};
+  ctx.save();
+  ctx.font = font(11, ratio);
+  ctx.textBaseline = 'top';
+  ctx.textAlign = 'left';
+  marks.forEach(({ x, label }, index) => {
+    if (x < (min ?? 0) || x > (max ?? 0)) return;
+    const at = valToPos(x, 'x', true);
+    ctx.strokeStyle = ink.soft;
+    ctx.setLineDash([3 * ratio, 3 * ratio]);
+    ctx.beginPath();
+    ctx.moveTo(at, bbox.top);
+    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.fillStyle = ink.ink;
+    // To the left where there is no room to the right; what fits neither is named elsewhere.
+    const [wide, gap] = [ctx.measureText(label).width, 3 * ratio];
+    const left = at + gap + wide <= bbox.left + bbox.width ? at + gap : at - gap - wide;
+    if (left >= bbox.left) ctx.fillText(label, left, bbox.top + (2 + 13 * (index % 3)) * ratio);
+  });
+  ctx.restore();
+}
+
+/** A dot, as in a legend. */
+function disc(name: string): HTMLElement {
+  const dot = make('span', { class: 'disc', 'aria-hidden': 'true' });
+  dot.style.background = `var(--${look(name).colour})`;
+  return dot;
 }

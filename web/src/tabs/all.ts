@@ -5,5 +5,7 @@ import type { Tab } from './tab';
 
 export const TABS: readonly Tab[] = [
   { id: 'spring', label: 'Spring', load: () => Promise.resolve(spring) },
+  { id: 'log', label: 'Log', load: () => import('./log') },
+  { id: 'mitigate', label: 'Mitigate', load: () => import('./mitigate') },
   { id: 'paper', label: 'Paper', load: () => import('./paper') },
 ];

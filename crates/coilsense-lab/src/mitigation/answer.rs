@@ -28,8 +28,6 @@ pub struct Answer {
     pub runs: usize,
     /// One run over time.
     pub shown: Option<Shown>,
-    /// How long it took \[s\].
-    pub seconds: f64,
 }
 
 impl Answer {
@@ -39,6 +37,12 @@ impl Answer {
             let those = self.judged.iter().filter(|(candidate, _)| candidate.truth == truth);
             those.min_by(|a, b| a.1.lag.total_cmp(&b.1.lag))
         })
+    }
+
+    /// Where in `judged` that one stands.
+    pub fn place_of_best(&self, truth: Truth) -> Option<usize> {
+        let best = self.best(truth)?;
+        self.judged.iter().position(|one| std::ptr::eq(one, best))
     }
 
     /// The best of what one tries first that is not too late.

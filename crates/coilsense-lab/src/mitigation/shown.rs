@@ -1,4 +1,4 @@
-//! One run over time, for people to see: what is measured, what is true, what the best filter and the best estimator make of it.
+//! One run over time, for people to see: what is measured, what is true, what each candidate makes of it.
 //!
 //! Next door: the runs (`runs`), what is read off all of them (`judge`).
 
@@ -30,7 +30,7 @@ pub struct Shown {
     pub time: Vec<f64>,
     /// F_i as the controller gets it \[N\].
     pub measured: Vec<f64>,
-    /// The best filter's and the best estimator's, where there are such.
+    /// Every candidate's, in the order of the answer's.
     pub made: Vec<Made>,
 }
 
@@ -38,14 +38,14 @@ pub struct Shown {
 const PERIODS: [f64; 2] = [25.0, 3.0];
 
 impl Trial {
-    /// The run that rings hardest, as `best` take it; a surge period lasts `period` samples.
-    pub fn shown(&self, best: &[&Candidate], period: f64) -> Option<Shown> {
+    /// The run that rings hardest, as `candidates` take it; a surge period lasts `period` samples.
+    pub fn shown(&self, candidates: &[&Candidate], period: f64) -> Option<Shown> {
         let run = self.nominal.iter().max_by(|a, b| a.ringing().total_cmp(&b.ringing()))?;
         let peak = run.loudest();
         let from = peak.saturating_sub((PERIODS[1] * period) as usize);
         let to = from.saturating_add((PERIODS[0] * period) as usize).min(run.measured.len());
         let noisy = self.noisy(run, to);
-        let made = best.iter().map(|candidate| {
+        let made = candidates.iter().map(|candidate| {
             let mut running = candidate.start.start(&run.at_rest);
             let out: Vec<f64> = noisy.iter().map(running.as_mut()).collect();
             Made {

@@ -2,7 +2,7 @@
 //!
 //! Next door: what comes of it (`answer`), the candidates (`candidates`), how they are judged (`judge`), the answer as text and JSON (`report`).
 
-use std::time::Instant;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
@@ -176,7 +176,14 @@ impl Study {
     /// # Errors
     /// Those of the science; a candidate that cannot be is no error but left out.
     pub fn run(self) -> Result<Answer, Error> {
-        let begun = Instant::now();
+        self.run_watched(&|_, _| ())
+    }
+
+    /// The same; `told` hears how many candidates are judged, and of how many.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_watched(self, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, Error> {
         let sampled = SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
         let nominal = runs::nominal(&self)?;
         let largest = |of: fn(&runs::Run) -> f64| nominal.iter().map(of).fold(0.0, f64::max);
@@ -197,23 +204,22 @@ impl Study {
             candidates.all.retain(|candidate| candidate.truth == Truth::Static);
         }
         let trial = self.trial(&sampled, nominal, impact)?;
+        let (done, of) = (AtomicUsize::new(0), candidates.all.len());
+        told(0, of);
         let mut judged: Vec<(Candidate, Judgement)> = candidates
             .all
             .into_par_iter()
             .map(|candidate| {
                 let judgement = trial.judge(&candidate);
+                told(done.fetch_add(1, Ordering::Relaxed) + 1, of);
                 (candidate, judgement)
             })
             .collect();
         judged.sort_by(order);
         let runs = trial.over_the_box.len();
-        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None, seconds: 0.0 };
-        let best: Vec<&Candidate> = [Truth::Static, Truth::Output]
-            .into_iter()
-            .filter_map(|truth| answer.best(truth).map(|(candidate, _)| candidate))
-            .collect();
-        answer.shown = trial.shown(&best, sampled.surge_period());
-        answer.seconds = begun.elapsed().as_secs_f64();
+        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None };
+        let all: Vec<&Candidate> = answer.judged.iter().map(|(candidate, _)| candidate).collect();
+        answer.shown = trial.shown(&all, sampled.surge_period());
         Ok(answer)
     }
 

@@ -80,7 +80,20 @@ impl Recording {
     /// # Errors
     /// [`RecordingError`], one line with file, line and column, for what cannot be read, is wrong, and may not be mended.
     pub fn read(path: &Path, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
-        let mut source = open(path, mapping)?;
+        Self::of_source(open(path, mapping)?, mapping, repairs)
+    }
+
+    /// Reads the text of a log, under a name for messages.
+    ///
+    /// # Errors
+    /// As [`Self::read`]; for what is no text, too.
+    pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+        Self::of_source(held(name, text, mapping)?, mapping, repairs)
+    }
+
+    fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+        let path = source.file().to_owned();
+        let path = path.as_path();
         let remarks = source.remarks().to_vec();
         let rows = Rows::of(source.as_mut(), mapping, repairs)?;
         let channels = rows.channels();
@@ -197,6 +210,26 @@ fn open(path: &Path, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingErro
         #[cfg(feature = "mdf")]
         source::Kind::Mdf => Ok(Box::new(table::TableRows::of(mdf::read(path)?))),
     }
+}
+
+/// A text in memory as a source.
+fn held(name: &str, text: Vec<u8>, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
+    let name = Path::new(name);
+    match source::Kind::of_head(name, &text)? {
+        source::Kind::Text => Ok(Box::new(text::Text::held(name, text, &mapping.format)?)),
+        #[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+        _ => Err(RecordingError::of_file(name, "is no text")),
+    }
+}
+
+/// How the text of a log is written, in words, and the titles of its columns.
+///
+/// # Errors
+/// [`RecordingError`] for what is no text with columns.
+pub fn columns_of_text(name: &str, text: Vec<u8>, format: &Format) -> Result<(String, Vec<Title>), RecordingError> {
+    let mapping = Mapping { format: format.clone(), ..Mapping::default() };
+    let source = held(name, text, &mapping)?;
+    Ok((source.description(), source.titles().to_vec()))
 }
 
 fn lacks(file: &Path, channel: Channel) -> RecordingError {

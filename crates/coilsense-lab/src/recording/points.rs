@@ -10,10 +10,11 @@ use super::Recording;
 use super::account::{Account, Reason};
 use super::error::RecordingError;
 use super::mapping::Mapping;
-use super::open;
 use super::order::MOST_NUMBERS;
 use super::pipeline::{Rows, nothing_left};
 use super::repairs::Repairs;
+use super::source::Source;
+use super::{held, open};
 
 /// Values of each channel row by row, all of one length; time plays no part.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +31,20 @@ impl Points {
     /// # Errors
     /// [`RecordingError`] as [`super::Recording::read`], but for times.
     pub fn read(path: &Path, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
-        let mut source = open(path, mapping)?;
+        Self::of_source(open(path, mapping)?, mapping, repairs)
+    }
+
+    /// Reads the text of a log, under a name for messages.
+    ///
+    /// # Errors
+    /// As [`Self::read`]; for what is no text, too.
+    pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+        Self::of_source(held(name, text, mapping)?, mapping, repairs)
+    }
+
+    fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+        let path = source.file().to_owned();
+        let path = path.as_path();
         let remarks = source.remarks().to_vec();
         let mut rows = Rows::of(source.as_mut(), mapping, repairs)?;
         let mut channels: Vec<(Channel, Vec<f64>)> =

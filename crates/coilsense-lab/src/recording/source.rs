@@ -29,11 +29,17 @@ impl Kind {
         let mut head = Vec::new();
         let read = File::open(path).and_then(|file| file.take(16).read_to_end(&mut head));
         read.map_err(|error| wrong(format!("cannot be read: {error}")))?;
+        Self::of_head(path, &head)
+    }
+
+    /// The same by the first bytes alone.
+    pub fn of_head(path: &Path, head: &[u8]) -> Result<Self, RecordingError> {
+        let wrong = |message: String| RecordingError::of_file(path, message);
         #[cfg(not(all(feature = "parquet", feature = "matlab", feature = "mdf")))]
         let missing = |what: &str, feature: &str| -> Result<Self, RecordingError> {
             Err(wrong(format!("is {what}, which this build cannot read: it was made without the feature {feature}")))
         };
-        match &head {
+        match head {
             head if head.starts_with(b"PAR1") => {
                 #[cfg(feature = "parquet")]
                 return Ok(Self::Parquet);

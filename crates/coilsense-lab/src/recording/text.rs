@@ -3,7 +3,7 @@
 //! Next door: how it is written (`layout`), its cells (`cell`).
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io::{BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ use super::title::Title;
 /// A text file that is being read.
 pub(super) struct Text {
     path: PathBuf,
-    reader: BufReader<File>,
+    reader: Box<dyn BufRead + Send>,
     layout: Layout,
     comment: Option<String>,
     line: u64,
@@ -53,9 +53,24 @@ impl Text {
             .map_err(|message| RecordingError::of_file(path, message))?;
         let size = file.metadata().map_or(0, |metadata| metadata.len());
         file.seek(SeekFrom::Start(0)).map_err(unreadable)?;
-        Ok(Self {
+        Ok(Self::begin(path, Box::new(BufReader::with_capacity(1 << 20, file)), size, layout, format))
+    }
+
+    /// A text in memory, under a name for messages.
+    pub fn held(name: &Path, text: Vec<u8>, format: &Format) -> Result<Self, RecordingError> {
+        let head = &text[..text.len().min(HEAD as usize)];
+        let whole = head.len() == text.len();
+        let layout = text_only(head)
+            .and_then(|()| Layout::detect(&lines(head, whole), format))
+            .map_err(|message| RecordingError::of_file(name, message))?;
+        let size = text.len() as u64;
+        Ok(Self::begin(name, Box::new(Cursor::new(text)), size, layout, format))
+    }
+
+    fn begin(path: &Path, reader: Box<dyn BufRead + Send>, size: u64, layout: Layout, format: &Format) -> Self {
+        Self {
             path: path.to_owned(),
-            reader: BufReader::with_capacity(1 << 20, file),
+            reader,
             layout,
             comment: format.comment.clone(),
             line: 0,
@@ -64,7 +79,7 @@ impl Text {
             cells: Vec::new(),
             day: None,
             lenient: false,
-        })
+        }
     }
 
     /// Moves on to the next line; false at the end.

@@ -60,6 +60,7 @@ pub(super) fn over_time(answer: &Answer) -> Option<Figure> {
         ],
         ..Panel::default()
     };
-    let panels: Vec<Panel> = shown.made.iter().map(panel).collect();
+    let of_best = |truth| shown.made.get(answer.place_of_best(truth)?);
+    let panels: Vec<Panel> = [Truth::Static, Truth::Output].into_iter().filter_map(of_best).map(panel).collect();
     (!panels.is_empty()).then_some(Figure { panels, columns: 1, panel_width: 760.0, panel_height: 280.0 })
 }

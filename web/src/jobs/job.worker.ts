@@ -1,0 +1,38 @@
+// The worker of one job: the larger engine, one answer, and on the way how much is done.
+//
+// Next door: who asks (`job`).
+
+import { STOPPED, type Answer, type FromWorker, type Job, type Series, type Told, type ToWorkshop } from '../answer';
+import init, { Engine, type Answer as Found } from '../workshop/coilsense_web';
+
+/** The engine calls it while it judges. */
+Object.assign(globalThis, { coilsenseTold: (done: number, of: number) => postMessage({ told: [done, of] } satisfies Told) });
+
+addEventListener('message', async ({ data: { engine, files, job } }: MessageEvent<ToWorkshop>) => {
+  const begun = performance.now();
+  const say = (message: { answer: Answer<unknown> } | { error: string }) => postMessage({ id: 0, milliseconds: performance.now() - begun, ...message } satisfies FromWorker);
+  try {
+    await init({ module_or_path: engine });
+    const made = new Engine();
+    for (const [file, text] of files) made.add_file(file, text);
+    const found = asked(made, job);
+    const series: Series = {};
+    found.names().forEach((name, number) => (series[name] = found.take(number)));
+    say({ answer: { facts: JSON.parse(found.meta()) as unknown, series, positions: new Float32Array() } });
+  } catch (reason) {
+    say({ error: typeof reason === 'string' ? reason : `${STOPPED}${reason}` });
+  }
+});
+
+function asked(engine: Engine, job: Job): Found {
+  switch (job.kind) {
+    case 'columns':
+      return engine.log_columns(job.name, job.bytes);
+    case 'identify':
+      return engine.identify(job.name, job.bytes, job.asked);
+    case 'calibrate':
+      return engine.calibrate(job.name, job.bytes, job.asked);
+    case 'mitigate':
+      return engine.mitigate(job.text, job.seeds, job.mostLag);
+  }
+}
