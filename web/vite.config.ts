@@ -5,7 +5,8 @@ import { defineConfig, type Plugin } from 'vite';
 /** A spec file as a module: its tables, comments left out. */
 const specs: Plugin = {
   name: 'coilsense-specs',
-  transform: (source, id) => (id.endsWith('.toml') ? { code: `export default ${JSON.stringify(parse(source))};`, map: null } : null),
+  transform: (source, id) =>
+    id.endsWith('.toml') ? { code: `export default ${JSON.stringify(parse(source))};`, map: null } : null,
 };
 
 export default defineConfig({

@@ -13,11 +13,13 @@ export function toHash(state: State): string {
   const [base, now] = [flatten(preset(state.preset).spec), flatten(state.spec)];
   for (const place of gone(base, now)) parts.push(GONE + encode(place));
   for (const [place, value] of now) {
-    if (JSON.stringify(value) !== JSON.stringify(base.get(place))) parts.push(`${encode(place)}=${encode(plain(value))}`);
+    if (JSON.stringify(value) !== JSON.stringify(base.get(place)))
+      parts.push(`${encode(place)}=${encode(plain(value))}`);
   }
   const usual = defaultView();
   for (const key of Object.keys(usual) as (keyof View)[]) {
-    if (JSON.stringify(state.view[key]) !== JSON.stringify(usual[key])) parts.push(`@${key}=${encode(JSON.stringify(state.view[key]))}`);
+    if (JSON.stringify(state.view[key]) !== JSON.stringify(usual[key]))
+      parts.push(`@${key}=${encode(JSON.stringify(state.view[key]))}`);
   }
   return '#' + parts.join('&');
 }
@@ -68,7 +70,8 @@ const FITS: Record<string, (value: unknown) => boolean> = {
 } satisfies Record<keyof View, (value: unknown) => boolean>;
 
 /** Texts as they are, unless they would be read as something else. */
-const plain = (value: Value): string => (typeof value === 'string' && typeof json(value) === 'undefined' ? value : JSON.stringify(value));
+const plain = (value: Value): string =>
+  typeof value === 'string' && typeof json(value) === 'undefined' ? value : JSON.stringify(value);
 const value = (text: string): Value => (json(text) as Value | undefined) ?? text;
 
 function json(text: string): unknown {
@@ -79,7 +82,8 @@ function json(text: string): unknown {
   }
 }
 
-const encode = (text: string): string => encodeURIComponent(text).replaceAll('%20', '+').replaceAll('%2F', '/').replaceAll('%2C', ',');
+const encode = (text: string): string =>
+  encodeURIComponent(text).replaceAll('%20', '+').replaceAll('%2F', '/').replaceAll('%2C', ',');
 
 function decode(text: string): string {
   try {

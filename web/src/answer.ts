@@ -66,7 +66,10 @@ export interface ExactFacts extends Facts {
   lengths: [number, number];
   sensors: { name: string; kind: string; sampleRate: number | null; deviation: Deviation }[];
   warnings: { subject: string; text: string }[];
-  sheet: { material: string; groups: { heading: string; rows: { key: string; label: string; shown: string; unit: string }[] }[] };
+  sheet: {
+    material: string;
+    groups: { heading: string; rows: { key: string; label: string; shown: string; unit: string }[] }[];
+  };
 }
 
 export interface PaperFacts {
@@ -112,7 +115,8 @@ export type Job =
 export const STOPPED = 'the engine stopped: ';
 
 /** To the worker: first the compiled engine, files as they come, then questions. */
-export type ToWorker = { engine: WebAssembly.Module } | { file: string; text: string } | { id: number; question: Question };
+export type ToWorker =
+  { engine: WebAssembly.Module } | { file: string; text: string } | { id: number; question: Question };
 
 /** To the larger engine's worker: all of it at once. */
 export type ToWorkshop = { engine: WebAssembly.Module; files: Map<string, string>; job: Job };
@@ -121,4 +125,6 @@ export type ToWorkshop = { engine: WebAssembly.Module; files: Map<string, string
 export type Told = { told: [number, number] };
 
 /** From the worker. */
-export type FromWorker = { id: number; milliseconds: number } & ({ answer: Answer<unknown> } | { bytes: Uint8Array<ArrayBuffer> } | { error: string });
+export type FromWorker = { id: number; milliseconds: number } & (
+  { answer: Answer<unknown> } | { bytes: Uint8Array<ArrayBuffer> } | { error: string }
+);

@@ -60,7 +60,8 @@ export class Compute {
     });
     store.subscribe((state, before) => {
       const { view } = state;
-      const moved = state.spec !== before.spec || view.condition !== before.view.condition || view.damping !== before.view.damping;
+      const moved =
+        state.spec !== before.spec || view.condition !== before.view.condition || view.damping !== before.view.damping;
       if (moved || view.times !== before.view.times) void this.follow(state, moved);
     });
   }
@@ -93,7 +94,10 @@ export class Compute {
   }
 
   /** A job for the larger engine, in a worker of its own, which tells how much is done until somebody cancels it. */
-  async job(job: Job, told: (done: number, of: number) => void): Promise<{ reply: Promise<Reply>; cancel: () => void }> {
+  async job(
+    job: Job,
+    told: (done: number, of: number) => void,
+  ): Promise<{ reply: Promise<Reply>; cancel: () => void }> {
     await this.load(this.store.state.preset);
     return (await import('./jobs/job')).begin(job, this.files, told);
   }

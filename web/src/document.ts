@@ -22,7 +22,8 @@ export const sections = (spec: Spec, name: string): Section[] => {
 
 export function flatten(spec: Spec): Flat {
   const flat: Flat = new Map();
-  const add = (place: string, from: Section) => Object.entries(from).forEach(([key, value]) => flat.set(`${place}.${key}`, value));
+  const add = (place: string, from: Section) =>
+    Object.entries(from).forEach(([key, value]) => flat.set(`${place}.${key}`, value));
   for (const [name, tables] of Object.entries(spec)) {
     if (Array.isArray(tables)) tables.forEach((table, index) => add(`${name}.${index}`, table));
     else add(name, tables);

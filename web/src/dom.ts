@@ -4,14 +4,20 @@ export type Child = Node | string | null | undefined | false;
 type Properties = Record<string, unknown>;
 
 /** An element with attributes (`class`, `aria-label` …), listeners (`onclick`) and children. */
-export function make<K extends keyof HTMLElementTagNameMap>(tag: K, properties: Properties = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  properties: Properties = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(properties)) {
     if (name.startsWith('on')) element.addEventListener(name.slice(2), value as EventListener);
     else if (typeof value === 'boolean') element.toggleAttribute(name, value);
     else if (value !== undefined && value !== null) element.setAttribute(name, String(value));
   }
-  element.append(...children.filter((child): child is Node | string => child !== null && child !== undefined && child !== false));
+  element.append(
+    ...children.filter((child): child is Node | string => child !== null && child !== undefined && child !== false),
+  );
   return element;
 }
 
@@ -24,7 +30,9 @@ export function byId<T extends HTMLElement>(id: string): T {
 /** `F_i` with its letter lowered. */
 export function rich(text: string): DocumentFragment {
   const fragment = document.createDocumentFragment();
-  text.split(/(?<=\bF)_([a-zA-Z])\b/).forEach((part, index) => fragment.append(index % 2 ? make('sub', {}, part) : part));
+  text
+    .split(/(?<=\bF)_([a-zA-Z])\b/)
+    .forEach((part, index) => fragment.append(index % 2 ? make('sub', {}, part) : part));
   return fragment;
 }
 
@@ -32,7 +40,10 @@ export function rich(text: string): DocumentFragment {
 export function digits(value: number, count = 3): string {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
-  const text = size !== 0 && (size < 1e-4 || size >= 1e7) ? value.toExponential(count - 1) : String(Number(value.toPrecision(count)));
+  const text =
+    size !== 0 && (size < 1e-4 || size >= 1e7)
+      ? value.toExponential(count - 1)
+      : String(Number(value.toPrecision(count)));
   return text.replace('-', '−');
 }
 

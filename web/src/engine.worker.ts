@@ -24,17 +24,34 @@ addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
       return say({ id, milliseconds: performance.now() - begun, bytes }, [bytes.buffer]);
     }
     const answer = opened(asked(engine, question));
-    const hand = [...Object.values(answer.series).map((values) => values.buffer as ArrayBuffer), answer.positions.buffer as ArrayBuffer];
+    const hand = [
+      ...Object.values(answer.series).map((values) => values.buffer as ArrayBuffer),
+      answer.positions.buffer as ArrayBuffer,
+    ];
     say({ id, milliseconds: performance.now() - begun, answer }, hand);
   } catch (reason) {
-    say({ id: data.id, milliseconds: performance.now() - begun, error: typeof reason === 'string' ? reason : `${STOPPED}${reason}` }, []);
+    say(
+      {
+        id: data.id,
+        milliseconds: performance.now() - begun,
+        error: typeof reason === 'string' ? reason : `${STOPPED}${reason}`,
+      },
+      [],
+    );
   }
 });
 
 function asked(engine: Engine, question: Exclude<Question, { kind: 'csv' }>): Found {
   switch (question.kind) {
     case 'preview':
-      return engine.preview(question.text, question.condition, question.damping, question.from, question.to, question.samples);
+      return engine.preview(
+        question.text,
+        question.condition,
+        question.damping,
+        question.from,
+        question.to,
+        question.samples,
+      );
     case 'exact':
       return engine.exact(question.text, question.condition, question.damping);
     case 'paper':

@@ -48,23 +48,58 @@ export const ENDS: readonly Field[] = [
 
 const LENGTH: Field = { key: 'length', label: 'Mean length', hint: 'min, mid, max, a length, or a share of the range' };
 const PROFILE: Field = { key: 'profile', label: 'Windings move', words: ['uniform', 'linear'] };
-const AMPLITUDE: Field = { key: 'amplitude', label: 'Amplitude', hint: 'a length, or a share of the range', slide: { from: 0, to: 4, scale: 'linear' } };
+const AMPLITUDE: Field = {
+  key: 'amplitude',
+  label: 'Amplitude',
+  hint: 'a length, or a share of the range',
+  slide: { from: 0, to: 4, scale: 'linear' },
+};
 const START: Field = { key: 'start', label: 'Windings begin', words: ['rest', 'massless'] };
 const BEGIN: Field = { key: 'begin', label: 'When' };
 const END: Field = { key: 'end', label: 'Driven end', number: true };
 
 /** Of each kind of condition, the one to drag first. */
 export const CONDITION: Record<string, { first: readonly Field[]; more: readonly Field[] }> = {
-  impact: { first: [{ key: 'velocity', label: 'How hard it is hit', hint: 'speed of the windings at t = 0', slide: { from: 0, to: 4, scale: 'linear' } }], more: [LENGTH, PROFILE] },
-  'end-stop': { first: [{ key: 'velocity', label: 'Speed at the stop', hint: 'left out: the range in 1 s' }], more: [{ key: 'at', label: 'Stopped at', words: ['min', 'max'] }, PROFILE] },
+  impact: {
+    first: [
+      {
+        key: 'velocity',
+        label: 'How hard it is hit',
+        hint: 'speed of the windings at t = 0',
+        slide: { from: 0, to: 4, scale: 'linear' },
+      },
+    ],
+    more: [LENGTH, PROFILE],
+  },
+  'end-stop': {
+    first: [{ key: 'velocity', label: 'Speed at the stop', hint: 'left out: the range in 1 s' }],
+    more: [{ key: 'at', label: 'Stopped at', words: ['min', 'max'] }, PROFILE],
+  },
   harmonic: {
-    first: [{ key: 'frequency', label: 'Frequency', hint: 'in Hz, or in surge frequencies: 0.5 f1', slide: { from: 0.1, to: 2, scale: 'linear' } }, AMPLITUDE],
+    first: [
+      {
+        key: 'frequency',
+        label: 'Frequency',
+        hint: 'in Hz, or in surge frequencies: 0.5 f1',
+        slide: { from: 0.1, to: 2, scale: 'linear' },
+      },
+      AMPLITUDE,
+    ],
     more: [LENGTH, { key: 'phase', label: 'Phase at t = 0' }, START, END],
   },
-  sweep: { first: [{ key: 'frequency', label: 'Frequency from, to', pair: true }, AMPLITUDE], more: [LENGTH, START, END] },
+  sweep: {
+    first: [{ key: 'frequency', label: 'Frequency from, to', pair: true }, AMPLITUDE],
+    more: [LENGTH, START, END],
+  },
   step: { first: [AMPLITUDE], more: [LENGTH, BEGIN, END] },
-  ramp: { first: [AMPLITUDE, { key: 'rise_time', label: 'How long it takes', slide: { from: 0.05, to: 4, scale: 'linear' } }], more: [LENGTH, BEGIN, END] },
-  pulse: { first: [AMPLITUDE, { key: 'width', label: 'How long it lasts', slide: { from: 0.05, to: 4, scale: 'linear' } }], more: [LENGTH, BEGIN, END] },
+  ramp: {
+    first: [AMPLITUDE, { key: 'rise_time', label: 'How long it takes', slide: { from: 0.05, to: 4, scale: 'linear' } }],
+    more: [LENGTH, BEGIN, END],
+  },
+  pulse: {
+    first: [AMPLITUDE, { key: 'width', label: 'How long it lasts', slide: { from: 0.05, to: 4, scale: 'linear' } }],
+    more: [LENGTH, BEGIN, END],
+  },
   recorded: { first: [], more: [LENGTH, START] },
 };
 export const TIMING: readonly Field[] = [
@@ -86,7 +121,9 @@ export const SENSOR: readonly Field[] = [
   { key: 'resolution', label: 'Resolution' },
 ];
 
-export const GOAL: readonly Field[] = [{ key: 'error', label: 'Your limit', hint: 'of F_nom, or in N', slide: { from: 0.05, to: 5, scale: 'log' } }];
+export const GOAL: readonly Field[] = [
+  { key: 'error', label: 'Your limit', hint: 'of F_nom, or in N', slide: { from: 0.05, to: 5, scale: 'log' } },
+];
 
 /** What a condition that the user adds begins as; lengths and shares fit every spring. */
 export const TEMPLATES: Record<string, Record<string, string | number | string[]>> = {

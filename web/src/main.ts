@@ -16,9 +16,21 @@ const main = byId('main');
 const opened = new Set<string>();
 
 const buttons = TABS.map(({ id, label }) =>
-  make('button', { type: 'button', role: 'tab', id: `tab-${id}`, 'aria-controls': `panel-${id}`, onclick: () => store.setView({ tab: id }) }, label),
+  make(
+    'button',
+    {
+      type: 'button',
+      role: 'tab',
+      id: `tab-${id}`,
+      'aria-controls': `panel-${id}`,
+      onclick: () => store.setView({ tab: id }),
+    },
+    label,
+  ),
 );
-const panels = TABS.map(({ id }) => make('div', { role: 'tabpanel', id: `panel-${id}`, 'aria-labelledby': `tab-${id}`, hidden: true }));
+const panels = TABS.map(({ id }) =>
+  make('div', { role: 'tabpanel', id: `panel-${id}`, 'aria-labelledby': `tab-${id}`, hidden: true }),
+);
 byId('tabs').replaceChildren(...buttons);
 main.replaceChildren(...panels);
 byId('tabs').addEventListener('keydown', (event) => {
@@ -51,7 +63,11 @@ function openTab(tab: Tab): void {
   });
 }
 
-const [undo, redo, reset] = [byId<HTMLButtonElement>('undo'), byId<HTMLButtonElement>('redo'), byId<HTMLButtonElement>('reset')];
+const [undo, redo, reset] = [
+  byId<HTMLButtonElement>('undo'),
+  byId<HTMLButtonElement>('redo'),
+  byId<HTMLButtonElement>('reset'),
+];
 undo.addEventListener('click', () => store.undo());
 redo.addEventListener('click', () => store.redo());
 reset.addEventListener('click', () => store.reset());

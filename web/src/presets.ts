@@ -24,8 +24,20 @@ export interface Preset {
 export const PRESETS: readonly Preset[] = [
   { id: 'S_T', label: 'S_T – ankle of a humanoid robot', example: 'sea-ankle', spec: ankle, files: {} },
   { id: 'S_A', label: 'S_A – ankle prosthesis', example: 'parallel-ankle', spec: parallelAnkle, files: {} },
-  { id: 'valve', label: 'Valve spring at 6000 rpm', example: 'valve-spring', spec: valve, files: { 'cam-6000rpm.csv': cam } },
-  { id: 'suspension', label: 'Car suspension on a rough road', example: 'car-suspension', spec: car, files: { 'road-c-20mps.csv': road } },
+  {
+    id: 'valve',
+    label: 'Valve spring at 6000 rpm',
+    example: 'valve-spring',
+    spec: valve,
+    files: { 'cam-6000rpm.csv': cam },
+  },
+  {
+    id: 'suspension',
+    label: 'Car suspension on a rough road',
+    example: 'car-suspension',
+    spec: car,
+    files: { 'road-c-20mps.csv': road },
+  },
 ];
 
 export const preset = (id: string): Preset => PRESETS.find((one) => one.id === id) ?? (PRESETS[0] as Preset);

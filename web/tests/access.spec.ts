@@ -30,7 +30,12 @@ for (const [width, height] of [
     // Words that do not fit their box.
     const cut = await page.evaluate(() =>
       [...document.querySelectorAll('button, label, h1, h2, p, td, th, summary')]
-        .filter((element) => element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline' && element.clientWidth > 0)
+        .filter(
+          (element) =>
+            element.scrollWidth > element.clientWidth + 1 &&
+            getComputedStyle(element).display !== 'inline' &&
+            element.clientWidth > 0,
+        )
         .map((element) => element.textContent),
     );
     expect(cut).toEqual([]);

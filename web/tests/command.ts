@@ -3,7 +3,12 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-export const EXAMPLES = { S_T: 'sea-ankle', S_A: 'parallel-ankle', valve: 'valve-spring', suspension: 'car-suspension' } as const;
+export const EXAMPLES = {
+  S_T: 'sea-ankle',
+  S_A: 'parallel-ankle',
+  valve: 'valve-spring',
+  suspension: 'car-suspension',
+} as const;
 
 const page = new URL('..', import.meta.url).pathname;
 const out = join(page, 'test-results', 'command');
@@ -37,11 +42,13 @@ export interface Results {
   }[];
 }
 
-export const results = (folder: string): Results => JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as Results;
+export const results = (folder: string): Results =>
+  JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as Results;
 export const resultsOf = (example: string): Results => results(join(out, example));
 
 /** `coilsense analyze` of every preset's example. */
 export default function setup(): void {
   mkdirSync(out, { recursive: true });
-  for (const example of Object.values(EXAMPLES)) command('analyze', exampleFile(example), '--out', join(out, example), '--date', '2026-11-22');
+  for (const example of Object.values(EXAMPLES))
+    command('analyze', exampleFile(example), '--out', join(out, example), '--date', '2026-11-22');
 }

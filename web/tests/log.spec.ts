@@ -9,7 +9,8 @@ import { expect, test } from './page';
 const page = new URL('..', import.meta.url).pathname;
 const folder = join(page, 'test-results', 'log');
 const program = process.env['COILSENSE_COMMAND'] ?? '';
-const told = (...args: string[]): string => execFileSync(program, args, { encoding: 'utf8', cwd: folder, maxBuffer: 1 << 28 });
+const told = (...args: string[]): string =>
+  execFileSync(program, args, { encoding: 'utf8', cwd: folder, maxBuffer: 1 << 28 });
 
 test.beforeAll(() => {
   mkdirSync(folder, { recursive: true });
@@ -19,26 +20,38 @@ test.beforeAll(() => {
 
 /** The largest relative difference of two JSON values of one shape; texts must be the same. */
 function apart(here: unknown, there: unknown, place = ''): number {
-  if (typeof here === 'number' && typeof there === 'number') return here === there ? 0 : Math.abs(here - there) / Math.max(Math.abs(there), 1e-9);
+  if (typeof here === 'number' && typeof there === 'number')
+    return here === there ? 0 : Math.abs(here - there) / Math.max(Math.abs(there), 1e-9);
   if (here !== null && there !== null && typeof here === 'object' && typeof there === 'object') {
     expect(Object.keys(here), place).toEqual(Object.keys(there));
-    return Math.max(0, ...Object.entries(here).map(([key, value]) => apart(value, (there as Record<string, unknown>)[key], `${place}/${key}`)));
+    return Math.max(
+      0,
+      ...Object.entries(here).map(([key, value]) =>
+        apart(value, (there as Record<string, unknown>)[key], `${place}/${key}`),
+      ),
+    );
   }
   expect(here, place).toEqual(there);
   return 0;
 }
 
 async function saved(page: Page, button: string): Promise<string> {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: button }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: button }).click(),
+  ]);
   return readFileSync((await download.path()) ?? '', 'utf8');
 }
 
 async function drop(page: Page, name: string, content: string): Promise<void> {
-  const data = await page.evaluateHandle(([name, content]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([content ?? ''], name ?? ''));
-    return data;
-  }, [name, content]);
+  const data = await page.evaluateHandle(
+    ([name, content]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([content ?? ''], name ?? ''));
+      return data;
+    },
+    [name, content],
+  );
   await page.dispatchEvent('.drop', 'drop', { dataTransfer: data });
 }
 
@@ -56,7 +69,10 @@ test('a dropped log is identified with the numbers of the command', async ({ pag
 
 test('columns are mapped, and a wrong log is refused with its row and column', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
-  const rows = readFileSync(join(folder, 'tap.csv'), 'utf8').split('\n').filter((line) => !line.startsWith('#')).slice(0, 20_001);
+  const rows = readFileSync(join(folder, 'tap.csv'), 'utf8')
+    .split('\n')
+    .filter((line) => !line.startsWith('#'))
+    .slice(0, 20_001);
   rows[0] = 'a,b,c';
   await drop(page, 'nameless.csv', rows.join('\n'));
   await expect(page.locator('#panel-log .refusal')).toBeVisible({ timeout: 30_000 });
@@ -73,7 +89,10 @@ test('columns are mapped, and a wrong log is refused with its row and column', a
   rows[40] = rows[40]!.replace(/,[^,]*,/, ',x,');
   rows[0] = 'time [s],F_o [N],u1 [mm]';
   await drop(page, 'broken.csv', rows.join('\n'));
-  await expect(page.locator('#panel-log .refusal').first()).toHaveText(/broken\.csv:41: column 2 "F_o \[N\]": "x" is not a number/, { timeout: 30_000 });
+  await expect(page.locator('#panel-log .refusal').first()).toHaveText(
+    /broken\.csv:41: column 2 "F_o \[N\]": "x" is not a number/,
+    { timeout: 30_000 },
+  );
 });
 
 test('a curve of inductance over length is fitted as the command fits it', async ({ page }) => {
@@ -90,7 +109,9 @@ test('a curve of inductance over length is fitted as the command fits it', async
   await page.getByLabel('Length at zero').press('Tab');
   await expect(page.getByRole('region', { name: 'Calibration' })).toContainText('1/l = α L + β', { timeout: 30_000 });
   const here = JSON.parse(await saved(page, 'Calibration (JSON)')) as { inverse_length: unknown };
-  const there = JSON.parse(told('calibrate', 'coil.csv', '--length-at-zero', '200 mm', '--json')) as { inverse_length: unknown };
+  const there = JSON.parse(told('calibrate', 'coil.csv', '--length-at-zero', '200 mm', '--json')) as {
+    inverse_length: unknown;
+  };
   expect(apart(here.inverse_length, there.inverse_length)).toBeLessThan(1e-9);
 });
 
@@ -99,7 +120,15 @@ test('remedies are ranked with the numbers of the command, one is picked and tak
   await page.getByRole('button', { name: 'Judge' }).click();
   await expect(page.locator('#panel-mitigate .verdict')).toContainText('With 1 series of noise', { timeout: 100_000 });
   const here = JSON.parse(await saved(page, 'Everything (JSON)')) as { candidates: unknown };
-  const there = JSON.parse(told('mitigate', join(new URL('..', import.meta.url).pathname, '..', 'examples', 'sea-ankle.toml'), '--seeds', '1', '--json')) as { candidates: unknown };
+  const there = JSON.parse(
+    told(
+      'mitigate',
+      join(new URL('..', import.meta.url).pathname, '..', 'examples', 'sea-ankle.toml'),
+      '--seeds',
+      '1',
+      '--json',
+    ),
+  ) as { candidates: unknown };
   const difference = apart(here.candidates, there.candidates);
   console.log(`mitigate: largest relative difference ${difference.toExponential(1)}`);
   expect(difference).toBeLessThan(1e-9);

@@ -16,7 +16,9 @@ const pairs = (page: Deviation, told: Results['cases'][number]['forces'][string]
 ];
 
 for (const [preset, example] of Object.entries(EXAMPLES)) {
-  test(`${preset}: every condition and damping gives the numbers of coilsense analyze ${example}.toml`, async ({ page }) => {
+  test(`${preset}: every condition and damping gives the numbers of coilsense analyze ${example}.toml`, async ({
+    page,
+  }) => {
     test.slow();
     const { nominal_force_n: nominal, cases } = resultsOf(example);
     await open(page, `#${preset}`);
@@ -26,48 +28,78 @@ for (const [preset, example] of Object.entries(EXAMPLES)) {
     for (const [number, told] of cases.entries()) {
       const [condition, damping] = [Math.floor(number / dampings.length), number % dampings.length];
       await page.evaluate((hash) => (location.hash = hash), `#${preset}&@condition=${condition}&@damping=${damping}`);
-      await page.waitForFunction(([c, d]) => window.coilsense.last()?.exact?.facts.condition === c && window.coilsense.last()?.exact?.facts.damping === d, [condition, damping]);
+      await page.waitForFunction(
+        ([c, d]) =>
+          window.coilsense.last()?.exact?.facts.condition === c && window.coilsense.last()?.exact?.facts.damping === d,
+        [condition, damping],
+      );
       const found = await facts(page);
-      expect([found.conditions[condition]?.name, found.dampings[damping]?.label]).toEqual([told.condition, told.damping]);
+      expect([found.conditions[condition]?.name, found.dampings[damping]?.label]).toEqual([
+        told.condition,
+        told.damping,
+      ]);
       for (const [force, deviation] of Object.entries(found.forces)) {
-        for (const [here = NaN, there = NaN] of pairs(deviation, told.forces[force]!)) worst = Math.max(worst, Math.abs(here - there) / nominal);
+        for (const [here = NaN, there = NaN] of pairs(deviation, told.forces[force]!))
+          worst = Math.max(worst, Math.abs(here - there) / nominal);
       }
       expect(found.sensors.map(({ name }) => name)).toEqual(told.sensors.map(({ sensor }) => sensor));
       for (const [index, { deviation }] of found.sensors.entries()) {
-        for (const [here = NaN, there = NaN] of pairs(deviation, told.sensors[index]!.deviation)) worst = Math.max(worst, Math.abs(here - there) / nominal);
+        for (const [here = NaN, there = NaN] of pairs(deviation, told.sensors[index]!.deviation))
+          worst = Math.max(worst, Math.abs(here - there) / nominal);
       }
       expect(worst, `${told.condition}, ${told.damping}`).toBeLessThan(TOLERANCE);
-      expect(Math.abs(found.lengths[0] - told.shortest_length_m) + Math.abs(found.lengths[1] - told.longest_length_m)).toBeLessThan(1e-12);
+      expect(
+        Math.abs(found.lengths[0] - told.shortest_length_m) + Math.abs(found.lengths[1] - told.longest_length_m),
+      ).toBeLessThan(1e-12);
       expect(found.clash.firstContact === null).toBe(told.first_contact_s === null);
       // Bisected to 1e-12 s.
-      if (told.first_contact_s !== null) expect(Math.abs((found.clash.firstContact ?? 0) - told.first_contact_s)).toBeLessThan(1e-9);
+      if (told.first_contact_s !== null)
+        expect(Math.abs((found.clash.firstContact ?? 0) - told.first_contact_s)).toBeLessThan(1e-9);
     }
     console.log(`${preset}: ${cases.length} cases, largest difference ${worst.toExponential(1)} of F_nom`);
   });
 }
 
-test('the spec taken along gives the command the same numbers, and the CSV is the command’s', async ({ page }, info) => {
+test('the spec taken along gives the command the same numbers, and the CSV is the command’s', async ({
+  page,
+}, info) => {
   await open(page, '#S_T&spring.mass=80+g&mount.damping_ratio=0.003');
-  const [spec] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Spec (TOML)' }).click()]);
+  const [spec] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Spec (TOML)' }).click(),
+  ]);
   const [file, folder, csv] = [info.outputPath('mine.toml'), info.outputPath('analysis'), info.outputPath('mine.csv')];
   await spec.saveAs(file);
   command('analyze', file, '--out', folder);
   const told = results(folder);
   const found = await facts(page);
   for (const [force, deviation] of Object.entries(found.forces)) {
-    for (const [here = NaN, there = NaN] of pairs(deviation, told.cases[0]!.forces[force]!)) expect(Math.abs(here - there) / told.nominal_force_n).toBeLessThan(TOLERANCE);
+    for (const [here = NaN, there = NaN] of pairs(deviation, told.cases[0]!.forces[force]!))
+      expect(Math.abs(here - there) / told.nominal_force_n).toBeLessThan(TOLERANCE);
   }
-  const [table] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Series (CSV)' }).click()]);
+  const [table] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Series (CSV)' }).click(),
+  ]);
   await table.saveAs(csv);
   command('simulate', file, '--out', join(folder, 'signals.csv'));
-  const read = (path: string) => readFileSync(path, 'utf8').trim().split('\n').map((line) => line.split(','));
+  const read = (path: string) =>
+    readFileSync(path, 'utf8')
+      .trim()
+      .split('\n')
+      .map((line) => line.split(','));
   const [mine, theirs] = [read(csv), read(join(folder, 'signals-heel-strike-zeta-0.003.csv'))];
   expect(mine[0]).toEqual(theirs[0]);
   expect(mine.length).toBe(theirs.length);
   for (const name of ['time [s]', 'F_i [N]', 'F_o [N]', 'F_x [N]', 'F_L [N]']) {
     const column = theirs[0]!.indexOf(name);
     expect(column, name).toBeGreaterThanOrEqual(0);
-    const worst = mine.slice(1).reduce((most, row, index) => Math.max(most, Math.abs(Number(row[column]) - Number(theirs[index + 1]![column]))), 0);
+    const worst = mine
+      .slice(1)
+      .reduce(
+        (most, row, index) => Math.max(most, Math.abs(Number(row[column]) - Number(theirs[index + 1]![column]))),
+        0,
+      );
     expect(worst / told.nominal_force_n, name).toBeLessThan(TOLERANCE);
   }
 });
@@ -84,7 +116,9 @@ test('a preview is the exact curve but for F_L, which is good to what its second
     return Object.fromEntries(names.map((name) => [name, [...(window.coilsense.last()?.answer.series[name] ?? [])]]));
   }, names);
   await exact(page);
-  const full = Object.fromEntries(await Promise.all(names.map(async (name) => [name, await series(page, name)] as const)));
+  const full = Object.fromEntries(
+    await Promise.all(names.map(async (name) => [name, await series(page, name)] as const)),
+  );
   const at = (time: number) => full['time']!.findIndex((other) => Math.abs(other - time) < 1e-9);
   let compared = 0;
   preview['time']!.forEach((time, index) => {
@@ -106,8 +140,13 @@ test('Tables II and III of the tab Paper are the reproduction’s', async ({ pag
   await page.getByRole('tab', { name: 'Paper' }).click();
   await expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 60_000 });
   const shown = await page.locator('.tables tbody td:not(.printed)').allTextContents();
-  const cells = JSON.parse(readFileSync(join(folder, 'tables.json'), 'utf8')) as { tables_percent: number; text_percent: number }[];
+  const cells = JSON.parse(readFileSync(join(folder, 'tables.json'), 'utf8')) as {
+    tables_percent: number;
+    text_percent: number;
+  }[];
   expect(cells.length).toBe(60);
-  const told = cells.flatMap((cell) => [cell.tables_percent, cell.text_percent]).map((percent) => percent.toFixed(2).replace('-', '−'));
+  const told = cells
+    .flatMap((cell) => [cell.tables_percent, cell.text_percent])
+    .map((percent) => percent.toFixed(2).replace('-', '−'));
   expect(shown.map((text) => text.replace(' differs', ''))).toEqual(told);
 });

@@ -10,7 +10,10 @@ export const test = base.extend<{ watched: string[] }>({
     async ({ page, baseURL }, use) => {
       const complaints: string[] = [];
       const origin = new URL(baseURL ?? '').origin;
-      page.on('console', (message) => ['error', 'warning'].includes(message.type()) && complaints.push(`console: ${message.text()}`));
+      page.on(
+        'console',
+        (message) => ['error', 'warning'].includes(message.type()) && complaints.push(`console: ${message.text()}`),
+      );
       page.on('pageerror', (error) => complaints.push(`error: ${error.message}`));
       page.on('request', (request) => {
         const { protocol, origin: asked } = new URL(request.url());

@@ -5,7 +5,14 @@ import { extname, join, normalize } from 'node:path';
 import { gzipSync } from 'node:zlib';
 
 const PATH = '/some/where/';
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.csv': 'text/csv' };
+const TYPES = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+  '.csv': 'text/csv',
+};
 const folder = new URL('../dist/', import.meta.url).pathname;
 const compressed = new Map();
 
@@ -17,7 +24,12 @@ createServer(async (request, response) => {
     if (name.startsWith('..')) throw new Error('outside');
     const content = compressed.get(name) ?? gzipSync(await readFile(join(folder, name)), { level: 9 });
     compressed.set(name, content);
-    response.writeHead(200, { 'content-type': TYPES[extname(name)] ?? 'application/octet-stream', 'content-encoding': 'gzip' }).end(content);
+    response
+      .writeHead(200, {
+        'content-type': TYPES[extname(name)] ?? 'application/octet-stream',
+        'content-encoding': 'gzip',
+      })
+      .end(content);
   } catch {
     response.writeHead(404).end('not there');
   }

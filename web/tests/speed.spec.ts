@@ -2,7 +2,8 @@
 // test fails only where a figure is several times its goal, and on sizes, which no machine changes.
 import { expect, open, test } from './page';
 
-const quantile = (values: number[], share: number): number => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))] ?? NaN;
+const quantile = (values: number[], share: number): number =>
+  [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))] ?? NaN;
 
 test('from the slider to redrawn plots', async ({ page }) => {
   await open(page);
@@ -16,9 +17,13 @@ test('from the slider to redrawn plots', async ({ page }) => {
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
   });
-  const measured = await page.evaluate(() => performance.getEntriesByName('slider to plots').map(({ duration }) => duration));
+  const measured = await page.evaluate(() =>
+    performance.getEntriesByName('slider to plots').map(({ duration }) => duration),
+  );
   const [median, late] = [quantile(measured, 0.5), quantile(measured, 0.95)];
-  console.log(`slider to redrawn plots, S_T, four forces: median ${median.toFixed(1)} ms (goal 16), 95 % within ${late.toFixed(1)} ms (goal 33), ${measured.length} moves`);
+  console.log(
+    `slider to redrawn plots, S_T, four forces: median ${median.toFixed(1)} ms (goal 16), 95 % within ${late.toFixed(1)} ms (goal 33), ${measured.length} moves`,
+  );
   expect(measured.length).toBeGreaterThan(100);
   expect(median).toBeLessThan(80);
 });
@@ -39,7 +44,9 @@ test('first load and time until it can be used', async ({ page }) => {
     const bytes = (own?.encodedBodySize ?? 0) + all.reduce((sum, entry) => sum + entry.encodedBodySize, 0);
     return { bytes, interactive: performance.getEntriesByName('first curves')[0]?.startTime ?? NaN };
   });
-  console.log(`first load ${(bytes / 1000).toFixed(0)} kB compressed by gzip (goal 500), first curves after ${interactive.toFixed(0)} ms (goal 1000)`);
+  console.log(
+    `first load ${(bytes / 1000).toFixed(0)} kB compressed by gzip (goal 500), first curves after ${interactive.toFixed(0)} ms (goal 1000)`,
+  );
   expect(bytes).toBeGreaterThan(100_000);
   expect(bytes).toBeLessThan(500_000);
   expect(interactive).toBeLessThan(5000);

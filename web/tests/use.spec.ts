@@ -6,7 +6,11 @@ const hitSlider = 'How hard it is hit, slider';
 
 test('a slider changes the curves, the number beside it, the answer and the table', async ({ page }) => {
   await open(page);
-  const before = { force: Math.max(...(await series(page, 'F_o'))), sentence: await page.locator('#sentence').textContent(), rmsd: (await facts(page)).forces['F_o']!.rmsd };
+  const before = {
+    force: Math.max(...(await series(page, 'F_o'))),
+    sentence: await page.locator('#sentence').textContent(),
+    rmsd: (await facts(page)).forces['F_o']!.rmsd,
+  };
   await page.getByRole('slider', { name: hitSlider }).fill('500');
   await expect(page.getByLabel('How hard it is hit', { exact: true })).toHaveValue('0.5 m/s');
   await expect(page.locator('#sentence')).not.toHaveText(before.sentence ?? '');
@@ -14,7 +18,9 @@ test('a slider changes the curves, the number beside it, the answer and the tabl
   // Linear: twice the speed, twice the ringing.
   expect(after.forces['F_o']!.rmsd / before.rmsd).toBeCloseTo(2, 9);
   expect(Math.max(...(await series(page, 'F_o')))).toBeGreaterThan(before.force + 3);
-  await expect(page.locator('tr[data-force=F_o] td').first()).toHaveText(((100 * after.forces['F_o']!.rmsd) / after.spring.nominalForce).toFixed(3));
+  await expect(page.locator('tr[data-force=F_o] td').first()).toHaveText(
+    ((100 * after.forces['F_o']!.rmsd) / after.spring.nominalForce).toFixed(3),
+  );
 });
 
 test('a curve is hidden by keyboard, and the focus stays where it was', async ({ page }) => {
@@ -96,7 +102,11 @@ test('a wrong input is red with the reason, and the last good plot stays', async
 });
 
 test('an address that no page wrote is answered by a page that works', async ({ page }) => {
-  for (const hash of ['#nobody&spring.mass=1+kg&@condition=99', '#S_T&%E0%A4%A&constructor.prototype=1&@times=7&@tab=none', '#S_T&-condition&-spring.mass']) {
+  for (const hash of [
+    '#nobody&spring.mass=1+kg&@condition=99',
+    '#S_T&%E0%A4%A&constructor.prototype=1&@times=7&@tab=none',
+    '#S_T&-condition&-spring.mass',
+  ]) {
     await page.goto(`./${hash}`);
     await page.reload();
     await expect(page.locator('#preset')).toBeVisible();
@@ -159,13 +169,34 @@ test('all of it by keyboard: every control is reached in order, and works', asyn
     await page.keyboard.press('Tab');
     const name = await page.evaluate(() => {
       const at = document.activeElement;
-      return at && at !== document.body ? (at.getAttribute('aria-label') ?? (at as HTMLInputElement).labels?.[0]?.textContent ?? at.textContent ?? at.tagName).trim() : '';
+      return at && at !== document.body
+        ? (
+            at.getAttribute('aria-label') ??
+            (at as HTMLInputElement).labels?.[0]?.textContent ??
+            at.textContent ??
+            at.tagName
+          ).trim()
+        : '';
     });
     // Behind the last control the browser's own begin.
     if (name === '') break;
     met.push(name);
   }
-  for (const wanted of ['Spring', 'Reset', 'What happens', 'Pause', 'Time', 'Speed', 'First ringing', 'How hard it is hit', 'How hard it is hit, slider', 'Damping ζ', 'Stiffness k', 'Your limit', 'Spec (TOML)']) {
+  for (const wanted of [
+    'Spring',
+    'Reset',
+    'What happens',
+    'Pause',
+    'Time',
+    'Speed',
+    'First ringing',
+    'How hard it is hit',
+    'How hard it is hit, slider',
+    'Damping ζ',
+    'Stiffness k',
+    'Your limit',
+    'Spec (TOML)',
+  ]) {
     expect(met, wanted).toContain(wanted);
   }
   const slider = page.getByRole('slider', { name: hitSlider });

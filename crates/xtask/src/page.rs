@@ -54,7 +54,7 @@ pub fn build() -> anyhow::Result<bool> {
 
 /// Builds the page and tries it out; whether all of it is as it should be.
 pub fn check() -> anyhow::Result<bool> {
-    if !build()? {
+    if !build()? || !npm(&["run", "formatted"])? {
         return Ok(false);
     }
     let served = ["test", "--package", "coilsense-cli", "--features", "app", "--test", "app"];

@@ -12,7 +12,11 @@ import { withCondition } from './panels';
 const NEW = 'new:';
 
 export class Choose {
-  private readonly spring = make('select', { id: 'preset' }, ...PRESETS.map(({ id, label }) => make('option', { value: id }, label)));
+  private readonly spring = make(
+    'select',
+    { id: 'preset' },
+    ...PRESETS.map(({ id, label }) => make('option', { value: id }, label)),
+  );
   private readonly condition = make('select', { id: 'condition' });
   private drawn = '';
 
@@ -38,7 +42,10 @@ export class Choose {
       this.drawn = now;
       const known = names.map((name, index) => make('option', { value: index }, name));
       const more = Object.keys(TEMPLATES).map((kind) => make('option', { value: NEW + kind }, kind));
-      this.condition.replaceChildren(make('optgroup', { label: 'Of this spring' }, ...known), make('optgroup', { label: 'Add' }, ...more));
+      this.condition.replaceChildren(
+        make('optgroup', { label: 'Of this spring' }, ...known),
+        make('optgroup', { label: 'Add' }, ...more),
+      );
     }
     this.condition.value = String(state.view.condition);
   }

@@ -85,7 +85,13 @@ export class Control {
   }
 
   private range(): HTMLInputElement {
-    const slider = make('input', { type: 'range', min: 0, max: STEPS, step: 1, 'aria-label': `${this.field.label}, slider` });
+    const slider = make('input', {
+      type: 'range',
+      min: 0,
+      max: STEPS,
+      step: 1,
+      'aria-label': `${this.field.label}, slider`,
+    });
     slider.addEventListener('input', (event) => {
       const { state } = this.store;
       const value = read(shown(valueAt(state.spec, this.place)));
@@ -110,7 +116,8 @@ export class Control {
     const text = shown(valueAt(preset(this.store.state.preset).spec, this.place));
     const given = text === '' ? null : read(text);
     if (given && given.unit === value.unit && given.number !== 0) return given;
-    if (!this.anchor || this.anchor.unit !== value.unit) this.anchor = value.number === 0 ? { ...value, number: 1 } : value;
+    if (!this.anchor || this.anchor.unit !== value.unit)
+      this.anchor = value.number === 0 ? { ...value, number: 1 } : value;
     return this.anchor;
   }
 }

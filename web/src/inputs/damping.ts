@@ -14,7 +14,13 @@ const STEPS = 1000;
 export class DampingControl {
   readonly element: HTMLElement;
   private readonly chips = make('div', { class: 'chips' });
-  private readonly input = make('input', { id: 'damping', type: 'text', autocomplete: 'off', spellcheck: 'false', 'aria-describedby': 'damping-hint damping-error' });
+  private readonly input = make('input', {
+    id: 'damping',
+    type: 'text',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    'aria-describedby': 'damping-hint damping-error',
+  });
   private readonly slider = make('input', { type: 'range', min: 0, max: STEPS, 'aria-label': 'Damping ζ, slider' });
   private readonly error = make('p', { class: 'error', role: 'alert', id: 'damping-error', hidden: true });
   private drawn = '';
@@ -48,7 +54,8 @@ export class DampingControl {
     const ratio = typeof given === 'number' ? given : (facts?.dampings[state.view.damping]?.ratio ?? null);
     const text = typeof given === 'string' ? given : ratio === null ? '' : String(ratio);
     if (document.activeElement !== this.input) this.input.value = text;
-    if (document.activeElement !== this.slider) this.slider.value = String(STEPS * Math.sqrt(clamp((ratio ?? 0) / MOST, 0, 1)));
+    if (document.activeElement !== this.slider)
+      this.slider.value = String(STEPS * Math.sqrt(clamp((ratio ?? 0) / MOST, 0, 1)));
     this.slider.style.setProperty('--part', `${(100 * Number(this.slider.value)) / STEPS}%`);
     this.slider.setAttribute('aria-valuetext', text);
     this.drawChips(state, facts);
@@ -74,7 +81,16 @@ export class DampingControl {
     if (now === this.drawn) return;
     this.drawn = now;
     const chip = (label: string, index: number) =>
-      make('button', { type: 'button', class: 'chip', 'aria-pressed': String(index === state.view.damping), onclick: () => this.store.setView({ damping: index }, true) }, label.replace('ζ = ', ''));
+      make(
+        'button',
+        {
+          type: 'button',
+          class: 'chip',
+          'aria-pressed': String(index === state.view.damping),
+          onclick: () => this.store.setView({ damping: index }, true),
+        },
+        label.replace('ζ = ', ''),
+      );
     this.chips.replaceChildren(...labels.map(chip));
   }
 }

@@ -5,7 +5,19 @@
 import type { Facts } from '../answer';
 import { section, sections, type Spec } from '../document';
 import { make } from '../dom';
-import { BY_GEOMETRY, BY_VALUES, CONDITION, ENDS, GOAL, RADII, SENSOR, SHAPE, TEMPLATES, TIMING, type Field } from '../fields';
+import {
+  BY_GEOMETRY,
+  BY_VALUES,
+  CONDITION,
+  ENDS,
+  GOAL,
+  RADII,
+  SENSOR,
+  SHAPE,
+  TEMPLATES,
+  TIMING,
+  type Field,
+} from '../fields';
 import type { Refusal } from '../compute';
 import type { State, Store } from '../state';
 import { Control } from './control';
@@ -56,7 +68,14 @@ export class Panels {
   /** What decides which fields there are. */
   private shape({ preset, spec, view }: State): string {
     const kind = sections(spec, 'condition')[view.condition]?.['kind'];
-    return JSON.stringify([preset, byGeometry(spec), view.condition, kind, section(spec, 'mount')['end2'], sections(spec, 'sensor').length]);
+    return JSON.stringify([
+      preset,
+      byGeometry(spec),
+      view.condition,
+      kind,
+      section(spec, 'mount')['end2'],
+      sections(spec, 'sensor').length,
+    ]);
   }
 
   private draw(state: State): void {
@@ -71,15 +90,30 @@ export class Panels {
     const open = new Set([...this.host.querySelectorAll('details[open]')].map((one) => one.id));
     const group = (id: string, heading: string, ...children: (HTMLElement | null)[]) =>
       make('details', { id, open: open.has(id) }, make('summary', {}, heading), ...children);
-    const mass = section(spec, 'mount')['end2'] === 'mass' ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' }) : null;
+    const mass =
+      section(spec, 'mount')['end2'] === 'mass'
+        ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' })
+        : null;
     // What is done comes first, beside the choice of it: on a phone it stands above the spring.
     this.first.replaceChildren(...condition.first.map(at(`condition.${number}`)));
     this.host.replaceChildren(
       make('h2', {}, 'Drag a slider, or type'),
       this.damping.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),
-      group('more-condition', 'What is done, in full', ...condition.more.map(at(`condition.${number}`)), ...TIMING.map(at(`condition.${number}`))),
-      group('more-spring', 'The spring, in full', this.way(geometry), ...SHAPE.map(spring), ...(geometry ? ENDS : RADII).map(spring), mass),
+      group(
+        'more-condition',
+        'What is done, in full',
+        ...condition.more.map(at(`condition.${number}`)),
+        ...TIMING.map(at(`condition.${number}`)),
+      ),
+      group(
+        'more-spring',
+        'The spring, in full',
+        this.way(geometry),
+        ...SHAPE.map(spring),
+        ...(geometry ? ENDS : RADII).map(spring),
+        mass,
+      ),
       group('more-sensors', `Sensors (${sections(spec, 'sensor').length})`, ...this.sensors(spec)),
       ...GOAL.map(at('goal')),
     );
@@ -94,8 +128,24 @@ export class Panels {
   /** By Table I's values or by wire and coil: the other way begins with what the one way gives. */
   private way(geometry: boolean): HTMLElement {
     const radio = (label: string, checked: boolean, turn: (spec: Spec, facts: Facts) => Spec) =>
-      make('label', {}, make('input', { type: 'radio', name: 'way', checked, onchange: () => this.facts && this.store.setSpec(turn(this.store.state.spec, this.facts)) }), make('span', {}, label));
-    return make('fieldset', { class: 'choice' }, make('legend', {}, 'Given by'), radio('values', !geometry, toValues), radio('wire and coil', geometry, toGeometry));
+      make(
+        'label',
+        {},
+        make('input', {
+          type: 'radio',
+          name: 'way',
+          checked,
+          onchange: () => this.facts && this.store.setSpec(turn(this.store.state.spec, this.facts)),
+        }),
+        make('span', {}, label),
+      );
+    return make(
+      'fieldset',
+      { class: 'choice' },
+      make('legend', {}, 'Given by'),
+      radio('values', !geometry, toValues),
+      radio('wire and coil', geometry, toGeometry),
+    );
   }
 
   private sensors(spec: Spec): HTMLElement[] {
@@ -104,14 +154,30 @@ export class Panels {
         'details',
         { id: `sensor-${index}` },
         make('summary', {}, String(table['name'] ?? table['kind'] ?? 'sensor')),
-        ...SENSOR.filter((field) => field.key !== 'end' || table['kind'] === 'load-cell').map((field) => this.control(`sensor.${index}.${field.key}`, field)),
-        make('button', { type: 'button', class: 'plain', onclick: () => this.setSensors(sections(spec, 'sensor').filter((_, other) => other !== index)) }, 'Remove this sensor'),
+        ...SENSOR.filter((field) => field.key !== 'end' || table['kind'] === 'load-cell').map((field) =>
+          this.control(`sensor.${index}.${field.key}`, field),
+        ),
+        make(
+          'button',
+          {
+            type: 'button',
+            class: 'plain',
+            onclick: () => this.setSensors(sections(spec, 'sensor').filter((_, other) => other !== index)),
+          },
+          'Remove this sensor',
+        ),
       );
     const add = () => {
       const all = sections(this.store.state.spec, 'sensor');
-      this.setSensors([...all, { name: `sensor ${all.length + 1}`, kind: 'load-cell', end: 2, bandwidth: '1 kHz', sample_rate: '2.5 kHz' }]);
+      this.setSensors([
+        ...all,
+        { name: `sensor ${all.length + 1}`, kind: 'load-cell', end: 2, bandwidth: '1 kHz', sample_rate: '2.5 kHz' },
+      ]);
     };
-    return [...sections(spec, 'sensor').map(one), make('button', { type: 'button', class: 'plain', onclick: add }, 'Add a sensor')];
+    return [
+      ...sections(spec, 'sensor').map(one),
+      make('button', { type: 'button', class: 'plain', onclick: add }, 'Add a sensor'),
+    ];
   }
 
   private setSensors(sensor: Record<string, never>[] | ReturnType<typeof sections>): void {

@@ -21,7 +21,10 @@ export const STEPS = 1000;
 export function toSlider(field: Field, value: Quantity, usual: Quantity): number {
   const ends = range(field, value, usual);
   if (!ends) return 0;
-  const part = ends.scale === 'log' ? Math.log(value.number / ends.from) / Math.log(ends.to / ends.from) : (value.number - ends.from) / (ends.to - ends.from);
+  const part =
+    ends.scale === 'log'
+      ? Math.log(value.number / ends.from) / Math.log(ends.to / ends.from)
+      : (value.number - ends.from) / (ends.to - ends.from);
   return Math.round(STEPS * clamp(Number.isFinite(part) ? part : 0, 0, 1));
 }
 
@@ -30,7 +33,8 @@ export function fromSlider(field: Field, place: number, value: Quantity, usual: 
   const ends = range(field, value, usual);
   if (!ends) return value;
   const part = place / STEPS;
-  const number = ends.scale === 'log' ? ends.from * (ends.to / ends.from) ** part : ends.from + part * (ends.to - ends.from);
+  const number =
+    ends.scale === 'log' ? ends.from * (ends.to / ends.from) ** part : ends.from + part * (ends.to - ends.from);
   return { number: ends.whole ? Math.max(1, Math.round(number)) : Number(number.toPrecision(3)), unit: value.unit };
 }
 
@@ -38,7 +42,12 @@ function range(field: Field, { number, unit }: Quantity, usual: Quantity) {
   if (!field.slide) return null;
   const anchor = usual.unit === unit && usual.number !== 0 ? usual.number : number || 1;
   const [from, to] = [field.slide.from * anchor, field.slide.to * anchor];
-  return { from: Math.min(from, to), to: Math.max(from, to), scale: field.slide.scale, whole: field.slide.whole === true };
+  return {
+    from: Math.min(from, to),
+    to: Math.max(from, to),
+    scale: field.slide.scale,
+    whole: field.slide.whole === true,
+  };
 }
 
 /** A value of the spec as text to edit. */

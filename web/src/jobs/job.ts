@@ -7,7 +7,11 @@ import engineAddress from '../workshop/coilsense_web_bg.wasm?url';
 
 let engine: Promise<WebAssembly.Module> | null = null;
 
-export function begin(job: Job, files: Map<string, string>, told: (done: number, of: number) => void): { reply: Promise<FromWorker>; cancel: () => void } {
+export function begin(
+  job: Job,
+  files: Map<string, string>,
+  told: (done: number, of: number) => void,
+): { reply: Promise<FromWorker>; cancel: () => void } {
   engine ??= WebAssembly.compileStreaming(fetch(engineAddress));
   const worker = new Worker(new URL('./job.worker.ts', import.meta.url), { type: 'module' });
   const reply = new Promise<FromWorker>((resolve) => {

@@ -6,11 +6,14 @@ import { STOPPED, type Answer, type FromWorker, type Job, type Series, type Told
 import init, { Engine, type Answer as Found } from '../workshop/coilsense_web';
 
 /** The engine calls it while it judges. */
-Object.assign(globalThis, { coilsenseTold: (done: number, of: number) => postMessage({ told: [done, of] } satisfies Told) });
+Object.assign(globalThis, {
+  coilsenseTold: (done: number, of: number) => postMessage({ told: [done, of] } satisfies Told),
+});
 
 addEventListener('message', async ({ data: { engine, files, job } }: MessageEvent<ToWorkshop>) => {
   const begun = performance.now();
-  const say = (message: { answer: Answer<unknown> } | { error: string }) => postMessage({ id: 0, milliseconds: performance.now() - begun, ...message } satisfies FromWorker);
+  const say = (message: { answer: Answer<unknown> } | { error: string }) =>
+    postMessage({ id: 0, milliseconds: performance.now() - begun, ...message } satisfies FromWorker);
   try {
     await init({ module_or_path: engine });
     const made = new Engine();

@@ -9,7 +9,8 @@ import { ink, look } from './looks';
 export const LARGER = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16 || 1;
 
 /** Words on a canvas of so many dots per pixel. */
-export const font = (size = 12, ratio = 1): string => `${size * LARGER * ratio}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif`;
+export const font = (size = 12, ratio = 1): string =>
+  `${size * LARGER * ratio}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif`;
 
 /** An axis with the page's colours; `label` with its unit, `size` its width beside the plot [pixels of a desk]. */
 export function axis(label: string, size: number, more: Partial<uPlot.Axis> = {}): uPlot.Axis {
@@ -32,7 +33,13 @@ export const plain = (tick: number): string => String(Number(tick.toPrecision(10
 /** A curve in the look of a name. */
 export function curve(name: string, label: string): uPlot.Series {
   const { colour, dash, width } = look(name);
-  return { label, stroke: () => ink[colour as keyof typeof ink], width: width * LARGER, dash: dash.map((part) => part * LARGER), points: { show: false } };
+  return {
+    label,
+    stroke: () => ink[colour as keyof typeof ink],
+    width: width * LARGER,
+    dash: dash.map((part) => part * LARGER),
+    points: { show: false },
+  };
 }
 
 export interface Chart {
@@ -42,7 +49,11 @@ export interface Chart {
 }
 
 /** The chart in its host, whose size it follows. `height` is that of plot and axes [CSS pixels]. */
-export function chart(host: HTMLElement, options: Omit<uPlot.Options, 'width' | 'height'>, data: uPlot.AlignedData): Chart {
+export function chart(
+  host: HTMLElement,
+  options: Omit<uPlot.Options, 'width' | 'height'>,
+  data: uPlot.AlignedData,
+): Chart {
   const size = () => ({ width: Math.max(host.clientWidth, 120), height: Math.max(host.clientHeight, 120) });
   const plot = new uPlot({ legend: { show: false }, pxAlign: 0, ...options, ...size() }, data, host);
   let wide = 0;
@@ -53,6 +64,8 @@ export function chart(host: HTMLElement, options: Omit<uPlot.Options, 'width' | 
     plot.setSize(next);
   }).observe(host);
   const redraw = () => plot.redraw(false, false);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => requestAnimationFrame(() => plot.redraw(false, true)));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
+    requestAnimationFrame(() => plot.redraw(false, true)),
+  );
   return { plot, redraw };
 }

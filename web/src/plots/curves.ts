@@ -16,9 +16,18 @@ export interface Curves {
 }
 
 export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = [] }: Curves): void {
-  const legend = lines.map(({ look: name, label, dots }) => make('span', {}, dots ? disc(name) : sample(name), make('span', {}, rich(label))));
+  const legend = lines.map(({ look: name, label, dots }) =>
+    make('span', {}, dots ? disc(name) : sample(name), make('span', {}, rich(label))),
+  );
   const plot = make('div', { class: 'plot', role: 'img', 'aria-label': title });
-  host.append(make('figure', {}, make('figcaption', {}, make('b', {}, rich(title)), make('span', { class: 'keys' }, ...legend)), plot));
+  host.append(
+    make(
+      'figure',
+      {},
+      make('figcaption', {}, make('b', {}, rich(title)), make('span', { class: 'keys' }, ...legend)),
+      plot,
+    ),
+  );
   const factor = x.factor ?? 1;
   const scale: uPlot.Scale = { distr: y.logarithmic ? 3 : 1, ...(y.range ? { range: y.range } : {}) };
   const decade = (ticks: number[]) => ticks.map((tick) => (/^(0\.0*1|10*)$/.test(String(tick)) ? String(tick) : ''));
@@ -36,7 +45,9 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = 
         {},
         ...lines.map(({ look: name, label, dots }): uPlot.Series => {
           const stroke = () => ink[look(name).colour as keyof typeof ink];
-          return dots ? { label, stroke, paths: () => null, points: { show: true, size: 7, fill: stroke } } : curve(name, label);
+          return dots
+            ? { label, stroke, paths: () => null, points: { show: true, size: 7, fill: stroke } }
+            : curve(name, label);
         }),
       ],
     },

@@ -28,7 +28,10 @@ export class ForcePlot {
     private readonly host: HTMLElement,
     private readonly events: ForceEvents,
   ) {
-    this.chart = chart(host, this.options(), [[0, 1], ...Array.from({ length: 6 }, () => [null, null])] as unknown as uPlot.AlignedData);
+    this.chart = chart(host, this.options(), [
+      [0, 1],
+      ...Array.from({ length: 6 }, () => [null, null]),
+    ] as unknown as uPlot.AlignedData);
     this.mark.className = 'mark';
     this.chart.plot.over.append(this.mark);
     this.listen();
@@ -39,7 +42,12 @@ export class ForcePlot {
     [this.facts, this.times] = [facts, times];
     const truth = series[facts.truth] ?? series['F_x'] ?? new Float64Array();
     const band = limit ?? 0;
-    const data = [series['time'], truth.map((force) => force + band), truth.map((force) => force - band), ...FORCE_NAMES.map((name) => series[name])];
+    const data = [
+      series['time'],
+      truth.map((force) => force + band),
+      truth.map((force) => force - band),
+      ...FORCE_NAMES.map((name) => series[name]),
+    ];
     const { plot } = this.chart;
     plot.batch(() => {
       FORCE_NAMES.forEach((name, index) => {
@@ -67,18 +75,16 @@ export class ForcePlot {
   private options(): Omit<uPlot.Options, 'width' | 'height'> {
     const edge = { stroke: () => 'transparent', points: { show: false }, width: 0 };
     return {
-      scales: { x: { time: false, auto: false }, y: { range: (_, low, high) => uPlot.rangeNum(low ?? 0, high ?? 1, 0.08, false) } },
+      scales: {
+        x: { time: false, auto: false },
+        y: { range: (_, low, high) => uPlot.rangeNum(low ?? 0, high ?? 1, 0.08, false) },
+      },
       cursor: { drag: { x: true, y: false, dist: 6 }, points: { show: false }, y: false },
       axes: [
         axis('Time [ms]', 36, { values: (_, ticks) => ticks.map((tick) => plain(1e3 * tick)), space: 60 * LARGER }),
         axis('Force [N]', 58, { space: 34 * LARGER, values: (_, ticks) => ticks.map(plain) }),
       ],
-      series: [
-        {},
-        edge,
-        edge,
-        ...FORCE_NAMES.map((name) => curve(name, name)),
-      ],
+      series: [{}, edge, edge, ...FORCE_NAMES.map((name) => curve(name, name))],
       bands: [{ series: [1, 2], fill: () => ink.band }],
       hooks: {
         drawClear: [(plot) => this.shade(plot)],
@@ -86,7 +92,10 @@ export class ForcePlot {
         setSelect: [
           (plot) => {
             if (plot.select.width < 6) return;
-            const [from, to] = [plot.posToVal(plot.select.left, 'x'), plot.posToVal(plot.select.left + plot.select.width, 'x')];
+            const [from, to] = [
+              plot.posToVal(plot.select.left, 'x'),
+              plot.posToVal(plot.select.left + plot.select.width, 'x'),
+            ];
             plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
             this.events.zoom([from, to]);
           },
@@ -112,7 +121,8 @@ export class ForcePlot {
       ctx.font = font(11, ratio);
       ctx.textBaseline = 'top';
       ctx.textAlign = 'left';
-      if (x(to) - x(from) > ctx.measureText(words).width + 12 * ratio) ctx.fillText(words, x(from) + 6 * ratio, bbox.top + 4 * ratio);
+      if (x(to) - x(from) > ctx.measureText(words).width + 12 * ratio)
+        ctx.fillText(words, x(from) + 6 * ratio, bbox.top + 4 * ratio);
     };
     ctx.save();
     area(condition.window[0], condition.window[1], ink.judged, 'judged');
@@ -121,7 +131,8 @@ export class ForcePlot {
 
   private listen(): void {
     const { over } = this.chart.plot;
-    const timeAt = (event: MouseEvent) => this.chart.plot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x');
+    const timeAt = (event: MouseEvent) =>
+      this.chart.plot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x');
     over.addEventListener('click', (event) => this.events.point(clamp(timeAt(event), ...this.times)));
     over.addEventListener('dblclick', () => this.zoomBy(0.5));
     this.host.addEventListener('keydown', (event) => {

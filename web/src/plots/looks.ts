@@ -25,9 +25,28 @@ export const FORCE_NAMES = ['F_i', 'F_o', 'F_x', 'F_L'] as const;
 
 export const look = (name: string): Look => FORCES[name] ?? { colour: 'ink', dash: [], width: 1.4 };
 
-const COLOURS = ['ground', 'card', 'ink', 'soft', 'line', 'accent', 'red', 'blue', 'green', 'low', 'middle', 'high', 'touch', 'band', 'judged'] as const;
+const COLOURS = [
+  'ground',
+  'card',
+  'ink',
+  'soft',
+  'line',
+  'accent',
+  'red',
+  'blue',
+  'green',
+  'low',
+  'middle',
+  'high',
+  'touch',
+  'band',
+  'judged',
+] as const;
 export type Colour = (typeof COLOURS)[number];
-export const ink: Record<Colour, string> = Object.fromEntries(COLOURS.map((name) => [name, '#888'])) as Record<Colour, string>;
+export const ink: Record<Colour, string> = Object.fromEntries(COLOURS.map((name) => [name, '#888'])) as Record<
+  Colour,
+  string
+>;
 
 /** Reads the colours that the style sheet has for the light or dark of now. */
 export function readInk(): void {
@@ -43,7 +62,14 @@ export function sample(name: string): SVGSVGElement {
   svg.setAttribute('aria-hidden', 'true');
   svg.setAttribute('class', 'sample');
   const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
-  for (const [key, value] of Object.entries({ x1: 0, y1: 4, x2: 34, y2: 4, 'stroke-width': width + 0.3, 'stroke-dasharray': dash.join(' ') })) {
+  for (const [key, value] of Object.entries({
+    x1: 0,
+    y1: 4,
+    x2: 34,
+    y2: 4,
+    'stroke-width': width + 0.3,
+    'stroke-dasharray': dash.join(' '),
+  })) {
     line.setAttribute(key, String(value));
   }
   line.style.stroke = `var(--${colour})`;

@@ -17,7 +17,13 @@ export class ReadOut {
   private last = 0;
 
   constructor(host: HTMLElement) {
-    const key = (name: string, index: number) => make('span', {}, sample(name), make('span', {}, make('b', {}, rich(name)), ` ${MEANING[name]} `, this.values[index]));
+    const key = (name: string, index: number) =>
+      make(
+        'span',
+        {},
+        sample(name),
+        make('span', {}, make('b', {}, rich(name)), ` ${MEANING[name]} `, this.values[index]),
+      );
     host.replaceChildren(...FORCE_NAMES.map(key), make('span', {}, make('i', { class: 'limit' }), 'within your limit'));
   }
 
@@ -39,6 +45,8 @@ export class ReadOut {
     const { facts, series } = this.shown.answer;
     const index = nearest(series['time'] ?? new Float64Array(1), this.time);
     const decimals = clamp(3 - Math.floor(Math.log10(facts.spring.nominalForce)), 0, 3);
-    FORCE_NAMES.forEach((name, at) => this.values[at]?.replaceChildren(`${fixed(series[name]?.[index] ?? NaN, decimals)} N`));
+    FORCE_NAMES.forEach((name, at) =>
+      this.values[at]?.replaceChildren(`${fixed(series[name]?.[index] ?? NaN, decimals)} N`),
+    );
   }
 }

@@ -17,7 +17,10 @@ export class SpectrumPlot {
   private facts: Facts | null = null;
 
   constructor(host: HTMLElement) {
-    this.chart = chart(host, this.options(), [[0, 1], ...FORCE_NAMES.map(() => [null, null])] as unknown as uPlot.AlignedData);
+    this.chart = chart(host, this.options(), [
+      [0, 1],
+      ...FORCE_NAMES.map(() => [null, null]),
+    ] as unknown as uPlot.AlignedData);
   }
 
   show(answer: Answer<Facts>, hidden: readonly string[]): void {
@@ -29,8 +32,16 @@ export class SpectrumPlot {
     const count = end < 0 ? frequency.length : end;
     // The mean is no line; nothing below the lowest decade, which a logarithm cannot show.
     const lines = FORCE_NAMES.map((name) => series[`spectrum ${name}`]?.subarray(1, count));
-    const most = Math.max(1e-12, ...lines.flatMap((values) => (values ? [values.reduce((a, b) => Math.max(a, b), 0)] : [])));
-    const data = [frequency.subarray(1, count), ...lines.map((values) => values?.map((value) => Math.max(value, most * RANGE)) ?? new Array(count - 1).fill(null))];
+    const most = Math.max(
+      1e-12,
+      ...lines.flatMap((values) => (values ? [values.reduce((a, b) => Math.max(a, b), 0)] : [])),
+    );
+    const data = [
+      frequency.subarray(1, count),
+      ...lines.map(
+        (values) => values?.map((value) => Math.max(value, most * RANGE)) ?? new Array(count - 1).fill(null),
+      ),
+    ];
     const { plot } = this.chart;
     plot.batch(() => {
       FORCE_NAMES.forEach((name, index) => {
@@ -53,12 +64,16 @@ export class SpectrumPlot {
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
         axis('Frequency [Hz]', 36, { space: 60 * LARGER }),
-        axis('Amplitude [N]', 62, { values: (_, ticks) => ticks.map((tick) => (tick === null || !/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)) ? '' : String(tick))) }),
+        axis('Amplitude [N]', 62, {
+          values: (_, ticks) =>
+            ticks.map((tick) =>
+              tick === null || (!/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)))
+                ? ''
+                : String(tick),
+            ),
+        }),
       ],
-      series: [
-        {},
-        ...FORCE_NAMES.map((name) => curve(name, name)),
-      ],
+      series: [{}, ...FORCE_NAMES.map((name) => curve(name, name))],
       hooks: { drawClear: [(plot) => this.markLines(plot)] },
     };
   }
@@ -83,7 +98,8 @@ export class SpectrumPlot {
       const next = plot.valToPos(this.facts?.lines[1] ?? 2 * line, 'x', true);
       const long = `f1 = ${line.toPrecision(3)} Hz`;
       const words = index === 0 && x + ctx.measureText(long).width + 8 * ratio < next ? long : `f${index + 1}`;
-      if (x + ctx.measureText(words).width + 4 * ratio < bbox.left + bbox.width) ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
+      if (x + ctx.measureText(words).width + 4 * ratio < bbox.left + bbox.width)
+        ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
     });
     ctx.restore();
   }

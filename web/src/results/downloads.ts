@@ -17,13 +17,18 @@ export class Downloads {
     host: HTMLElement,
     private readonly plot: () => { width: number; height: number },
   ) {
-    const button = (label: string, title: string, act: () => void) => make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
+    const button = (label: string, title: string, act: () => void) =>
+      make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
     host.replaceChildren(
       make('span', {}, 'Take along: '),
       button('Spec (TOML)', 'For the command: coilsense analyze', () => this.spec()),
       button('Series (CSV)', 'Every signal and reading, as coilsense simulate writes them', () => void this.csv()),
       button('Forces (SVG)', 'The picture above', () => this.svg()),
-      button('Link', 'Copies the address, which holds the whole state', (): void => void navigator.clipboard?.writeText(location.href)),
+      button(
+        'Link',
+        'Copies the address, which holds the whole state',
+        (): void => void navigator.clipboard?.writeText(location.href),
+      ),
     );
   }
 
@@ -55,6 +60,10 @@ export class Downloads {
     const { hidden } = this.store.state.view;
     const { width, height } = this.plot();
     const names = FORCE_NAMES.filter((name) => !hidden.includes(name));
-    download(`${this.name}.svg`, forcesSvg(this.shown.answer, this.shown.times, names, { width, height }), 'image/svg+xml');
+    download(
+      `${this.name}.svg`,
+      forcesSvg(this.shown.answer, this.shown.times, names, { width, height }),
+      'image/svg+xml',
+    );
   }
 }

@@ -16,7 +16,8 @@ export function sentence(answer: Answer<Facts>): Child[] {
   const name = facts.conditions[facts.condition]?.name ?? 'this';
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
   const end = other === 'F_o' ? '2' : '1';
-  const meant = truth === 'F_x' ? 'k·Δl, the force by the spring’s length' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
+  const meant =
+    truth === 'F_x' ? 'k·Δl, the force by the spring’s length' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
   const off = forces[other]?.rmsd ?? 0;
   // On a mass at end 2 the first mode is the mass's swing, far below the coil's own.
   const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)} Hz`;

@@ -6,10 +6,18 @@ import { look } from '../plots/looks';
 const COLOURS: Record<string, string> = { blue: '#005aaa', red: '#c82810', green: '#007d5c', ink: '#000000' };
 const MARGIN = { left: 64, right: 12, top: 30, bottom: 44 };
 
-export function forcesSvg(answer: Answer<Facts>, [from, to]: [number, number], names: readonly string[], size: { width: number; height: number }): string {
+export function forcesSvg(
+  answer: Answer<Facts>,
+  [from, to]: [number, number],
+  names: readonly string[],
+  size: { width: number; height: number },
+): string {
   const { facts, series } = answer;
   const time = series['time'] ?? new Float64Array();
-  const first = Math.max(0, time.findIndex((t) => t >= from));
+  const first = Math.max(
+    0,
+    time.findIndex((t) => t >= from),
+  );
   const past = time.findIndex((t) => t > to);
   const count = past < 0 ? time.length : past;
   const values = names.map((name) => (series[name] ?? new Float64Array()).subarray(first, count));
@@ -22,15 +30,31 @@ export function forcesSvg(answer: Answer<Facts>, [from, to]: [number, number], n
     `${line}<text x="${at + dx}" y="${dy}" text-anchor="${anchor}">${text}</text>`;
   const across = ticks(1e3 * from, 1e3 * to).map((ms) => {
     const at = x(ms / 1e3);
-    return tick(at, String(ms), 'middle', 0, MARGIN.top + tall + 16, `<path d="M${at.toFixed(2)} ${MARGIN.top}v${tall}" stroke="#d9dce1"/>`);
+    return tick(
+      at,
+      String(ms),
+      'middle',
+      0,
+      MARGIN.top + tall + 16,
+      `<path d="M${at.toFixed(2)} ${MARGIN.top}v${tall}" stroke="#d9dce1"/>`,
+    );
   });
   const up = ticks(low, high).map((force) => {
     const at = y(force);
-    return tick(MARGIN.left - 6, String(force), 'end', 0, at + 4, `<path d="M${MARGIN.left} ${at.toFixed(2)}h${wide}" stroke="#d9dce1"/>`);
+    return tick(
+      MARGIN.left - 6,
+      String(force),
+      'end',
+      0,
+      at + 4,
+      `<path d="M${MARGIN.left} ${at.toFixed(2)}h${wide}" stroke="#d9dce1"/>`,
+    );
   });
   const curves = names.map((name, index) => {
     const { colour, dash, width } = look(name);
-    const points = [...(values[index] ?? [])].map((force, at) => `${x(time[first + at] ?? 0).toFixed(2)},${y(force).toFixed(2)}`).join(' ');
+    const points = [...(values[index] ?? [])]
+      .map((force, at) => `${x(time[first + at] ?? 0).toFixed(2)},${y(force).toFixed(2)}`)
+      .join(' ');
     return `<polyline points="${points}" fill="none" stroke="${COLOURS[colour]}" stroke-width="${width}" stroke-dasharray="${dash.join(' ')}"/>`;
   });
   const legend = names.map((name, index) => {
@@ -38,7 +62,9 @@ export function forcesSvg(answer: Answer<Facts>, [from, to]: [number, number], n
     const at = MARGIN.left + 80 * index;
     return `<path d="M${at} 14h34" stroke="${COLOURS[colour]}" stroke-width="${width}" stroke-dasharray="${dash.join(' ')}"/><text x="${at + 40}" y="18">${name}</text>`;
   });
-  const title = escape(`${facts.spring.name}, ${facts.conditions[facts.condition]?.name ?? ''}, ${facts.dampings[facts.damping]?.label ?? ''}`);
+  const title = escape(
+    `${facts.spring.name}, ${facts.conditions[facts.condition]?.name ?? ''}, ${facts.dampings[facts.damping]?.label ?? ''}`,
+  );
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${size.width} ${size.height}" width="${size.width}" height="${size.height}" font-family="sans-serif" font-size="12">`,
     `<title>${title}</title><rect width="100%" height="100%" fill="#ffffff"/>`,
@@ -59,7 +85,9 @@ export function ticks(low: number, high: number): number[] {
   const power = 10 ** Math.floor(Math.log10(room));
   const step = power * ([1, 2, 5, 10].find((factor) => factor * power >= room) ?? 10);
   const first = Math.ceil(low / step);
-  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, index) => Number(((first + index) * step).toPrecision(12)));
+  return Array.from({ length: Math.floor(high / step) - first + 1 }, (_, index) =>
+    Number(((first + index) * step).toPrecision(12)),
+  );
 }
 
 const escape = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');

@@ -22,7 +22,15 @@ export class Table {
     host: HTMLElement,
   ) {
     const heads = ['RMSD', 'Max.', 'Bias', 'Limit'].map((text) => make('th', { scope: 'col' }, text));
-    host.replaceChildren(make('table', {}, this.caption, make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'Force'), ...heads)), this.body));
+    host.replaceChildren(
+      make(
+        'table',
+        {},
+        this.caption,
+        make('thead', {}, make('tr', {}, make('th', { scope: 'col' }, 'Force'), ...heads)),
+        this.body,
+      ),
+    );
   }
 
   /** Exact values; while there are none, the last ones in grey. */
@@ -30,7 +38,11 @@ export class Table {
     this.body.classList.toggle('stale', exact === null);
     if (!exact) return;
     const { forces, sensors, goal, spring, truth } = exact.facts;
-    const paper = FORCE_NAMES.map((name): Row => ({ name, meaning: MEANING[name] ?? '', off: name === truth ? null : (forces[name] ?? null) }));
+    const paper = FORCE_NAMES.map((name): Row => ({
+      name,
+      meaning: MEANING[name] ?? '',
+      off: name === truth ? null : (forces[name] ?? null),
+    }));
     const own = sensors.map(({ name, deviation }): Row => ({ name, meaning: '', off: deviation }));
     const window = facts.conditions[facts.condition]?.window ?? [0, 0];
     this.caption.replaceChildren(
@@ -40,8 +52,11 @@ export class Table {
       make('sub', {}, 'nom'),
       ` = ${fixed(spring.nominalForce, 1)} N, from ${fixed(window[0], 2)} to ${fixed(window[1], 2)} s.`,
     );
-    const focused = this.body.contains(document.activeElement) ? document.activeElement?.closest('tr')?.getAttribute('data-force') : null;
-    const heading = (text: string) => make('tr', { class: 'group' }, make('th', { colspan: 5, scope: 'rowgroup' }, text));
+    const focused = this.body.contains(document.activeElement)
+      ? document.activeElement?.closest('tr')?.getAttribute('data-force')
+      : null;
+    const heading = (text: string) =>
+      make('tr', { class: 'group' }, make('th', { colspan: 5, scope: 'rowgroup' }, text));
     this.body.replaceChildren(
       heading('What the spring alone does'),
       ...paper.map((row) => this.row(row, spring.nominalForce, goal, true)),
@@ -55,7 +70,8 @@ export class Table {
     const percent = (force: number) => fixed((100 * force) / nominal, 3);
     const cells = off ? [percent(off.rmsd), percent(off.maximumAbsolute), percent(off.mean)] : ['–', '–', '–'];
     const above = off && goal !== null ? off.rmsd > goal : null;
-    const verdict = above === null ? [] : [above ? '✗' : '✓', make('span', { class: 'word' }, above ? ' above' : ' within')];
+    const verdict =
+      above === null ? [] : [above ? '✗' : '✓', make('span', { class: 'word' }, above ? ' above' : ' within')];
     const title = drawn ? this.toggle(name, meaning) : make('span', {}, name);
     return make(
       'tr',
@@ -74,6 +90,17 @@ export class Table {
       const now = this.store.state.view.hidden;
       this.store.setView({ hidden: shown ? [...now, name] : now.filter((other) => other !== name) });
     };
-    return make('button', { type: 'button', class: 'line', 'aria-pressed': String(shown), title: shown ? 'Hide the curve' : 'Show the curve', onclick: flip }, sample(name), make('span', {}, make('b', {}, rich(name)), ` ${meaning}`));
+    return make(
+      'button',
+      {
+        type: 'button',
+        class: 'line',
+        'aria-pressed': String(shown),
+        title: shown ? 'Hide the curve' : 'Show the curve',
+        onclick: flip,
+      },
+      sample(name),
+      make('span', {}, make('b', {}, rich(name)), ` ${meaning}`),
+    );
   }
 }

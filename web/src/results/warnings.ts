@@ -17,10 +17,22 @@ const GRAVE = new Set(['clash', 'length', 'range']);
 export function showWarnings(host: HTMLElement, facts: Facts, exact: ExactFacts | null): void {
   if (exact) {
     const one = ({ subject, text }: { subject: string; text: string }) =>
-      make('li', { class: GRAVE.has(subject) ? 'grave' : '', 'data-subject': subject }, make('b', {}, `${HEADINGS[subject] ?? subject}. `), text);
+      make(
+        'li',
+        { class: GRAVE.has(subject) ? 'grave' : '', 'data-subject': subject },
+        make('b', {}, `${HEADINGS[subject] ?? subject}. `),
+        text,
+      );
     host.replaceChildren(...exact.warnings.map(one));
   } else if (facts.clash.firstContact !== null && !host.querySelector('[data-subject=clash]')) {
-    host.prepend(make('li', { class: 'grave', 'data-subject': 'clash' }, make('b', {}, 'Windings touch. '), `From ${fixed(1e3 * facts.clash.firstContact, 1)} ms on (preview).`));
+    host.prepend(
+      make(
+        'li',
+        { class: 'grave', 'data-subject': 'clash' },
+        make('b', {}, 'Windings touch. '),
+        `From ${fixed(1e3 * facts.clash.firstContact, 1)} ms on (preview).`,
+      ),
+    );
   }
 }
 

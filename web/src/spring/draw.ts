@@ -95,14 +95,24 @@ function layOut({ positions, spring, left, right, gain }: Moment, width: number,
     Number(gap > 0 && gap < count && (positions[gap + 1] ?? 0) - (positions[gap] ?? 0) <= spring.contactPitch),
   );
   const radius = clamp(spring.coilRadius * scale, 18, height / 2 - 32);
-  return { drawn, strain: strains(positions), touching, margin, scale, radius, middle: (height - 28) / 2, wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12 * LARGER) };
+  return {
+    drawn,
+    strain: strains(positions),
+    touching,
+    margin,
+    scale,
+    radius,
+    middle: (height - 28) / 2,
+    wire: clamp(spring.wireDiameter * scale * 0.8, 1.3, 12 * LARGER),
+  };
 }
 
 function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): void {
   const { drawn, strain, touching, radius, middle, wire } = plan;
   const count = drawn.length - 2;
   const at = (node: number) => drawn[node] ?? 0;
-  const between = (node: number) => (node === 0 ? at(0) : node === count ? at(count + 1) : (at(node) + at(node + 1)) / 2);
+  const between = (node: number) =>
+    node === 0 ? at(0) : node === count ? at(count + 1) : (at(node) + at(node + 1)) / 2;
   const colour = (gap: number) => (touching[gap] ? ink.touch : shade(peak > 0 ? (strain[gap] ?? 0) / peak : 0));
   const half = (from: number, to: number, up: boolean) => {
     const [start, end] = up ? [middle + radius, middle - radius] : [middle - radius, middle + radius];

@@ -42,23 +42,39 @@ export class Player {
   ) {
     this.ends = [make('span', { class: 'end first' }), make('span', { class: 'end second' })];
     const words = (slow: number) => (slow === 1 ? 'real time' : `${Math.round(1 / slow)}× slower`);
-    this.speed = make('select', { 'aria-label': 'Speed' }, ...SPEEDS.map((slow) => make('option', { value: slow }, words(slow))));
+    this.speed = make(
+      'select',
+      { 'aria-label': 'Speed' },
+      ...SPEEDS.map((slow) => make('option', { value: slow }, words(slow))),
+    );
     this.speed.addEventListener('change', () => store.setView({ slow: Number(this.speed.value) }));
     this.play.addEventListener('click', () => this.setPlaying(!this.playing));
     this.scrub.addEventListener('input', () => this.goTo(this.fromScrub()));
-    const scale = make('span', { class: 'scale', role: 'img', 'aria-label': 'from closer than the mean pitch to wider' });
+    const scale = make('span', {
+      class: 'scale',
+      role: 'img',
+      'aria-label': 'from closer than the mean pitch to wider',
+    });
     host.replaceChildren(
       make('div', { class: 'ends' }, this.ends[0] ?? null, this.difference, this.ends[1] ?? null),
       canvas,
       make('div', { class: 'player' }, this.play, this.scrub, this.clock, this.speed),
-      make('p', { class: 'legend' }, make('span', {}, 'Pitch against its mean: ', this.low, ' ', scale, ' ', this.high), make('span', { class: 'touch' }, 'windings touch'), this.gain),
+      make(
+        'p',
+        { class: 'legend' },
+        make('span', {}, 'Pitch against its mean: ', this.low, ' ', scale, ' ', this.high),
+        make('span', { class: 'touch' }, 'windings touch'),
+        this.gain,
+      ),
     );
     new ResizeObserver(() => this.draw()).observe(canvas);
     new IntersectionObserver((entries) => {
       this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
       this.run();
     }).observe(canvas);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => requestAnimationFrame(() => this.draw()));
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
+      requestAnimationFrame(() => this.draw()),
+    );
     this.setPlaying(this.playing);
   }
 
@@ -90,7 +106,9 @@ export class Player {
   /** Frames per second, of the last two seconds of motion. */
   get framesPerSecond(): number {
     const [first, last] = [this.counted[0], this.counted[this.counted.length - 1]];
-    return first !== undefined && last !== undefined && last > first ? (1e3 * (this.counted.length - 1)) / (last - first) : 0;
+    return first !== undefined && last !== undefined && last > first
+      ? (1e3 * (this.counted.length - 1)) / (last - first)
+      : 0;
   }
 
   /** Seconds of the spring per second of the viewer. */
@@ -126,7 +144,8 @@ export class Player {
     const positions = frames.positions.subarray(frame * frames.columns, (frame + 1) * frames.columns);
     const at = nearest(answer.series['time'] ?? frames.times, this.time);
     const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
-    if (positions.length === frames.columns) drawSpring(this.canvas, { positions, spring: answer.facts.spring, forces, ...this.scene });
+    if (positions.length === frames.columns)
+      drawSpring(this.canvas, { positions, spring: answer.facts.spring, forces, ...this.scene });
     this.tell(forces, answer.facts);
     const [from, to] = shown.times;
     this.scrub.value = String((1000 * (this.time - from)) / (to - from));
@@ -136,9 +155,18 @@ export class Player {
 
   private tell(forces: [number, number], { spring }: Facts): void {
     const decimals = clamp(2 - Math.floor(Math.log10(spring.nominalForce)) + 1, 0, 3);
-    ['F_i', 'F_o'].forEach((name, end) => this.ends[end]?.replaceChildren(make('small', {}, `End ${end + 1} `), make('b', {}, rich(name)), ` ${fixed(forces[end] ?? 0, decimals)} N`));
+    ['F_i', 'F_o'].forEach((name, end) =>
+      this.ends[end]?.replaceChildren(
+        make('small', {}, `End ${end + 1} `),
+        make('b', {}, rich(name)),
+        ` ${fixed(forces[end] ?? 0, decimals)} N`,
+      ),
+    );
     const apart = forces[1] - forces[0];
-    this.difference.replaceChildren(`${fixed(Math.abs(apart), decimals)} N apart`, make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')));
+    this.difference.replaceChildren(
+      `${fixed(Math.abs(apart), decimals)} N apart`,
+      make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')),
+    );
   }
 
   private run(): void {

@@ -30,7 +30,9 @@ export function survey({ frames, answer, times }: Shown): Scene {
     left = Math.min(left, positions[frame * columns] ?? 0);
     right = Math.max(right, positions[(frame + 1) * columns - 1] ?? 0);
     // Every sixth frame tells the largest strain well enough for a colour.
-    if (frame % 6 === 0) for (const strain of strains(positions.subarray(frame * columns, (frame + 1) * columns))) peak = Math.max(peak, Math.abs(strain));
+    if (frame % 6 === 0)
+      for (const strain of strains(positions.subarray(frame * columns, (frame + 1) * columns)))
+        peak = Math.max(peak, Math.abs(strain));
   }
   const gain = peak > 0 ? (GAINS.find((gain) => gain * peak <= OPEN) ?? 1) : 1;
   return { left, right, peak, gain, ...departures(answer.series, times) };
@@ -41,7 +43,8 @@ function departures(series: Series, [from, to]: [number, number]): { mean: numbe
   const time = series['time'] ?? new Float64Array();
   const [first, past] = [nearest(time, from), nearest(time, to) + 1];
   const forces = ['F_i', 'F_o'].map((name) => (series[name] ?? new Float64Array()).subarray(first, past));
-  const mean = forces.reduce((sum, values) => sum + values.reduce((a, b) => a + b, 0), 0) / Math.max(1, 2 * (past - first));
+  const mean =
+    forces.reduce((sum, values) => sum + values.reduce((a, b) => a + b, 0), 0) / Math.max(1, 2 * (past - first));
   const departure = forces.reduce((most, values) => values.reduce((a, b) => Math.max(a, Math.abs(b - mean)), most), 0);
   return { mean, departure };
 }
@@ -58,6 +61,7 @@ export function nearest(times: Float64Array, time: number): number {
 }
 
 export function label({ spring }: Facts, peak: number, contact: number | null): string {
-  const touch = contact === null ? 'No windings touch in what is shown.' : `Windings touch from ${fixed(1e3 * contact, 1)} ms on.`;
+  const touch =
+    contact === null ? 'No windings touch in what is shown.' : `Windings touch from ${fixed(1e3 * contact, 1)} ms on.`;
   return `The spring ${spring.name} with its ${spring.masses} windings, end 1 at the left, coloured by local pitch, which changes by up to ${digits(100 * peak, 2)} percent. ${touch}`;
 }

@@ -15,12 +15,20 @@ export function drawEnds(context: CanvasRenderingContext2D, plan: Plan, { forces
     context.fillStyle = ink.soft;
     context.fillRect(at + (end ? 0 : -5), middle - radius - 8, 5, 2 * radius + 16);
     // Half of the room stands for the mean, a third of it for the largest departure, which would not be seen to scale.
-    const length = (margin - 16) * (Math.sign(mean) * 0.55 + (departure > 0 ? (0.4 * ((forces[end] ?? 0) - mean)) / departure : 0));
+    const length =
+      (margin - 16) * (Math.sign(mean) * 0.55 + (departure > 0 ? (0.4 * ((forces[end] ?? 0) - mean)) / departure : 0));
     arrow(context, at + outward * 6, middle, length, outward, colours[end] ?? ink.ink);
   });
 }
 
-function arrow(context: CanvasRenderingContext2D, at: number, middle: number, length: number, outward: number, colour: string): void {
+function arrow(
+  context: CanvasRenderingContext2D,
+  at: number,
+  middle: number,
+  length: number,
+  outward: number,
+  colour: string,
+): void {
   const size = Math.abs(length);
   if (size < 3) return;
   const [tail, tip] = length > 0 ? [at, at + outward * size] : [at + outward * size, at];

@@ -17,7 +17,17 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   const written = make('p', { class: 'hint', 'aria-live': 'polite' });
   const [found, calibration] = [make('div', { class: 'found' }), make('div', { class: 'found' })];
   const choose = make('input', { type: 'file', id: 'log-file', accept: '.csv,.tsv,.txt,.dat,.log,text/*' });
-  const drop = make('div', { class: 'drop' }, make('label', { for: 'log-file' }, make('b', {}, 'Drop a log here'), ', or choose one'), choose, make('p', { class: 'hint' }, 'A text with columns: time, positions u1 and u2, forces F_i and F_o, inductance L. It does not leave this browser.'));
+  const drop = make(
+    'div',
+    { class: 'drop' },
+    make('label', { for: 'log-file' }, make('b', {}, 'Drop a log here'), ', or choose one'),
+    choose,
+    make(
+      'p',
+      { class: 'hint' },
+      'A text with columns: time, positions u1 and u2, forces F_i and F_o, inductance L. It does not leave this browser.',
+    ),
+  );
   let log: { name: string; bytes: Uint8Array } | null = null;
   let running: { cancel: () => void }[] = [];
 
@@ -29,15 +39,17 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   const ask = (question: Job, done: (answer: Answer<unknown>) => void, wrong: (error: string) => void = say) => {
     const mine = running;
     panel.setAttribute('aria-busy', 'true');
-    void compute.job(question, () => {}).then(async ({ reply: coming, cancel }) => {
-      // A newer question has come meanwhile.
-      if (mine !== running) return cancel();
-      mine.push({ cancel });
-      const reply = await coming;
-      panel.setAttribute('aria-busy', 'false');
-      if ('answer' in reply) done(reply.answer as Answer<unknown>);
-      else if ('error' in reply) wrong(reply.error);
-    });
+    void compute
+      .job(question, () => {})
+      .then(async ({ reply: coming, cancel }) => {
+        // A newer question has come meanwhile.
+        if (mine !== running) return cancel();
+        mine.push({ cancel });
+        const reply = await coming;
+        panel.setAttribute('aria-busy', 'false');
+        if ('answer' in reply) done(reply.answer as Answer<unknown>);
+        else if ('error' in reply) wrong(reply.error);
+      });
   };
   const form = new Form(() => identify());
 
@@ -55,7 +67,11 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     calibration.replaceChildren();
     if (!form.canCalibrate) return;
     const refused = (error: string) => calibration.replaceChildren(make('p', { class: 'refusal' }, error));
-    ask({ kind: 'calibrate', name, bytes, asked }, (answer) => showCalibration(calibration, name, answer as Answer<{ json: string }>), refused);
+    ask(
+      { kind: 'calibrate', name, bytes, asked },
+      (answer) => showCalibration(calibration, name, answer as Answer<{ json: string }>),
+      refused,
+    );
   }
 
   async function take(file: File | undefined): Promise<void> {
@@ -86,5 +102,8 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     void take(event.dataTransfer?.files[0]);
   });
   panel.classList.add('logs');
-  panel.replaceChildren(make('div', { class: 'asked' }, drop, refusal, written, form.element), make('div', { class: 'told' }, found, calibration));
+  panel.replaceChildren(
+    make('div', { class: 'asked' }, drop, refusal, written, form.element),
+    make('div', { class: 'told' }, found, calibration),
+  );
 }

@@ -48,7 +48,11 @@ const LOOKS: Record<string, string> = { raw: 'F_L', 'first try': 'F_i', fitted: 
 export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   readInk();
   const lag = make('input', { type: 'text', inputmode: 'decimal', id: 'most-lag', value: '30' });
-  const seeds = make('select', { id: 'seeds' }, ...[1, 5, 50].map((count) => make('option', { value: count }, String(count))));
+  const seeds = make(
+    'select',
+    { id: 'seeds' },
+    ...[1, 5, 50].map((count) => make('option', { value: count }, String(count))),
+  );
   const start = make('button', { type: 'button', class: 'play' }, 'Judge');
   const stop = make('button', { type: 'button', class: 'plain', hidden: true }, 'Cancel');
   const bar = make('progress', { 'aria-label': 'Candidates judged', hidden: true });
@@ -74,10 +78,13 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     const begun = performance.now();
     let stopped = false;
     cancel = () => (stopped = true);
-    const asked = await compute.job({ kind: 'mitigate', text: toToml(store.state.spec).text, seeds: Number(seeds.value), mostLag }, (done, of) => {
-      [bar.value, bar.max] = [done, of];
-      said.textContent = `${done} of ${of} candidates judged`;
-    });
+    const asked = await compute.job(
+      { kind: 'mitigate', text: toToml(store.state.spec).text, seeds: Number(seeds.value), mostLag },
+      (done, of) => {
+        [bar.value, bar.max] = [done, of];
+        said.textContent = `${done} of ${of} candidates judged`;
+      },
+    );
     cancel = asked.cancel;
     if (stopped) return cancel();
     void asked.reply.then((reply) => {
@@ -93,13 +100,33 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     cancel();
     rest('Cancelled.');
   });
-  const field = (label: string, input: HTMLElement, hint: string) => make('div', { class: 'field' }, make('label', { for: input.id }, label), input, make('span', { class: 'hint' }, hint));
+  const field = (label: string, input: HTMLElement, hint: string) =>
+    make(
+      'div',
+      { class: 'field' },
+      make('label', { for: input.id }, label),
+      input,
+      make('span', { class: 'hint' }, hint),
+    );
   panel.classList.add('logs');
   panel.replaceChildren(
     make(
       'div',
       { class: 'asked' },
-      make('div', { class: 'fields' }, make('p', { class: 'hint' }, 'Every filter and observer on the conditions of the tab Spring: 2.5 kHz, noise of 0.2 % of F_nom, k and m off by up to 10 % either way.'), field('Most lag [°]', lag, 'At the bandwidth that the force needs.'), field('Series of noise', seeds, 'The command takes 5; one is quicker and enough for a look.'), make('div', { class: 'downloads' }, start, stop), bar, said),
+      make(
+        'div',
+        { class: 'fields' },
+        make(
+          'p',
+          { class: 'hint' },
+          'Every filter and observer on the conditions of the tab Spring: 2.5 kHz, noise of 0.2 % of F_nom, k and m off by up to 10 % either way.',
+        ),
+        field('Most lag [°]', lag, 'At the bandwidth that the force needs.'),
+        field('Series of noise', seeds, 'The command takes 5; one is quicker and enough for a look.'),
+        make('div', { class: 'downloads' }, start, stop),
+        bar,
+        said,
+      ),
       refusal,
     ),
     place,
@@ -111,42 +138,117 @@ function fill(host: HTMLElement, answer: Answer<Facts>): void {
   const ranking = JSON.parse(facts.json) as Ranking;
   const picked = make('section', { class: 'card', 'aria-label': 'What comes out', 'aria-live': 'polite' });
   const pick = (number: number) => {
-    host.querySelectorAll('button.line').forEach((button) => button.setAttribute('aria-pressed', String(button.getAttribute('data-number') === String(number))));
+    host
+      .querySelectorAll('button.line')
+      .forEach((button) =>
+        button.setAttribute('aria-pressed', String(button.getAttribute('data-number') === String(number))),
+      );
     show(picked, ranking, answer, number);
   };
   const scatters = make('div', { class: 'figures' });
-  const few = ranking.seeds < 5 ? make('p', { class: 'warning' }, `With ${ranking.seeds} series of noise; coilsense mitigate takes 5 unless told otherwise.`) : null;
+  const few =
+    ranking.seeds < 5
+      ? make(
+          'p',
+          { class: 'warning' },
+          `With ${ranking.seeds} series of noise; coilsense mitigate takes 5 unless told otherwise.`,
+        )
+      : null;
   const save = () => download('mitigation.json', facts.json, 'application/json');
   host.replaceChildren(
-    make('section', { class: 'card verdict', 'aria-label': 'Advice' }, ...ranking.advice.map((line) => make('p', {}, rich(line))), few ?? ''),
+    make(
+      'section',
+      { class: 'card verdict', 'aria-label': 'Advice' },
+      ...ranking.advice.map((line) => make('p', {}, rich(line))),
+      few ?? '',
+    ),
     scatters,
     picked,
     ...GROUPS.map(([truth, title]) => table(ranking, facts, truth, title, pick)),
-    ...(ranking['left out'].length === 0 ? [] : [make('section', { class: 'card', 'aria-label': 'Left out' }, make('h2', {}, 'Left out'), make('ul', { class: 'plainlist' }, ...ranking['left out'].map(({ name, reason }) => make('li', {}, `${name}: ${reason}`))))]),
-    make('div', { class: 'downloads' }, make('button', { type: 'button', class: 'plain', onclick: save }, 'Everything (JSON)')),
+    ...(ranking['left out'].length === 0
+      ? []
+      : [
+          make(
+            'section',
+            { class: 'card', 'aria-label': 'Left out' },
+            make('h2', {}, 'Left out'),
+            make(
+              'ul',
+              { class: 'plainlist' },
+              ...ranking['left out'].map(({ name, reason }) => make('li', {}, `${name}: ${reason}`)),
+            ),
+          ),
+        ]),
+    make(
+      'div',
+      { class: 'downloads' },
+      make('button', { type: 'button', class: 'plain', onclick: save }, 'Everything (JSON)'),
+    ),
   );
   for (const [truth, title] of GROUPS) scatter(scatters, ranking, facts, truth, title);
   pick(facts.best[0] ?? 0);
 }
 
-function table(ranking: Ranking, facts: Facts, truth: string, title: string, pick: (number: number) => void): HTMLElement {
+function table(
+  ranking: Ranking,
+  facts: Facts,
+  truth: string,
+  title: string,
+  pick: (number: number) => void,
+): HTMLElement {
   const percent = (force: number) => `${fixed((100 * force) / ranking['F_nom [N]'], 3)} %`;
   const row = ([number, one]: readonly [number, Candidate]) => {
     const late = one['lag at bandwidth [deg]'] > facts.mostLag;
-    const name = make('button', { type: 'button', class: 'line', 'aria-pressed': 'false', 'data-number': number, onclick: () => pick(number) }, one.name);
+    const name = make(
+      'button',
+      { type: 'button', class: 'line', 'aria-pressed': 'false', 'data-number': number, onclick: () => pick(number) },
+      one.name,
+    );
     return make(
       'tr',
       { 'data-candidate': one.name },
-      make('th', { scope: 'row' }, name, facts.best.includes(number) ? make('b', { class: 'within' }, ' ✓ advised') : null),
+      make(
+        'th',
+        { scope: 'row' },
+        name,
+        facts.best.includes(number) ? make('b', { class: 'within' }, ' ✓ advised') : null,
+      ),
       make('td', {}, percent(one['worst rms error [N]'])),
       make('td', {}, percent(one['rms error [N]'])),
-      make('td', { class: late ? 'above' : '' }, `${fixed(Math.round(10 * one['lag at bandwidth [deg]']) / 10 + 0, 1)}°${late ? ' ✗ late' : ''}`),
+      make(
+        'td',
+        { class: late ? 'above' : '' },
+        `${fixed(Math.round(10 * one['lag at bandwidth [deg]']) / 10 + 0, 1)}°${late ? ' ✗ late' : ''}`,
+      ),
       make('td', {}, one.origin),
     );
   };
-  const those = ranking.candidates.map((one, number) => [number, one] as const).filter(([, one]) => one.against === truth);
+  const those = ranking.candidates
+    .map((one, number) => [number, one] as const)
+    .filter(([, one]) => one.against === truth);
   const heads = ['Pick one', 'Worst error', 'Error', 'Lag', 'Origin'].map((word) => make('th', { scope: 'col' }, word));
-  return make('section', { class: 'card', 'aria-label': title }, make('div', { class: 'head' }, make('h2', {}, rich(title))), make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Ranking: ${title}` }, make('table', { class: 'ranking' }, make('caption', {}, 'rms, in % of F', make('sub', {}, 'nom'), ', over all conditions; worst: of any spring in the box. Best first.'), make('thead', {}, make('tr', {}, ...heads)), make('tbody', {}, ...those.map(row)))));
+  return make(
+    'section',
+    { class: 'card', 'aria-label': title },
+    make('div', { class: 'head' }, make('h2', {}, rich(title))),
+    make(
+      'div',
+      { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Ranking: ${title}` },
+      make(
+        'table',
+        { class: 'ranking' },
+        make(
+          'caption',
+          {},
+          'rms, in % of F',
+          make('sub', {}, 'nom'),
+          ', over all conditions; worst: of any spring in the box. Best first.',
+        ),
+        make('thead', {}, make('tr', {}, ...heads)),
+        make('tbody', {}, ...those.map(row)),
+      ),
+    ),
+  );
 }
 
 function scatter(host: HTMLElement, ranking: Ranking, facts: Facts, truth: string, title: string): void {
@@ -154,12 +256,22 @@ function scatter(host: HTMLElement, ranking: Ranking, facts: Facts, truth: strin
   those.sort((a, b) => a.one['lag at bandwidth [deg]'] - b.one['lag at bandwidth [deg]']);
   const best = those.find(({ number }) => facts.best.includes(number));
   const lags = those.map(({ one }) => one['lag at bandwidth [deg]']);
-  const marks = [{ x: facts.mostLag, label: 'most lag' }, ...(best ? [{ x: best.one['lag at bandwidth [deg]'], label: best.one.name }] : [])];
+  const marks = [
+    { x: facts.mostLag, label: 'most lag' },
+    ...(best ? [{ x: best.one['lag at bandwidth [deg]'], label: best.one.name }] : []),
+  ];
   curves(host, {
     title: `${title}: error against lag`,
     x: { label: `Lag at ${digits(ranking['bandwidth [Hz]'])} Hz [°]`, values: Float64Array.from(lags) },
     y: { label: 'Worst error [% of F_nom]', logarithmic: true },
-    curves: Object.entries(LOOKS).map(([origin, look]) => ({ look, label: origin, dots: true, values: those.map(({ one }) => (one.origin === origin ? (100 * one['worst rms error [N]']) / ranking['F_nom [N]'] : null)) })),
+    curves: Object.entries(LOOKS).map(([origin, look]) => ({
+      look,
+      label: origin,
+      dots: true,
+      values: those.map(({ one }) =>
+        one.origin === origin ? (100 * one['worst rms error [N]']) / ranking['F_nom [N]'] : null,
+      ),
+    })),
     marks,
   });
 }
@@ -170,11 +282,18 @@ function show(host: HTMLElement, ranking: Ranking, { facts, series }: Answer<Fac
   const settings = facts.exports[number];
   const none = new Float64Array();
   if (!one) return;
-  const button = (label: string, name: string, text: string, type: string) => make('button', { type: 'button', class: 'plain', onclick: () => download(name, text, type) }, label);
+  const button = (label: string, name: string, text: string, type: string) =>
+    make('button', { type: 'button', class: 'plain', onclick: () => download(name, text, type) }, label);
   const saves = settings
-    ? [button('Settings (C header)', `${settings.name}.h`, settings.header, 'text/x-c'), button('Settings (JSON)', `${settings.name}.json`, settings.json, 'application/json')]
+    ? [
+        button('Settings (C header)', `${settings.name}.h`, settings.header, 'text/x-c'),
+        button('Settings (JSON)', `${settings.name}.json`, settings.json, 'application/json'),
+      ]
     : [make('span', { class: 'hint' }, 'Measured as it is: there is nothing to set.')];
-  host.replaceChildren(make('div', { class: 'head' }, make('h2', {}, one.name)), make('p', { class: 'hint' }, facts.run ?? ''));
+  host.replaceChildren(
+    make('div', { class: 'head' }, make('h2', {}, one.name)),
+    make('p', { class: 'hint' }, facts.run ?? ''),
+  );
   curves(host, {
     title: 'Cleaned over raw',
     x: { label: 'Time [s]', values: series['time'] ?? none },

@@ -16,7 +16,11 @@ const CONDITIONS = [
 
 export const open: Open = (panel, _, compute) => {
   readInk();
-  const place = make('div', { class: 'paper', 'aria-busy': 'true' }, make('p', {}, 'Computing both springs in five conditions under two readings …'));
+  const place = make(
+    'div',
+    { class: 'paper', 'aria-busy': 'true' },
+    make('p', {}, 'Computing both springs in five conditions under two readings …'),
+  );
   panel.replaceChildren(place);
   const begun = performance.now();
   void compute.alone({ kind: 'paper' }).then((reply) => {
@@ -69,13 +73,19 @@ function table({ cells }: PaperFacts, numeral: string): HTMLElement {
   const of = cells.filter((cell) => cell.table === numeral);
   const rows = [...new Set(of.map((cell) => `${cell.spring}, ${cell.condition}`))];
   const forces = ['F_i', 'F_o', 'F_L'];
-  const find = (row: string, force: string) => of.find((cell) => `${cell.spring}, ${cell.condition}` === row && cell.force === force);
+  const find = (row: string, force: string) =>
+    of.find((cell) => `${cell.spring}, ${cell.condition}` === row && cell.force === force);
   const value = (row: string, force: string) => {
     const cell = find(row, force);
     if (!cell) return [];
     const computed = (['tables', 'text'] as const).map((reading) => {
       const { percent, differs } = cell.computed[reading];
-      return make('td', { class: differs ? 'off' : '' }, fixed(percent, 2), differs ? make('span', { class: 'visually-hidden' }, ' differs') : null);
+      return make(
+        'td',
+        { class: differs ? 'off' : '' },
+        fixed(percent, 2),
+        differs ? make('span', { class: 'visually-hidden' }, ' differs') : null,
+      );
     });
     return [make('td', { class: 'printed group' }, fixed(cell.printed, 2)), ...computed];
   };
@@ -90,10 +100,30 @@ function table({ cells }: PaperFacts, numeral: string): HTMLElement {
       make(
         'thead',
         {},
-        make('tr', {}, make('td'), ...forces.map((force) => make('th', { colspan: 3, scope: 'colgroup', class: 'group' }, rich(force)))),
-        make('tr', {}, make('th', { scope: 'col' }, 'Spring, condition'), ...forces.flatMap(() => ['printed', 'tables', 'text'].map((word, index) => make('th', { scope: 'col', class: index === 0 ? 'group' : '' }, word)))),
+        make(
+          'tr',
+          {},
+          make('td'),
+          ...forces.map((force) => make('th', { colspan: 3, scope: 'colgroup', class: 'group' }, rich(force))),
+        ),
+        make(
+          'tr',
+          {},
+          make('th', { scope: 'col' }, 'Spring, condition'),
+          ...forces.flatMap(() =>
+            ['printed', 'tables', 'text'].map((word, index) =>
+              make('th', { scope: 'col', class: index === 0 ? 'group' : '' }, word),
+            ),
+          ),
+        ),
       ),
-      make('tbody', {}, ...rows.map((row) => make('tr', {}, make('th', { scope: 'row' }, row), ...forces.flatMap((force) => value(row, force))))),
+      make(
+        'tbody',
+        {},
+        ...rows.map((row) =>
+          make('tr', {}, make('th', { scope: 'row' }, row), ...forces.flatMap((force) => value(row, force))),
+        ),
+      ),
     ),
   );
 }

@@ -70,7 +70,11 @@ export const open: Open = (panel, store, compute) => {
       curves(shown);
       readOut.show(shown);
       player.show(shown);
-      document.getElementById('sentence')?.replaceChildren(...sentence(shown.answer).filter((part) => part !== null && part !== undefined && part !== false));
+      document
+        .getElementById('sentence')
+        ?.replaceChildren(
+          ...sentence(shown.answer).filter((part) => part !== null && part !== undefined && part !== false),
+        );
       table.show(facts, shown.exact);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
@@ -84,7 +88,10 @@ export const open: Open = (panel, store, compute) => {
     refused: (refusal) => {
       const beside = panels.refuse(refusal);
       parts.refusal.hidden = refusal === null;
-      const words = [beside ? '' : (refusal?.text ?? ''), refusal && last ? 'What is shown is the last state that could be computed.' : ''];
+      const words = [
+        beside ? '' : (refusal?.text ?? ''),
+        refusal && last ? 'What is shown is the last state that could be computed.' : '',
+      ];
       parts.refusal.textContent = words.filter(Boolean).join(' ');
       if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
     },
@@ -109,11 +116,14 @@ class Views {
     host: HTMLElement,
     forces: ForcePlot,
   ) {
-    const button = (label: string, title: string, act: () => void) => make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
+    const button = (label: string, title: string, act: () => void) =>
+      make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
     const condition = () => this.shown?.answer.facts.conditions[this.shown.answer.facts.condition];
     host.replaceChildren(
       button('First ringing', 'The first six surge periods', () => this.store.setView({ times: null })),
-      button('Judged', 'The part that the table is about', () => this.store.setView({ times: condition()?.window ?? null })),
+      button('Judged', 'The part that the table is about', () =>
+        this.store.setView({ times: condition()?.window ?? null }),
+      ),
       button('All', 'All that was simulated', () => this.store.setView({ times: [0, condition()?.duration ?? 1] })),
       button('+', 'Zoom in', () => forces.zoomBy(2)),
       button('−', 'Zoom out', () => forces.zoomBy(0.5)),
@@ -136,8 +146,17 @@ function layOut(panel: HTMLElement) {
     spring: make('div', { class: 'card see' }),
     status: make('span', { class: 'status' }, '…'),
     views: make('div', { class: 'views' }),
-    forces: make('div', { class: 'plot forces', tabindex: 0, role: 'group', 'aria-label': 'Forces over time; arrows move the mark, plus and minus zoom' }),
-    spectrum: make('div', { class: 'plot spectrum', role: 'img', 'aria-label': 'Amplitude of each force over frequency, with the surge lines marked' }),
+    forces: make('div', {
+      class: 'plot forces',
+      tabindex: 0,
+      role: 'group',
+      'aria-label': 'Forces over time; arrows move the mark, plus and minus zoom',
+    }),
+    spectrum: make('div', {
+      class: 'plot spectrum',
+      role: 'img',
+      'aria-label': 'Amplitude of each force over frequency, with the surge lines marked',
+    }),
     keys: make('p', { class: 'keys' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
     warnings: make('ul', { class: 'warnings' }),
@@ -147,14 +166,32 @@ function layOut(panel: HTMLElement) {
   panel.classList.add('workbench');
   panel.replaceChildren(
     parts.choose,
-    make('div', { class: 'stage' }, parts.spring, make('section', { class: 'card', 'aria-label': 'Forces over time' }, make('div', { class: 'head' }, make('h2', {}, 'Forces'), parts.status, parts.views), parts.forces, parts.keys)),
+    make(
+      'div',
+      { class: 'stage' },
+      parts.spring,
+      make(
+        'section',
+        { class: 'card', 'aria-label': 'Forces over time' },
+        make('div', { class: 'head' }, make('h2', {}, 'Forces'), parts.status, parts.views),
+        parts.forces,
+        parts.keys,
+      ),
+    ),
     make('div', { class: 'controls' }, parts.refusal, parts.fields),
     make(
       'div',
       { class: 'results' },
       make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'How far off')), parts.table),
       make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'Spectrum')), parts.spectrum),
-      make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'Mind')), parts.warnings, parts.facts, parts.downloads),
+      make(
+        'section',
+        { class: 'card' },
+        make('div', { class: 'head' }, make('h2', {}, 'Mind')),
+        parts.warnings,
+        parts.facts,
+        parts.downloads,
+      ),
     ),
   );
   return parts;
