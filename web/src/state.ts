@@ -45,8 +45,10 @@ export class Store {
 
   constructor() {
     this.now = fromHash(location.hash);
-    addEventListener('hashchange', () => {
-      if (location.hash !== toHash(this.now)) this.put(fromHash(location.hash), '');
+    // What was typed, even where the state before it was written into the address meanwhile.
+    addEventListener('hashchange', ({ newURL }) => {
+      const { hash } = new URL(newURL);
+      if (hash !== toHash(this.now)) this.put(fromHash(hash), '');
     });
   }
 

@@ -64,6 +64,18 @@ test('the address reproduces the whole state', async ({ page, context }) => {
   await other.close();
 });
 
+test('an address typed while the page writes its own is followed', async ({ page }) => {
+  await open(page);
+  await page.evaluate(() => {
+    const own = location.href;
+    location.hash = '#S_T&@condition=2';
+    history.replaceState(null, '', own);
+  });
+  await exact(page);
+  await expect.poll(async () => (await facts(page)).condition).toBe(2);
+  await expect.poll(() => page.url()).toContain('condition=2');
+});
+
 test('a drag is undone as one, done again, and reset', async ({ page }) => {
   await open(page);
   const value = page.getByLabel('How hard it is hit', { exact: true });
