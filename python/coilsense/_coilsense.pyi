@@ -771,7 +771,15 @@ class Experiment:
     __hash__ = None  # type: ignore[assignment]
 
 def rig(spec: Spec | _Path, out: _Path, seed: int | None = None) -> list[str]: ...
-def experiment(folder: _Path) -> Experiment: ...
+def experiment(
+    folder: _Path,
+    *,
+    drop_incomplete: bool = False,
+    sort: bool = False,
+    merge_repeated: bool = False,
+    fill_gaps: _Quantity | None = None,
+    resample: _Quantity | None = None,
+) -> Experiment: ...
 
 # mitigation
 

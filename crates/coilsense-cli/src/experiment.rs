@@ -8,12 +8,16 @@ use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 
+use crate::repairs::RepairArguments;
+
 /// Options of `coilsense experiment`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Folder with experiment.toml, which lists the logs: see docs/experiment.md
     #[arg(value_name = "DIR")]
     folder: PathBuf,
+    #[command(flatten)]
+    repairs: RepairArguments,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -28,7 +32,7 @@ pub struct Arguments {
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let begun = Instant::now();
-    let experiment = Experiment::read(&arguments.folder)?;
+    let experiment = Experiment::read(&arguments.folder, &arguments.repairs.repairs())?;
     let findings = Findings::of(&experiment);
     let mut output = Output::begin(&arguments.out)?;
     let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());

@@ -1,12 +1,13 @@
-//! A log on the command line: which file, which column is what, what may be mended. Shared by all commands that read one.
+//! A log on the command line: which file, which column is what. Shared by all commands that read one.
 //!
-//! Next door: what is done with it (`import`).
+//! Next door: what may be mended (`repairs`), what is done with it (`import`).
 
 use std::path::PathBuf;
 
 use coilsense::Channel;
-use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::{Clock, Mapping, Points, Recording, RecordingError, Repairs};
+
+use crate::repairs::{REPAIRS, RepairArguments, frequency, time};
 
 /// Options of every command that reads a log.
 #[derive(clap::Args)]
@@ -27,21 +28,8 @@ pub struct LogArguments {
     /// How often a log without a time column was sampled, such as "2.5 kHz"
     #[arg(long, value_name = "RATE", value_parser = frequency, help_heading = LAYOUT)]
     sample_rate: Option<f64>,
-    /// Leave out rows that lack a value or cannot be read
-    #[arg(long, help_heading = REPAIRS)]
-    drop_incomplete: bool,
-    /// Put rows into the order of their times
-    #[arg(long, help_heading = REPAIRS)]
-    sort: bool,
-    /// Take the mean of rows that have the same time
-    #[arg(long, help_heading = REPAIRS)]
-    merge_repeated: bool,
-    /// Fill gaps and missing values up to this length along straight lines, such as "10 ms"
-    #[arg(long, value_name = "TIME", value_parser = positive_time, help_heading = REPAIRS)]
-    fill_gaps: Option<f64>,
-    /// Bring all channels to this rate along straight lines, such as "2.5 kHz"
-    #[arg(long, value_name = "RATE", value_parser = frequency, help_heading = REPAIRS)]
-    resample: Option<f64>,
+    #[command(flatten)]
+    repairs: RepairArguments,
     /// Leave out what is before this time, such as "2 s"
     #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true, help_heading = REPAIRS)]
     from: Option<f64>,
@@ -65,7 +53,6 @@ pub struct LogArguments {
 
 const SECOND: &str = "A second device";
 const LAYOUT: &str = "What is in the log";
-const REPAIRS: &str = "What may be mended (by default nothing)";
 
 impl LogArguments {
     /// The log over time.
@@ -108,15 +95,7 @@ impl LogArguments {
 
     /// What may be mended.
     pub fn repairs(&self) -> Repairs {
-        Repairs {
-            drop_incomplete: self.drop_incomplete,
-            sort: self.sort,
-            merge_repeated: self.merge_repeated,
-            fill_gaps: self.fill_gaps,
-            resample: self.resample,
-            from: self.from,
-            to: self.to,
-        }
+        Repairs { from: self.from, to: self.to, ..self.repairs.repairs() }
     }
 }
 
@@ -134,22 +113,4 @@ fn clock(text: &str) -> Result<Clock, String> {
             .ok_or_else(|| format!("must name two of {names}, as in F_o=F_x"));
     }
     time(text).map(Clock::Offset).map_err(|message| format!("{message}, or auto, or two channels as in F_o=F_x"))
-}
-
-/// Any time \[s\].
-fn time(text: &str) -> Result<f64, String> {
-    let parsed = Dimension::Time.parse(text).filter(|time| time.is_finite());
-    parsed.ok_or_else(|| format!("must be {}, as in \"10 ms\"", Dimension::Time.expectation()))
-}
-
-/// A time above zero \[s\].
-fn positive_time(text: &str) -> Result<f64, String> {
-    time(text).and_then(|time| if time > 0.0 { Ok(time) } else { Err("must be above zero".to_owned()) })
-}
-
-/// A frequency that instruments have \[Hz\].
-fn frequency(text: &str) -> Result<f64, String> {
-    let parsed = Dimension::Frequency.parse(text);
-    let rate = parsed.ok_or_else(|| format!("must be {}, as in \"2.5 kHz\"", Dimension::Frequency.expectation()))?;
-    if (1e-9..=1e9).contains(&rate) { Ok(rate) } else { Err("must be from 1e-9 to 1e9 Hz".to_owned()) }
 }

@@ -15,6 +15,7 @@ mod mitigate;
 mod pareto;
 mod placement;
 mod progress;
+mod repairs;
 mod reproduce;
 mod rig;
 mod sensitivity;

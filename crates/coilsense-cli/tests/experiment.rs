@@ -106,6 +106,60 @@ fn an_experiment_that_a_person_describes_is_worked_off() {
     assert!(text.contains("One run of hits is not looked at here"));
 }
 
+/// The same rows, two of which changed places, one of which came twice, and one of which a reading was lost.
+fn spoiled(text: &str) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    lines.swap(101, 102);
+    lines[500] = lines[500].split(';').next().unwrap().to_owned() + ";;0";
+    lines.insert(301, lines[300].clone());
+    lines.join("\n") + "\n"
+}
+
+#[test]
+fn what_is_wrong_with_a_log_is_mended_where_that_is_allowed_and_told() {
+    let place = folder();
+    let out = place.path().join("out");
+    let numbers = |options: &[&str]| {
+        let output = experiment(place.path(), &[&["--out", out.to_str().unwrap(), "--json"], options].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    let whole = numbers(&[]);
+    fs::write(place.path().join("shaken.csv"), spoiled(&fast(1.0))).unwrap();
+    let mut lcr = slow(25.9);
+    lcr.push_str("none\n");
+    fs::write(place.path().join("shaken-lcr.csv"), lcr).unwrap();
+
+    // Each trouble is named with its file and the option that mends it, and only that option goes past it.
+    let trouble = |options: &[&str]| {
+        let output = experiment(place.path(), &[&["--out", "nowhere"], options].concat());
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), message.lines().count()), (Some(2), 1), "{message}");
+        assert!(output.stdout.is_empty() && !Path::new("nowhere").exists());
+        message
+    };
+    let missing = trouble(&[]);
+    assert!(missing.contains("shaken-lcr.csv:6") && missing.contains("--drop-incomplete"), "{missing}");
+    let order = trouble(&["--drop-incomplete"]);
+    assert!(order.contains("shaken.csv:103") && order.contains("--sort"), "{order}");
+    let twice = trouble(&["--drop-incomplete", "--sort"]);
+    assert!(twice.contains("shaken.csv") && twice.contains("--merge-repeated"), "{twice}");
+
+    let mended = numbers(&["--drop-incomplete", "--sort", "--merge-repeated", "--fill-gaps", "5 ms"]);
+    let rmsd = |found: &Value| found.pointer("/runs/1/rmsd_percent").and_then(Value::as_f64).unwrap();
+    // One sample of a thousand on a straight line: its share of the mean square, at most.
+    assert!((rmsd(&mended) - rmsd(&whole)).abs() < 1e-3 * rmsd(&whole), "{} and {}", rmsd(&mended), rmsd(&whole));
+    assert_eq!(mended["runs"][1]["readings"], 4);
+    let account: Vec<&str> = mended["account"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+    let of_fast = account.iter().find(|line| line.contains("shaken.csv: ")).expect("what was mended");
+    assert!(of_fast.contains("1 row merged into another row of the same time left out"), "{of_fast}");
+    assert!(of_fast.contains("sorted: 1 rows stood out of order"), "{of_fast}");
+    assert!(of_fast.contains("F_o: 1 missing values filled along straight lines"), "{of_fast}");
+    let of_slow = account.iter().find(|line| line.contains("shaken-lcr.csv: ")).expect("what was left out");
+    assert!(of_slow.contains("1 row with a missing value left out (the first in line 6)"), "{of_slow}");
+    assert!(!account.iter().any(|line| line.contains("before.csv: ")), "{account:?}");
+}
+
 #[test]
 fn nothing_is_written_where_a_log_is_wrong() {
     let place = folder();

@@ -7,6 +7,8 @@ use std::sync::Arc;
 
 use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
+use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::Repairs;
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 use coilsense_lab::rig::{Rig, RigError};
 use pyo3::prelude::*;
@@ -16,6 +18,7 @@ use crate::errors::{OutputError, refused};
 use crate::interrupt::interruptible;
 use crate::json;
 use crate::progress::watched;
+use crate::quantity::{Quantity, positive, rate};
 use crate::results::{laid_out, plain, save};
 use crate::spec_argument::SpecArgument;
 
@@ -212,6 +215,8 @@ fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) 
 /// ----------
 /// folder : str or os.PathLike
 ///     With experiment.toml; see docs/experiment.md.
+/// drop_incomplete, sort, merge_repeated, fill_gaps, resample
+///     What may be mended in each of its logs, as `open_log` takes it; by default nothing.
 ///
 /// Returns
 /// -------
@@ -222,8 +227,25 @@ fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) 
 /// Error
 ///     One line with file, row and column, or file, line and key.
 #[pyfunction]
-fn experiment(py: Python<'_>, folder: PathBuf) -> PyResult<PyExperiment> {
-    let experiment = interruptible(py, move || Experiment::read(&folder))?.map_err(refused)?;
+#[pyo3(signature = (folder, *, drop_incomplete=false, sort=false, merge_repeated=false, fill_gaps=None, resample=None))]
+fn experiment(
+    py: Python<'_>,
+    folder: PathBuf,
+    drop_incomplete: bool,
+    sort: bool,
+    merge_repeated: bool,
+    fill_gaps: Option<Quantity>,
+    resample: Option<Quantity>,
+) -> PyResult<PyExperiment> {
+    let repairs = Repairs {
+        drop_incomplete,
+        sort,
+        merge_repeated,
+        fill_gaps: positive(fill_gaps.as_ref(), "fill_gaps", Dimension::Time)?,
+        resample: rate(resample.as_ref(), "resample")?,
+        ..Repairs::default()
+    };
+    let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.map_err(refused)?;
     let findings = Findings::of(&experiment);
     Ok(PyExperiment(Arc::new((experiment, findings))))
 }

@@ -26,6 +26,7 @@ impl Experiment {
             lines.push("No curve from inductance to length is given or measured: there is no F_L.".to_owned());
         }
         lines.extend(self.averaging());
+        lines.extend(self.mended.iter().filter_map(|account| account.mending()));
         lines
     }
 

@@ -6,7 +6,7 @@ use coilsense::{Channel, Deviation};
 
 use super::spring::displacements;
 use super::{ExperimentError, Mean, SpringLine};
-use crate::recording::{Mapping, Recording, Repairs};
+use crate::recording::{Account, Mapping, Recording, Repairs};
 use crate::spec::RunSpec;
 
 /// What a run's load cell and position sensor say.
@@ -28,6 +28,8 @@ pub struct Fast {
     pub excerpt: Excerpt,
     /// Whether the log says that it is simulated.
     pub simulated: bool,
+    /// What became of the log's rows.
+    pub account: Account,
 }
 
 /// A piece of the raw forces.
@@ -48,9 +50,14 @@ const BLOCK: f64 = 0.4;
 
 impl Fast {
     /// Reads the log of a run.
-    pub(super) fn read(run: &RunSpec, mapping: &Mapping, line: &SpringLine) -> Result<Option<Self>, ExperimentError> {
+    pub(super) fn read(
+        run: &RunSpec,
+        mapping: &Mapping,
+        line: &SpringLine,
+        repairs: &Repairs,
+    ) -> Result<Option<Self>, ExperimentError> {
         let Some(path) = run.fast.as_deref() else { return Ok(None) };
-        let log = Recording::read(path, mapping, &Repairs::default())?;
+        let log = Recording::read(path, mapping, repairs)?;
         let time = log.signals().time();
         let output = log.channel(Channel::OutputForce)?;
         let moved = match log.channel(Channel::DeflectionForce) {
@@ -84,6 +91,7 @@ impl Fast {
                 deflection: deflection[..shown].to_vec(),
             },
             simulated: log.simulated().is_some(),
+            account: log.account().clone(),
         }))
     }
 }

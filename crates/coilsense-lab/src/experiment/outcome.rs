@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::spring::AtRest;
 use super::{Curve, ExperimentError, Fast, Mean, Slow, SpringLine};
-use crate::recording::Mapping;
+use crate::recording::{Account, Mapping, Repairs};
 use crate::spec::{ExperimentSpec, RunKind, RunSpec};
 
 /// What an experiment's logs say.
@@ -29,6 +29,8 @@ pub struct Experiment {
     pub taps: usize,
     /// Whether description or a log says that it is simulated.
     pub simulated: bool,
+    /// What became of the rows of those logs in which something was mended, as they are listed.
+    pub mended: Vec<Account>,
 }
 
 /// A preload or a sine.
@@ -62,19 +64,22 @@ type Logs = (RunSpec, Fast, Option<Slow>);
 impl Experiment {
     /// Reads the logs of an experiment and works them off.
     ///
+    /// - `repairs`: what may be mended in each of them; a window of time has no meaning for logs of many clocks, and is not looked at
+    ///
     /// # Errors
     /// [`ExperimentError`] that names file, row and column.
-    pub fn new(spec: ExperimentSpec) -> Result<Self, ExperimentError> {
+    pub fn new(spec: ExperimentSpec, repairs: &Repairs) -> Result<Self, ExperimentError> {
+        let repairs = &Repairs { from: None, to: None, ..*repairs };
         let mapping =
             |path: &Option<_>| path.as_deref().map_or(Ok(Mapping::default()), |path: &Path| Mapping::read(path));
         let (fast, slow) = (mapping(&spec.fast_mapping)?, mapping(&spec.slow_mapping)?);
-        let at_rest = AtRest::read(&spec, &slow)?;
+        let at_rest = AtRest::read(&spec, &slow, repairs)?;
         let line = SpringLine::of(&spec, &at_rest)?;
         let wanted = |run: &&RunSpec| matches!(run.kind, RunKind::Preload | RunKind::Harmonic);
         let described: Vec<&RunSpec> = spec.runs.iter().filter(wanted).collect();
         let read = |run: &&RunSpec| -> Result<Option<Logs>, ExperimentError> {
-            let slow = Slow::read(run, &slow)?;
-            Ok(Fast::read(run, &fast, &line)?.map(|fast| ((*run).clone(), fast, slow)))
+            let slow = Slow::read(run, &slow, repairs)?;
+            Ok(Fast::read(run, &fast, &line, repairs)?.map(|fast| ((*run).clone(), fast, slow)))
         };
         let logs: Vec<Option<Logs>> = described.par_iter().map(read).collect::<Result<_, _>>()?;
         let logs: Vec<Logs> = logs.into_iter().flatten().collect();
@@ -82,6 +87,10 @@ impl Experiment {
         let simulated = spec.simulated
             || at_rest.simulated
             || logs.iter().any(|(_, fast, slow)| fast.simulated || slow.as_ref().is_some_and(|slow| slow.simulated));
+        let of_runs =
+            logs.iter().flat_map(|(_, fast, slow)| [Some(&fast.account), slow.as_ref().map(|slow| &slow.account)]);
+        let accounts = at_rest.accounts.iter().chain(of_runs.flatten());
+        let mended = accounts.filter(|account| account.mending().is_some()).cloned().collect();
         let runs = logs.into_iter().map(|(run, fast, slow)| {
             let force = slow.as_ref().zip(curve.as_ref()).map(|(slow, curve)| slow.force(&run, curve, &line));
             let readings = slow.map_or(0, |slow| slow.inductances.len());
@@ -91,15 +100,15 @@ impl Experiment {
         let first = runs.iter().find(|run| run.spec.kind == RunKind::Preload);
         let reference = first.map_or(0.0, |run| run.fast.deflection.mean);
         let taps = spec.runs.iter().filter(|run| run.kind == RunKind::Tap).count();
-        Ok(Self { line, curve, runs, reference, taps, simulated, spec })
+        Ok(Self { line, curve, runs, reference, taps, simulated, mended, spec })
     }
 
     /// Reads `experiment.toml` of a folder, and works it off.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn read(folder: &Path) -> Result<Self, ExperimentError> {
-        Self::new(ExperimentSpec::read(&folder.join("experiment.toml"))?)
+    pub fn read(folder: &Path, repairs: &Repairs) -> Result<Self, ExperimentError> {
+        Self::new(ExperimentSpec::read(&folder.join("experiment.toml"))?, repairs)
     }
 
     /// Runs with a sine, as they were recorded.

@@ -5,7 +5,7 @@
 use coilsense::Channel;
 
 use super::{Curve, ExperimentError, Mean, SpringLine};
-use crate::recording::{Mapping, Points, Repairs};
+use crate::recording::{Account, Mapping, Points, Repairs};
 use crate::spec::RunSpec;
 
 /// What a run's LCR meter says.
@@ -15,15 +15,18 @@ pub struct Slow {
     pub inductances: Vec<f64>,
     /// Whether the log says that it is simulated.
     pub simulated: bool,
+    /// What became of the log's rows.
+    pub account: Account,
 }
 
 impl Slow {
     /// Reads the log of a run.
-    pub(super) fn read(run: &RunSpec, mapping: &Mapping) -> Result<Option<Self>, ExperimentError> {
+    pub(super) fn read(run: &RunSpec, mapping: &Mapping, repairs: &Repairs) -> Result<Option<Self>, ExperimentError> {
         let Some(path) = run.slow.as_deref() else { return Ok(None) };
-        let log = Points::read(path, mapping, &Repairs::default())?;
+        let log = Points::read(path, mapping, repairs)?;
         let inductances = log.channel(Channel::Inductance)?.to_vec();
-        Ok(Some(Self { inductances, simulated: log.simulated().is_some() }))
+        let simulated = log.simulated().is_some();
+        Ok(Some(Self { inductances, simulated, account: log.account().clone() }))
     }
 
     /// Mean of L \[H\].

@@ -8,7 +8,7 @@ use coilsense::Channel;
 use coilsense::calibrate::{Calibration, CalibrationPoints, FitMethod, InverseLengthFit, StiffnessFit};
 
 use super::ExperimentError;
-use crate::recording::{Mapping, Points, Repairs};
+use crate::recording::{Account, Mapping, Points, Repairs};
 use crate::spec::{ExperimentSpec, RunKind};
 
 /// From position to length and force.
@@ -46,6 +46,8 @@ pub(super) struct AtRest {
     pub inductances: Vec<f64>,
     /// What a log says of being simulated.
     pub simulated: bool,
+    /// What became of the logs' rows.
+    pub accounts: Vec<Account>,
 }
 
 /// u2 − u1 of what a log has, row by row \[m\].
@@ -59,12 +61,12 @@ pub(super) fn displacements<'a, E>(channel: impl Fn(Channel) -> Result<&'a [f64]
 
 impl AtRest {
     /// Reads the calibration runs of an experiment.
-    pub(super) fn read(spec: &ExperimentSpec, mapping: &Mapping) -> Result<Self, ExperimentError> {
+    pub(super) fn read(spec: &ExperimentSpec, mapping: &Mapping, repairs: &Repairs) -> Result<Self, ExperimentError> {
         let mut all = Self::default();
         let runs = spec.runs.iter().filter(|run| run.kind == RunKind::Calibration);
         let mut without = None;
         for path in runs.filter_map(|run| run.slow.as_deref()) {
-            let log = Points::read(path, mapping, &Repairs::default())?;
+            let log = Points::read(path, mapping, repairs)?;
             all.displacements.extend(displacements(|channel| log.channel(channel))?);
             all.forces.extend(log.channel(Channel::OutputForce)?);
             match log.channel(Channel::Inductance) {
@@ -72,6 +74,7 @@ impl AtRest {
                 Err(error) => without = Some(error),
             }
             all.simulated |= log.simulated().is_some();
+            all.accounts.push(log.account().clone());
         }
         // The curve is taken from all of the positions, or given.
         match without.filter(|_| {

@@ -29,6 +29,16 @@ impl Account {
         lines
     }
 
+    /// What was left out or mended, in one sentence that names the file; none where every row came through as it was.
+    pub fn mending(&self) -> Option<String> {
+        let left_out = self.left_out.iter().map(|(reason, tally)| {
+            let line = if tally.line > 0 { format!(" (the first in line {})", tally.line) } else { String::new() };
+            format!("{} {} {} left out{line}", tally.count, rows(tally.count), reason.words())
+        });
+        let parts: Vec<String> = left_out.chain(self.mended().iter().map(|line| line.trim().to_owned())).collect();
+        (!parts.is_empty()).then(|| format!("{}: {}.", self.file.display(), parts.join("; ")))
+    }
+
     fn mended(&self) -> Vec<String> {
         let mut lines = Vec::new();
         if self.sorted > 0 {
@@ -91,6 +101,10 @@ impl fmt::Display for Account {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.lines().join("\n"))
     }
+}
+
+fn rows(count: u64) -> &'static str {
+    if count == 1 { "row" } else { "rows" }
 }
 
 fn listed(names: &[String]) -> String {

@@ -12,6 +12,7 @@ use std::fs;
 use std::path::Path;
 
 use coilsense_lab::experiment::{Experiment, ExperimentError};
+use coilsense_lab::recording::Repairs;
 use tempfile::TempDir;
 
 /// Spring and curve of the made-up experiments.
@@ -95,7 +96,7 @@ fn write(place: &Path, name: &str, text: &str) {
 }
 
 fn read(place: &TempDir) -> Result<Experiment, ExperimentError> {
-    Experiment::read(place.path())
+    Experiment::read(place.path(), &Repairs::default())
 }
 
 /// Preload, four sines of which the third is a resonance, preload.
