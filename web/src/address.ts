@@ -58,6 +58,11 @@ function gone(base: Flat, now: Flat): string[] {
 
 const isCount = (value: unknown): boolean => Number.isSafeInteger(value) && Number(value) >= 0;
 const isTime = (value: unknown): boolean => typeof value === 'number' && Number.isFinite(value) && value >= 0;
+const isWords = (value: unknown): boolean =>
+  typeof value === 'object' &&
+  value !== null &&
+  !Array.isArray(value) &&
+  Object.values(value).every((word) => typeof word === 'string');
 
 /** What a part of the view may be: an address is typed by anybody. */
 const FITS: Record<string, (value: unknown) => boolean> = {
@@ -67,6 +72,7 @@ const FITS: Record<string, (value: unknown) => boolean> = {
   times: (value) => Array.isArray(value) && value.length === 2 && value.every(isTime) && value[0] < value[1],
   hidden: (value) => Array.isArray(value) && value.every((name) => typeof name === 'string'),
   slow: (value) => isTime(value) && Number(value) <= 1,
+  mitigate: isWords,
 } satisfies Record<keyof View, (value: unknown) => boolean>;
 
 /** Texts as they are, unless they would be read as something else. */

@@ -109,7 +109,8 @@ export type Question =
 export type Job =
   | { kind: 'columns'; name: string; bytes: Uint8Array }
   | { kind: 'identify' | 'calibrate'; name: string; bytes: Uint8Array; asked: string }
-  | { kind: 'mitigate'; text: string; seeds: number; mostLag: number };
+  | { kind: 'mitigate-usual' | 'mitigate'; text: string; asked: string }
+  | { kind: 'mitigate-log'; text: string; asked: string; name: string; bytes: Uint8Array };
 
 /** How an error begins after which the engine is no more to be used. */
 export const STOPPED = 'the engine stopped: ';

@@ -27,11 +27,11 @@ export function byId<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
-/** `F_i` with its letter lowered. */
+/** `F_i` and `F_nom` with their letters lowered. */
 export function rich(text: string): DocumentFragment {
   const fragment = document.createDocumentFragment();
   text
-    .split(/(?<=\bF)_([a-zA-Z])\b/)
+    .split(/(?<=\bF)_([a-zA-Z]|nom)\b/)
     .forEach((part, index) => fragment.append(index % 2 ? make('sub', {}, part) : part));
   return fragment;
 }

@@ -17,6 +17,8 @@ export interface View {
   hidden: string[];
   /** Seconds of the spring per second of the viewer; zero as fits what is shown. */
   slow: number;
+  /** What the tab Mitigate is asked, where it is not as the command has it, and the name of the candidate that is picked. */
+  mitigate: Record<string, string>;
 }
 
 export interface State {
@@ -25,7 +27,15 @@ export interface State {
   view: View;
 }
 
-export const defaultView = (): View => ({ tab: 'spring', condition: 0, damping: 0, times: null, hidden: [], slow: 0 });
+export const defaultView = (): View => ({
+  tab: 'spring',
+  condition: 0,
+  damping: 0,
+  times: null,
+  hidden: [],
+  slow: 0,
+  mitigate: {},
+});
 
 type Listener = (state: State, before: State) => void;
 

@@ -1,4 +1,4 @@
-// Logs and remedies: what the page says of a simulated log and of a spec's conditions is what the command says.
+// Logs: what the page says of a simulated log is what the command says.
 import AxeBuilder from '@axe-core/playwright';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -115,47 +115,12 @@ test('a curve of inductance over length is fitted as the command fits it', async
   expect(apart(here.inverse_length, there.inverse_length)).toBeLessThan(1e-9);
 });
 
-test('remedies are ranked with the numbers of the command, one is picked and taken along', async ({ page }) => {
-  await page.goto('./#S_T&@tab="mitigate"');
-  await page.getByRole('button', { name: 'Judge' }).click();
-  await expect(page.locator('#panel-mitigate .verdict')).toContainText('With 1 series of noise', { timeout: 100_000 });
-  const here = JSON.parse(await saved(page, 'Everything (JSON)')) as { candidates: unknown };
-  const there = JSON.parse(
-    told(
-      'mitigate',
-      join(new URL('..', import.meta.url).pathname, '..', 'examples', 'sea-ankle.toml'),
-      '--seeds',
-      '1',
-      '--json',
-    ),
-  ) as { candidates: unknown };
-  const difference = apart(here.candidates, there.candidates);
-  console.log(`mitigate: largest relative difference ${difference.toExponential(1)}`);
-  expect(difference).toBeLessThan(1e-9);
-  await page.getByRole('button', { name: 'mean over 2τ' }).press('Enter');
-  await expect(page.getByRole('region', { name: 'What comes out' })).toContainText('mean over 2τ');
-  expect(await saved(page, 'Settings (C header)')).toContain('force_filter_step');
-  expect((JSON.parse(await saved(page, 'Settings (JSON)')) as { name: string }).name).toBe('force_filter');
-});
-
-test('judging can be cancelled, and a wrong lag is refused', async ({ page }) => {
-  await page.goto('./#S_T&@tab="mitigate"');
-  await page.getByLabel('Most lag').fill('x');
-  await page.getByRole('button', { name: 'Judge' }).click();
-  await expect(page.locator('#panel-mitigate .refusal')).toContainText('Most lag must be a number of degrees');
-  await page.getByLabel('Most lag').fill('20');
-  await page.getByRole('button', { name: 'Judge' }).click();
-  await page.getByRole('button', { name: 'Cancel' }).click();
-  await expect(page.locator('#panel-mitigate [role=status]')).toHaveText('Cancelled.');
-  await expect(page.getByRole('button', { name: 'Judge' })).toBeEnabled();
-});
-
 for (const [width, colorScheme] of [
   [375, 'dark'],
   [1280, 'light'],
   [2560, 'dark'],
 ] as const) {
-  test(`both tabs fit ${width} pixels in ${colorScheme}, and axe finds nothing`, async ({ page }) => {
+  test(`the tab fits ${width} pixels in ${colorScheme}, and axe finds nothing`, async ({ page }) => {
     await page.setViewportSize({ width, height: 900 });
     await page.emulateMedia({ colorScheme });
     await page.goto('./#S_T&@tab="log"');
@@ -167,9 +132,5 @@ for (const [width, colorScheme] of [
       await page.screenshot({ path: join(folder, `${tab}-${width}-${colorScheme}.png`), fullPage: true });
     };
     await fine('log');
-    await page.getByRole('tab', { name: 'Mitigate' }).click();
-    await page.getByRole('button', { name: 'Judge' }).click();
-    await expect(page.locator('#panel-mitigate .verdict')).toBeVisible({ timeout: 100_000 });
-    await fine('mitigate');
   });
 }

@@ -233,7 +233,7 @@ pub(crate) fn digits(value: f64) -> String {
 }
 
 /// The same without zeros behind: for what a person has set.
-pub(crate) fn plainly(value: f64) -> String {
+pub fn plainly(value: f64) -> String {
     let text = digits(value);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -32,7 +32,7 @@ impl Asked {
         serde_json::from_str(text).map(|value| Self { value }).map_err(|error| error.to_string())
     }
 
-    fn text(&self, name: &str) -> Option<&str> {
+    pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.value.get(name).and_then(Value::as_str).map(str::trim).filter(|text| !text.is_empty())
     }
 
@@ -40,7 +40,7 @@ impl Asked {
         self.value.get(name).and_then(Value::as_bool).unwrap_or(false)
     }
 
-    fn quantity(&self, name: &str, dimension: Dimension) -> Result<Option<f64>, String> {
+    pub(crate) fn quantity(&self, name: &str, dimension: Dimension) -> Result<Option<f64>, String> {
         let Some(text) = self.text(name) else { return Ok(None) };
         let value = dimension.parse(text).filter(|value| value.is_finite());
         value.map(Some).ok_or_else(|| format!("{name}: must be {}, got {text:?}", dimension.expectation()))
@@ -54,7 +54,7 @@ impl Asked {
         }
     }
 
-    fn mapping(&self) -> Result<Mapping, String> {
+    pub(crate) fn mapping(&self) -> Result<Mapping, String> {
         let mut mapping = Mapping::default();
         mapping.format.sample_rate = self.above_zero("sample-rate", Dimension::Frequency)?;
         for column in self.value.get("column").and_then(Value::as_array).into_iter().flatten() {

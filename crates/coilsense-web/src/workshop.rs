@@ -33,12 +33,28 @@ impl Engine {
         log::calibrate(name, text, &log::Asked::parse(asked)?)
     }
 
-    /// What to do about the ringing of a spec's conditions, with so many series of noise and a lag \[degrees\].
+    /// What to do about the ringing of a spec's conditions; `asked` is JSON with the command's options, see [`mitigate::asked`].
     ///
     /// # Errors
-    /// What the spec's reader or the science says.
-    pub fn mitigate(&self, text: &str, seeds: u32, most_lag: f64) -> Result<Answer, String> {
-        mitigate::run(&self.spec(text)?, u64::from(seeds), most_lag, &tell)
+    /// What the spec's reader or the science says, behind `option: ` where it is about one.
+    pub fn mitigate(&self, text: &str, asked: &str) -> Result<Answer, String> {
+        mitigate::run(&self.spec(text)?, &log::Asked::parse(asked)?, &tell)
+    }
+
+    /// The same on a log.
+    ///
+    /// # Errors
+    /// As [`Self::mitigate`]; for the log with its name, and where it can be said line and column.
+    pub fn mitigate_log(&self, text: &str, asked: &str, name: &str, log: Vec<u8>) -> Result<Answer, String> {
+        mitigate::run_on(&self.spec(text)?, &log::Asked::parse(asked)?, (name, log), &tell)
+    }
+
+    /// What those options are where nothing is said, and what is wrong with those that are given.
+    ///
+    /// # Errors
+    /// What the spec's reader says.
+    pub fn mitigate_usual(&self, text: &str, asked: &str) -> Result<Answer, String> {
+        mitigate::usual(&self.spec(text)?, &log::Asked::parse(asked)?)
     }
 }
 

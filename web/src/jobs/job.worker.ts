@@ -36,6 +36,10 @@ function asked(engine: Engine, job: Job): Found {
     case 'calibrate':
       return engine.calibrate(job.name, job.bytes, job.asked);
     case 'mitigate':
-      return engine.mitigate(job.text, job.seeds, job.mostLag);
+      return engine.mitigate(job.text, job.asked);
+    case 'mitigate-log':
+      return engine.mitigate_log(job.text, job.asked, job.name, job.bytes);
+    case 'mitigate-usual':
+      return engine.mitigate_usual(job.text, job.asked);
   }
 }

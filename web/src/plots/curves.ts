@@ -9,15 +9,19 @@ export interface Curves {
   title: string;
   x: { label: string; values: Float64Array; factor?: number };
   y: { label: string; logarithmic?: boolean; range?: [number, number] };
-  /** Drawn in the look of a force; as dots where that is asked for. */
-  curves: { look: string; label: string; values: ArrayLike<number | null>; dots?: boolean }[];
+  /** Drawn in the look of a force; as dots, hollow ones too, where that is asked for. */
+  curves: { look: string; label: string; values: ArrayLike<number | null>; dots?: boolean | 'hollow' }[];
   /** Upright lines with a name. */
   marks?: { x: number; label: string }[];
 }
 
-export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = [] }: Curves): void {
+export function curves(
+  host: HTMLElement,
+  { title, x, y, curves: lines, marks = [] }: Curves,
+  ...plugins: uPlot.Plugin[]
+): void {
   const legend = lines.map(({ look: name, label, dots }) =>
-    make('span', {}, dots ? disc(name) : sample(name), make('span', {}, rich(label))),
+    make('span', {}, dots ? disc(name, dots) : sample(name), make('span', {}, rich(label))),
   );
   const plot = make('div', { class: 'plot', role: 'img', 'aria-label': title });
   host.append(
@@ -34,7 +38,8 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = 
   chart(
     plot,
     {
-      scales: { x: { time: false }, y: scale },
+      plugins,
+      scales: { x: { time: false, ...(lines.some(({ dots }) => dots) ? { range: roomy } : {}) }, y: scale },
       hooks: { draw: [(drawn) => draw(drawn, marks)] },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
@@ -46,7 +51,12 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = 
         ...lines.map(({ look: name, label, dots }): uPlot.Series => {
           const stroke = () => ink[look(name).colour as keyof typeof ink];
           return dots
-            ? { label, stroke, paths: () => null, points: { show: true, size: 7, fill: stroke } }
+            ? {
+                label,
+                stroke,
+                paths: () => null,
+                points: { show: true, size: 8, width: 2, fill: dots === 'hollow' ? () => ink.ground : stroke },
+              }
             : curve(name, label);
         }),
       ],
@@ -54,6 +64,12 @@ export function curves(host: HTMLElement, { title, x, y, curves: lines, marks = 
     [x.values, ...lines.map(({ values }) => values)] as unknown as uPlot.AlignedData,
   );
 }
+
+/** Dots at the ends are not to be cut. */
+const roomy = (_: uPlot, low: number, high: number): [number, number] => {
+  const room = 0.04 * (high - low || 1);
+  return [low - room, high + room];
+};
 
 /** Marks with their names above each other where they would meet. */
 function draw({ ctx, bbox, scales, valToPos }: uPlot, marks: { x: number; label: string }[]): void {
@@ -82,8 +98,10 @@ function draw({ ctx, bbox, scales, valToPos }: uPlot, marks: { x: number; label:
 }
 
 /** A dot, as in a legend. */
-function disc(name: string): HTMLElement {
+function disc(name: string, dots: true | 'hollow'): HTMLElement {
   const dot = make('span', { class: 'disc', 'aria-hidden': 'true' });
-  dot.style.background = `var(--${look(name).colour})`;
+  const colour = `var(--${look(name).colour})`;
+  dot.style.border = `2px solid ${colour}`;
+  if (dots !== 'hollow') dot.style.background = colour;
   return dot;
 }

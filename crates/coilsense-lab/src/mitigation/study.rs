@@ -184,6 +184,7 @@ impl Study {
     /// # Errors
     /// As [`Self::run`].
     pub fn run_watched(self, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, Error> {
+        self.check()?;
         let sampled = SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
         let nominal = runs::nominal(&self)?;
         let largest = |of: fn(&runs::Run) -> f64| nominal.iter().map(of).fold(0.0, f64::max);
@@ -223,6 +224,24 @@ impl Study {
         Ok(answer)
     }
 
+    /// Whether what is asked for can be: the sampling rate, the bandwidth, the noise, the series; [`Self::run`] asks first.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for the first that cannot.
+    pub fn check(&self) -> Result<(), Error> {
+        SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
+        if !(self.bandwidth > 0.0 && self.bandwidth < self.spring.surge_frequency()) {
+            return Err(unfit("bandwidth", self.bandwidth, "Hz", "above zero and below the first surge frequency"));
+        }
+        if !(self.noise > 0.0 && self.noise.is_finite()) {
+            return Err(unfit("noise of the force", self.noise, "N", POSITIVE));
+        }
+        if self.seeds == 0 {
+            return Err(unfit("seeds", 0.0, "", "at least 1"));
+        }
+        Ok(())
+    }
+
     /// How long the longest run takes \[s\].
     fn longest(&self) -> f64 {
         match &self.recorded {
@@ -232,21 +251,7 @@ impl Study {
     }
 
     fn trial(&self, sampled: &SampledSpring, nominal: Vec<runs::Run>, impact: f64) -> Result<Trial, Error> {
-        let told = |quantity: &'static str, value: f64, unit, allowed: &'static str| Error::Value {
-            quantity: quantity.into(),
-            value,
-            unit,
-            allowed: allowed.into(),
-        };
-        let first = self.spring.surge_frequency();
-        if !(self.bandwidth > 0.0 && self.bandwidth < first) {
-            return Err(told("bandwidth", self.bandwidth, "Hz", "above zero and below the first surge frequency"));
-        }
-        let unfit = || told("noise of the force", self.noise, "N", "above zero and finite");
-        let noise = Normal::new(0.0, self.noise).ok().filter(|_| self.noise > 0.0).ok_or_else(unfit)?;
-        if self.seeds == 0 {
-            return Err(told("seeds", 0.0, "", "at least 1"));
-        }
+        let noise = Normal::new(0.0, self.noise).map_err(|_| unfit("noise of the force", self.noise, "N", POSITIVE))?;
         Ok(Trial {
             nominal,
             over_the_box: runs::over_the_box(self)?,
@@ -261,4 +266,10 @@ impl Study {
             longest_delay: (2.0 * sampled.surge_period()) as usize,
         })
     }
+}
+
+const POSITIVE: &str = "above zero and finite";
+
+fn unfit(quantity: &'static str, value: f64, unit: &'static str, allowed: &'static str) -> Error {
+    Error::Value { quantity: quantity.into(), value, unit, allowed: allowed.into() }
 }

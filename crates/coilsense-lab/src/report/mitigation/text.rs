@@ -40,7 +40,7 @@ pub(super) fn conditions(answer: &Answer) -> String {
             100.0 * study.tolerances.stiffness(),
             100.0 * study.tolerances.mass(),
             study.bandwidth,
-            study.most_lag,
+            degrees(study.most_lag),
         );
     }
     format!(
@@ -56,13 +56,18 @@ pub(super) fn conditions(answer: &Answer) -> String {
         100.0 * study.tolerances.mass(),
         study.dampings.iter().map(|damping| damping.0.as_str()).collect::<Vec<_>>().join(", "),
         study.bandwidth,
-        study.most_lag,
+        degrees(study.most_lag),
     )
 }
 
 /// A lag in degrees without a sign before a zero.
 pub(super) fn upright(lag: f64) -> f64 {
     if lag.abs() < 0.005 { 0.0 } else { lag }
+}
+
+/// An angle without what its way from degrees over radians back leaves behind the ninth decimal.
+fn degrees(angle: f64) -> f64 {
+    (1e9 * angle).round() / 1e9
 }
 
 /// A force in % of F_nom.

@@ -1,0 +1,45 @@
+// Begin, how much is done, and cancel.
+//
+// Next door: what is begun (`tabs/mitigate`).
+
+import { make } from '../dom';
+
+export class Progress {
+  readonly element: HTMLElement;
+  private readonly bar = make('progress', { 'aria-label': 'Candidates judged', hidden: true });
+  private readonly said = make('p', { class: 'hint', role: 'status' });
+  private readonly start = make('button', { type: 'button', class: 'play' }, 'Judge');
+  private readonly stop = make('button', { type: 'button', class: 'plain', hidden: true }, 'Cancel');
+
+  constructor(begin: () => void, cancel: () => void) {
+    this.start.addEventListener('click', begin);
+    this.stop.addEventListener('click', cancel);
+    this.element = make(
+      'div',
+      { class: 'progress' },
+      make('div', { class: 'downloads' }, this.start, this.stop),
+      this.bar,
+      this.said,
+    );
+  }
+
+  get isRunning(): boolean {
+    return this.start.disabled;
+  }
+
+  begin(): void {
+    [this.bar.hidden, this.stop.hidden, this.start.disabled] = [false, false, true];
+    this.bar.removeAttribute('value');
+    this.said.textContent = 'Designing …';
+  }
+
+  tell(done: number, of: number): void {
+    [this.bar.value, this.bar.max] = [done, of];
+    this.said.textContent = `${done} of ${of} candidates judged`;
+  }
+
+  rest(words: string): void {
+    [this.bar.hidden, this.stop.hidden, this.start.disabled] = [true, true, false];
+    this.said.textContent = words;
+  }
+}

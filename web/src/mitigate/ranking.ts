@@ -1,0 +1,84 @@
+// What the engine says of all candidates, and how its numbers are written.
+//
+// Next door: the same as a table (`table`), as points (`scatter`), one of them over time (`picked`).
+
+import type { Answer } from '../answer';
+import { digits, fixed } from '../dom';
+
+export interface Candidate {
+  name: string;
+  origin: string;
+  against: string;
+  'rms error [N]': number;
+  'worst rms error [N]': number;
+  'worst run': string;
+  'lag at bandwidth [deg]': number;
+  'noise gain': number;
+}
+
+/** What `coilsense mitigate --json` prints, as far as it is shown. */
+export interface Ranking {
+  advice: string[];
+  'F_nom [N]': number;
+  'sampling rate [Hz]': number;
+  'noise [N rms]': number;
+  'bandwidth [Hz]': number;
+  log: string | null;
+  seeds: number;
+  candidates: Candidate[];
+  'left out': { name: string; reason: string }[];
+}
+
+/** Settings in one precision: the name they have, and the files by their endings. */
+export interface Export {
+  name: string;
+  h: string;
+  rs: string;
+  json: string;
+}
+
+export interface Facts {
+  json: string;
+  mostLag: number;
+  best: (number | null)[];
+  run: string | null;
+  exports: ({ single: Export; double: Export } | null)[];
+}
+
+export interface Judged {
+  ranking: Ranking;
+  answer: Answer<Facts>;
+}
+
+/** What is true, and what those are that are held against it. */
+export const GROUPS = [
+  ['k·Δl', 'Filters of F_i, held against k·Δl'],
+  ['F_o', 'Estimators, held against F_o'],
+] as const;
+
+export const lag = (one: Candidate): number => one['lag at bandwidth [deg]'];
+export const share = ({ ranking }: Judged, force: number): number => (100 * force) / ranking['F_nom [N]'];
+export const percent = (judged: Judged, force: number): string => `${fixed(share(judged, force), 3)} %`;
+/** A lag without a sign before a zero. */
+export const degrees = (angle: number): string => `${fixed(Math.round(10 * angle) / 10 + 0, 1)}°`;
+
+/** Candidates that are to give `truth`, with their numbers in the ranking, best first. */
+export const those = ({ ranking }: Judged, truth: string): { one: Candidate; number: number }[] =>
+  ranking.candidates.map((one, number) => ({ one, number })).filter(({ one }) => one.against === truth);
+
+/** A candidate in one line. */
+export const told = (judged: Judged, one: Candidate): string =>
+  `${one.name}: ${percent(judged, one['worst rms error [N]'])} at worst, ${percent(judged, one['rms error [N]'])} on the nominal spring, ${degrees(lag(one))} late`;
+
+/** On what they were judged. */
+export function conditions({ ranking }: Judged): string {
+  const [rate, noise, bandwidth] = [
+    ranking['sampling rate [Hz]'],
+    ranking['noise [N rms]'],
+    ranking['bandwidth [Hz]'],
+  ].map((value) => digits(value));
+  const series = ranking.seeds === 1 ? 'one series' : `${ranking.seeds} series`;
+  return ranking.log === null
+    ? `Sampled at ${rate} Hz with ${noise} N rms of noise, ${series}; lag at ${bandwidth} Hz.`
+    : `On ${ranking.log} as recorded, ${rate} Hz: no noise added and no box, so that worst is what it leaves there; designs for ${noise} N rms of noise; lag at ${bandwidth} Hz.`;
+}
