@@ -84,8 +84,11 @@ export class Store {
 
   choosePreset(id: string): void {
     const { id: name, spec } = preset(id);
-    const { tab, slow, hidden } = this.now.view;
-    this.put({ preset: name, spec: structuredClone(spec), view: { ...defaultView(), tab, slow, hidden } }, '');
+    const { tab, slow, hidden, mitigate } = this.now.view;
+    this.put(
+      { preset: name, spec: structuredClone(spec), view: { ...defaultView(), tab, slow, hidden, mitigate } },
+      '',
+    );
   }
 
   /** Back to the preset as it was. */
@@ -106,7 +109,7 @@ export class Store {
     if (!before) return;
     this.future.push(this.now);
     this.gesture.name = '';
-    this.tell(before);
+    this.tell(this.chosenNow(before));
   }
 
   redo(): void {
@@ -114,7 +117,12 @@ export class Store {
     if (!next) return;
     this.past.push(this.now);
     this.gesture.name = '';
-    this.tell(next);
+    this.tell(this.chosenNow(next));
+  }
+
+  /** What a tab is asked is no step of its own: it stays as it is. */
+  private chosenNow(state: State): State {
+    return { ...state, view: { ...state.view, mitigate: this.now.view.mitigate } };
   }
 
   private put(next: State, gesture: string): void {

@@ -3,7 +3,7 @@
 // Next door: the chart they are in (`curves`).
 
 import type uPlot from 'uplot';
-import { clamp, make, rich } from '../dom';
+import { clamp, make } from '../dom';
 import { LARGER } from './chart';
 import { ink } from './looks';
 
@@ -71,7 +71,7 @@ export class Points {
     if (!this.plot) return;
     this.plot.over.style.cursor = point ? 'pointer' : '';
     if (!point) return;
-    this.tip.replaceChildren(rich(point.label));
+    this.tip.textContent = point.label;
     const [x, y] = this.at(point);
     const { clientWidth, clientHeight } = this.plot.over;
     const [wide, tall] = [this.tip.offsetWidth, this.tip.offsetHeight];
