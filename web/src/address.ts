@@ -57,6 +57,7 @@ function gone(base: Flat, now: Flat): string[] {
 }
 
 const isCount = (value: unknown): boolean => Number.isSafeInteger(value) && Number(value) >= 0;
+const areNames = (value: unknown): boolean => Array.isArray(value) && value.every((name) => typeof name === 'string');
 const isTime = (value: unknown): boolean => typeof value === 'number' && Number.isFinite(value) && value >= 0;
 const isWords = (value: unknown): boolean =>
   typeof value === 'object' &&
@@ -70,7 +71,8 @@ const FITS: Record<string, (value: unknown) => boolean> = {
   condition: isCount,
   damping: isCount,
   times: (value) => Array.isArray(value) && value.length === 2 && value.every(isTime) && value[0] < value[1],
-  hidden: (value) => Array.isArray(value) && value.every((name) => typeof name === 'string'),
+  hidden: areNames,
+  sensors: areNames,
   slow: (value) => isTime(value) && Number(value) <= 1,
   mitigate: isWords,
 } satisfies Record<keyof View, (value: unknown) => boolean>;

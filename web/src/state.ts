@@ -15,6 +15,8 @@ export interface View {
   times: [number, number] | null;
   /** Curves that are not drawn. */
   hidden: string[];
+  /** Sensors whose readings are drawn, by name. */
+  sensors: string[];
   /** Seconds of the spring per second of the viewer; zero as fits what is shown. */
   slow: number;
   /** What the tab Mitigate is asked, where it is not as the command has it, and the name of the candidate that is picked. */
@@ -33,6 +35,7 @@ export const defaultView = (): View => ({
   damping: 0,
   times: null,
   hidden: [],
+  sensors: [],
   slow: 0,
   mitigate: {},
 });

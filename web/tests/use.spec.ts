@@ -32,6 +32,44 @@ test('a curve is hidden by keyboard, and the focus stays where it was', async ({
   await expect(line).toBeFocused();
 });
 
+test('what a sensor reads is drawn where it is asked for, told at the mark, and waits for exact values', async ({
+  page,
+}) => {
+  await open(page);
+  const row = page.locator('tr[data-force="load cell, load side"] button');
+  const key = page.locator('.keys > span', { hasText: 'load cell, load side' });
+  await expect(row).toHaveAttribute('aria-pressed', 'false');
+  await expect(key).toHaveCount(0);
+  await row.click();
+  await expect(row).toHaveAttribute('aria-pressed', 'true');
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.locator('.plot.forces').focus();
+  await page.keyboard.press('ArrowRight');
+  // The mark is told in milliseconds, the reading at the sample nearest to it, with as many decimals as all forces.
+  const at = Number((await page.locator('.clock').textContent())!.replace(' ms', '')) / 1e3;
+  const [times, { sensors }] = [await series(page, 'time'), await facts(page)];
+  const number = sensors.findIndex(({ name }) => name === 'load cell, load side');
+  const nearest = times.reduce(
+    (best, time, index) => (Math.abs(time - at) < Math.abs(times[best]! - at) ? index : best),
+    0,
+  );
+  const told = Number((await key.locator('output').textContent())!.replace(' N', ''));
+  const around = (await series(page, `reading ${number}`)).slice(nearest - 1, nearest + 2);
+  expect(told).toBeGreaterThan(Math.min(...around) - 0.06);
+  expect(told).toBeLessThan(Math.max(...around) + 0.06);
+  await page.evaluate(() => document.querySelector<HTMLInputElement>('input[aria-label="Mass m, slider"]')!.stepUp(40));
+  await page.getByRole('slider', { name: 'Mass m, slider' }).dispatchEvent('input');
+  await expect(key.locator('output')).toHaveText('…');
+  await exact(page);
+  await expect(key.locator('output')).toHaveText(/ N$/);
+  await expect.poll(() => page.url()).toContain('@sensors=');
+  await page.reload();
+  await exact(page);
+  await expect(key).toHaveCount(1);
+  await row.click();
+  await expect(key).toHaveCount(0);
+});
+
 test('a preview is marked, and exact values replace it within a second of rest', async ({ page }) => {
   await open(page);
   await page.getByRole('slider', { name: hitSlider }).fill('600');

@@ -66,13 +66,15 @@ pub fn published_cells() -> Result<Vec<PublishedCell>, PublishedError> {
     for (table, file, text) in FILES {
         let fault = |message: String| PublishedError { file, message };
         let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
-        for row in reader.deserialize() {
-            let (spring, condition, values): (String, String, [f64; 3]) =
-                row.map_err(|error| fault(error.to_string()))?;
+        for row in reader.records() {
+            let row = row.map_err(|error| fault(error.to_string()))?;
+            let field = |column: usize| row.get(column).unwrap_or_default();
             let condition =
-                Condition::named(&condition).ok_or_else(|| fault(format!("unknown condition {condition}")))?;
-            for (force, percent) in COLUMNS.into_iter().zip(values) {
-                cells.push(PublishedCell { table, spring: spring.clone(), condition, force, percent });
+                Condition::named(field(1)).ok_or_else(|| fault(format!("unknown condition {}", field(1))))?;
+            for (column, force) in COLUMNS.into_iter().enumerate() {
+                let text = field(2 + column);
+                let percent = text.parse().map_err(|_| fault(format!("{text:?} must be a number")))?;
+                cells.push(PublishedCell { table, spring: field(0).to_owned(), condition, force, percent });
             }
         }
     }

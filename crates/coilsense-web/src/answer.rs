@@ -5,6 +5,8 @@
 use serde_json::Value;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::json;
+
 /// One answer to the page.
 #[wasm_bindgen]
 #[derive(Debug, Clone)]
@@ -17,7 +19,7 @@ pub struct Answer {
 impl Answer {
     /// An answer of named series, each of which has its own length.
     pub fn new(meta: &Value, series: Vec<(String, Vec<f64>)>) -> Self {
-        Self { meta: meta.to_string(), series, positions: Vec::new() }
+        Self { meta: json::text(meta), series, positions: Vec::new() }
     }
 
     /// The same with positions of windings \[m\], shape `frames × (N + 2)`, row-major: single precision, since they are only drawn.

@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::answer::Answer;
 use crate::exact::Exact;
-use crate::{paper, preview};
+use crate::{catalogue, paper, preview};
 
 /// Name of the page's spec in messages.
 const NAME: &str = "spec";
@@ -70,6 +70,14 @@ impl Engine {
         let run = exact.single.case.series(&spec, &spec.sensors);
         series::write(&[run], Format::Csv, &mut bytes).map_err(|error| error.to_string())?;
         Ok(bytes)
+    }
+
+    /// Materials and classes of sensors that a spec may name, as JSON.
+    ///
+    /// # Errors
+    /// None but that of a damaged program.
+    pub fn catalogue(&self) -> Result<String, String> {
+        catalogue::text()
     }
 
     /// Tables II and III and Figs. 2 and 4 of the paper, computed.

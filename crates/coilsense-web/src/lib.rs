@@ -15,9 +15,11 @@
 )]
 
 pub mod answer;
+pub mod catalogue;
 mod door;
 pub mod exact;
 mod facts;
+mod json;
 #[cfg(feature = "workshop")]
 pub mod log;
 #[cfg(feature = "workshop")]

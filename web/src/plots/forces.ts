@@ -1,4 +1,5 @@
-// The four forces over time: the user's limit as a band about the true one, the judged part shaded, zoom by dragging, a mark that moves along.
+// The four forces over time, and the readings that are asked for: the user's limit as a band about the true one, the judged part shaded, zoom
+// by dragging, a mark that moves along.
 //
 // Next door: their spectrum (`spectrum`), the bare chart (`chart`).
 
@@ -6,7 +7,11 @@ import uPlot from 'uplot';
 import type { Answer, Facts } from '../answer';
 import { clamp } from '../dom';
 import { axis, chart, curve, font, LARGER, plain, type Chart } from './chart';
+import type { Line } from './lines';
 import { FORCE_NAMES, ink } from './looks';
+
+/** Series before the first reading: time, both edges of the band, the forces. */
+const FIRST_READING = 3 + FORCE_NAMES.length;
 
 export interface ForceEvents {
   /** The user chose other times [s]. */
@@ -37,12 +42,12 @@ export class ForcePlot {
     this.listen();
   }
 
-  show(answer: Answer<Facts>, times: [number, number], limit: number | null, hidden: readonly string[]): void {
+  show(answer: Answer<Facts>, times: [number, number], hidden: readonly string[], readings: readonly Line[]): void {
     const { facts, series } = answer;
     [this.facts, this.times] = [facts, times];
     const truth = series[facts.truth] ?? series['F_x'] ?? new Float64Array();
-    const band = limit ?? 0;
-    const data = [
+    const band = facts.goal ?? 0;
+    const data: unknown[] = [
       series['time'],
       truth.map((force) => force + band),
       truth.map((force) => force - band),
@@ -50,6 +55,11 @@ export class ForcePlot {
     ];
     const { plot } = this.chart;
     plot.batch(() => {
+      this.addLines(readings);
+      // A preview knows no sensors.
+      const none = plot.series.length > FIRST_READING ? new Array<null>(truth.length).fill(null) : [];
+      for (let number = 0; number < plot.series.length - FIRST_READING; number++)
+        data.push(readings.some((line) => line.number === number) ? (series[`reading ${number}`] ?? none) : none);
       FORCE_NAMES.forEach((name, index) => {
         const show = !hidden.includes(name);
         if (plot.series[index + 3]?.show !== show) plot.setSeries(index + 3, { show });
@@ -66,6 +76,21 @@ export class ForcePlot {
     const inside = time >= this.times[0] && time <= this.times[1];
     this.mark.hidden = !inside;
     if (inside) this.mark.style.transform = `translateX(${this.chart.plot.valToPos(time, 'x')}px)`;
+  }
+
+  /** A curve for each sensor up to the last that is asked for, stepped, since a sensor holds its value. uPlot can hide curves, not drop them. */
+  private addLines(readings: readonly Line[]): void {
+    const { plot } = this.chart;
+    const last = Math.max(-1, ...readings.map(({ number }) => number));
+    const paths = uPlot.paths.stepped?.({ align: 1 });
+    while (plot.series.length <= FIRST_READING + last) {
+      const name = `reading ${plot.series.length - FIRST_READING}`;
+      plot.addSeries({ ...curve(name, name), ...(paths ? { paths } : {}) });
+    }
+    plot.series.slice(FIRST_READING).forEach((series, number) => {
+      const show = readings.some((line) => line.number === number);
+      if (series.show !== show) plot.setSeries(FIRST_READING + number, { show });
+    });
   }
 
   get plot(): uPlot {

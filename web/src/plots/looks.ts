@@ -13,6 +13,9 @@ const FORCES: Record<string, Look> = {
   F_L: { colour: 'ink', dash: [7, 4], width: 1.4 },
 };
 
+/** What sensors read: thin, without a dash, in colours that no force has. */
+const READING = ['orange', 'purple', 'teal', 'pink', 'olive', 'brown'] as const;
+
 /** What each force is, for people. */
 export const MEANING: Record<string, string> = {
   F_i: 'load cell at end 1',
@@ -23,7 +26,12 @@ export const MEANING: Record<string, string> = {
 
 export const FORCE_NAMES = ['F_i', 'F_o', 'F_x', 'F_L'] as const;
 
-export const look = (name: string): Look => FORCES[name] ?? { colour: 'ink', dash: [], width: 1.4 };
+/** Of a force, or of the series `reading 0` …; anything else is drawn in ink. */
+export function look(name: string): Look {
+  const number = /^reading (\d+)$/.exec(name)?.[1];
+  const colour = number === undefined ? 'ink' : (READING[Number(number) % READING.length] ?? 'ink');
+  return FORCES[name] ?? { colour, dash: [], width: number === undefined ? 1.4 : 1 };
+}
 
 const COLOURS = [
   'ground',
@@ -41,6 +49,7 @@ const COLOURS = [
   'touch',
   'band',
   'judged',
+  ...READING,
 ] as const;
 export type Colour = (typeof COLOURS)[number];
 export const ink: Record<Colour, string> = Object.fromEntries(COLOURS.map((name) => [name, '#888'])) as Record<

@@ -5,39 +5,44 @@
 import type { Shown } from '../compute';
 import { clamp, fixed, make, rich } from '../dom';
 import { nearest } from '../spring/scene';
-import { FORCE_NAMES, MEANING, sample } from './looks';
-
-/** Numbers that change faster than this cannot be read [ms]. */
-const PAUSE = 120;
+import type { Line } from './lines';
+import { sample } from './looks';
 
 export class ReadOut {
-  private readonly values = FORCE_NAMES.map(() => make('output'));
+  private values: HTMLOutputElement[] = [];
+  private lines: readonly Line[] = [];
+  private drawn = '';
   private shown: Shown | null = null;
   private time = 0;
-  private last = 0;
 
-  constructor(host: HTMLElement) {
-    const key = (name: string, index: number) =>
+  constructor(private readonly host: HTMLElement) {}
+
+  show(shown: Shown, lines: readonly Line[]): void {
+    this.shown = shown;
+    this.lines = lines;
+    const now = JSON.stringify(lines);
+    if (now !== this.drawn) this.draw();
+    this.drawn = now;
+    this.write();
+  }
+
+  at(time: number): void {
+    this.time = time;
+    this.write();
+  }
+
+  private draw(): void {
+    this.values = this.lines.map(() => make('output'));
+    const key = ({ series, name, meaning }: Line, index: number) =>
       make(
         'span',
         {},
-        sample(name),
-        make('span', {}, make('b', {}, rich(name)), ` ${MEANING[name]} `, this.values[index]),
+        sample(series),
+        make('span', {}, make('b', {}, rich(name)), meaning && ` ${meaning}`),
+        this.values[index],
       );
-    host.replaceChildren(...FORCE_NAMES.map(key), make('span', {}, make('i', { class: 'limit' }), 'within your limit'));
-  }
-
-  show(shown: Shown): void {
-    this.shown = shown;
-    this.write();
-  }
-
-  at(time: number, inMotion: boolean): void {
-    this.time = time;
-    const now = performance.now();
-    if (inMotion && now - this.last < PAUSE) return;
-    this.last = now;
-    this.write();
+    const limit = make('span', {}, make('i', { class: 'limit' }), 'within your limit');
+    this.host.replaceChildren(...this.lines.map(key), limit);
   }
 
   private write(): void {
@@ -45,8 +50,10 @@ export class ReadOut {
     const { facts, series } = this.shown.answer;
     const index = nearest(series['time'] ?? new Float64Array(1), this.time);
     const decimals = clamp(3 - Math.floor(Math.log10(facts.spring.nominalForce)), 0, 3);
-    FORCE_NAMES.forEach((name, at) =>
-      this.values[at]?.replaceChildren(`${fixed(series[name]?.[index] ?? NaN, decimals)} N`),
-    );
+    this.lines.forEach((line, at) => {
+      const value = series[line.series]?.[index];
+      // A preview knows no sensors: they read again with the exact case.
+      this.values[at]?.replaceChildren(value === undefined ? '…' : `${fixed(value, decimals)} N`);
+    });
   }
 }

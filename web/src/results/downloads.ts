@@ -3,7 +3,7 @@
 import type { Compute, Shown } from '../compute';
 import { toToml } from '../document';
 import { download, make } from '../dom';
-import { FORCE_NAMES } from '../plots/looks';
+import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
 import type { Store } from '../state';
 import { forcesSvg } from './svg';
@@ -57,12 +57,13 @@ export class Downloads {
 
   private svg(): void {
     if (!this.shown) return;
-    const { hidden } = this.store.state.view;
+    const { hidden, sensors } = this.store.state.view;
     const { width, height } = this.plot();
-    const names = FORCE_NAMES.filter((name) => !hidden.includes(name));
+    const forces = FORCE_LINES.filter(({ name }) => !hidden.includes(name));
+    const lines = [...forces, ...readings(this.shown.exact?.facts ?? null, sensors)];
     download(
       `${this.name}.svg`,
-      forcesSvg(this.shown.answer, this.shown.times, names, { width, height }),
+      forcesSvg(this.shown.answer, this.shown.times, lines, { width, height }),
       'image/svg+xml',
     );
   }

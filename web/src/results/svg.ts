@@ -1,15 +1,27 @@
 // The forces over the shown times as an SVG, in the paper's line styles, for a document.
 
 import type { Answer, Facts } from '../answer';
+import type { Line } from '../plots/lines';
 import { look } from '../plots/looks';
 
-const COLOURS: Record<string, string> = { blue: '#005aaa', red: '#c82810', green: '#007d5c', ink: '#000000' };
+const COLOURS: Record<string, string> = {
+  blue: '#005aaa',
+  red: '#c82810',
+  green: '#007d5c',
+  ink: '#000000',
+  orange: '#b25a00',
+  purple: '#7a3fb0',
+  teal: '#00808c',
+  pink: '#c2267a',
+  olive: '#6b6f00',
+  brown: '#7d4e2d',
+};
 const MARGIN = { left: 64, right: 12, top: 30, bottom: 44 };
 
 export function forcesSvg(
   answer: Answer<Facts>,
   [from, to]: [number, number],
-  names: readonly string[],
+  lines: readonly Line[],
   size: { width: number; height: number },
 ): string {
   const { facts, series } = answer;
@@ -20,7 +32,7 @@ export function forcesSvg(
   );
   const past = time.findIndex((t) => t > to);
   const count = past < 0 ? time.length : past;
-  const values = names.map((name) => (series[name] ?? new Float64Array()).subarray(first, count));
+  const values = lines.map((line) => (series[line.series] ?? new Float64Array()).subarray(first, count));
   const low = Math.min(...values.map((all) => all.reduce((a, b) => Math.min(a, b), Infinity)));
   const high = Math.max(...values.map((all) => all.reduce((a, b) => Math.max(a, b), -Infinity)));
   const [wide, tall] = [size.width - MARGIN.left - MARGIN.right, size.height - MARGIN.top - MARGIN.bottom];
@@ -50,17 +62,20 @@ export function forcesSvg(
       `<path d="M${MARGIN.left} ${at.toFixed(2)}h${wide}" stroke="#d9dce1"/>`,
     );
   });
-  const curves = names.map((name, index) => {
-    const { colour, dash, width } = look(name);
+  const curves = lines.map((line, index) => {
+    const { colour, dash, width } = look(line.series);
     const points = [...(values[index] ?? [])]
       .map((force, at) => `${x(time[first + at] ?? 0).toFixed(2)},${y(force).toFixed(2)}`)
       .join(' ');
     return `<polyline points="${points}" fill="none" stroke="${COLOURS[colour]}" stroke-width="${width}" stroke-dasharray="${dash.join(' ')}"/>`;
   });
-  const legend = names.map((name, index) => {
-    const { colour, dash, width } = look(name);
-    const at = MARGIN.left + 80 * index;
-    return `<path d="M${at} 14h34" stroke="${COLOURS[colour]}" stroke-width="${width}" stroke-dasharray="${dash.join(' ')}"/><text x="${at + 40}" y="18">${name}</text>`;
+  let next = MARGIN.left;
+  const legend = lines.map(({ series, name }) => {
+    const { colour, dash, width } = look(series);
+    const at = next;
+    // Some 7 dots a letter, and room between.
+    next += 58 + 7 * name.length;
+    return `<path d="M${at} 14h34" stroke="${COLOURS[colour]}" stroke-width="${width}" stroke-dasharray="${dash.join(' ')}"/><text x="${at + 40}" y="18">${escape(name)}</text>`;
   });
   const title = escape(
     `${facts.spring.name}, ${facts.conditions[facts.condition]?.name ?? ''}, ${facts.dampings[facts.damping]?.label ?? ''}`,

@@ -4,12 +4,11 @@
 
 import type { Answer, Deviation, ExactFacts, Facts } from '../answer';
 import { fixed, make, rich } from '../dom';
-import { FORCE_NAMES, MEANING, sample } from '../plots/looks';
+import { FORCE_LINES, type Line } from '../plots/lines';
+import { sample } from '../plots/looks';
 import type { Store } from '../state';
 
-interface Row {
-  name: string;
-  meaning: string;
+interface Row extends Line {
   off: Deviation | null;
 }
 
@@ -38,12 +37,15 @@ export class Table {
     this.body.classList.toggle('stale', exact === null);
     if (!exact) return;
     const { forces, sensors, goal, spring, truth } = exact.facts;
-    const paper = FORCE_NAMES.map((name): Row => ({
-      name,
-      meaning: MEANING[name] ?? '',
-      off: name === truth ? null : (forces[name] ?? null),
+    const { hidden, sensors: wanted } = this.store.state.view;
+    const paper = FORCE_LINES.map((line): Row => ({
+      ...line,
+      off: line.name === truth ? null : (forces[line.name] ?? null),
     }));
-    const own = sensors.map(({ name, deviation }): Row => ({ name, meaning: '', off: deviation }));
+    const own = sensors.map(({ name, deviation }, number): Row => ({
+      ...{ series: `reading ${number}`, name, meaning: '', number },
+      off: deviation,
+    }));
     const window = facts.conditions[facts.condition]?.window ?? [0, 0];
     this.caption.replaceChildren(
       'Off from ',
@@ -59,48 +61,49 @@ export class Table {
       make('tr', { class: 'group' }, make('th', { colspan: 5, scope: 'rowgroup' }, text));
     this.body.replaceChildren(
       heading('What the spring alone does'),
-      ...paper.map((row) => this.row(row, spring.nominalForce, goal, true)),
+      ...paper.map((row) => this.row(row, spring.nominalForce, goal, !hidden.includes(row.name))),
       ...(own.length > 0 ? [heading('With each sensor’s own noise, filter and lag')] : []),
-      ...own.map((row) => this.row(row, spring.nominalForce, goal, false)),
+      ...own.map((row) => this.row(row, spring.nominalForce, goal, wanted.includes(row.name))),
     );
-    if (focused) this.body.querySelector<HTMLElement>(`tr[data-force="${focused}"] button`)?.focus();
+    if (focused) this.body.querySelector<HTMLElement>(`tr[data-force="${CSS.escape(focused)}"] button`)?.focus();
   }
 
-  private row({ name, meaning, off }: Row, nominal: number, goal: number | null, drawn: boolean): HTMLElement {
+  private row(row: Row, nominal: number, goal: number | null, shown: boolean): HTMLElement {
+    const { name, off } = row;
     const percent = (force: number) => fixed((100 * force) / nominal, 3);
     const cells = off ? [percent(off.rmsd), percent(off.maximumAbsolute), percent(off.mean)] : ['–', '–', '–'];
     const above = off && goal !== null ? off.rmsd > goal : null;
     const verdict =
       above === null ? [] : [above ? '✗' : '✓', make('span', { class: 'word' }, above ? ' above' : ' within')];
-    const title = drawn ? this.toggle(name, meaning) : make('span', {}, name);
     return make(
       'tr',
       { 'data-force': name },
-      make('th', { scope: 'row' }, title),
+      make('th', { scope: 'row' }, this.toggle(row, shown)),
       ...cells.map((text) => make('td', {}, text)),
       make('td', { class: above === null ? '' : above ? 'above' : 'within' }, ...verdict),
     );
   }
 
   /** Shows and hides the curve. */
-  private toggle(name: string, meaning: string): HTMLElement {
-    const { hidden } = this.store.state.view;
-    const shown = !hidden.includes(name);
+  private toggle({ series, name, meaning }: Line, shown: boolean): HTMLElement {
+    // Forces are drawn unless they are hidden, readings only where they are asked for.
+    const list = FORCE_LINES.some((line) => line.series === series) ? 'hidden' : 'sensors';
     const flip = () => {
-      const now = this.store.state.view.hidden;
-      this.store.setView({ hidden: shown ? [...now, name] : now.filter((other) => other !== name) });
+      const now = this.store.state.view[list];
+      const next = now.includes(name) ? now.filter((other) => other !== name) : [...now, name];
+      this.store.setView({ [list]: next });
     };
     return make(
       'button',
       {
         type: 'button',
-        class: 'line',
+        class: 'line toggle',
         'aria-pressed': String(shown),
         title: shown ? 'Hide the curve' : 'Show the curve',
         onclick: flip,
       },
-      sample(name),
-      make('span', {}, make('b', {}, rich(name)), ` ${meaning}`),
+      sample(series),
+      make('span', {}, make('b', {}, rich(name)), meaning && ` ${meaning}`),
     );
   }
 }

@@ -14,6 +14,8 @@ const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 const ROUND = 10;
 /** Frames per second are counted over so many seconds. */
 const COUNTED = 2;
+/** Numbers that change faster than this cannot be read [ms]. */
+const PAUSE = 120;
 
 export class Player {
   private shown: Shown | null = null;
@@ -22,6 +24,8 @@ export class Player {
   private running = false;
   private inSight = false;
   private before = 0;
+  /** When the numbers last changed. */
+  private told = 0;
   private scene: Scene = { left: 0, right: 1, peak: 0, gain: 1, mean: 0, departure: 0 };
   private readonly counted: number[] = [];
   private readonly ends: HTMLElement[];
@@ -38,7 +42,7 @@ export class Player {
     private readonly store: Store,
     host: HTMLElement,
     private readonly canvas: HTMLCanvasElement,
-    private readonly onTime: (time: number, inMotion: boolean) => void,
+    private readonly onTime: (time: number, told: boolean) => void,
   ) {
     this.ends = [make('span', { class: 'end first' }), make('span', { class: 'end second' })];
     const words = (slow: number) => (slow === 1 ? 'real time' : `${Math.round(1 / slow)}× slower`);
@@ -93,7 +97,7 @@ export class Player {
     this.setPlaying(false);
     this.time = time;
     this.draw();
-    this.onTime(time, false);
+    this.onTime(time, true);
   }
 
   setPlaying(playing: boolean): void {
@@ -136,7 +140,7 @@ export class Player {
     this.canvas.setAttribute('aria-label', label(facts, peak, facts.clash.firstContact));
   }
 
-  private draw(): void {
+  private draw(told = true): void {
     const { shown } = this;
     if (!shown) return;
     const { frames, answer } = shown;
@@ -146,7 +150,7 @@ export class Player {
     const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
     if (positions.length === frames.columns)
       drawSpring(this.canvas, { positions, spring: answer.facts.spring, forces, ...this.scene });
-    this.tell(forces, answer.facts);
+    if (told) this.tell(forces, answer.facts);
     const [from, to] = shown.times;
     this.scrub.value = String((1000 * (this.time - from)) / (to - from));
     this.scrub.setAttribute('aria-valuetext', `${fixed(1e3 * this.time, 1)} milliseconds`);
@@ -187,8 +191,11 @@ export class Player {
     const time = this.time + (clamp(now - this.before, 0, 100) / 1e3) * this.slow(this.shown);
     this.before = now;
     this.time = time > to || time < from ? from : time;
-    this.draw();
-    this.onTime(this.time, true);
+    // All numbers change at once, so that those above the spring and those below the plot are of one moment.
+    const told = now - this.told >= PAUSE;
+    if (told) this.told = now;
+    this.draw(told);
+    this.onTime(this.time, told);
     requestAnimationFrame((next) => this.step(next));
   }
 }

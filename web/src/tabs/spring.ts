@@ -2,21 +2,22 @@
 //
 // Next door: each of its parts (`inputs`, `plots`, `spring`, `results`), what is computed (`compute`).
 
-import type { Facts } from '../answer';
+import type { ExactFacts, Facts } from '../answer';
 import type { Shown } from '../compute';
-import { make } from '../dom';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
 import { ForcePlot } from '../plots/forces';
+import { FORCE_LINES, readings } from '../plots/lines';
 import { readInk } from '../plots/looks';
 import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
+import { Views } from '../plots/views';
 import { Downloads } from '../results/downloads';
 import { sentence } from '../results/sentence';
 import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
 import { Player } from '../spring/player';
-import type { Store } from '../state';
+import { layOut } from './layout';
 import type { Open } from './tab';
 
 export const open: Open = (panel, store, compute) => {
@@ -32,22 +33,26 @@ export const open: Open = (panel, store, compute) => {
     point: (time) => player.goTo(time),
   });
   const readOut = new ReadOut(parts.keys);
-  const player = new Player(store, parts.spring, parts.canvas, (time, inMotion) => {
+  const player = new Player(store, parts.spring, parts.canvas, (time, told) => {
     forces.moveMark(time);
-    readOut.at(time, inMotion);
+    if (told) readOut.at(time);
   });
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
   const views = new Views(store, parts.views, forces);
   let facts: Facts | null = null;
+  // While a preview is shown, the sensors are those of the last exact case.
+  let sensors: ExactFacts | null = null;
 
   const inputs = () => {
     choose.show(store.state);
     panels.show(store.state, facts);
   };
   const curves = (shown: Shown) => {
-    const { hidden } = store.state.view;
-    forces.show(shown.answer, shown.times, shown.answer.facts.goal, hidden);
+    const { hidden, sensors: wanted } = store.state.view;
+    const read = readings(sensors, wanted);
+    forces.show(shown.answer, shown.times, hidden, read);
     spectrum.show(shown.answer, hidden);
+    readOut.show(shown, [...FORCE_LINES.filter(({ name }) => !hidden.includes(name)), ...read]);
   };
   let last: Shown | null = null;
   let clocked = 0;
@@ -59,7 +64,7 @@ export const open: Open = (panel, store, compute) => {
   };
   store.subscribe((state, before) => {
     inputs();
-    if (last && state.view.hidden !== before.view.hidden) {
+    if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
       curves(last);
       table.show(last.answer.facts, last.exact);
     }
@@ -67,8 +72,8 @@ export const open: Open = (panel, store, compute) => {
   compute.listen({
     shown: (shown) => {
       [last, facts] = [shown, shown.answer.facts];
+      if (shown.exact) sensors = shown.exact.facts;
       curves(shown);
-      readOut.show(shown);
       player.show(shown);
       document
         .getElementById('sentence')
@@ -106,93 +111,3 @@ export const open: Open = (panel, store, compute) => {
   Object.assign(window, { coilsense: { framesPerSecond: () => player.framesPerSecond, last: () => last } });
   inputs();
 };
-
-/** Which times are shown, by buttons. */
-class Views {
-  private shown: Shown | null = null;
-
-  constructor(
-    private readonly store: Store,
-    host: HTMLElement,
-    forces: ForcePlot,
-  ) {
-    const button = (label: string, title: string, act: () => void) =>
-      make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
-    const condition = () => this.shown?.answer.facts.conditions[this.shown.answer.facts.condition];
-    host.replaceChildren(
-      button('First ringing', 'The first six surge periods', () => this.store.setView({ times: null })),
-      button('Judged', 'The part that the table is about', () =>
-        this.store.setView({ times: condition()?.window ?? null }),
-      ),
-      button('All', 'All that was simulated', () => this.store.setView({ times: [0, condition()?.duration ?? 1] })),
-      button('+', 'Zoom in', () => forces.zoomBy(2)),
-      button('−', 'Zoom out', () => forces.zoomBy(0.5)),
-    );
-  }
-
-  show(shown: Shown): void {
-    this.shown = shown;
-  }
-}
-
-function layOut(panel: HTMLElement) {
-  const canvas = make('canvas', { class: 'coil', role: 'img' });
-  const parts = {
-    canvas,
-    choose: make('section', { class: 'choose', 'aria-label': 'Which spring, and what happens to it' }),
-    first: make('div', { class: 'first' }),
-    refusal: make('p', { class: 'refusal', role: 'status', hidden: true }),
-    fields: make('section', { class: 'fields', 'aria-label': 'Values' }),
-    spring: make('div', { class: 'card see' }),
-    status: make('span', { class: 'status' }, '…'),
-    views: make('div', { class: 'views' }),
-    forces: make('div', {
-      class: 'plot forces',
-      tabindex: 0,
-      role: 'group',
-      'aria-label': 'Forces over time; arrows move the mark, plus and minus zoom',
-    }),
-    spectrum: make('div', {
-      class: 'plot spectrum',
-      role: 'img',
-      'aria-label': 'Amplitude of each force over frequency, with the surge lines marked',
-    }),
-    keys: make('p', { class: 'keys' }),
-    table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
-    warnings: make('ul', { class: 'warnings' }),
-    facts: make('p', { class: 'facts' }),
-    downloads: make('div', { class: 'downloads' }),
-  };
-  panel.classList.add('workbench');
-  panel.replaceChildren(
-    parts.choose,
-    make(
-      'div',
-      { class: 'stage' },
-      parts.spring,
-      make(
-        'section',
-        { class: 'card', 'aria-label': 'Forces over time' },
-        make('div', { class: 'head' }, make('h2', {}, 'Forces'), parts.status, parts.views),
-        parts.forces,
-        parts.keys,
-      ),
-    ),
-    make('div', { class: 'controls' }, parts.refusal, parts.fields),
-    make(
-      'div',
-      { class: 'results' },
-      make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'How far off')), parts.table),
-      make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'Spectrum')), parts.spectrum),
-      make(
-        'section',
-        { class: 'card' },
-        make('div', { class: 'head' }, make('h2', {}, 'Mind')),
-        parts.warnings,
-        parts.facts,
-        parts.downloads,
-      ),
-    ),
-  );
-  return parts;
-}

@@ -12,6 +12,7 @@ mod reason;
 use std::path::Path;
 
 use coilsense::Spring;
+#[cfg(not(target_family = "wasm"))]
 use rayon::prelude::*;
 
 pub use crate::condition::Condition;
@@ -127,7 +128,12 @@ pub struct Reproduction {
 pub fn reproduce(springs: PaperSprings, protocols: &[Protocol]) -> Result<Reproduction, ReproduceError> {
     // Both protocols are always run: what a cell of one cannot explain, the other's difference may.
     let cases = Case::distinct(&springs, &Protocol::ALL)?;
-    let mut cases: Vec<CaseResult> = cases.into_par_iter().map(Case::run).collect::<Result<_, _>>()?;
+    // In a browser there is one thread, and rayon is a tenth of what the page loads for the paper.
+    #[cfg(target_family = "wasm")]
+    let each = cases.into_iter();
+    #[cfg(not(target_family = "wasm"))]
+    let each = cases.into_par_iter();
+    let mut cases: Vec<CaseResult> = each.map(Case::run).collect::<Result<_, _>>()?;
     let springs_are_table_i = springs == PaperSprings::built_in()?;
     let fill = |published| Cell::fill(published, &cases, protocols, springs_are_table_i);
     let cells = published_cells()?.into_iter().map(fill).collect();

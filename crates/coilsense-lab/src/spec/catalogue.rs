@@ -2,10 +2,12 @@
 //!
 //! Next door: the files themselves (`data/materials.toml`, `data/sensors.toml`), what a spec makes of them (`spring`, `sensor`).
 
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use coilsense::geometry::MaterialParameters;
-use serde::Deserialize;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 use super::SpecError;
 use super::document::Document;
@@ -19,94 +21,116 @@ pub(super) const USUAL_MATERIAL: &str = "steel EN 10270-1";
 const MATERIALS: &str = include_str!("../../../../data/materials.toml");
 const SENSORS: &str = include_str!("../../../../data/sensors.toml");
 
-#[derive(Deserialize)]
-struct Materials {
-    material: Vec<NamedMaterial>,
+/// A material or a class of sensors: its keys and their values, as the table writes them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    values: Vec<(String, String)>,
 }
 
-/// A material as its table has it: quantities with their units.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct NamedMaterial {
-    name: String,
-    note: Option<String>,
-    shear_modulus: String,
-    youngs_modulus: String,
-    density: String,
-    shear_modulus_temperature: Option<String>,
-    expansion: Option<String>,
-    resistivity: Option<String>,
-    relative_permeability: Option<f64>,
-    source: String,
-}
+impl Row {
+    /// The value of a key, where the table has it.
+    pub fn get(&self, key: &str) -> Option<&str> {
+        self.values.iter().find(|(known, _)| known == key).map(|(_, value)| value.as_str())
+    }
 
-#[derive(Deserialize)]
-struct Classes {
-    sensor: Vec<NamedClass>,
-}
+    /// Keys and values in the order of their keys, without what a table says of itself: its `note`, `derived` and `source`.
+    pub fn values(&self) -> impl Iterator<Item = (&str, &str)> {
+        let said = |key: &str| matches!(key, "note" | "derived" | "source");
+        self.values.iter().filter(move |(key, _)| !said(key)).map(|(key, value)| (key.as_str(), value.as_str()))
+    }
 
-/// What a person wants to read of a sensor class; its values are read as those of a spec are.
-#[derive(Deserialize)]
-struct NamedClass {
-    class: String,
-    kind: String,
+    /// The value of a key that every row has.
+    fn needed(&self, key: &str) -> &str {
+        self.get(key).unwrap_or_default()
+    }
 }
 
 fn damaged(file: &str, message: impl std::fmt::Display) -> SpecError {
     SpecError(format!("{file} of this program is damaged: {message}"))
 }
 
+/// The tables `[[name]]` of a file, each of which must have the keys `needed`.
+fn rows(file: &str, text: &str, name: &str, needed: &[&str]) -> Result<Vec<Row>, SpecError> {
+    let document = DeTable::parse(text).map_err(|error| damaged(file, error.message()))?;
+    let tables = document.get_ref().get(name).and_then(|tables| tables.get_ref().as_array());
+    let row = |table: &Spanned<DeValue<'_>>| {
+        let table = table.get_ref().as_table().ok_or_else(|| damaged(file, format!("{name} must be tables")))?;
+        let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)| {
+            let written = text.get(value.span()).unwrap_or_default();
+            (key.get_ref().to_string(), value.get_ref().as_str().unwrap_or(written).to_owned())
+        };
+        let row = Row { values: table.iter().map(value).collect() };
+        match needed.iter().find(|key| row.get(key).is_none()) {
+            Some(key) => Err(damaged(file, format!("a {name} lacks {key}"))),
+            None => Ok(row),
+        }
+    };
+    tables.ok_or_else(|| damaged(file, format!("no {name}")))?.iter().map(row).collect()
+}
+
 /// The table of materials, parsed once: a sweep reads a million specs.
-fn all_materials() -> Result<&'static [NamedMaterial], SpecError> {
-    static ALL: LazyLock<Result<Vec<NamedMaterial>, SpecError>> = LazyLock::new(|| {
-        let parsed: Result<Materials, _> = toml::from_str(MATERIALS);
-        parsed.map(|materials| materials.material).map_err(|error| damaged("data/materials.toml", error.message()))
+///
+/// # Errors
+/// [`SpecError`] where the program's own file is damaged.
+pub fn material_rows() -> Result<&'static [Row], SpecError> {
+    static ALL: LazyLock<Result<Vec<Row>, SpecError>> = LazyLock::new(|| {
+        let needed = ["name", "shear_modulus", "youngs_modulus", "density", "source"];
+        rows("data/materials.toml", MATERIALS, "material", &needed)
     });
     ALL.as_deref().map_err(Clone::clone)
 }
 
-fn all_classes() -> Result<Vec<NamedClass>, SpecError> {
-    let parsed: Result<Classes, _> = toml::from_str(SENSORS);
-    parsed.map(|classes| classes.sensor).map_err(|error| damaged("data/sensors.toml", error.message()))
+/// The catalogue of sensor classes.
+///
+/// # Errors
+/// [`SpecError`] where the program's own file is damaged.
+pub fn sensor_rows() -> Result<Vec<Row>, SpecError> {
+    rows("data/sensors.toml", SENSORS, "sensor", &["class", "kind", "source"])
 }
 
 /// The values of a material; the error says which there are.
 pub(super) fn material(name: &str) -> Result<MaterialParameters, String> {
-    let all = all_materials().map_err(|error| error.to_string())?;
-    let Some(found) = all.iter().find(|material| material.name == name) else {
-        let names: Vec<&str> = all.iter().map(|material| material.name.as_str()).collect();
+    let all = material_rows().map_err(|error| error.to_string())?;
+    let Some(found) = all.iter().find(|material| material.needed("name") == name) else {
+        let names: Vec<&str> = all.iter().map(|material| material.needed("name")).collect();
         return Err(format!("no material of that name; there are {}", names.join(", ")));
     };
-    let quantity = |text: &str, dimension: Dimension| {
-        dimension.parse(text).ok_or_else(|| damaged("data/materials.toml", format!("{name}: {text:?}")).to_string())
+    let fault = |text: &str| damaged("data/materials.toml", format!("{name}: {text:?}")).to_string();
+    let quantity = |key: &str, dimension: Dimension| {
+        let text = found.needed(key);
+        dimension.parse(text).ok_or_else(|| fault(text))
     };
-    let optional = |text: &Option<String>, dimension| text.as_deref().map(|text| quantity(text, dimension)).transpose();
+    let optional = |key: &str, dimension| found.get(key).map(|_| quantity(key, dimension)).transpose();
+    let permeability = found.get("relative_permeability");
     Ok(MaterialParameters {
-        shear_modulus: quantity(&found.shear_modulus, Dimension::Modulus)?,
-        youngs_modulus: quantity(&found.youngs_modulus, Dimension::Modulus)?,
-        density: quantity(&found.density, Dimension::Density)?,
-        shear_modulus_temperature: optional(&found.shear_modulus_temperature, Dimension::PerKelvin)?,
-        expansion: optional(&found.expansion, Dimension::PerKelvin)?,
-        resistivity: optional(&found.resistivity, Dimension::Resistivity)?,
-        relative_permeability: found.relative_permeability,
+        shear_modulus: quantity("shear_modulus", Dimension::Modulus)?,
+        youngs_modulus: quantity("youngs_modulus", Dimension::Modulus)?,
+        density: quantity("density", Dimension::Density)?,
+        shear_modulus_temperature: optional("shear_modulus_temperature", Dimension::PerKelvin)?,
+        expansion: optional("expansion", Dimension::PerKelvin)?,
+        resistivity: optional("resistivity", Dimension::Resistivity)?,
+        relative_permeability: permeability.map(|text| text.parse().map_err(|_| fault(text))).transpose()?,
     })
 }
 
 /// The kind of a class, by its word in a spec.
 pub(super) fn kind_of(name: &str) -> Option<&'static str> {
-    let all = all_classes().ok()?;
-    let class = all.iter().find(|class| class.class == name)?;
-    KINDS.into_iter().find(|kind| *kind == class.kind)
+    let all = sensor_rows().ok()?;
+    let class = all.iter().find(|row| row.needed("class") == name)?;
+    KINDS.into_iter().find(|kind| *kind == class.needed("kind"))
 }
 
 /// A sensor of a class; the error says which there are of its kind.
 pub(super) fn class(name: &str, quantity: Quantity, range: f64) -> Result<SensorSpec, String> {
     let text = |error: SpecError| error.to_string();
-    let all = all_classes().map_err(text)?;
+    let all = sensor_rows().map_err(text)?;
     let kind = quantity.kind();
-    let Some(place) = all.iter().position(|class| class.class == name && class.kind == kind) else {
-        let names: Vec<String> =
-            all.iter().filter(|class| class.kind == kind).map(|class| format!("\"{}\"", class.class)).collect();
+    let Some(place) = all.iter().position(|row| row.needed("class") == name && row.needed("kind") == kind) else {
+        let names: Vec<String> = all
+            .iter()
+            .filter(|row| row.needed("kind") == kind)
+            .map(|row| format!("{:?}", row.needed("class")))
+            .collect();
         return Err(format!("no class of that name for kind \"{kind}\"; there are {}", names.join(", ")));
     };
     let document = Document::catalogue("data/sensors.toml", SENSORS).map_err(text)?;
@@ -121,26 +145,26 @@ pub(super) fn class(name: &str, quantity: Quantity, range: f64) -> Result<Sensor
 /// [`SpecError`] where the program's own file is damaged.
 pub fn materials() -> Result<String, SpecError> {
     let mut text = String::new();
-    for material in all_materials()? {
-        text.push_str(&format!("{}\n", material.name));
+    for material in material_rows()? {
+        text.push_str(&format!("{}\n", material.needed("name")));
         let values = [
-            ("shear modulus", Some(&material.shear_modulus)),
-            ("Young's modulus", Some(&material.youngs_modulus)),
-            ("density", Some(&material.density)),
-            ("(dG/dT)/G", material.shear_modulus_temperature.as_ref()),
-            ("expansion", material.expansion.as_ref()),
-            ("resistivity", material.resistivity.as_ref()),
+            ("shear modulus", "shear_modulus"),
+            ("Young's modulus", "youngs_modulus"),
+            ("density", "density"),
+            ("(dG/dT)/G", "shear_modulus_temperature"),
+            ("expansion", "expansion"),
+            ("resistivity", "resistivity"),
         ];
-        for (quantity, value) in values {
-            text.push_str(&format!("  {quantity:16} {}\n", value.map_or("not known here", String::as_str)));
+        for (quantity, key) in values {
+            text.push_str(&format!("  {quantity:16} {}\n", material.get(key).unwrap_or("not known here")));
         }
-        if let Some(permeability) = material.relative_permeability {
+        if let Some(permeability) = material.get("relative_permeability") {
             text.push_str(&format!("  {:16} {permeability}\n", "permeability"));
         }
-        if let Some(note) = &material.note {
+        if let Some(note) = material.get("note") {
             text.push_str(&format!("  note: {note}\n"));
         }
-        text.push_str(&format!("  source: {}\n\n", material.source));
+        text.push_str(&format!("  source: {}\n\n", material.needed("source")));
     }
     Ok(text)
 }
@@ -150,6 +174,6 @@ pub fn materials() -> Result<String, SpecError> {
 /// # Errors
 /// [`SpecError`] where the program's own file is damaged.
 pub fn classes() -> Result<String, SpecError> {
-    all_classes()?;
+    sensor_rows()?;
     Ok(SENSORS.to_owned())
 }

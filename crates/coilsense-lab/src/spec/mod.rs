@@ -27,12 +27,14 @@ mod template;
 mod tolerance;
 mod value;
 
-pub use catalogue::{classes, materials};
+pub use catalogue::{Row, classes, material_rows, materials, sensor_rows};
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use control::ControlSpec;
 pub use experiment::ExperimentSpec;
 pub use goal::{Goal, UncertaintySpec};
-pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table, experiment_markdown, markdown};
+pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table};
+#[cfg(feature = "reference")]
+pub use keys::{experiment_markdown, markdown};
 pub use measurand::{KINDS as SENSOR_KINDS, Quantity};
 pub use mount::{BAND, DampingCase, MountSpec};
 pub use rig::RigSpec;

@@ -6,6 +6,7 @@ mod clash;
 mod clock_offset;
 mod deviation;
 mod spectrum;
+mod transform;
 mod trend;
 
 pub use clash::Clash;

@@ -2,9 +2,8 @@
 //!
 //! Next door: what an instrument lets through (`crate::sensors::Readout`), a signal against its reference (`deviation`).
 
-use realfft::RealFftPlanner;
-
 use crate::error::{Error, above_zero, all_bounded, check, count};
+use crate::measures::transform;
 use crate::signals::increasing;
 
 /// One-sided spectrum of a uniformly sampled series, tapered after Hann.
@@ -94,12 +93,8 @@ fn tapered_transform(values: &[f64], mean: f64) -> Result<Vec<f64>, Error> {
     let samples = values.len();
     let turn = std::f64::consts::TAU / samples as f64;
     let taper = |index: usize| 0.5 * (1.0 - (turn * index as f64).cos());
-    let mut tapered: Vec<f64> = values.iter().enumerate().map(|(n, value)| taper(n) * (value - mean)).collect();
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(samples);
-    let mut lines = transform.make_output_vec();
-    let refused = |_| Error::Count { quantity: "values".into(), found: samples, allowed: "as many as its plan".into() };
-    transform.process(&mut tapered, &mut lines).map_err(refused)?;
-    Ok(lines.iter().map(|line| line.norm()).collect())
+    let tapered: Vec<f64> = values.iter().enumerate().map(|(n, value)| taper(n) * (value - mean)).collect();
+    Ok(transform::forward(tapered)?.iter().map(|line| line.norm()).collect())
 }
 
 /// Time from sample to sample \[s\] of a uniform series.

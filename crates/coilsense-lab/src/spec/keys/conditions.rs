@@ -1,6 +1,6 @@
 //! Keys of `[[condition]]`.
 
-use super::{Table, needed, optional};
+use super::{Table, needed, optional, told};
 
 const MOVING: &[&str] = &["impact", "end-stop"];
 const DRIVEN: &[&str] = &["harmonic", "sweep", "step", "ramp", "pulse"];
@@ -11,7 +11,7 @@ const STARTED: &[&str] = &["harmonic", "sweep", "step", "ramp", "pulse", "record
 pub(super) const CONDITION: Table = Table {
     name: "condition",
     repeats: true,
-    meaning: "What is done to the spring; one table for each condition of use.",
+    meaning: told("What is done to the spring; one table for each condition of use."),
     keys: &[
         needed("kind", "\"impact\"", "`impact` (both ends stop dead while the windings still move), `end-stop` (the spring is stopped at an end of its range), \
                `harmonic`, `sweep` (linear in frequency), `step` (an exact jump, which no real drive makes: every mode is hit; a `ramp` is kinder), `ramp`, `pulse` (half a sine) or `recorded` (a file)"),

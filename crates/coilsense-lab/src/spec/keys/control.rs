@@ -1,14 +1,16 @@
 //! Keys of `[control]`.
 
-use super::{Table, needed, optional};
+use super::{Table, needed, optional, told};
 
 const FORCE: &[&str] = &["force"];
 
 pub(super) const CONTROL: Table = Table {
     name: "control",
     repeats: false,
-    meaning: "The force loop of `coilsense placement`: a drive that pulls at end 1, a controller K (1 + 1/(T_I s) + T_D s/(1 + T_D s/10)) from force \
+    meaning: told(
+        "The force loop of `coilsense placement`: a drive that pulls at end 1, a controller K (1 + 1/(T_I s) + T_D s/(1 + T_D s/10)) from force \
               error to the drive's command, and what end 2 meets.",
+    ),
     keys: &[
         needed(
             "drive",

@@ -2,7 +2,9 @@
 //!
 //! Next door: the keys of a spec (`mod`), reading these (`crate::spec::experiment`).
 
-use super::{Table, needed, optional, sections};
+#[cfg(feature = "reference")]
+use super::sections;
+use super::{Table, needed, optional, told};
 
 /// The tables of `experiment.toml`; the first holds the keys at its top.
 pub const EXPERIMENT_TABLES: [&Table; 3] = [&EXPERIMENT, &INVERSE_LENGTH, &RUN];
@@ -10,7 +12,7 @@ pub const EXPERIMENT_TABLES: [&Table; 3] = [&EXPERIMENT, &INVERSE_LENGTH, &RUN];
 const EXPERIMENT: Table = Table {
     name: "",
     repeats: false,
-    meaning: "What holds for all runs.",
+    meaning: told("What holds for all runs."),
     keys: &[
         optional(
             "simulated",
@@ -57,16 +59,20 @@ const EXPERIMENT: Table = Table {
 const INVERSE_LENGTH: Table = Table {
     name: "inverse_length",
     repeats: false,
-    meaning: "The curve 1/l = αL + β by which L becomes a length, as `coilsense calibrate` prints it. Without it, it is fitted to the calibration run, \
+    meaning: told(
+        "The curve 1/l = αL + β by which L becomes a length, as `coilsense calibrate` prints it. Without it, it is fitted to the calibration run, \
               through the first preload run.",
+    ),
     keys: &[needed("alpha", "2.1573e6", "α in 1/(H m)"), needed("beta", "-0.2056", "β in 1/m")],
 };
 
 const RUN: Table = Table {
     name: "run",
     repeats: true,
-    meaning: "One recorded run; in the order in which they were recorded, since drift is looked for along it. At least one \
+    meaning: told(
+        "One recorded run; in the order in which they were recorded, since drift is looked for along it. At least one \
               `preload` is needed, and one `calibration` unless stiffness and length_at_zero are given.",
+    ),
     keys: &[
         needed(
             "kind",
@@ -93,10 +99,12 @@ const RUN: Table = Table {
 };
 
 /// The reference of all keys, as Markdown: `docs/experiment.md`.
+#[cfg(feature = "reference")]
 pub fn experiment_markdown() -> String {
     sections(INTRODUCTION, &EXPERIMENT_TABLES)
 }
 
+#[cfg(feature = "reference")]
 const INTRODUCTION: &str = "# The experiment file
 
 `coilsense experiment DIR` reads `DIR/experiment.toml`, which lists the logs of an experiment like that of the paper's section IV: a spring between

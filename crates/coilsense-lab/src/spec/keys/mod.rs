@@ -11,7 +11,9 @@ mod sensors;
 mod springs;
 
 pub(crate) use domain::Domain;
-pub use experiment::{EXPERIMENT_TABLES, experiment_markdown};
+pub use experiment::EXPERIMENT_TABLES;
+#[cfg(feature = "reference")]
+pub use experiment::experiment_markdown;
 
 /// One key of a table.
 #[derive(Debug, Clone, Copy)]
@@ -55,12 +57,17 @@ pub const TABLES: [&Table; 8] = [
 
 /// A key that must be there.
 const fn needed(name: &'static str, example: &'static str, meaning: &'static str) -> Key {
-    Key { name, example, meaning, default: None, kinds: &[] }
+    Key { name, example, meaning: told(meaning), default: None, kinds: &[] }
 }
 
 /// A key that may be left out.
 const fn optional(name: &'static str, example: &'static str, meaning: &'static str, default: &'static str) -> Key {
-    Key { name, example, meaning, default: Some(default), kinds: &[] }
+    Key { name, example, meaning: told(meaning), default: Some(told(default)), kinds: &[] }
+}
+
+/// Words of the reference; without it nothing reads them, and a page need not load them.
+const fn told(words: &'static str) -> &'static str {
+    if cfg!(feature = "reference") { words } else { "" }
 }
 
 impl Key {
@@ -92,11 +99,13 @@ impl Table {
 }
 
 /// The reference of all keys, as Markdown: `docs/spec.md`.
+#[cfg(feature = "reference")]
 pub fn markdown() -> String {
     sections(INTRODUCTION, &TABLES)
 }
 
 /// A page of an introduction and a section for each table.
+#[cfg(feature = "reference")]
 fn sections(introduction: &str, tables: &[&Table]) -> String {
     let mut text = String::from(introduction);
     for table in tables {
@@ -114,6 +123,7 @@ fn sections(introduction: &str, tables: &[&Table]) -> String {
     text
 }
 
+#[cfg(feature = "reference")]
 const INTRODUCTION: &str = "# The spec file
 
 A spec is a TOML file: one spring, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.

@@ -1,13 +1,15 @@
 //! Keys of `[rig]`.
 
-use super::{Table, optional};
+use super::{Table, optional, told};
 
 pub(super) const RIG: Table = Table {
     name: "rig",
     repeats: false,
-    meaning: "The rig that `coilsense rig` lets run: end 2 at a load cell, end 1 at a linear actuator watched by a laser, the spring's ends at an \
+    meaning: told(
+        "The rig that `coilsense rig` lets run: end 2 at a load cell, end 1 at a linear actuator watched by a laser, the spring's ends at an \
               LCR meter. What is left out is as in the paper's experiment. The instruments are the first `[[sensor]]` of kind `load-cell` at \
               end 2, `deflection` and `inductance`; for a kind that is not there, the paper's device. `[mount]` must give one damping.",
+    ),
     keys: &[
         optional("preload", "\"26 N\"", "static force about which the actuator moves", "`\"26 N\"`"),
         optional("sample_rate", "\"2.5 kHz\"", "at which load cell and laser are recorded", "`\"2.5 kHz\"`"),

@@ -1,6 +1,6 @@
 //! Keys of `[[sensor]]`, `[goal]` and `[uncertainty]`.
 
-use super::{Table, needed, optional};
+use super::{Table, needed, optional, told};
 
 const ENCODERS: &[&str] = &["two-encoder"];
 const COIL: &[&str] = &["inductance"];
@@ -8,8 +8,8 @@ const COIL: &[&str] = &["inductance"];
 pub(super) const SENSOR: Table = Table {
     name: "sensor",
     repeats: true,
-    meaning: "An instrument that watches the spring; one table for each. Its native unit is N for a load cell, m for `deflection` and `two-encoder`, \
-              H for `inductance`. The order of its parts: low-pass, delay, averaging window, sampling, noise, resolution.",
+    meaning: told("An instrument that watches the spring; one table for each. Its native unit is N for a load cell, m for `deflection` and `two-encoder`, \
+              H for `inductance`. The order of its parts: low-pass, delay, averaging window, sampling, noise, resolution."),
     keys: &[
         needed(
             "kind",
@@ -92,7 +92,7 @@ pub(super) const SENSOR: Table = Table {
 pub(super) const GOAL: Table = Table {
     name: "goal",
     repeats: false,
-    meaning: "What the force signal should achieve.",
+    meaning: told("What the force signal should achieve."),
     keys: &[
         needed("error", "\"1 %\"", "largest standard uncertainty wanted: a force, or a share of F_nom"),
         optional(
@@ -113,7 +113,7 @@ pub(super) const GOAL: Table = Table {
 pub(super) const UNCERTAINTY: Table = Table {
     name: "uncertainty",
     repeats: false,
-    meaning: "What the uncertainty budget assumes.",
+    meaning: told("What the uncertainty budget assumes."),
     keys: &[
         optional("temperature_change", "\"10 K\"", "since the calibration, either way", "`\"10 K\"`"),
         optional("coverage", "\"95 %\"", "of the expanded uncertainty", "`\"95 %\"`"),

@@ -1,6 +1,6 @@
 //! Keys of `[spring]` and `[mount]`.
 
-use super::{Table, needed, optional};
+use super::{Table, needed, optional, told};
 
 /// The ways to describe a spring.
 const TABLE_I: &[&str] = &["by values"];
@@ -9,8 +9,10 @@ const GEOMETRY: &[&str] = &["by geometry"];
 pub(super) const SPRING: Table = Table {
     name: "spring",
     repeats: false,
-    meaning: "The spring, either *by values* (stiffness, mass, radii, as in Table I of the paper) or *by geometry* (wire, coil and material); \
+    meaning: told(
+        "The spring, either *by values* (stiffness, mass, radii, as in Table I of the paper) or *by geometry* (wire, coil and material); \
               the presence of `wire_diameter` or `coil_diameter` means the latter.",
+    ),
     keys: &[
         needed("name", "\"S_T\"", "what people call it"),
         needed(
@@ -95,8 +97,10 @@ const MASS: &[&str] = &["mass"];
 pub(super) const MOUNT: Table = Table {
     name: "mount",
     repeats: false,
-    meaning: "What end 2 is tied to, and what damps the windings. End 1 always has a prescribed position. Without any damping key every result is \
+    meaning: told(
+        "What end 2 is tied to, and what damps the windings. End 1 always has a prescribed position. Without any damping key every result is \
               given for ζ = 0 (the paper's case), 0.001, 0.005 and 0.02: no measured range of ζ for coil springs is known.",
+    ),
     keys: &[
         optional(
             "end2",

@@ -1,0 +1,67 @@
+// The places of the tab *Spring*: what stands where.
+//
+// Next door: what fills them (`spring`).
+
+import { make } from '../dom';
+
+export function layOut(panel: HTMLElement) {
+  const canvas = make('canvas', { class: 'coil', role: 'img' });
+  const parts = {
+    canvas,
+    choose: make('section', { class: 'choose', 'aria-label': 'Which spring, and what happens to it' }),
+    first: make('div', { class: 'first' }),
+    refusal: make('p', { class: 'refusal', role: 'status', hidden: true }),
+    fields: make('section', { class: 'fields', 'aria-label': 'Values' }),
+    spring: make('div', { class: 'card see' }),
+    status: make('span', { class: 'status' }, '…'),
+    views: make('div', { class: 'views' }),
+    forces: make('div', {
+      class: 'plot forces',
+      tabindex: 0,
+      role: 'group',
+      'aria-label': 'Forces over time; arrows move the mark, plus and minus zoom',
+    }),
+    spectrum: make('div', {
+      class: 'plot spectrum',
+      role: 'img',
+      'aria-label': 'Amplitude of each force over frequency, with the surge lines marked',
+    }),
+    keys: make('p', { class: 'keys' }),
+    table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
+    warnings: make('ul', { class: 'warnings' }),
+    facts: make('p', { class: 'facts' }),
+    downloads: make('div', { class: 'downloads' }),
+  };
+  panel.classList.add('workbench');
+  panel.replaceChildren(
+    parts.choose,
+    make(
+      'div',
+      { class: 'stage' },
+      parts.spring,
+      make(
+        'section',
+        { class: 'card', 'aria-label': 'Forces over time' },
+        make('div', { class: 'head' }, make('h2', {}, 'Forces'), parts.status, parts.views),
+        parts.forces,
+        parts.keys,
+      ),
+    ),
+    make('div', { class: 'controls' }, parts.refusal, parts.fields),
+    make(
+      'div',
+      { class: 'results' },
+      make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'How far off')), parts.table),
+      make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'Spectrum')), parts.spectrum),
+      make(
+        'section',
+        { class: 'card' },
+        make('div', { class: 'head' }, make('h2', {}, 'Mind')),
+        parts.warnings,
+        parts.facts,
+        parts.downloads,
+      ),
+    ),
+  );
+  return parts;
+}
