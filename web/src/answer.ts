@@ -84,6 +84,14 @@ export interface PaperFacts {
   warnings: string[];
 }
 
+/** What a spec may name: keys and values of each material and each class of sensors, as the engine's tables write them. */
+export interface Catalogue {
+  /** The material of a spec that names none. */
+  usual: string;
+  materials: Record<string, string>[];
+  sensors: Record<string, string>[];
+}
+
 export type Series = Record<string, Float64Array>;
 
 export interface Answer<F> {
@@ -103,7 +111,8 @@ export type Question =
   | ({ kind: 'preview'; from: number; to: number; samples: number } & Case)
   | ({ kind: 'exact' } & Case)
   | ({ kind: 'csv' } & Case)
-  | { kind: 'paper' };
+  | { kind: 'paper' }
+  | { kind: 'catalogue' };
 
 /** What only the larger engine answers. */
 export type Job =
@@ -127,5 +136,5 @@ export type Told = { told: [number, number] };
 
 /** From the worker. */
 export type FromWorker = { id: number; milliseconds: number } & (
-  { answer: Answer<unknown> } | { bytes: Uint8Array<ArrayBuffer> } | { error: string }
+  { answer: Answer<unknown> } | { bytes: Uint8Array<ArrayBuffer> } | { text: string } | { error: string }
 );

@@ -23,6 +23,8 @@ addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
       const bytes = engine.csv(question.text, question.condition, question.damping) as Uint8Array<ArrayBuffer>;
       return say({ id, milliseconds: performance.now() - begun, bytes }, [bytes.buffer]);
     }
+    if (question.kind === 'catalogue')
+      return say({ id, milliseconds: performance.now() - begun, text: engine.catalogue() }, []);
     const answer = opened(asked(engine, question));
     const hand = [
       ...Object.values(answer.series).map((values) => values.buffer as ArrayBuffer),
@@ -41,7 +43,7 @@ addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
   }
 });
 
-function asked(engine: Engine, question: Exclude<Question, { kind: 'csv' }>): Found {
+function asked(engine: Engine, question: Exclude<Question, { kind: 'csv' | 'catalogue' }>): Found {
   switch (question.kind) {
     case 'preview':
       return engine.preview(

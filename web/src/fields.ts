@@ -11,6 +11,8 @@ export interface Field {
   slide?: { from: number; to: number; scale: 'linear' | 'log'; whole?: boolean };
   /** One of these words, the first being what holds where nothing is said. */
   words?: readonly string[];
+  /** One of these of the engine's catalogue, or none. */
+  list?: 'materials' | 'sensors';
   /** Two values, as a list in the spec. */
   pair?: boolean;
   /** A number without a unit. */
@@ -31,9 +33,11 @@ export const SHAPE: readonly Field[] = [
   { key: 'min_length', label: 'Shortest in use', slide: around },
   { key: 'max_length', label: 'Longest in use', slide: around },
 ];
+const MATERIAL: Field = { key: 'material', label: 'Material', list: 'materials' };
 export const RADII: readonly Field[] = [
   { key: 'coil_radius', label: 'Coil radius r', hint: 'to the centre of the wire', slide: around },
   { key: 'wire_radius', label: 'Wire radius ρ', slide: around },
+  MATERIAL,
 ];
 /** Of a spring by its geometry. */
 export const BY_GEOMETRY: readonly Field[] = [
@@ -41,7 +45,7 @@ export const BY_GEOMETRY: readonly Field[] = [
   { key: 'coil_diameter', label: 'Coil diameter D', hint: 'mean, wire centre to wire centre', slide: around },
 ];
 export const ENDS: readonly Field[] = [
-  { key: 'material', label: 'Material' },
+  MATERIAL,
   { key: 'end_type', label: 'Ends', words: ['hooks', 'open', 'open-ground', 'closed', 'closed-ground'] },
   { key: 'initial_tension', label: 'Initial tension F0' },
 ];
@@ -111,7 +115,7 @@ export const TIMING: readonly Field[] = [
 export const SENSOR: readonly Field[] = [
   { key: 'name', label: 'Name' },
   { key: 'kind', label: 'Kind', words: ['load-cell', 'deflection', 'two-encoder', 'inductance'] },
-  { key: 'class', label: 'Class of the catalogue' },
+  { key: 'class', label: 'Like', list: 'sensors' },
   { key: 'end', label: 'At end', number: true },
   { key: 'bandwidth', label: 'Bandwidth (−3 dB)' },
   { key: 'delay', label: 'Delay' },

@@ -50,6 +50,9 @@ function showTab(): void {
     buttons[index]?.setAttribute('aria-selected', String(id === tab.id));
     buttons[index]?.setAttribute('tabindex', id === tab.id ? '0' : '-1');
   });
+  byId('sentence').hidden = tab.lead !== undefined;
+  byId('lead').hidden = tab.lead === undefined;
+  byId('lead').textContent = tab.lead ?? '';
   panels.forEach((panel) => (panel.hidden = panel.id !== `panel-${tab.id}`));
   openTab(tab);
 }

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use crate::json;
 
-/// Both tables as JSON: `{ "materials": [{ "name", … }], "sensors": [{ "class", "kind", … }] }`.
+/// Both tables as JSON: `{ "usual": NAME, "materials": [{ "name", … }], "sensors": [{ "class", "kind", … }] }`.
 ///
 /// # Errors
 /// One line where the program's own files are damaged.
@@ -15,7 +15,11 @@ pub fn text() -> Result<String, String> {
     let materials = spec::material_rows().map_err(|error| error.to_string())?;
     let sensors = spec::sensor_rows().map_err(|error| error.to_string())?;
     let all = |rows: &[Row]| rows.iter().map(row).collect::<Vec<_>>();
-    Ok(json::text(&json!({ "materials": all(materials), "sensors": all(&sensors) })))
+    Ok(json::text(&json!({
+        "usual": spec::USUAL_MATERIAL,
+        "materials": all(materials),
+        "sensors": all(&sensors),
+    })))
 }
 
 fn row(row: &Row) -> Value {

@@ -32,6 +32,16 @@ export class Choose {
       make('div', { class: 'field' }, make('label', { for: 'condition' }, 'What happens'), this.condition),
       first,
     );
+    this.cue(first);
+  }
+
+  /** Who has just come is shown what to drag, until anything is changed. */
+  private cue(first: HTMLElement): void {
+    if (location.hash.length > 1) return;
+    first.classList.add('cue');
+    this.store.subscribe(({ spec }, before) => {
+      if (spec !== before.spec) first.classList.remove('cue');
+    });
   }
 
   show(state: State): void {

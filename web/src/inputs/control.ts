@@ -13,6 +13,7 @@ export class Control {
   readonly element: HTMLElement;
   private readonly input: HTMLInputElement | HTMLSelectElement;
   private readonly slider: HTMLInputElement | null;
+  private readonly hint: HTMLElement;
   private readonly error = make('p', { class: 'error', role: 'alert', hidden: true });
 
   constructor(
@@ -23,18 +24,17 @@ export class Control {
   ) {
     const id = place.replaceAll('.', '-');
     this.error.id = `${id}-error`;
-    this.input = field.words ? this.choice(id, field.words) : this.text(id);
+    this.input = field.list ? this.choice(id, []) : field.words ? this.choice(id, field.words) : this.text(id);
     this.slider = field.slide ? this.range() : null;
-    const hint = field.hint ? make('span', { class: 'hint', id: `${id}-hint` }, field.hint) : null;
-    const said = [hint?.id, this.error.id].filter(Boolean).join(' ');
-    this.input.setAttribute('aria-describedby', said);
+    this.hint = make('span', { class: 'hint', id: `${id}-hint`, hidden: !field.hint }, field.hint);
+    this.input.setAttribute('aria-describedby', `${this.hint.id} ${this.error.id}`);
     this.element = make(
       'div',
-      { class: `field${this.slider ? ' slides' : ''}` },
+      { class: `field${this.slider ? ' slides' : ''}${field.list ? ' wide' : ''}` },
       make('label', { for: id }, field.label),
       this.input,
       this.slider,
-      hint,
+      this.hint,
       this.error,
     );
   }
@@ -42,7 +42,8 @@ export class Control {
   /** Shows what the state holds; what is being typed stays as it is. */
   show(state: State): void {
     const text = shown(valueAt(state.spec, this.place));
-    const wanted = this.field.words && text === '' ? (this.field.words[0] ?? '') : text;
+    if (this.field.list) this.offer([...this.offered, text]);
+    const wanted = this.field.words && text === '' ? this.unsaid || (this.field.words[0] ?? '') : text;
     if (this.input.value !== wanted && document.activeElement !== this.input) this.input.value = wanted;
     else if (document.activeElement === this.input && !this.isTyping) this.input.value = wanted;
     this.isTyping = false;
@@ -56,6 +57,41 @@ export class Control {
     this.slider.style.setProperty('--part', `${(100 * Number(this.slider.value)) / STEPS}%`);
     this.isSliding = false;
   }
+
+  /** Gives a list its names; the first is what the field is called while nothing is chosen. */
+  offer(names: readonly string[], none = this.none): void {
+    this.none = none;
+    this.offered = [...new Set(names)].filter(Boolean);
+    const now = JSON.stringify([none, this.offered]);
+    if (now === this.drawn) return;
+    this.drawn = now;
+    const { value } = this.input;
+    const options = this.offered.map((name) => make('option', { value: name }, name));
+    this.input.replaceChildren(make('option', { value: '' }, none), ...options);
+    this.input.value = value;
+  }
+
+  /** Another hint than the field's own, and what holds while nothing is typed. */
+  tell(hint: string, usual = ''): void {
+    this.hint.textContent = hint;
+    this.hint.hidden = hint === '';
+    if (this.input instanceof HTMLInputElement) this.input.placeholder = usual;
+  }
+
+  /** What a choice shows while the spec says nothing. */
+  usually(word: string): void {
+    if (this.field.words?.includes(word)) this.unsaid = word;
+  }
+
+  /** The field's own hint. */
+  get ownHint(): string {
+    return this.field.hint ?? '';
+  }
+
+  private none = '–';
+  private offered: string[] = [];
+  private drawn = '';
+  private unsaid = '';
 
   /** Marks the field as wrong, or as right again. */
   refuse(reason: string | null): void {

@@ -5,23 +5,13 @@
 import type { Facts } from '../answer';
 import { section, sections, type Spec } from '../document';
 import { make } from '../dom';
-import {
-  BY_GEOMETRY,
-  BY_VALUES,
-  CONDITION,
-  ENDS,
-  GOAL,
-  RADII,
-  SENSOR,
-  SHAPE,
-  TEMPLATES,
-  TIMING,
-  type Field,
-} from '../fields';
+import { BY_GEOMETRY, BY_VALUES, CONDITION, ENDS, GOAL, RADII, SHAPE, TEMPLATES, TIMING, type Field } from '../fields';
 import type { Refusal } from '../compute';
 import type { State, Store } from '../state';
 import { Control } from './control';
 import { DampingControl } from './damping';
+import { Shelf } from './shelf';
+import { sensorFields } from './sensors';
 import { byGeometry, toGeometry, toValues } from './way';
 
 export class Panels {
@@ -35,6 +25,7 @@ export class Panels {
     private readonly first: HTMLElement,
     private readonly host: HTMLElement,
     private readonly onInput: (event: Event) => void,
+    private readonly shelf: Shelf,
   ) {
     this.damping = new DampingControl(store, onInput);
   }
@@ -44,6 +35,7 @@ export class Panels {
     const shape = this.shape(state);
     if (shape !== this.drawn) this.draw(state);
     this.drawn = shape;
+    this.shelf.fill(state, this.controls, this.facts);
     for (const control of this.controls) control.show(state);
     this.damping.show(state, this.facts);
   }
@@ -89,7 +81,12 @@ export class Panels {
     const spring = at('spring');
     const open = new Set([...this.host.querySelectorAll('details[open]')].map((one) => one.id));
     const group = (id: string, heading: string, ...children: (HTMLElement | null)[]) =>
-      make('details', { id, open: open.has(id) }, make('summary', {}, heading), ...children);
+      make(
+        'details',
+        { id, open: open.has(id), ontoggle: () => this.shelf.load(() => this.show(this.store.state, null)) },
+        make('summary', {}, heading),
+        ...children,
+      );
     const mass =
       section(spec, 'mount')['end2'] === 'mass'
         ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' })
@@ -114,7 +111,7 @@ export class Panels {
         ...(geometry ? ENDS : RADII).map(spring),
         mass,
       ),
-      group('more-sensors', `Sensors (${sections(spec, 'sensor').length})`, ...this.sensors(spec)),
+      group('more-sensors', `Sensors (${sections(spec, 'sensor').length})`, ...sensorFields(this.store, at)),
       ...GOAL.map(at('goal')),
     );
   }
@@ -146,42 +143,6 @@ export class Panels {
       radio('values', !geometry, toValues),
       radio('wire and coil', geometry, toGeometry),
     );
-  }
-
-  private sensors(spec: Spec): HTMLElement[] {
-    const one = (table: Record<string, unknown>, index: number) =>
-      make(
-        'details',
-        { id: `sensor-${index}` },
-        make('summary', {}, String(table['name'] ?? table['kind'] ?? 'sensor')),
-        ...SENSOR.filter((field) => field.key !== 'end' || table['kind'] === 'load-cell').map((field) =>
-          this.control(`sensor.${index}.${field.key}`, field),
-        ),
-        make(
-          'button',
-          {
-            type: 'button',
-            class: 'plain',
-            onclick: () => this.setSensors(sections(spec, 'sensor').filter((_, other) => other !== index)),
-          },
-          'Remove this sensor',
-        ),
-      );
-    const add = () => {
-      const all = sections(this.store.state.spec, 'sensor');
-      this.setSensors([
-        ...all,
-        { name: `sensor ${all.length + 1}`, kind: 'load-cell', end: 2, bandwidth: '1 kHz', sample_rate: '2.5 kHz' },
-      ]);
-    };
-    return [
-      ...sections(spec, 'sensor').map(one),
-      make('button', { type: 'button', class: 'plain', onclick: add }, 'Add a sensor'),
-    ];
-  }
-
-  private setSensors(sensor: Record<string, never>[] | ReturnType<typeof sections>): void {
-    this.store.setSpec({ ...structuredClone(this.store.state.spec), sensor: structuredClone(sensor) });
   }
 }
 

@@ -88,6 +88,7 @@ export class SpectrumPlot {
     ctx.font = font(11, ratio);
     ctx.textBaseline = 'top';
     ctx.textAlign = 'left';
+    let free = 0;
     this.facts?.lines.forEach((line, index) => {
       const x = plot.valToPos(line, 'x', true);
       if (x > bbox.left + bbox.width) return;
@@ -98,8 +99,11 @@ export class SpectrumPlot {
       const next = plot.valToPos(this.facts?.lines[1] ?? 2 * line, 'x', true);
       const long = `f1 = ${line.toPrecision(3)} Hz`;
       const words = index === 0 && x + ctx.measureText(long).width + 8 * ratio < next ? long : `f${index + 1}`;
-      if (x + ctx.measureText(words).width + 4 * ratio < bbox.left + bbox.width)
-        ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
+      const end = x + ctx.measureText(words).width + 4 * ratio;
+      // Neither beyond the plot nor into the name before.
+      if (x < free || end > bbox.left + bbox.width) return;
+      ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
+      free = end;
     });
     ctx.restore();
   }

@@ -16,18 +16,15 @@ export function sentence(answer: Answer<Facts>): Child[] {
   const name = facts.conditions[facts.condition]?.name ?? 'this';
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
   const end = other === 'F_o' ? '2' : '1';
-  const meant =
-    truth === 'F_x' ? 'k·Δl, the force by the spring’s length' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
+  const meant = truth === 'F_x' ? 'the force that its length tells' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
   const off = forces[other]?.rmsd ?? 0;
   // On a mass at end 2 the first mode is the mass's swing, far below the coil's own.
   const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)} Hz`;
   return [
-    `In “${name}”, ${spring.name} rings at ${ring} and its ends pull with up to `,
-    bold(`${digits(apart, 3)} N`),
-    ` of difference, ${percent(apart, facts)} of F`,
-    make('sub', {}, 'nom'),
-    `. A load cell at end ${end} is off by `,
-    bold(`${percent(off, facts)} rms`),
-    ` from ${meant}.`,
+    `“${name}”: the spring rings at ${ring}, and its ends are up to `,
+    bold(`${digits(apart, 3)} N apart`),
+    `, ${percent(apart, facts)} of its nominal force. A load cell at end ${end} is `,
+    bold(`${percent(off, facts)} rms off`),
+    ` ${meant}.`,
   ];
 }

@@ -36,6 +36,7 @@ export class Player {
   private readonly gain = make('span', { class: 'gain' });
   private readonly low = make('span');
   private readonly high = make('span');
+  private readonly touch = make('span', { class: 'touch', hidden: true }, 'windings touch');
   private readonly speed: HTMLSelectElement;
 
   constructor(
@@ -66,8 +67,8 @@ export class Player {
       make(
         'p',
         { class: 'legend' },
-        make('span', {}, 'Pitch against its mean: ', this.low, ' ', scale, ' ', this.high),
-        make('span', { class: 'touch' }, 'windings touch'),
+        make('span', {}, 'Windings closer ', this.low, ' ', scale, ' ', this.high, ' wider than the mean'),
+        this.touch,
         this.gain,
       ),
     );
@@ -137,6 +138,7 @@ export class Player {
     this.high.textContent = `+${percent}`;
     this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements are drawn ${gain} times larger`}; what changes in the arrows is enlarged.`;
     const { facts } = shown.answer;
+    this.touch.hidden = facts.clash.firstContact === null;
     this.canvas.setAttribute('aria-label', label(facts, peak, facts.clash.firstContact));
   }
 

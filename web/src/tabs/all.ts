@@ -5,7 +5,17 @@ import type { Tab } from './tab';
 
 export const TABS: readonly Tab[] = [
   { id: 'spring', label: 'Spring', load: () => Promise.resolve(spring) },
-  { id: 'log', label: 'Log', load: () => import('./log') },
+  {
+    id: 'log',
+    label: 'Log',
+    lead: 'Drop a recording of your own spring, and read off what rings in it, how strongly it is damped, and whether its sensors fit.',
+    load: () => import('./log'),
+  },
   { id: 'mitigate', label: 'Mitigate', load: () => import('./mitigate') },
-  { id: 'paper', label: 'Paper', load: () => import('./paper') },
+  {
+    id: 'paper',
+    label: 'Paper',
+    lead: 'Where it all comes from: the simulated tables and figures of a paper on two springs of walking robots, computed here beside the printed numbers.',
+    load: () => import('./paper'),
+  },
 ];

@@ -6,6 +6,7 @@ import type { ExactFacts, Facts } from '../answer';
 import type { Shown } from '../compute';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
+import { Shelf } from '../inputs/shelf';
 import { ForcePlot } from '../plots/forces';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { readInk } from '../plots/looks';
@@ -25,7 +26,7 @@ export const open: Open = (panel, store, compute) => {
   readInk();
   const clock = (event: Event) => compute.mark(event);
   const choose = new Choose(store, parts.choose, parts.first);
-  const panels = new Panels(store, parts.first, parts.fields, clock);
+  const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
   const table = new Table(store, parts.table);
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {

@@ -9,6 +9,8 @@ export interface Tab {
   /** As it stands in an address. */
   id: string;
   label: string;
+  /** What stands below the title while the tab is shown; without it, the answer of the spring that is set up. */
+  lead?: string;
   /** Its code, loaded when it is first looked at. */
   load(): Promise<{ open: Open }>;
 }

@@ -16,7 +16,7 @@ use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
 
 /// The material of a spec that names none.
-pub(super) const USUAL_MATERIAL: &str = "steel EN 10270-1";
+pub const USUAL_MATERIAL: &str = "steel EN 10270-1";
 
 const MATERIALS: &str = include_str!("../../../../data/materials.toml");
 const SENSORS: &str = include_str!("../../../../data/sensors.toml");

@@ -27,7 +27,7 @@ mod template;
 mod tolerance;
 mod value;
 
-pub use catalogue::{Row, classes, material_rows, materials, sensor_rows};
+pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, sensor_rows};
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use control::ControlSpec;
 pub use experiment::ExperimentSpec;
