@@ -59,11 +59,12 @@ function gone(base: Flat, now: Flat): string[] {
 const isCount = (value: unknown): boolean => Number.isSafeInteger(value) && Number(value) >= 0;
 const areNames = (value: unknown): boolean => Array.isArray(value) && value.every((name) => typeof name === 'string');
 const isTime = (value: unknown): boolean => typeof value === 'number' && Number.isFinite(value) && value >= 0;
+/** Texts by name, none longer than somebody types. */
 const isWords = (value: unknown): boolean =>
   typeof value === 'object' &&
   value !== null &&
   !Array.isArray(value) &&
-  Object.values(value).every((word) => typeof word === 'string');
+  Object.values(value).every((word) => typeof word === 'string' && word.length < 10_000);
 
 /** What a part of the view may be: an address is typed by anybody. */
 const FITS: Record<string, (value: unknown) => boolean> = {
@@ -75,6 +76,7 @@ const FITS: Record<string, (value: unknown) => boolean> = {
   sensors: areNames,
   slow: (value) => isTime(value) && Number(value) <= 1,
   mitigate: isWords,
+  log: isWords,
 } satisfies Record<keyof View, (value: unknown) => boolean>;
 
 /** Texts as they are, unless they would be read as something else. */

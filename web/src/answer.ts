@@ -114,10 +114,17 @@ export type Question =
   | { kind: 'paper' }
   | { kind: 'catalogue' };
 
+/** A file that the user gave. */
+export interface Log {
+  name: string;
+  bytes: Uint8Array;
+}
+
 /** What only the larger engine answers. */
 export type Job =
-  | { kind: 'columns'; name: string; bytes: Uint8Array }
-  | { kind: 'identify' | 'calibrate'; name: string; bytes: Uint8Array; asked: string }
+  | { kind: 'columns' | 'calibrate'; log: Log; asked: string }
+  | { kind: 'identify'; log: Log; second: Log | null; asked: string }
+  | { kind: 'trial'; text: string; condition: number; damping: number }
   | { kind: 'mitigate-usual' | 'mitigate'; text: string; asked: string }
   | { kind: 'mitigate-log'; text: string; asked: string; name: string; bytes: Uint8Array };
 

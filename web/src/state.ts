@@ -21,6 +21,8 @@ export interface View {
   slow: number;
   /** What the tab Mitigate is asked, where it is not as the command has it, and the name of the candidate that is picked. */
   mitigate: Record<string, string>;
+  /** What the user says of a log, by the command's options; not the log itself. */
+  log: Record<string, string>;
 }
 
 export interface State {
@@ -38,6 +40,7 @@ export const defaultView = (): View => ({
   sensors: [],
   slow: 0,
   mitigate: {},
+  log: {},
 });
 
 type Listener = (state: State, before: State) => void;
@@ -87,9 +90,9 @@ export class Store {
 
   choosePreset(id: string): void {
     const { id: name, spec } = preset(id);
-    const { tab, slow, hidden, mitigate } = this.now.view;
+    const { tab, slow, hidden, mitigate, log } = this.now.view;
     this.put(
-      { preset: name, spec: structuredClone(spec), view: { ...defaultView(), tab, slow, hidden, mitigate } },
+      { preset: name, spec: structuredClone(spec), view: { ...defaultView(), tab, slow, hidden, mitigate, log } },
       '',
     );
   }

@@ -148,16 +148,10 @@ fn twenty_five(arguments: &Arguments) -> anyhow::Result<Inversion> {
     Ok(Inversion::TwentyFiveLengths { zero_length })
 }
 
-/// From options, or a spec's spring with its tolerances taken as evenly spread.
+/// From options, or a spec's spring.
 fn force(arguments: &Arguments, spec: Option<&SpringSpec>) -> Option<ForceLaw> {
     if let Some(spec) = spec {
-        let (stiffness, even) = (spec.spring.stiffness(), 1.0 / 3.0_f64.sqrt());
-        return Some(ForceLaw {
-            stiffness,
-            stiffness_u: even * stiffness * spec.stiffness_tolerance,
-            rest_length: spec.spring.rest_length(),
-            rest_length_u: even * spec.rest_length_tolerance,
-        });
+        return Some(ForceLaw::of(spec));
     }
     let (stiffness, rest_length) = (arguments.stiffness?, arguments.length_at_zero_force?);
     let stiffness_u = stiffness * arguments.stiffness_uncertainty;

@@ -4,7 +4,6 @@
 
 use std::path::PathBuf;
 
-use coilsense::Channel;
 use coilsense_lab::recording::{Clock, Mapping, Points, Recording, RecordingError, Repairs};
 
 use crate::repairs::{REPAIRS, RepairArguments, frequency, time};
@@ -47,7 +46,7 @@ pub struct LogArguments {
     with_mapping: Option<PathBuf>,
     /// What to add to its times, such as "-0.2 s"; or auto, by a channel that both have; or two channels that saw the same motion, as in
     /// F_o=F_x
-    #[arg(long, value_name = "OFFSET|auto|A=B", value_parser = clock, requires = "with", default_value = "auto", allow_hyphen_values = true, help_heading = SECOND)]
+    #[arg(long, value_name = "OFFSET|auto|A=B", value_parser = Clock::parse, requires = "with", default_value = "auto", allow_hyphen_values = true, help_heading = SECOND)]
     clock: Clock,
 }
 
@@ -97,20 +96,4 @@ impl LogArguments {
     pub fn repairs(&self) -> Repairs {
         Repairs { from: self.from, to: self.to, ..self.repairs.repairs() }
     }
-}
-
-/// An offset, `auto`, or two channels.
-fn clock(text: &str) -> Result<Clock, String> {
-    let channel = |name: &str| Channel::ALL.into_iter().find(|channel| channel.name() == name.trim());
-    if text == "auto" {
-        return Ok(Clock::Found(None));
-    }
-    if let Some((mine, theirs)) = text.split_once('=') {
-        let pair = channel(mine).zip(channel(theirs)).map(|(mine, theirs)| [mine, theirs]);
-        let names = Channel::ALL.map(Channel::name).join(", ");
-        return pair
-            .map(|pair| Clock::Found(Some(pair)))
-            .ok_or_else(|| format!("must name two of {names}, as in F_o=F_x"));
-    }
-    time(text).map(Clock::Offset).map_err(|message| format!("{message}, or auto, or two channels as in F_o=F_x"))
 }

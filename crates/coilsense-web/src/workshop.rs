@@ -7,30 +7,48 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::answer::Answer;
 use crate::{Engine, log, mitigate};
 
+/// Of the noise in the simulated log: any, but always the same.
+const TRIAL_SEED: u64 = 20_261_122;
+
 #[wasm_bindgen]
 impl Engine {
-    /// How the text of a log is written, and its columns.
+    /// How the text of a log is written, and its columns; `asked` is JSON, see [`log::Asked`].
     ///
     /// # Errors
-    /// One line, with the log's name.
-    pub fn log_columns(&self, name: &str, text: Vec<u8>) -> Result<Answer, String> {
-        log::columns(name, text)
+    /// One line, with the name of the log or the option.
+    pub fn log_columns(&self, name: &str, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
+        log::columns(name, text, &log::Asked::parse(asked)?)
     }
 
-    /// What a log says; `asked` is JSON, see [`log::Asked`].
+    /// What a log says, and a second device's beside it where `second` is its text; `asked` is JSON, see [`log::Asked`].
     ///
     /// # Errors
-    /// One line, with the log's name and where it can be said line and column.
-    pub fn identify(&self, name: &str, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
-        log::identify(name, text, &log::Asked::parse(asked)?)
+    /// One line, with the name of the log or the option and where it can be said line and column.
+    pub fn identify(
+        &self,
+        name: String,
+        text: Vec<u8>,
+        second_name: String,
+        second: Option<Vec<u8>>,
+        asked: &str,
+    ) -> Result<Answer, String> {
+        log::identify((name, text), second.map(|text| (second_name, text)), &log::Asked::parse(asked)?)
     }
 
     /// Inductance over length of a log; `asked` is JSON, see [`log::Asked`].
     ///
     /// # Errors
-    /// One line, with the log's name and where it can be said line and column.
-    pub fn calibrate(&self, name: &str, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
-        log::calibrate(name, text, &log::Asked::parse(asked)?)
+    /// One line, with the name of the log or the option and where it can be said line and column.
+    pub fn calibrate(&self, name: String, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
+        log::calibrate((name, text), &log::Asked::parse(asked)?)
+    }
+
+    /// A simulated log of a spec's spring, at the length of a condition.
+    ///
+    /// # Errors
+    /// What the spec's reader or the science says.
+    pub fn trial_log(&self, text: &str, condition: usize, damping: usize) -> Result<Answer, String> {
+        log::trial(&self.spec(text)?, condition, damping, TRIAL_SEED)
     }
 
     /// What to do about the ringing of a spec's conditions; `asked` is JSON with the command's options, see [`mitigate::asked`].

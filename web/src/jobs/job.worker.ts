@@ -30,11 +30,13 @@ addEventListener('message', async ({ data: { engine, files, job } }: MessageEven
 function asked(engine: Engine, job: Job): Found {
   switch (job.kind) {
     case 'columns':
-      return engine.log_columns(job.name, job.bytes);
+      return engine.log_columns(job.log.name, job.log.bytes, job.asked);
     case 'identify':
-      return engine.identify(job.name, job.bytes, job.asked);
+      return engine.identify(job.log.name, job.log.bytes, job.second?.name ?? '', job.second?.bytes, job.asked);
     case 'calibrate':
-      return engine.calibrate(job.name, job.bytes, job.asked);
+      return engine.calibrate(job.log.name, job.log.bytes, job.asked);
+    case 'trial':
+      return engine.trial_log(job.text, job.condition, job.damping);
     case 'mitigate':
       return engine.mitigate(job.text, job.asked);
     case 'mitigate-log':

@@ -1,150 +1,137 @@
-// What the user says of a log: which column is which channel in which unit, how it was sampled, what may be mended, what spring it is.
+// What the user says of a log: its columns, the options, a second device; all but the logs themselves is kept in the address.
 //
-// Next door: what comes of it (`found`), who asks (`tabs/log`).
+// Next door: one option (`field`), one table (`columns`), what comes of it (`found`), who asks (`tabs/log`).
 
 import { make } from '../dom';
+import { ColumnTable, type Column } from './columns';
+import { OptionField } from './field';
+import { CLOCK, GROUPS, inPageWords } from './options';
 
-export interface Column {
-  text: string;
-  name: string;
-  unit: string | null;
-}
+type Words = Record<string, string>;
 
-const CHANNELS = ['time', 'u1', 'u2', 'F_i', 'F_o', 'F_x', 'F_L', 'L'] as const;
-const MEANINGS: Record<(typeof CHANNELS)[number], string> = {
-  time: 'time',
-  u1: 'u1, of end 1',
-  u2: 'u2, of end 2',
-  F_i: 'F_i, at end 1',
-  F_o: 'F_o, at end 2',
-  F_x: 'F_x, k·Δl',
-  F_L: 'F_L, by L',
-  L: 'L, inductance',
-};
-
-const field = (label: string, input: HTMLElement, hint = '') =>
-  make(
-    'div',
-    { class: 'field' },
-    make('label', { for: input.id }, label),
-    input,
-    hint ? make('span', { class: 'hint' }, hint) : null,
-  );
-const text = (id: string, hint = '') =>
-  make('input', { type: 'text', id: `log-${id}`, placeholder: hint, autocomplete: 'off', spellcheck: 'false' });
-const tick = (id: string, label: string) => {
-  const input = make('input', { type: 'checkbox', id: `log-${id}` });
-  return { input, element: make('label', { class: 'tick', for: input.id }, input, ` ${label}`) };
-};
+/** An error that begins with the name of an option, and perhaps a line of the text that was given for it. */
+const ABOUT = /^([a-z0-9-]+)(?::(\d+))?: (.*)$/s;
 
 export class Form {
   readonly element = make('div', { class: 'fields', hidden: true });
-  private rows: { select: HTMLSelectElement; unit: HTMLInputElement; column: Column }[] = [];
-  private readonly columns = make('div', {});
-  private readonly texts = {
-    'sample-rate': text('sample-rate', '2.5 kHz'),
-    resample: text('resample', '2.5 kHz'),
-    from: text('from', '2 s'),
-    to: text('to', '10 s'),
-    mass: text('mass', '65 g'),
-    'length-at-zero': text('length-at-zero', '200 mm'),
-  };
-  private readonly ticks = {
-    'drop-incomplete': tick('drop-incomplete', 'leave out rows that lack a value or cannot be read'),
-    sort: tick('sort', 'put rows into the order of their times'),
-    'merge-repeated': tick('merge-repeated', 'take the mean of rows with the same time'),
-  };
-  private readonly known = tick('known', 'it is the spring of the tab Spring');
+  private readonly fields = [...GROUPS.flatMap(({ options }) => options), CLOCK].map((one) => new OptionField(one));
+  private readonly columns = new ColumnTable('', '');
+  private readonly others = new ColumnTable('with ', ', second device');
+  /** Words about columns of logs that are not here. */
+  private kept: Words = {};
+  private hasSecond = false;
 
-  constructor(changed: () => void) {
-    const { texts, ticks } = this;
+  /** `second` is where a second device's log is dropped. */
+  constructor(
+    private readonly second: HTMLElement,
+    changed: (words: Words) => void,
+  ) {
+    const of = (name: string) => this.field(name)?.element ?? '';
+    const groups = GROUPS.map(({ title, options }) =>
+      make('details', {}, make('summary', {}, title), ...options.map(({ name }) => of(name))),
+    );
     this.element.append(
-      this.columns,
-      make(
-        'details',
-        {},
-        make('summary', {}, 'The spring'),
-        this.known.element,
-        field('or its mass', texts.mass, 'With the stiffness it foretells f1.'),
-      ),
-      make(
-        'details',
-        {},
-        make('summary', {}, 'Sampling, and what may be mended'),
-        field('Sample rate', texts['sample-rate'], 'Of a log without a time column.'),
-        field('Resample to', texts.resample),
-        field('Leave out before', texts.from),
-        field('and after', texts.to),
-        ...Object.values(ticks).map(({ element }) => element),
-      ),
-      make(
-        'details',
-        {},
-        make('summary', {}, 'Calibration'),
-        field('Length at zero', texts['length-at-zero'], 'Where positions read zero; needs columns L and u1 or u2.'),
-      ),
+      this.columns.element,
+      ...groups,
+      make('details', {}, make('summary', {}, 'A second device'), second, this.others.element, of('clock')),
     );
-    this.element.addEventListener('change', changed);
-  }
-
-  show(columns: Column[]): void {
-    this.rows = columns.map((column, index) => {
-      const named = CHANNELS.find((channel) => channel === column.name) ?? '';
-      const label = column.text || `column ${index + 1}`;
-      const choices = [
-        make('option', { value: '' }, '–'),
-        ...CHANNELS.map((channel) =>
-          make('option', { value: channel, selected: channel === named }, MEANINGS[channel]),
-        ),
-      ];
-      const select = make('select', { 'aria-label': `${label} is` }, ...choices);
-      const unit = make('input', {
-        type: 'text',
-        value: column.unit ?? '',
-        placeholder: 'unit',
-        'aria-label': `Unit of ${label}`,
-        size: 5,
-        autocomplete: 'off',
-      });
-      return { select, unit, column };
+    this.element.addEventListener('change', (event) => {
+      if (!(event.target instanceof HTMLInputElement && event.target.type === 'file')) changed(this.words);
     });
-    const row = ({ select, unit, column }: (typeof this.rows)[number], index: number) =>
-      make(
-        'tr',
-        {},
-        make('th', { scope: 'row' }, column.text || `#${index + 1}`),
-        make('td', {}, select),
-        make('td', {}, unit),
-      );
-    const heads = ['Column', 'is', 'Unit'].map((word) => make('th', { scope: 'col' }, word));
-    this.columns.replaceChildren(
-      make(
-        'table',
-        { class: 'columns' },
-        make('thead', {}, make('tr', {}, ...heads)),
-        make('tbody', {}, ...this.rows.map(row)),
-      ),
-    );
-    this.element.hidden = false;
+    this.fill({});
   }
 
-  /** Whether a column is an inductance and another a position. */
-  get canCalibrate(): boolean {
-    const chosen = this.rows.map(({ select }) => select.value);
-    return chosen.includes('L') && (chosen.includes('u1') || chosen.includes('u2'));
+  private field(name: string): OptionField | undefined {
+    return this.fields.find(({ option }) => option.name === name);
+  }
+
+  /** A log has come, with these columns. */
+  show(columns: Column[], words: Words): void {
+    this.columns.show(columns);
+    this.element.hidden = false;
+    this.fill(words);
+  }
+
+  /** A second device's log has come, or has gone. */
+  showSecond(columns: Column[] | null, words: Words): void {
+    this.hasSecond = columns !== null;
+    this.others.show(columns ?? []);
+    this.others.element.hidden = columns === null;
+    const folded = this.second.closest('details');
+    if (columns && folded) folded.open = true;
+    this.fill(words);
+  }
+
+  /** Shows what an address says. */
+  fill(words: Words): void {
+    for (const field of this.fields) field.word = words[field.option.name] ?? '';
+    this.columns.fill(words);
+    this.others.fill(words);
+    const present = { ...this.columns.words, ...this.others.words };
+    this.kept = Object.fromEntries(
+      Object.entries(words).filter(
+        ([name]) => (this.columns.isAbout(name) || this.others.isAbout(name)) && !(name in present),
+      ),
+    );
+    this.conceal();
+  }
+
+  /** Everything that is not as it is by itself. */
+  get words(): Words {
+    const told = this.fields.map(({ option, word }) => [option.name, word]).filter(([, word]) => word !== '');
+    return { ...Object.fromEntries(told), ...this.kept, ...this.columns.words, ...this.others.words };
+  }
+
+  private conceal(): void {
+    const word = (name: string) => this.field(name)?.word ?? '';
+    for (const { option, element } of this.fields)
+      element.hidden = option.only !== undefined && !option.only[1].includes(word(option.only[0]));
+    const clock = this.field('clock');
+    if (clock) clock.element.hidden = !this.hasSecond;
+    this.columns.element.hidden = word('layout') !== '';
+  }
+
+  /** Whether there is an inductance and a position to go with it, and whether there is a force. */
+  get holds(): { calibration: boolean; force: boolean } {
+    const chosen = this.columns.channels;
+    const layout = this.field('layout')?.word;
+    if (layout === 'lab-data') return { calibration: true, force: false };
+    if (layout === 'mapping') {
+      const text = this.field('mapping')?.word ?? '';
+      const has = (name: string) => new RegExp(`^\\s*${name}\\s*=`, 'm').test(text);
+      return { calibration: has('L') && (has('u1') || has('u2')), force: true };
+    }
+    const position = chosen.includes('u1') || chosen.includes('u2');
+    return {
+      calibration: chosen.includes('L') && position,
+      force: this.hasSecond || chosen.some((name) => name.startsWith('F_')),
+    };
   }
 
   /** As the engine takes it; `spec` is that of the page's spring. */
   asked(spec: string): string {
-    const chosen = this.rows.flatMap(({ select, unit }, index) =>
-      select.value ? [`${select.value}=#${index + 1}${unit.value.trim() ? ` [${unit.value.trim()}]` : ''}`] : [],
-    );
-    const values = Object.entries(this.texts).map(([name, { value }]) => [name, value]);
-    const ticks = Object.entries(this.ticks).map(([name, { input }]) => [name, input.checked]);
+    const said: Record<string, unknown> = {};
+    for (const { option, word, element } of this.fields)
+      if (word !== '' && !element.hidden) said[option.name] = option.tick ? true : word;
+    const { layout, spring, ...rest } = said;
     return JSON.stringify({
-      column: chosen,
-      ...Object.fromEntries([...values, ...ticks]),
-      ...(this.known.input.checked ? { spec } : {}),
+      ...rest,
+      ...(layout === 'lab-data' ? { preset: layout } : {}),
+      ...(layout ? {} : { column: this.columns.asked }),
+      ...(this.hasSecond ? { 'with-column': this.others.asked } : {}),
+      ...(spring === 'tab' ? { spec } : {}),
     });
+  }
+
+  /** Marks the field that an error is about; whether there is one. */
+  refuse(error: string | null): boolean {
+    const [, name = '', line, reason = ''] = (error && ABOUT.exec(error)) || [];
+    let found = false;
+    for (const field of this.fields) {
+      const mine = error !== null && field.option.name === (name === 'preset' ? 'layout' : name);
+      field.refuse(mine ? inPageWords(line ? `line ${line}: ${reason}` : reason) : null);
+      found ||= mine;
+    }
+    return found;
   }
 }

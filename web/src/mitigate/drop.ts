@@ -71,7 +71,7 @@ export class Drop {
     this.table.replaceChildren();
     this.written.textContent = '';
     this.changed();
-    this.ask({ kind: 'columns', ...this.log }, ({ facts }) => {
+    this.ask({ kind: 'columns', log: this.log, asked: '{}' }, ({ facts }) => {
       const { description, columns } = facts as { description: string; columns: Column[] };
       this.written.textContent = `${file.name}: ${description}`;
       this.show(columns);

@@ -3,7 +3,7 @@
 // Next door: what is drawn (`forces`, `spectrum`, `paper`).
 
 import uPlot from 'uplot';
-import { ink, look } from './looks';
+import { ink, look, type Look } from './looks';
 
 /** How much larger than on a desk things are drawn: on a wall, words are larger, too. */
 export const LARGER = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16 || 1;
@@ -31,7 +31,7 @@ export function axis(label: string, size: number, more: Partial<uPlot.Axis> = {}
 export const plain = (tick: number): string => String(Number(tick.toPrecision(10))).replace('-', '−');
 
 /** A curve in the look of a name. */
-export function curve(name: string, label: string): uPlot.Series {
+export function curve(name: string | Look, label: string): uPlot.Series {
   const { colour, dash, width } = look(name);
   return {
     label,

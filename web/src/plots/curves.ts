@@ -3,14 +3,20 @@
 import type uPlot from 'uplot';
 import { make, rich } from '../dom';
 import { axis, chart, curve, font, plain } from './chart';
-import { ink, look, sample } from './looks';
+import { ink, look, sample, type Look } from './looks';
 
 export interface Curves {
   title: string;
   x: { label: string; values: Float64Array; factor?: number };
   y: { label: string; logarithmic?: boolean; range?: [number, number] };
-  /** Drawn in the look of a force; as dots, hollow ones too, where that is asked for. */
-  curves: { look: string; label: string; values: ArrayLike<number | null>; dots?: boolean | 'hollow' }[];
+  /** Drawn in the look of a force or one of their own; as dots, hollow ones too, or across points without a value, where that is asked for. */
+  curves: {
+    look: string | Look;
+    label: string;
+    values: ArrayLike<number | null>;
+    dots?: boolean | 'hollow';
+    spans?: boolean;
+  }[];
   /** Upright lines with a name. */
   marks?: { x: number; label: string }[];
 }
@@ -48,7 +54,7 @@ export function curves(
       ],
       series: [
         {},
-        ...lines.map(({ look: name, label, dots }): uPlot.Series => {
+        ...lines.map(({ look: name, label, dots, spans = false }): uPlot.Series => {
           const stroke = () => ink[look(name).colour as keyof typeof ink];
           return dots
             ? {
@@ -57,7 +63,7 @@ export function curves(
                 paths: () => null,
                 points: { show: true, size: 8, width: 2, fill: dots === 'hollow' ? () => ink.ground : stroke },
               }
-            : curve(name, label);
+            : { ...curve(name, label), spanGaps: spans };
         }),
       ],
     },
@@ -98,7 +104,7 @@ function draw({ ctx, bbox, scales, valToPos }: uPlot, marks: { x: number; label:
 }
 
 /** A dot, as in a legend. */
-function disc(name: string, dots: true | 'hollow'): HTMLElement {
+function disc(name: string | Look, dots: true | 'hollow'): HTMLElement {
   const dot = make('span', { class: 'disc', 'aria-hidden': 'true' });
   const colour = `var(--${look(name).colour})`;
   dot.style.border = `2px solid ${colour}`;

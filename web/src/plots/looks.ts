@@ -26,8 +26,9 @@ export const MEANING: Record<string, string> = {
 
 export const FORCE_NAMES = ['F_i', 'F_o', 'F_x', 'F_L'] as const;
 
-/** Of a force, or of the series `reading 0` …; anything else is drawn in ink. */
-export function look(name: string): Look {
+/** Of a force, or of the series `reading 0` …; anything else is drawn in ink. A look is itself. */
+export function look(name: string | Look): Look {
+  if (typeof name !== 'string') return name;
   const number = /^reading (\d+)$/.exec(name)?.[1];
   const colour = number === undefined ? 'ink' : (READING[Number(number) % READING.length] ?? 'ink');
   return FORCES[name] ?? { colour, dash: [], width: number === undefined ? 1.4 : 1 };
@@ -64,7 +65,7 @@ export function readInk(): void {
 }
 
 /** A piece of a line, as in a legend. */
-export function sample(name: string): SVGSVGElement {
+export function sample(name: string | Look): SVGSVGElement {
   const { colour, dash, width } = look(name);
   const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
   svg.setAttribute('viewBox', '0 0 34 8');

@@ -4,7 +4,7 @@
 
 import { ticks } from '../results/svg';
 import type { Curves } from './curves';
-import { look } from './looks';
+import { look, type Look } from './looks';
 
 const COLOURS: Record<string, string> = { blue: '#005aaa', red: '#c82810', green: '#007d5c', ink: '#000000' };
 const MARGIN = { left: 64, right: 14, top: 44, bottom: 46 };
@@ -80,12 +80,12 @@ const decades = (low: number, high: number): number[] =>
     .map((value) => Number(value.toPrecision(3)))
     .filter((value) => Math.log10(value) >= low && Math.log10(value) <= high);
 
-const colour = (name: string): string => COLOURS[look(name).colour] ?? '#000000';
-const stroke = (name: string): string =>
+const colour = (name: string | Look): string => COLOURS[look(name).colour] ?? '#000000';
+const stroke = (name: string | Look): string =>
   `stroke="${colour(name)}" stroke-width="${look(name).width}" stroke-dasharray="${look(name).dash.join(' ')}"`;
-const disc = (name: string, dots: true | 'hollow', cx: string | number, cy: string | number): string =>
+const disc = (name: string | Look, dots: true | 'hollow', cx: string | number, cy: string | number): string =>
   `<circle cx="${cx}" cy="${cy}" r="4" stroke="${colour(name)}" stroke-width="2" fill="${dots === 'hollow' ? '#ffffff' : colour(name)}"/>`;
-const sample = (name: string, dots: boolean | 'hollow' | undefined, at: number): string =>
+const sample = (name: string | Look, dots: boolean | 'hollow' | undefined, at: number): string =>
   dots ? disc(name, dots, at + 20, 32) : `<path d="M${at} 32h34" ${stroke(name)}/>`;
 
 const escape = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');

@@ -2,12 +2,19 @@
 //
 // Next door: what is said of a log (`log/form`), what comes of it (`log/found`), what computes it (`coilsense-web`, `log`).
 
-import type { Answer, Job } from '../answer';
+import type { Log } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';
-import { make } from '../dom';
-import { showCalibration, showFound, type LogFacts } from '../log/found';
-import { Form, type Column } from '../log/form';
+import { download, make } from '../dom';
+import { Asking } from '../log/asking';
+import type { Column } from '../log/columns';
+import { dropPlace } from '../log/drop';
+import { empty } from '../log/empty';
+import { button } from '../log/found';
+import { Form } from '../log/form';
+import { Results } from '../log/results';
+import { inPageWords } from '../log/options';
+import { openSpec, trialJob } from '../log/spec';
 import { readInk } from '../plots/looks';
 import type { Store } from '../state';
 
@@ -15,95 +22,136 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   readInk();
   const refusal = make('p', { class: 'refusal', role: 'alert', hidden: true });
   const written = make('p', { class: 'hint', 'aria-live': 'polite' });
-  const [found, calibration] = [make('div', { class: 'found' }), make('div', { class: 'found' })];
-  const choose = make('input', { type: 'file', id: 'log-file', accept: '.csv,.tsv,.txt,.dat,.log,text/*' });
-  const drop = make(
-    'div',
-    { class: 'drop' },
-    make('label', { for: 'log-file' }, make('b', {}, 'Drop a log here'), ', or choose one'),
-    choose,
-    make(
-      'p',
-      { class: 'hint' },
-      'A text with columns: time, positions u1 and u2, forces F_i and F_o, inductance L. It does not leave this browser.',
-    ),
-  );
-  let log: { name: string; bytes: Uint8Array } | null = null;
-  let running: { cancel: () => void }[] = [];
+  const results = new Results({ openSpec: (text) => openSpec(store, text) });
+  const asking = new Asking(compute, (busy) => panel.setAttribute('aria-busy', String(busy)));
+  let log: Log | null = null;
+  let second: Log | null = null;
+  /** What was asked last, and which format it was asked for. */
+  let [last, format] = ['', ''];
 
   const say = (error: string | null) => {
-    refusal.hidden = error === null;
-    refusal.textContent = error ?? '';
-    if (error !== null) found.classList.add('stale');
+    const atField = form.refuse(error);
+    refusal.hidden = error === null || atField;
+    refusal.textContent = error === null ? '' : inPageWords(error);
+    if (error !== null) results.fade();
   };
-  const ask = (question: Job, done: (answer: Answer<unknown>) => void, wrong: (error: string) => void = say) => {
-    const mine = running;
-    panel.setAttribute('aria-busy', 'true');
-    void compute
-      .job(question, () => {})
-      .then(async ({ reply: coming, cancel }) => {
-        // A newer question has come meanwhile.
-        if (mine !== running) return cancel();
-        mine.push({ cancel });
-        const reply = await coming;
-        panel.setAttribute('aria-busy', 'false');
-        if ('answer' in reply) done(reply.answer as Answer<unknown>);
-        else if ('error' in reply) wrong(reply.error);
-      });
-  };
-  const form = new Form(() => identify());
+  const read = async (file: File): Promise<Log> => ({
+    name: file.name,
+    bytes: new Uint8Array(await file.arrayBuffer()),
+  });
+  const put = (words: Record<string, string>) => store.setView({ log: words }, true);
 
-  function identify(): void {
-    if (!log) return;
-    for (const { cancel } of running) cancel();
-    running = [];
-    const { name, bytes } = log;
-    const asked = form.asked(toToml(store.state.spec).text);
-    ask({ kind: 'identify', name, bytes, asked }, (answer) => {
-      say(null);
-      found.classList.remove('stale');
-      showFound(found, name, answer as Answer<LogFacts>);
-    });
-    calibration.replaceChildren();
-    if (!form.canCalibrate) return;
-    const refused = (error: string) => calibration.replaceChildren(make('p', { class: 'refusal' }, error));
-    ask(
-      { kind: 'calibrate', name, bytes, asked },
-      (answer) => showCalibration(calibration, name, answer as Answer<{ json: string }>),
-      refused,
-    );
+  async function take(files: File[], device: 'first' | 'second'): Promise<void> {
+    const mapping = files.find(({ name }) => name.endsWith('.toml'));
+    const logs = files.filter((file) => file !== mapping);
+    if (mapping) put({ ...store.state.view.log, layout: 'mapping', mapping: (await mapping.text()).trim() });
+    const [one, other] = device === 'first' ? logs : [undefined, logs[0]];
+    if (one) takeFirst(await read(one));
+    if (other) takeSecond(await read(other));
   }
 
-  async function take(file: File | undefined): Promise<void> {
-    if (!file) return;
-    log = { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
-    const { name, bytes } = log;
-    for (const part of [found, calibration]) part.replaceChildren();
-    form.element.hidden = true;
-    written.textContent = '';
-    ask({ kind: 'columns', name, bytes }, (answer) => {
-      const { description, columns } = answer.facts as { description: string; columns: Column[] };
-      say(null);
-      written.textContent = `${name}: ${description}`;
-      form.show(columns);
+  function takeFirst(file: Log): void {
+    log = file;
+    results.clear();
+    for (const part of [written, trial]) part.replaceChildren();
+    columns();
+  }
+
+  function takeSecond(file: Log): void {
+    asking.ask({ kind: 'columns', log: file, asked: '{}' }, say, ({ facts }) => {
+      second = file;
+      form.showSecond((facts as { columns: Column[] }).columns, store.state.view.log);
+      secondName.replaceChildren(`${file.name}: ${(facts as { description: string }).description} `, without);
+      secondName.hidden = false;
       identify();
     });
   }
 
-  choose.addEventListener('change', () => void take(choose.files?.[0]));
-  const over = (event: DragEvent, on: boolean) => {
-    event.preventDefault();
-    drop.classList.toggle('over', on);
-  };
-  panel.addEventListener('dragover', (event) => over(event, true));
-  panel.addEventListener('dragleave', (event) => over(event, false));
-  panel.addEventListener('drop', (event) => {
-    over(event, false);
-    void take(event.dataTransfer?.files[0]);
+  const without = make('button', { type: 'button', class: 'plain' }, 'Without it');
+  without.addEventListener('click', () => {
+    second = null;
+    secondName.hidden = true;
+    form.showSecond(null, store.state.view.log);
+    identify();
   });
-  panel.classList.add('logs');
-  panel.replaceChildren(
-    make('div', { class: 'asked' }, drop, refusal, written, form.element),
-    make('div', { class: 'told' }, found, calibration),
+
+  /** Which parts of the choices say how the text is written. */
+  const layout = () => {
+    const { layout, mapping, delimiter, decimal } = store.state.view.log;
+    return JSON.stringify([layout, mapping, delimiter, decimal]);
+  };
+  const asked = () => form.asked(toToml(store.state.spec).text);
+
+  function columns(): void {
+    if (!log) return;
+    format = layout();
+    const { name } = log;
+    asking.cancel();
+    asking.ask({ kind: 'columns', log, asked: asked() }, say, ({ facts }) => {
+      const { description, columns } = facts as { description: string; columns: Column[] };
+      say(null);
+      written.textContent = `${name}: ${description}`;
+      form.show(columns, store.state.view.log);
+      identify();
+    });
+  }
+
+  function identify(): void {
+    if (!log) return;
+    last = asked();
+    asking.cancel();
+    const { name } = log;
+    const holds = form.holds;
+    if (holds.force || !holds.calibration)
+      asking.ask({ kind: 'identify', log, second, asked: last }, say, (answer) => {
+        say(null);
+        const reason = results.showLog(name, answer);
+        if (reason) say(reason);
+      });
+    else results.onlyCalibration();
+    if (!holds.calibration) return results.showCalibration(name, null);
+    const wrong = (error: string) => {
+      if (!form.refuse(error)) results.refuseCalibration(inPageWords(error));
+    };
+    asking.ask({ kind: 'calibrate', log, asked: last }, wrong, (answer) => results.showCalibration(name, answer));
+  }
+
+  const tryIt = () =>
+    asking.ask(trialJob(store), say, ({ facts }) => {
+      const { name, text } = facts as { name: string; text: string };
+      takeFirst({ name, bytes: new TextEncoder().encode(text) });
+      const save = () => download(name, text, 'text/csv');
+      trial.replaceChildren(button('Save the simulated log (CSV)', save));
+    });
+  const trial = make('div', { class: 'downloads' });
+  const secondName = make('p', { class: 'hint', hidden: true });
+  const secondPlace = make(
+    'div',
+    {},
+    dropPlace(
+      'log-second',
+      ['Drop its log here', ', or choose one'],
+      'Its channels are added on the first log’s times.',
+      (files) => void take(files, 'second'),
+    ),
+    secondName,
   );
+  const form = new Form(secondPlace, put);
+  const place = dropPlace(
+    'log-file',
+    ['Drop a log here', ', or choose one'],
+    'A text with columns: time, positions u1 and u2, forces F_i and F_o, inductance L. It does not leave this browser.',
+    (files) => void take(files, 'first'),
+    panel,
+  );
+  results.clear(empty(tryIt));
+  store.subscribe(({ view }, before) => {
+    if (view.log !== before.view.log) form.fill(view.log);
+    if (!log || view.tab !== 'log') return;
+    if (layout() !== format) columns();
+    else if (asked() !== last) identify();
+  });
+  form.fill(store.state.view.log);
+  panel.classList.add('logs');
+  panel.replaceChildren(make('div', { class: 'asked' }, place, refusal, written, trial, form.element), results.element);
 }

@@ -2,6 +2,8 @@
 //!
 //! Next door: how uncertain the length is (`coilsense::calibrate::ReadingUncertainty`).
 
+use crate::spec::SpringSpec;
+
 /// F = k(l − l0) with what is known of k and l0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceLaw {
@@ -16,6 +18,17 @@ pub struct ForceLaw {
 }
 
 impl ForceLaw {
+    /// That of a spec's spring, with its tolerances taken as evenly spread.
+    pub fn of(spec: &SpringSpec) -> Self {
+        let (stiffness, even) = (spec.spring.stiffness(), 1.0 / 3.0_f64.sqrt());
+        Self {
+            stiffness,
+            stiffness_u: even * stiffness * spec.stiffness_tolerance,
+            rest_length: spec.spring.rest_length(),
+            rest_length_u: even * spec.rest_length_tolerance,
+        }
+    }
+
     /// F \[N\] at a length \[m\].
     pub fn force(&self, length: f64) -> f64 {
         self.stiffness * (length - self.rest_length)

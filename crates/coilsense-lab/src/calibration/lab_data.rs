@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use super::{CalibrationError, Measured};
-use crate::recording::{Mapping, Table};
+use crate::recording::{Format, Mapping, Table};
 
 /// Columns of such a file.
 const COLUMNS: usize = 24;
@@ -24,9 +24,24 @@ const INDUCTANCE: usize = 6;
 /// [`CalibrationError`] with file, line and column for what cannot be read, is no number, or is not finite; and where fewer than two rows are
 /// left.
 pub fn read_lab_data(path: &Path, zero_length: f64) -> Result<Measured, CalibrationError> {
-    let file = path.display().to_string();
-    let format = Mapping::preset("lab-data").map_err(CalibrationError::new)?.format;
-    let table = Table::read(path, &format).map_err(CalibrationError::new)?;
+    let table = Table::read(path, &format()?).map_err(CalibrationError::new)?;
+    of_table(path.display().to_string(), &table, zero_length)
+}
+
+/// The same of such a file's text, under a name for messages.
+///
+/// # Errors
+/// As [`read_lab_data`].
+pub fn lab_data_of_text(name: &str, text: Vec<u8>, zero_length: f64) -> Result<Measured, CalibrationError> {
+    let table = Table::held(name, text, &format()?).map_err(CalibrationError::new)?;
+    of_table(name.to_owned(), &table, zero_length)
+}
+
+fn format() -> Result<Format, CalibrationError> {
+    Mapping::preset("lab-data").map(|mapping| mapping.format).map_err(CalibrationError::new)
+}
+
+fn of_table(file: String, table: &Table, zero_length: f64) -> Result<Measured, CalibrationError> {
     if table.titles().len() != COLUMNS {
         let message = format!("must hold {COLUMNS} columns between semicolons, got {}", table.titles().len());
         return Err(CalibrationError::of(&file, message));
@@ -36,7 +51,7 @@ pub fn read_lab_data(path: &Path, zero_length: f64) -> Result<Measured, Calibrat
         .map(|number| table.column(&format!("#{number}")))
         .collect::<Result<_, _>>()
         .map_err(CalibrationError::new)?;
-    let left_out = usize::try_from(format.skip).unwrap_or(usize::MAX);
+    let left_out = usize::try_from(format()?.skip).unwrap_or(usize::MAX);
     let (mut lengths, mut inductances, mut standard_errors) = (Vec::new(), Vec::new(), Vec::new());
     for (row, line) in table.lines().iter().enumerate() {
         let values: Vec<f64> = columns.iter().map(|column| column[row]).collect();

@@ -14,7 +14,7 @@ mod plan;
 pub use answer::answer;
 pub(crate) use answer::with_error;
 pub use force::ForceLaw;
-pub use lab_data::read_lab_data;
+pub use lab_data::{lab_data_of_text, read_lab_data};
 pub use measured::Measured;
 pub use outcome::{Judged, Outcome, THEORY_POINTS};
 pub use plan::{Method, Plan, Preload};

@@ -10,6 +10,7 @@ use super::account::{Joined, Reason};
 use super::error::RecordingError;
 use super::row::between;
 use super::telling::seconds;
+use crate::quantity::Dimension;
 
 /// What is known about the second device's clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +19,29 @@ pub enum Clock {
     Offset(f64),
     /// It is found where both recorded the same motion: by these channels of the first and the second device, or one that both have.
     Found(Option<[Channel; 2]>),
+}
+
+impl Clock {
+    /// From an offset such as `-0.2 s`, `auto`, or two channels as in `F_o=F_x`.
+    ///
+    /// # Errors
+    /// What is allowed.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let channel = |name: &str| Channel::ALL.into_iter().find(|channel| channel.name() == name.trim());
+        if text == "auto" {
+            return Ok(Self::Found(None));
+        }
+        if let Some((mine, theirs)) = text.split_once('=') {
+            let pair = channel(mine).zip(channel(theirs)).map(|(mine, theirs)| [mine, theirs]);
+            let names = Channel::ALL.map(Channel::name).join(", ");
+            return pair
+                .map(|pair| Self::Found(Some(pair)))
+                .ok_or_else(|| format!("must name two of {names}, as in F_o=F_x"));
+        }
+        let offset = Dimension::Time.parse(text).filter(|time| time.is_finite()).map(Self::Offset);
+        let allowed = Dimension::Time.expectation();
+        offset.ok_or_else(|| format!("must be {allowed}, as in \"10 ms\", or auto, or two channels as in F_o=F_x"))
+    }
 }
 
 /// Most samples of an even clock on which two devices are compared.

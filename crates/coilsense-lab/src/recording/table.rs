@@ -30,7 +30,7 @@ impl Table {
     /// [`RecordingError`] where the file cannot be read or holds no rows of numbers.
     pub fn read(path: &Path, format: &Format) -> Result<Self, RecordingError> {
         match Kind::of(path)? {
-            Kind::Text => Self::of_text(path, format),
+            Kind::Text => Self::of_text(Text::open(path, format)?),
             #[cfg(feature = "matlab")]
             Kind::Matlab => super::matlab::read(path),
             #[cfg(feature = "mdf")]
@@ -44,8 +44,15 @@ impl Table {
         }
     }
 
-    fn of_text(path: &Path, format: &Format) -> Result<Self, RecordingError> {
-        let mut source = Text::open(path, format)?;
+    /// The same of a text in memory, under a name for messages.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn held(name: &str, text: Vec<u8>, format: &Format) -> Result<Self, RecordingError> {
+        Self::of_text(Text::held(Path::new(name), text, format)?)
+    }
+
+    fn of_text(mut source: Text) -> Result<Self, RecordingError> {
         source.lenient = true;
         let wanted: Vec<usize> = (0..source.titles().len()).collect();
         Self::of_source(&mut source, &wanted)

@@ -1,0 +1,125 @@
+// Inductance over length: the curve through it, and the theories of the coil beside it.
+//
+// Next door: the numbers (`coilsense-web`, `log/calibrated`), what else a log says (`found`).
+
+import type { Answer } from '../answer';
+import { digits, download, make } from '../dom';
+import { curves } from '../plots/curves';
+import type { Look } from '../plots/looks';
+import { button, card, list } from './found';
+
+interface Misfit {
+  r2: number;
+  rmse_m: number;
+  rmse_percent_of_range: number;
+  largest_residual_m: number;
+}
+
+/** What `coilsense calibrate --json` prints, as far as it is shown. */
+interface Calibration {
+  answer: string[];
+  account: string[];
+  inverse_length: Misfit & { alpha_per_h_m: number; beta_per_m: number };
+  inductance: Misfit;
+  theories: ({ name: string; refused: string | null } & Partial<Misfit>)[];
+}
+
+const none = new Float64Array();
+
+export function showCalibration(host: HTMLElement, name: string, answer: Answer<{ json: string }>): void {
+  const told = JSON.parse(answer.facts.json) as Calibration;
+  const { alpha_per_h_m: alpha, beta_per_m: beta } = told.inverse_length;
+  const save = () => download(`${name}-calibration.json`, answer.facts.json, 'application/json');
+  const figures = make('div', { class: 'figures wide' });
+  const ask =
+    'Say under “The spring” that it is that of the tab Spring, or its windings, coil radius and wire: then theories are compared.';
+  host.replaceChildren(
+    card(
+      'Calibration',
+      make('p', { class: 'curve' }, `1/l = α L + β, α = ${digits(alpha, 5)} 1/(H m), β = ${digits(beta, 5)} 1/m`),
+      list(told.answer),
+      table(told),
+      ...(told.theories.length === 0 ? [make('p', { class: 'hint' }, ask)] : []),
+      list(told.account),
+      make('div', { class: 'downloads' }, button('Calibration (JSON)', save)),
+    ),
+    figures,
+  );
+  draw(figures, told, answer);
+}
+
+/** Both curves, then the theories, the nearest first. */
+function table({ inverse_length, inductance, theories }: Calibration): HTMLElement {
+  const far = (theory: Calibration['theories'][number]) => theory.rmse_m ?? Infinity;
+  const rows: [string, Partial<Misfit>, string | null][] = [
+    ['fit 1/l = αL + β', inverse_length, null],
+    ['fit L = α/l + β', inductance, null],
+    ...[...theories]
+      .sort((a, b) => far(a) - far(b))
+      .map((theory): (typeof rows)[number] => [theory.name, theory, theory.refused]),
+  ];
+  const row = ([name, misfit, refused]: (typeof rows)[number]) => {
+    const { r2, rmse_m, rmse_percent_of_range, largest_residual_m } = misfit;
+    const numbers = [
+      digits(r2 ?? NaN, 6),
+      `${digits(1e3 * (rmse_m ?? NaN), 4)} mm`,
+      `${digits(rmse_percent_of_range ?? NaN, 4)} %`,
+      `${digits(1e3 * (largest_residual_m ?? NaN), 4)} mm`,
+    ].map((text) => make('td', {}, text));
+    const cells = refused === null ? numbers : [make('td', { colspan: 4, class: 'words' }, refused)];
+    return make('tr', { 'data-theory': name }, make('th', { scope: 'row' }, name), ...cells);
+  };
+  const heads = ['Curve', 'R²', 'RMSE', 'of the range', 'at most'].map((text) => make('th', { scope: 'col' }, text));
+  return make(
+    'div',
+    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Curves one by one' },
+    make(
+      'table',
+      {},
+      make('caption', {}, 'How far off the length is that each reads from the inductances.'),
+      make('thead', {}, make('tr', {}, ...heads)),
+      make('tbody', {}, ...rows.map(row)),
+    ),
+  );
+}
+
+const COLOURS = ['blue', 'green', 'red', 'soft'] as const;
+const DASHES = [
+  [8, 4],
+  [2, 3],
+  [10, 3, 2, 3],
+] as const;
+/** Each theory alone: colours first, then dashes. */
+const theoryLook = (number: number): Look => ({
+  colour: COLOURS[number % COLOURS.length] ?? 'soft',
+  dash: [...(DASHES[Math.floor(number / COLOURS.length) % DASHES.length] ?? [])],
+  width: 1.4,
+});
+
+function draw(host: HTMLElement, told: Calibration, { series }: Answer<unknown>): void {
+  const of = (name: string) => series[name] ?? none;
+  const [lengths, drawn] = [of('length'), of('drawn length')];
+  // One axis for dots and curves: all their lengths, with nothing where the other has a point.
+  const all = Float64Array.from(new Set([...lengths, ...drawn])).sort();
+  const place = new Map(Array.from(all, (length, index) => [length, index]));
+  const on = (at: Float64Array, values: Float64Array) => {
+    const spread = new Array<number | null>(all.length).fill(null);
+    values.forEach((value, index) => (spread[place.get(at[index] ?? NaN) ?? -1] = 1e6 * value));
+    return spread;
+  };
+  curves(host, {
+    title: 'Inductance over length',
+    x: { label: 'Length [mm]', values: all.map((length) => 1e3 * length) },
+    y: { label: 'L [µH]' },
+    curves: [
+      { look: 'F_i', label: 'recorded', values: on(lengths, of('inductance')), dots: true },
+      { look: 'F_L', label: 'fit', values: on(drawn, of('fit')), spans: true },
+      ...told.theories.map(({ name }, number) => ({
+        look: theoryLook(number),
+        label: name,
+        values: on(drawn, of(`theory ${number}`)),
+        spans: true,
+      })),
+    ],
+  });
+}

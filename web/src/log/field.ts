@@ -1,0 +1,59 @@
+// One option of a log as a field: what is typed or chosen, and red with the reason where it is refused.
+//
+// Next door: which there are (`options`), all of them together (`form`).
+
+import { make } from '../dom';
+import type { Option } from './options';
+
+export class OptionField {
+  readonly element: HTMLElement;
+  private readonly input: HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
+  private readonly error = make('p', { class: 'error', role: 'alert', hidden: true });
+
+  constructor(readonly option: Option) {
+    const { name, label, hint, tick, long } = option;
+    const id = `log-${name}`;
+    this.error.id = `${id}-error`;
+    this.input = enter(id, option);
+    const about = hint ? make('span', { class: 'hint', id: `${id}-hint` }, hint) : null;
+    this.input.setAttribute('aria-describedby', [about?.id, this.error.id].filter(Boolean).join(' '));
+    const words = make('label', { for: id, class: tick ? 'tick' : '' });
+    this.element = make('div', { class: long ? 'field long' : tick ? '' : 'field' });
+    if (tick) words.append(this.input, ` ${label}`);
+    else words.append(label);
+    this.element.append(words, ...(tick ? [] : [this.input]), ...(about ? [about] : []), this.error);
+  }
+
+  /** What is said; nothing where it is left as it is. */
+  get word(): string {
+    const { input } = this;
+    if (input instanceof HTMLInputElement && input.type === 'checkbox') return input.checked ? 'yes' : '';
+    return input.value.trim();
+  }
+
+  set word(text: string) {
+    const { input } = this;
+    if (input instanceof HTMLInputElement && input.type === 'checkbox') input.checked = text !== '';
+    else if (input.value.trim() !== text) input.value = text;
+    // An address may hold a word that is no choice.
+    if (input instanceof HTMLSelectElement && input.selectedIndex < 0) input.selectedIndex = 0;
+  }
+
+  /** Marks it as wrong, or as right again. */
+  refuse(reason: string | null): void {
+    this.error.textContent = reason ?? '';
+    this.error.hidden = reason === null;
+    this.element.classList.toggle('wrong', reason !== null);
+    if (reason === null) return this.input.removeAttribute('aria-invalid');
+    this.input.setAttribute('aria-invalid', 'true');
+    const folded = this.element.closest('details');
+    if (folded) folded.open = true;
+  }
+}
+
+function enter(id: string, { words, tick, long, example = '' }: Option) {
+  if (words) return make('select', { id }, ...words.map(([value, label]) => make('option', { value }, label)));
+  if (tick) return make('input', { type: 'checkbox', id });
+  if (long) return make('textarea', { id, rows: 6, spellcheck: 'false', placeholder: example });
+  return make('input', { type: 'text', id, placeholder: example, autocomplete: 'off', spellcheck: 'false' });
+}

@@ -1,0 +1,76 @@
+// The right side of the tab: what was recorded, what it says, the calibration; faded while a choice is wrong.
+//
+// Next door: each part (`recorded`, `found`, `calibration`), who asks (`tabs/log`).
+
+import type { Answer } from '../answer';
+import { digits, make } from '../dom';
+import { showCalibration } from './calibration';
+import { card, showFound, type Ways } from './found';
+import { saysSomething, type Recorded, type Said } from './identification';
+import { showRecorded } from './recorded';
+
+export class Results {
+  private readonly clock = make('div', { class: 'found' });
+  private readonly head = make('div', { class: 'found' });
+  private readonly found = make('div', { class: 'found' });
+  private readonly recorded = make('div', { class: 'found' });
+  private readonly calibration = make('div', { class: 'found' });
+  private readonly ofLog = [this.head, this.clock, this.recorded, this.found];
+  readonly element = make('div', { class: 'told' }, ...this.ofLog, this.calibration);
+
+  constructor(private readonly ways: Ways) {}
+
+  /** Nothing is left of the last log; what stands in its place. */
+  clear(instead?: HTMLElement): void {
+    for (const part of [...this.ofLog, this.calibration]) {
+      part.replaceChildren();
+      part.classList.remove('stale');
+    }
+    if (instead) this.head.replaceChildren(instead);
+  }
+
+  /** What is shown is not of the choices as they are. */
+  fade(): void {
+    for (const part of this.ofLog) part.classList.add('stale');
+  }
+
+  /** Shows what came of a log; why it says nothing, where that is so. */
+  showLog(name: string, answer: Answer<unknown>): string | null {
+    const facts = answer.facts as Recorded;
+    for (const part of this.ofLog) part.classList.remove('stale');
+    this.showClock(facts);
+    showRecorded(this.recorded, facts, answer.series);
+    if (saysSomething(facts)) {
+      showFound(this.head, this.found, name, answer as Answer<Said>, this.ways);
+      return null;
+    }
+    for (const part of [this.head, this.found]) part.replaceChildren();
+    return facts.refusal ?? 'the log says nothing';
+  }
+
+  private showClock({ clock }: Recorded): void {
+    if (!clock) return this.clock.replaceChildren();
+    const { file, offset, found } = clock;
+    const milliseconds = (value: number) => `${digits(1e3 * value, 6)} ms`;
+    const words = found
+      ? `${milliseconds(offset)} were added to its times, ± ${milliseconds(found.halfWidth)} in 95 of 100 cases: its ${found.channels[1]} against ${found.channels[0]} of the first, correlation ${digits(found.correlation, 3)}.`
+      : `${milliseconds(offset)} were added to its times, as told.`;
+    this.clock.replaceChildren(card('The second device', make('p', {}, `${file}: ${words}`)));
+  }
+
+  /** A log without a force, but with inductances. */
+  onlyCalibration(): void {
+    this.clear(
+      make('p', { class: 'hint' }, 'No column is a force, so nothing is said of what rings; see the calibration.'),
+    );
+  }
+
+  showCalibration(name: string, answer: Answer<unknown> | null): void {
+    this.calibration.replaceChildren();
+    if (answer) showCalibration(this.calibration, name, answer as Answer<{ json: string }>);
+  }
+
+  refuseCalibration(error: string): void {
+    this.calibration.replaceChildren(card('Calibration', make('p', { class: 'refusal' }, error)));
+  }
+}

@@ -1,0 +1,152 @@
+// Two devices on one clock, theories beside a calibration, and the log as it was dropped.
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { apart, drop, rigLogs, saved, settled, told, type, written } from './logs';
+import { expect, test } from './page';
+
+const examples = join(new URL('..', import.meta.url).pathname, '..', 'examples');
+
+test.beforeAll(rigLogs);
+
+/** The page's simulated log, and its text. */
+async function simulated(page: Page): Promise<string> {
+  await page.goto('./#S_T&@tab="log"');
+  await page.getByRole('button', { name: 'Try it with a simulated log' }).click();
+  await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
+  await settled(page);
+  return written('simulated-S_T.csv', await saved(page, 'Save the simulated log (CSV)'));
+}
+
+test('a second device is put on the first one’s clock, as the command does', async ({ page }) => {
+  const rows = (await simulated(page))
+    .split('\n')
+    .filter((line) => /^\d/.test(line))
+    .map((line) => line.split(','));
+  const first = ['time [s],F_i [N],F_o [N]', ...rows.map(([t, , , a, b]) => `${t},${a},${b}`)].join('\n');
+  const late = (time = '') => (Number(time) + 0.25).toFixed(4);
+  const second = ['clock,left,right,cell', ...rows.map(([t, a, b, , f]) => `${late(t)},${a},${b},${f}`)].join('\n');
+  written('first.csv', first);
+  written('second.csv', second);
+  await drop(page, { 'first.csv': first });
+  await expect(page.getByRole('region', { name: 'What became of the rows' })).toContainText('first.csv', {
+    timeout: 30_000,
+  });
+  await page.getByText('A second device').click();
+  await drop(page, { 'second.csv': second }, '.drop >> nth=1');
+  for (const [column, channel, unit] of [
+    ['clock', 'time', 's'],
+    ['left', 'u1', 'mm'],
+    ['right', 'u2', 'mm'],
+    ['cell', 'F_o', 'N'],
+  ] as const) {
+    await page.getByLabel(`Unit of ${column}, second device`, { exact: true }).fill(unit);
+    await page.getByLabel(`${column} is, second device`, { exact: true }).selectOption(channel);
+  }
+  await expect(page.getByRole('region', { name: 'The second device' })).toContainText('−250 ms were added', {
+    timeout: 60_000,
+  });
+  await settled(page);
+  const columns = ['time=clock [s]', 'u1=left [mm]', 'u2=right [mm]', 'F_o=cell [N]'].flatMap((one) => [
+    '--with-column',
+    one,
+  ]);
+  const there = JSON.parse(told('identify', 'first.csv', '--with', 'second.csv', ...columns, '--json')) as unknown;
+  expect(apart(JSON.parse(await saved(page, 'Everything (JSON)')), there)).toBeLessThan(1e-7);
+  await type(page, 'A second device', 'Its clock', '-0.2 s');
+  await expect(page.getByRole('region', { name: 'The second device' })).toContainText(
+    '−200 ms were added to its times, as told',
+    {
+      timeout: 60_000,
+    },
+  );
+  await type(page, 'A second device', 'Its clock', 'F_o=F_9');
+  await expect(page.locator('#panel-log .wrong .error')).toContainText('must name two of', { timeout: 30_000 });
+});
+
+test('the theories of the page’s spring stand beside the fit, with the command’s numbers', async ({ page }) => {
+  await simulated(page);
+  const region = page.getByRole('region', { name: 'Calibration', exact: true });
+  await expect(region).toContainText('then theories are compared');
+  await page.locator('#panel-log summary:text-is("The spring")').click();
+  await page.getByLabel('It is', { exact: true }).selectOption('tab');
+  await expect(region.locator('[data-theory="ideal solenoid"]')).toBeVisible({ timeout: 60_000 });
+  await settled(page);
+  const here = JSON.parse(await saved(page, 'Calibration (JSON)')) as { theories: unknown[] };
+  const there = JSON.parse(
+    told('calibrate', 'simulated-S_T.csv', '--spec', join(examples, 'sea-ankle.toml'), '--json'),
+  ) as typeof here;
+  const difference = apart(here, there);
+  console.log(
+    `calibrate: ${here.theories.length} theories, largest relative difference ${difference.toExponential(1)}`,
+  );
+  expect(here.theories.length).toBeGreaterThan(5);
+  expect(difference).toBeLessThan(1e-9);
+  await type(page, 'Calibration', 'Preload', '230 mm, 3.2 uH');
+  await expect(region).toContainText('through the preload', { timeout: 60_000 });
+  await settled(page);
+  const fit = (json: string) => (JSON.parse(json) as { inverse_length: unknown }).inverse_length;
+  const command = told('calibrate', 'simulated-S_T.csv', '--preload', '230 mm, 3.2 uH', '--json');
+  expect(apart(fit(await saved(page, 'Calibration (JSON)')), fit(command))).toBeLessThan(1e-9);
+  await type(page, 'Calibration', 'Preload', '230 N');
+  await expect(page.locator('#panel-log .wrong .error')).toContainText('got "230 N"', { timeout: 30_000 });
+});
+
+test('a file of the measured runs’ layout is calibrated as the command does by the preset', async ({ page }) => {
+  // Made up: 12 positions of 3 mm, ten readings each of a coil of 5e-7 H m.
+  const row = (step: number) => {
+    const henry = 5e-7 / (0.11 + 3e-3 * step);
+    const pairs = Array.from(
+      { length: 10 },
+      (_, n) => `${0.1 + n / 100};${(henry * (1 + 1e-4 * Math.sin(7 * n + step))).toExponential(9)}`,
+    );
+    return [step, 0, 0, 3 * step, ...pairs].join(';');
+  };
+  const text = written('runs.csv', Array.from({ length: 13 }, (_, step) => row(step)).join('\n') + '\n');
+  await page.goto('./#S_T&@tab="log"&@log={"layout":"lab-data"}');
+  await drop(page, { 'runs.csv': text });
+  await expect(page.locator('#panel-log .wrong .error')).toContainText('must be given', { timeout: 30_000 });
+  await type(page, 'Calibration', 'Length at zero', '110 mm');
+  await expect(page.getByRole('region', { name: 'Calibration', exact: true })).toContainText(
+    'first and the last of 12 points',
+    {
+      timeout: 30_000,
+    },
+  );
+  await settled(page);
+  const there = JSON.parse(
+    told('calibrate', 'runs.csv', '--preset', 'lab-data', '--length-at-zero', '110 mm', '--json'),
+  ) as unknown;
+  expect(apart(JSON.parse(await saved(page, 'Calibration (JSON)')), there)).toBeLessThan(1e-9);
+});
+
+test('the log is drawn as it was dropped, with its taps, and a part of it can be looked at', async ({ page }) => {
+  await simulated(page);
+  const region = page.getByRole('region', { name: 'What was recorded' });
+  await expect(region).toContainText(/[56] taps were found/);
+  for (const name of ['Forces over time', 'Positions over time', 'Inductance over time'])
+    await expect(region.getByRole('img', { name })).toBeVisible();
+  const shown = region.locator('[aria-live]');
+  await expect(shown).toHaveText(/^0 s to 15\.2\d* s$/);
+  await region.getByRole('button', { name: 'Zoom in' }).press('Enter');
+  await expect(shown).toHaveText(/^3\.8\d* s to 11\.4\d* s$/);
+  await region.getByRole('button', { name: 'Later' }).press('Enter');
+  await expect(shown).toHaveText(/^6\.8\d* s to 14\.4\d* s$/);
+  const over = region.locator('.u-over').first();
+  await over.scrollIntoViewIfNeeded();
+  const box = (await over.boundingBox())!;
+  await page.mouse.move(box.x + 0.25 * box.width, box.y + 40);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 40, { steps: 4 });
+  await page.mouse.up();
+  await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);
+  await over.dblclick();
+  await expect(shown).toHaveText(/^0 s to 15\.2\d* s$/);
+});
+
+test('a log that says nothing is still drawn, beside the reason', async ({ page }) => {
+  const text = 'time [s],u1 [mm]\n' + Array.from({ length: 200 }, (_, row) => `${row / 100},${row % 7}`).join('\n');
+  await page.goto('./#S_T&@tab="log"');
+  await drop(page, { 'still.csv': text });
+  await expect(page.locator('#panel-log .refusal').first()).toContainText('still.csv: ', { timeout: 30_000 });
+  await expect(page.getByRole('img', { name: 'Positions over time' })).toBeVisible();
+});
