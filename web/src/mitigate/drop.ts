@@ -4,7 +4,7 @@
 
 import type { Answer, Job } from '../answer';
 import { make, rich } from '../dom';
-import type { Column } from '../log/form';
+import type { Column } from '../log/columns';
 
 const NEEDED = [
   ['time', 'time'],
