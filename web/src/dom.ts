@@ -47,7 +47,11 @@ export function digits(value: number, count = 3): string {
   return text.replace('-', '−');
 }
 
-export const fixed = (value: number, decimals: number): string => value.toFixed(decimals).replace('-', '−');
+/** With so many decimals, a true minus sign, and none before a zero. */
+export function fixed(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return /^-[0.]*$/.test(text) ? text.slice(1) : text.replace('-', '−');
+}
 
 export const clamp = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
 

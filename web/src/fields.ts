@@ -13,6 +13,8 @@ export interface Field {
   words?: readonly string[];
   /** One of these of the engine's catalogue, or none. */
   list?: 'materials' | 'sensors';
+  /** On a line of its own, since its words are long. */
+  wide?: boolean;
   /** Two values, as a list in the spec. */
   pair?: boolean;
   /** A number without a unit. */
@@ -33,7 +35,7 @@ export const SHAPE: readonly Field[] = [
   { key: 'min_length', label: 'Shortest in use', slide: around },
   { key: 'max_length', label: 'Longest in use', slide: around },
 ];
-const MATERIAL: Field = { key: 'material', label: 'Material', list: 'materials' };
+const MATERIAL: Field = { key: 'material', label: 'Material', list: 'materials', wide: true };
 export const RADII: readonly Field[] = [
   { key: 'coil_radius', label: 'Coil radius r', hint: 'to the centre of the wire', slide: around },
   { key: 'wire_radius', label: 'Wire radius ρ', slide: around },
@@ -46,7 +48,7 @@ export const BY_GEOMETRY: readonly Field[] = [
 ];
 export const ENDS: readonly Field[] = [
   MATERIAL,
-  { key: 'end_type', label: 'Ends', words: ['hooks', 'open', 'open-ground', 'closed', 'closed-ground'] },
+  { key: 'end_type', label: 'Ends', wide: true, words: ['hooks', 'open', 'open-ground', 'closed', 'closed-ground'] },
   { key: 'initial_tension', label: 'Initial tension F0' },
 ];
 
@@ -113,9 +115,9 @@ export const TIMING: readonly Field[] = [
 ];
 
 export const SENSOR: readonly Field[] = [
-  { key: 'name', label: 'Name' },
-  { key: 'kind', label: 'Kind', words: ['load-cell', 'deflection', 'two-encoder', 'inductance'] },
-  { key: 'class', label: 'Like', list: 'sensors' },
+  { key: 'name', label: 'Name', wide: true },
+  { key: 'kind', label: 'Kind', wide: true, words: ['load-cell', 'deflection', 'two-encoder', 'inductance'] },
+  { key: 'class', label: 'Like', list: 'sensors', wide: true },
   { key: 'end', label: 'At end', number: true },
   { key: 'bandwidth', label: 'Bandwidth (−3 dB)' },
   { key: 'delay', label: 'Delay' },

@@ -14,11 +14,11 @@ const page = new URL('..', import.meta.url).pathname;
 const out = join(page, 'test-results', 'command');
 const exampleFile = (example: string): string => join(page, '..', 'examples', `${example}.toml`);
 
-/** Runs the command; its own words where it fails. */
-export function command(...args: string[]): void {
+/** Runs the command; what it prints, and its own words where it fails. */
+export function command(...args: string[]): string {
   const program = process.env['COILSENSE_COMMAND'];
   if (!program) throw new Error('COILSENSE_COMMAND must be the path of the command coilsense');
-  execFileSync(program, args, { stdio: ['ignore', 'ignore', 'inherit'] });
+  return execFileSync(program, args, { stdio: ['ignore', 'pipe', 'inherit'], encoding: 'utf8', maxBuffer: 1e8 });
 }
 
 interface Deviation {

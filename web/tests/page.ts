@@ -28,7 +28,7 @@ export const test = base.extend<{ watched: string[] }>({
 
 declare global {
   interface Window {
-    coilsense: { framesPerSecond(): number; last(): Shown | null };
+    coilsense: { framesPerSecond(): number; last(): Shown | null; redraw(): Promise<number> };
   }
 }
 

@@ -1,6 +1,14 @@
-// How quick the page is, measured in the browser and printed. Goals are stated beside each figure; a shared machine may miss those of time, so a
-// test fails only where a figure is several times its goal, and on sizes, which no machine changes.
+// How quick the page is, measured in the browser and printed. Goals are stated beside each figure. A shared machine may miss those of time, so a
+// test holds them against something bare that the same browser does in the same run: a redraw of the same points, empty frames, the loading of
+// the same files; sizes are held as they are.
 import { expect, open, test } from './page';
+
+/** Times a bare redraw of the force plot that a move of the slider may take, at the median. Measured: 10 with nine busy processes on two cores. */
+const MOST_REDRAWS = 20;
+/** Share of the frames of an empty page that the animation holds at least. */
+const LEAST_FRAMES = 0.5;
+/** Times the bare loading of its own files that the first curves may take. Measured: 6. */
+const MOST_LOADS = 12;
 
 const quantile = (values: number[], share: number): number =>
   [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))] ?? NaN;
@@ -8,46 +16,73 @@ const quantile = (values: number[], share: number): number =>
 test('from the slider to redrawn plots', async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Pause' }).click();
-  // One input a frame, as a drag gives them.
-  await page.evaluate(async () => {
+  // One input a frame, as a drag gives them, and between them a bare redraw now and then.
+  const bare = await page.evaluate(async () => {
     const slider = document.querySelector<HTMLInputElement>('input[aria-label="How hard it is hit, slider"]')!;
+    const bare: number[] = [];
     for (let step = 0; step < 200; step++) {
       slider.value = String(200 + (step % 100) * 3);
       slider.dispatchEvent(new Event('input', { bubbles: true }));
       await new Promise((resolve) => setTimeout(resolve, 50));
+      if (step % 4 === 0) bare.push(await window.coilsense.redraw());
     }
+    return bare;
   });
   const measured = await page.evaluate(() =>
     performance.getEntriesByName('slider to plots').map(({ duration }) => duration),
   );
   const [median, late] = [quantile(measured, 0.5), quantile(measured, 0.95)];
+  const redraws = median / quantile(bare, 0.5);
   console.log(
-    `slider to redrawn plots, S_T, four forces: median ${median.toFixed(1)} ms (goal 16), 95 % within ${late.toFixed(1)} ms (goal 33), ${measured.length} moves`,
+    `slider to redrawn plots, S_T, four forces: median ${median.toFixed(1)} ms (goal 16), 95 % within ${late.toFixed(1)} ms (goal 33), ` +
+      `${redraws.toFixed(1)} times a bare redraw of ${quantile(bare, 0.5).toFixed(1)} ms, ${measured.length} moves`,
   );
   expect(measured.length).toBeGreaterThan(100);
-  expect(median).toBeLessThan(80);
+  expect(redraws).toBeLessThan(MOST_REDRAWS);
 });
 
-test('frames per second of the animation', async ({ page }) => {
+test('frames per second of the animation', async ({ page, context }) => {
   await open(page);
   await page.waitForTimeout(2500);
   const held = await page.evaluate(() => window.coilsense.framesPerSecond());
-  console.log(`animation: ${held.toFixed(1)} frames per second (goal 60)`);
-  expect(held).toBeGreaterThan(10);
+  const empty = await context.newPage();
+  const possible = await empty.evaluate(async () => {
+    const frame = () => new Promise<number>((resolve) => requestAnimationFrame(resolve));
+    const begun = await frame();
+    let now = begun;
+    let count = 0;
+    for (; now - begun < 2000; count++) now = await frame();
+    return (1e3 * count) / (now - begun);
+  });
+  console.log(`animation: ${held.toFixed(1)} frames per second (goal 60), an empty page ${possible.toFixed(1)}`);
+  expect(held / possible).toBeGreaterThan(LEAST_FRAMES);
 });
 
 test('first load and time until it can be used', async ({ page }) => {
   await open(page);
-  const { bytes, interactive } = await page.evaluate(() => {
+  const { bytes, interactive, files } = await page.evaluate(() => {
     const [own] = performance.getEntriesByType('navigation') as PerformanceNavigationTiming[];
     const all = performance.getEntriesByType('resource') as PerformanceResourceTiming[];
     const bytes = (own?.encodedBodySize ?? 0) + all.reduce((sum, entry) => sum + entry.encodedBodySize, 0);
-    return { bytes, interactive: performance.getEntriesByName('first curves')[0]?.startTime ?? NaN };
+    const interactive = performance.getEntriesByName('first curves')[0]?.startTime ?? NaN;
+    return { bytes, interactive, files: all.map(({ name }) => name) };
   });
+  // The same files once more, and the engine compiled: nothing can be drawn before that.
+  const bare = await page.evaluate(async (files) => {
+    const begun = performance.now();
+    const load = async (file: string) => {
+      const reply = await fetch(file, { cache: 'reload' });
+      await (file.endsWith('.wasm') ? WebAssembly.compileStreaming(reply) : reply.text());
+    };
+    await Promise.all(files.map(load));
+    return performance.now() - begun;
+  }, files);
   console.log(
-    `first load ${(bytes / 1000).toFixed(0)} kB compressed by gzip (goal 500), first curves after ${interactive.toFixed(0)} ms (goal 1000)`,
+    `first load ${(bytes / 1000).toFixed(0)} kB compressed by gzip (goal 500), first curves after ${interactive.toFixed(0)} ms (goal 1000), ` +
+      `${(interactive / bare).toFixed(1)} times what its files take to load and compile`,
   );
   expect(bytes).toBeGreaterThan(100_000);
-  expect(bytes).toBeLessThan(500_000);
-  expect(interactive).toBeLessThan(5000);
+  // The goal is 500; what is left of it is not there to be used up unseen.
+  expect(bytes).toBeLessThan(420_000);
+  expect(interactive / bare).toBeLessThan(MOST_LOADS);
 });

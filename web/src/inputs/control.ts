@@ -30,7 +30,7 @@ export class Control {
     this.input.setAttribute('aria-describedby', `${this.hint.id} ${this.error.id}`);
     this.element = make(
       'div',
-      { class: `field${this.slider ? ' slides' : ''}${field.list ? ' wide' : ''}` },
+      { class: `field${this.slider ? ' slides' : ''}${field.wide ? ' wide' : ''}` },
       make('label', { for: id }, field.label),
       this.input,
       this.slider,

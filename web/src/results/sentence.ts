@@ -3,7 +3,7 @@
 import type { Answer, Facts } from '../answer';
 import { digits, make, type Child } from '../dom';
 
-const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce)} %`;
+const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce)}\u00a0%`;
 const bold = (text: string) => make('b', {}, text);
 
 /** What the two ends do, and what that means for a load cell. */
@@ -16,13 +16,14 @@ export function sentence(answer: Answer<Facts>): Child[] {
   const name = facts.conditions[facts.condition]?.name ?? 'this';
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
   const end = other === 'F_o' ? '2' : '1';
-  const meant = truth === 'F_x' ? 'the force that its length tells' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
+  const meant =
+    truth === 'F_x' ? 'the force that the spring’s length tells' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
   const off = forces[other]?.rmsd ?? 0;
   // On a mass at end 2 the first mode is the mass's swing, far below the coil's own.
-  const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)} Hz`;
+  const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)}\u00a0Hz`;
   return [
     `“${name}”: the spring rings at ${ring}, and its ends are up to `,
-    bold(`${digits(apart, 3)} N apart`),
+    bold(`${digits(apart, 3)}\u00a0N apart`),
     `, ${percent(apart, facts)} of its nominal force. A load cell at end ${end} is `,
     bold(`${percent(off, facts)} rms off`),
     ` ${meant}.`,

@@ -29,7 +29,7 @@ export function layOut(panel: HTMLElement) {
     lines: make(
       'p',
       { class: 'facts' },
-      'How far each force swings, in the colours of the plot over time; at both ends nearly alike. f1, f2 …: where the coil rings by itself.',
+      'How far each force swings, in the colours of the plot over time. f1, f2 …: where the coil rings by itself.',
     ),
     keys: make('p', { class: 'keys' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),

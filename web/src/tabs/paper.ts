@@ -50,7 +50,7 @@ function fill(place: HTMLElement, { facts, series }: Answer<PaperFacts>, millise
   curves(figures, {
     title: 'Fig. 2: transmittance of S_T’s chain against eq. (1), far end clamped',
     x: { label: 'Frequency [Hz]', values: of('figure 2 frequency') },
-    y: { label: '|F_o / F_i|', logarithmic: true, range: [0.5, 1000] },
+    y: { label: '|Fₒ / Fᵢ|', logarithmic: true, range: [0.5, 1000] },
     curves: [
       { look: 'F_o', label: 'chain of 52 windings', values: of('figure 2 chain') },
       { look: 'F_i', label: 'eq. (1)', values: of('figure 2 continuous') },

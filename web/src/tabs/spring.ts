@@ -109,6 +109,12 @@ export const open: Open = (panel, store, compute) => {
       player.setPlaying(parts.canvas.closest('.see')?.querySelector('.play')?.textContent === 'Play');
     }
   });
-  Object.assign(window, { coilsense: { framesPerSecond: () => player.framesPerSecond, last: () => last } });
+  Object.assign(window, {
+    coilsense: {
+      framesPerSecond: () => player.framesPerSecond,
+      last: () => last,
+      redraw: () => forces.redrawn(),
+    },
+  });
   inputs();
 };
