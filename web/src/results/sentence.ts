@@ -27,5 +27,8 @@ export function sentence(answer: Answer<Facts>): Child[] {
     `, ${percent(apart, facts)} of its nominal force. A load cell at end ${end} is `,
     bold(`${percent(off, facts)} rms off`),
     ` ${meant}.`,
+    facts.clash.firstContact === null
+      ? null
+      : make('b', { class: 'beyond' }, ' Windings touch: a real coil would do something else.'),
   ];
 }
