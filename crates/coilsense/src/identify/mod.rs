@@ -7,6 +7,7 @@
 //! Both ends' forces are taken apart into what they pull in turn and what they pull together: between held ends a spring's odd modes
 //! are in the first and its even ones in the second. Next door: what is recorded (`signals`), the modes that are expected (`modes`).
 
+mod beginning;
 mod end_motion;
 mod half_power;
 mod ladder;

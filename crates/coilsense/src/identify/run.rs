@@ -45,8 +45,7 @@ impl Identification {
         let sampling = Sampling::of(signals)?;
         let stiffness = Stiffness::of(signals, &sampling, &settings);
         let series = series(signals, &sampling, stiffness.as_ref().ok())?;
-        let surprises: Vec<&[f64]> = series.iter().map(|series| series.surprise.as_slice()).collect();
-        let taps = taps::find(&surprises, &sampling);
+        let taps = taps::find(&series, &sampling);
         let mut spectra = Vec::new();
         let mut steady_peaks = Vec::new();
         for (index, one) in series.iter().enumerate() {

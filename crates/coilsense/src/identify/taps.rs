@@ -1,15 +1,27 @@
 //! Taps: the moments at which something struck the spring, found in what its past does not foretell.
 //!
-//! Next door: the prediction (`whitening`), what rings after them (`lines`, `refine`).
+//! Next door: the prediction (`whitening`), a record that begins with ringing (`beginning`), what rings after them (`lines`, `refine`).
 
+use super::beginning;
+use super::ringing::Series;
 use super::sampling::Sampling;
+use super::whitening::ORDER;
 
 /// Samples over which a surprise is added up.
 const WINDOW: usize = 4;
 /// How many times the energy of noise a tap has.
 const THRESHOLD: f64 = 9.0;
-/// What echoes of a tap stay below, relative to it, and for how long \[s\]: the wave runs to and fro, and a hammer bounces.
-const ECHOES: [(f64, f64); 2] = [(2.0, 0.06), (0.5, 0.25)];
+/// What echoes of a tap stay below, relative to it, and for how long \[s\]: the wave runs to and fro, and a hammer bounces. The first time
+/// that it comes back to an end, the force jumps by twice what it jumped at the tap: four times the energy.
+const ECHOES: [(f64, f64); 2] = [(5.0, 0.06), (0.5, 0.25)];
+/// What prediction leaves of ringing at most, as a share of the largest force that rings nearby: a filter of finite length does not know
+/// all modes, and running means carry a share of a tap to before it. Where a sensor's noise is less, this is what taps have to exceed.
+const LEFT: f64 = 0.02;
+/// How near that is, at least \[s\]: as far as the running means reach.
+const NEARBY: f64 = 0.4;
+/// How far from both ends of a record taps are looked for \[s\]: there the running means have few samples left, and a tap could not be told
+/// from its echoes.
+const EDGE: f64 = 0.06;
 /// How long a tap may last \[s\].
 const LASTING: f64 = 0.004;
 /// Most taps that are used, the strongest.
@@ -28,14 +40,54 @@ pub struct Tap {
     pub strength: f64,
 }
 
-/// The taps of a record, first to last, by each series' surprises (`innovations`).
-pub(super) fn find(surprises: &[&[f64]], sampling: &Sampling) -> Vec<Tap> {
-    let samples = sampling.samples;
-    let square = |index: usize| surprises.iter().map(|e| e[index] * e[index]).sum::<f64>();
-    let squares: Vec<f64> = (0..samples).map(square).collect();
-    let expected = (WINDOW * surprises.len()) as f64;
+/// The taps of a record, first to last, by each series' surprises (`innovations`); of a record that begins with ringing, its beginning.
+pub(super) fn find(series: &[Series], sampling: &Sampling) -> Vec<Tap> {
+    let squares = squares(series, sampling);
+    let expected = (WINDOW * series.len()) as f64;
     let energy: Vec<f64> = squares.windows(WINDOW).map(|window| window.iter().sum::<f64>() / expected).collect();
-    let near = ((LASTING * sampling.rate) as usize).max(WINDOW);
+    let mut taps = between_edges(&energy, sampling);
+    if taps.is_empty() {
+        taps.extend(beginning::of(series, sampling));
+    }
+    if taps.len() > MOST {
+        taps.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+        taps.truncate(MOST);
+        taps.sort_by_key(|tap| tap.onset);
+    }
+    taps
+}
+
+/// Squares of the surprises of all series, each over its noise or over what prediction leaves of ringing, whichever is more; shape `samples`.
+fn squares(series: &[Series], sampling: &Sampling) -> Vec<f64> {
+    let block = ((NEARBY * sampling.rate) as usize).max(1);
+    let mut sum = vec![0.0; sampling.samples];
+    for one in series {
+        let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let of_blocks: Vec<f64> = one.flat.chunks(block).map(largest).collect();
+        for (index, (sum, surprise)) in sum.iter_mut().zip(&one.surprise).enumerate() {
+            let own = index / block;
+            let nearby = largest(&of_blocks[own.saturating_sub(1)..(own + 2).min(of_blocks.len())]);
+            let share = if LEFT * nearby > one.noise { one.noise / (LEFT * nearby) } else { 1.0 };
+            *sum += (share * surprise).powi(2);
+        }
+    }
+    sum
+}
+
+/// How long a tap lasts \[samples\].
+pub(super) fn lasting(sampling: &Sampling) -> usize {
+    ((LASTING * sampling.rate) as usize).max(WINDOW)
+}
+
+/// How many samples at the beginning are not looked at: the first ones cannot be foretold either.
+pub(super) fn first_looked_at(sampling: &Sampling) -> usize {
+    (EDGE * sampling.rate) as usize + ORDER
+}
+
+/// The taps by the energy of the surprises over `WINDOW` samples.
+fn between_edges(energy: &[f64], sampling: &Sampling) -> Vec<Tap> {
+    let samples = sampling.samples;
+    let near = lasting(sampling);
     let mut taps: Vec<Tap> = Vec::new();
     let mut index = 0;
     while index < energy.len() {
@@ -58,10 +110,8 @@ pub(super) fn find(surprises: &[&[f64]], sampling: &Sampling) -> Vec<Tap> {
         }
         index = peak + near;
     }
-    if taps.len() > MOST {
-        taps.sort_by(|a, b| b.strength.total_cmp(&a.strength));
-        taps.truncate(MOST);
-        taps.sort_by_key(|tap| tap.onset);
-    }
+    // Left out only now: what follows from what is at an edge is known as its echo.
+    let looked_at = first_looked_at(sampling)..energy.len().saturating_sub((EDGE * sampling.rate) as usize);
+    taps.retain(|tap| looked_at.contains(&tap.onset));
     taps
 }

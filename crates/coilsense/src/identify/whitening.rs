@@ -5,7 +5,7 @@
 use realfft::RealFftPlanner;
 
 /// How many past samples foretell the next.
-const ORDER: usize = 64;
+pub(super) const ORDER: usize = 64;
 /// White noise put under the series, relative to its power, so that a pure sine has a solution.
 const FLOOR: f64 = 1e-10;
 

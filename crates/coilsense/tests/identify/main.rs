@@ -8,4 +8,5 @@ mod mounts;
 #[path = "../paper_springs/mod.rs"]
 mod paper_springs;
 mod records;
+mod silent;
 mod strangers;
