@@ -11,6 +11,7 @@ use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor,
 
 use super::frames::Frames;
 use super::instrument::Instrument;
+use super::verdict::Scene;
 use crate::series::{Column, Run};
 use crate::spec::{SensorSpec, Spec};
 
@@ -119,6 +120,11 @@ impl Case {
         run
     }
 
+    /// What of it a sensor is judged by.
+    pub(super) fn scene(&self) -> Scene<'_> {
+        Scene { condition: self.condition, signals: &self.signals, judged: &self.judged }
+    }
+
     /// Times of the judged samples \[s\].
     pub fn judged_times(&self) -> &[f64] {
         &self.signals.time()[self.judged.clone()]
@@ -150,7 +156,7 @@ impl Reading {
 }
 
 /// The samples inside of a window \[s\], both ends included.
-fn judged(times: &[f64], (from, to): (f64, f64)) -> Range<usize> {
+pub(super) fn judged(times: &[f64], (from, to): (f64, f64)) -> Range<usize> {
     // A bound that rounds just past a sample still means that sample.
     let slack = if times.len() > 1 { 1e-6 * (times[1] - times[0]) } else { 0.0 };
     let start = times.partition_point(|&time| time < from - slack);

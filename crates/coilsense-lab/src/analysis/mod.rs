@@ -10,6 +10,7 @@
 //! Next door: what a spec says (`spec`), how an analysis is shown (`report`).
 
 mod answer;
+mod assessed;
 mod band;
 mod budget;
 mod case;
@@ -22,13 +23,13 @@ mod verdict;
 mod warnings;
 
 pub use answer::answer;
+pub(crate) use assessed::{Assessed, assess};
 pub use budget::SensorBudget;
 pub use case::{Case, Reading};
 pub use fix::Fix;
 pub use frames::Frames;
 pub use instrument::Instrument;
 pub use single::Single;
-pub(crate) use verdict::Assessed;
 pub use verdict::Verdict;
 pub use warnings::{Subject, Warning};
 
@@ -119,17 +120,6 @@ fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>
     (0..count).into_par_iter().map(one).collect()
 }
 
-/// Every sensor of a spec judged, without report, budget or remedies.
-///
-/// # Errors
-/// As [`simulate`].
-pub(crate) fn assess(spec: &Spec) -> Result<Vec<Assessed>, AnalysisError> {
-    let cases = simulate(spec, &|_, _| true)?;
-    let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
-    let judge = verdict::Judge { spec, coil: &coil, cases: &cases };
-    Ok((0..spec.sensors.len()).map(|index| judge.assessed(index, &spec.sensors[index])).collect::<Result<_, _>>()?)
-}
-
 /// Numbers of a condition and a damping that the spec has.
 fn check_case(spec: &Spec, condition: usize, damping: usize) -> Result<(), AnalysisError> {
     if spec.conditions.is_empty() {
@@ -154,11 +144,14 @@ fn run_case(
     condition: usize,
     damping: usize,
 ) -> Result<Case, AnalysisError> {
-    Case::run(spec, sensors, coil, condition, damping).map_err(|reason| {
-        let (condition, damping) = (&spec.conditions[condition].name, &spec.mount.cases[damping].label);
-        let place = format!("{}: {condition}, {damping}", spec.file);
-        AnalysisError::Case { place, reason: Box::new(reason) }
-    })
+    Case::run(spec, sensors, coil, condition, damping).map_err(|reason| refused(spec, condition, damping, reason))
+}
+
+/// What the science refuses, and where.
+fn refused(spec: &Spec, condition: usize, damping: usize, reason: Error) -> AnalysisError {
+    let (condition, damping) = (&spec.conditions[condition].name, &spec.mount.cases[damping].label);
+    let place = format!("{}: {condition}, {damping}", spec.file);
+    AnalysisError::Case { place, reason: Box::new(reason) }
 }
 
 /// The spec's sensors, or perfect ones where it has none.

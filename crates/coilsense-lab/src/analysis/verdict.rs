@@ -1,11 +1,12 @@
 //! Each sensor judged over all cases: its combined uncertainty, whether it meets the goal, and what breaks it.
 //!
-//! Next door: what makes a force uncertain (`budget`), what would help (`fix`).
+//! Next door: what makes a force uncertain (`budget`), what would help (`fix`), the judgement by itself (`assessed`).
 
 use std::borrow::Cow;
+use std::ops::Range;
 
-use coilsense::Error;
 use coilsense::inductance::MaxwellSum;
+use coilsense::{Error, Signals};
 
 use super::band;
 use super::budget::{Model, SensorBudget, with_bias};
@@ -67,14 +68,23 @@ pub(super) struct Judge<'a> {
     pub cases: &'a [Case],
 }
 
+/// What of a case a sensor is judged by.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    /// Number of the condition in the spec.
+    pub condition: usize,
+    pub signals: &'a Signals,
+    pub judged: &'a Range<usize>,
+}
+
 impl Judge<'_> {
     /// The verdict on a sensor of the analysis.
     pub fn verdict(&self, index: usize, sensor: &SensorSpec) -> Result<Verdict, Error> {
         let assessments = self.assessments(sensor, |case, _| Ok(Cow::Borrowed(&case.readings[index].steady)))?;
         let worst = worst(&assessments);
         let case = &self.cases[worst];
-        let instrument = self.instrument(sensor, case)?;
-        let budget = self.model(sensor, &instrument, case, &case.readings[index].steady)?.with_monte_carlo()?;
+        let instrument = self.instrument(sensor, case.condition)?;
+        let budget = self.model(sensor, &instrument, case.scene(), &case.readings[index].steady)?.with_monte_carlo()?;
         let readout = instrument.readout();
         let bandwidth = readout.bandwidth_3db();
         let wanted = self.spec.goal.bandwidth;
@@ -102,12 +112,23 @@ impl Judge<'_> {
         steady: impl Fn(&'c Case, &Instrument) -> Result<Cow<'c, [f64]>, Error>,
     ) -> Result<Vec<Assessment>, Error> {
         let assess = |case: &'c Case| {
-            let instrument = self.instrument(sensor, case)?;
-            let model = self.model(sensor, &instrument, case, &steady(case, &instrument)?)?;
-            let oscillation = rms(&model.errors);
-            Ok(Assessment { oscillation, combined: with_bias(&model.budget()?) })
+            let instrument = self.instrument(sensor, case.condition)?;
+            self.assessment(sensor, &instrument, case.scene(), &steady(case, &instrument)?)
         };
         self.cases.iter().map(assess).collect()
+    }
+
+    /// A sensor in one case; `steady` is the force that it reads without noise and resolution.
+    pub fn assessment(
+        &self,
+        sensor: &SensorSpec,
+        instrument: &Instrument,
+        scene: Scene<'_>,
+        steady: &[f64],
+    ) -> Result<Assessment, Error> {
+        let model = self.model(sensor, instrument, scene, steady)?;
+        let oscillation = rms(&model.errors);
+        Ok(Assessment { oscillation, combined: with_bias(&model.budget()?) })
     }
 
     /// The largest combined uncertainty of a sensor that the analysis does not have, and whether it reaches the wanted bandwidth.
@@ -124,9 +145,9 @@ impl Judge<'_> {
         })
     }
 
-    /// A sensor as it is set up for a case.
-    pub fn instrument(&self, sensor: &SensorSpec, case: &Case) -> Result<Instrument, Error> {
-        let mean_length = self.mean_length(case);
+    /// A sensor as it is set up for a condition.
+    pub fn instrument(&self, sensor: &SensorSpec, condition: usize) -> Result<Instrument, Error> {
+        let mean_length = self.mean_length(condition);
         Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
     }
 
@@ -134,28 +155,28 @@ impl Judge<'_> {
         &'m self,
         sensor: &'m SensorSpec,
         instrument: &'m Instrument,
-        case: &Case,
+        scene: Scene<'_>,
         steady: &[f64],
     ) -> Result<Model<'m>, Error> {
-        let truth = case.signals.channel(self.spec.goal.force)?;
+        let truth = scene.signals.channel(self.spec.goal.force)?;
         let errors: Vec<f64> = steady.iter().zip(truth).map(|(force, truth)| force - truth).collect();
         let by_size = |a: &usize, b: &usize| truth[*a].abs().total_cmp(&truth[*b].abs());
-        let largest = case.judged.clone().max_by(by_size).unwrap_or(case.judged.start);
-        let quantity = instrument.quantity(&case.signals)?;
+        let largest = scene.judged.clone().max_by(by_size).unwrap_or(scene.judged.start);
+        let quantity = instrument.quantity(scene.signals)?;
         Ok(Model {
             spec: self.spec,
             coil: self.coil,
             sensor,
             instrument,
             reading: quantity[largest],
-            errors: band::within(&errors, case.signals.time(), &case.judged, self.spec.goal.bandwidth)?,
-            sample_rate: self.spec.conditions[case.condition].sample_rate,
-            mean_force: self.spec.spring.spring.static_force(self.mean_length(case)),
+            errors: band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?,
+            sample_rate: self.spec.conditions[scene.condition].sample_rate,
+            mean_force: self.spec.spring.spring.static_force(self.mean_length(scene.condition)),
         })
     }
 
-    fn mean_length(&self, case: &Case) -> f64 {
-        self.spec.conditions[case.condition].excitation.mean_length()
+    fn mean_length(&self, condition: usize) -> f64 {
+        self.spec.conditions[condition].excitation.mean_length()
     }
 
     fn meets(&self, assessments: &[Assessment]) -> Vec<bool> {
@@ -177,33 +198,6 @@ pub(super) struct Trial {
     pub reaches: bool,
     /// How much later the force comes \[s\].
     pub lag: f64,
-}
-
-/// A sensor in a word or three: what a sweep asks of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Assessed {
-    /// The largest combined standard uncertainty \[N\].
-    pub combined: f64,
-    /// Whether it meets the goal; `None` without one.
-    pub meets: Option<bool>,
-    /// How much later the force comes \[s\].
-    pub lag: f64,
-}
-
-impl Judge<'_> {
-    /// A sensor of the analysis without its budget's Monte Carlo and without what would fix it.
-    pub fn assessed(&self, index: usize, sensor: &SensorSpec) -> Result<Assessed, Error> {
-        let assessments = self.assessments(sensor, |case, _| Ok(Cow::Borrowed(&case.readings[index].steady)))?;
-        let readout = coilsense::sensors::Readout::new(sensor.readout.clone())?;
-        let wanted = self.spec.goal.bandwidth;
-        let reaches = wanted.is_none_or(|wanted| readout.bandwidth_3db() >= wanted);
-        let combined = assessments[worst(&assessments)].combined;
-        Ok(Assessed {
-            combined,
-            meets: self.spec.goal.error.map(|goal| reaches && combined <= goal),
-            lag: readout.lag(wanted.unwrap_or(0.0)),
-        })
-    }
 }
 
 /// Number of the case with the largest uncertainty; of cases that are alike, the first.

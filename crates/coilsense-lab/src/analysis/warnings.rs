@@ -145,7 +145,7 @@ fn alias(judge: &Judge<'_>, sensor: &SensorSpec) -> Result<Option<Warning>, Erro
     let ahead = Readout::new(ReadoutParameters { sample_rate: None, ..sensor.readout.clone() })?;
     let mut amplitudes = vec![0.0_f64; lines.len()];
     for case in judge.cases {
-        let instrument = judge.instrument(sensor, case)?;
+        let instrument = judge.instrument(sensor, case.condition)?;
         let watched = instrument.forces(&instrument.quantity(&case.signals)?[case.judged.clone()]);
         let spectrum = Spectrum::of(case.judged_times(), &watched)?;
         let frequencies = spectrum.frequencies();

@@ -113,6 +113,18 @@ pub(super) fn material(name: &str) -> Result<MaterialParameters, String> {
     })
 }
 
+/// All materials of the table with their values, in its order.
+///
+/// # Errors
+/// [`SpecError`] where the program's own file is damaged.
+pub fn named_materials() -> Result<Vec<(&'static str, MaterialParameters)>, SpecError> {
+    let values = |row: &'static Row| {
+        let name = row.needed("name");
+        Ok((name, material(name).map_err(SpecError)?))
+    };
+    material_rows()?.iter().map(values).collect()
+}
+
 /// The kind of a class, by its word in a spec.
 pub(super) fn kind_of(name: &str) -> Option<&'static str> {
     let all = sensor_rows().ok()?;

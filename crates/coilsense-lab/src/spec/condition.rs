@@ -9,6 +9,7 @@ use super::document::Document;
 use super::drive::{self, Drive};
 use super::mount::MountSpec;
 use super::recorded::Recorded;
+use super::recordings::Recordings;
 use super::section::Section;
 use super::{Files, SpecError, size};
 use crate::quantity::Dimension;
@@ -40,6 +41,7 @@ pub(super) struct Setting<'a> {
     pub spring: &'a Spring,
     pub mount: &'a MountSpec,
     pub files: &'a Files<'a>,
+    pub recordings: &'a Recordings,
 }
 
 impl ConditionSpec {

@@ -2,6 +2,8 @@
 //!
 //! Next door: the tables (`document`), which keys there are (`keys`), who replaces values (`crate::sweep`).
 
+use std::sync::Arc;
+
 use coilsense::Channel;
 use toml::de::DeValue;
 
@@ -11,6 +13,7 @@ use super::document::Document;
 use super::goal::{Goal, UncertaintySpec};
 use super::keys::{Domain, TABLES, Table};
 use super::mount::MountSpec;
+use super::recordings::Recordings;
 use super::rig::RigSpec;
 use super::sensor::SensorSpec;
 use super::spring::SpringSpec;
@@ -20,6 +23,7 @@ use super::{Files, Spec, SpecError};
 #[derive(Clone)]
 pub(crate) struct Draft<'a> {
     document: Document<'a>,
+    recordings: Arc<Recordings>,
 }
 
 /// Where a value stands in a spec.
@@ -45,12 +49,17 @@ pub(crate) struct Core {
 impl<'a> Draft<'a> {
     /// The tables of a spec's text, which must all be known.
     pub fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
-        Ok(Self { document: Document::parse(file, text)? })
+        Ok(Self { document: Document::parse(file, text)?, recordings: Arc::default() })
     }
 
     /// The same where all keys have been found to be known.
     pub fn known(self) -> Self {
-        Self { document: self.document.known() }
+        Self { document: self.document.known(), ..self }
+    }
+
+    /// The same with recorded files that others have read already, or will.
+    pub fn sharing(self, recordings: &Arc<Recordings>) -> Self {
+        Self { recordings: Arc::clone(recordings), ..self }
     }
 
     /// Puts a value in place of a key's: a number with its unit, a number, or a text without quotes.
@@ -82,7 +91,7 @@ impl<'a> Draft<'a> {
         let document = &self.document;
         let spring = SpringSpec::of(&document.section("spring")?)?;
         let mount = MountSpec::parse(document, &spring.spring)?;
-        let setting = Setting { spring: &spring.spring, mount: &mount, files };
+        let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })
     }

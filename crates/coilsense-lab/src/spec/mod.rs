@@ -16,6 +16,7 @@ mod material;
 mod measurand;
 mod mount;
 mod recorded;
+mod recordings;
 mod replaced;
 mod rig;
 mod run;
@@ -27,7 +28,7 @@ mod template;
 mod tolerance;
 mod value;
 
-pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, sensor_rows};
+pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use control::ControlSpec;
 pub use experiment::ExperimentSpec;
@@ -50,6 +51,7 @@ use std::path::Path;
 
 pub(crate) use draft::{Core, Draft, Place};
 pub(crate) use keys::Domain;
+pub(crate) use recordings::Recordings;
 pub(crate) use replaced::replaced;
 
 /// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.

@@ -1,6 +1,6 @@
 //! The file of a `[[condition]]` of kind `recorded`: time and the ends' motion as CSV.
 //!
-//! Next door: the rest of a condition (`condition`).
+//! Next door: the rest of a condition (`condition`), files that many designs share (`recordings`).
 
 use coilsense::excitation::Sampled;
 use coilsense::{EndInput, FarEnd};
@@ -11,6 +11,7 @@ use super::section::Section;
 use crate::quantity::Dimension;
 
 /// A recorded motion of one end or both, or of end 1 and the force at end 2.
+#[derive(Debug, Clone)]
 pub(super) struct Recorded {
     /// The inputs of end 1 and end 2.
     pub inputs: [EndInput; 2],
@@ -30,8 +31,8 @@ struct Column {
 impl Recorded {
     pub fn read(section: &Section<'_>, setting: &Setting<'_>) -> Result<Self, SpecError> {
         let file = section.text("file")?;
-        let text = (setting.files)(&file).map_err(|message| section.refuse("file", message))?;
-        Self::parse(&text, setting.mount.far_end()).map_err(|message| section.refuse("file", message))
+        let recorded = setting.recordings.of(&file, setting.mount.far_end(), setting.files);
+        recorded.map_err(|message| section.refuse("file", message))
     }
 
     /// The time of the last sample \[s\].
@@ -39,7 +40,7 @@ impl Recorded {
         self.last
     }
 
-    fn parse(text: &str, far_end: FarEnd) -> Result<Self, String> {
+    pub fn parse(text: &str, far_end: FarEnd) -> Result<Self, String> {
         let is_remark = |line: &&str| line.trim_start().starts_with('#');
         let remarks =
             text.lines().filter(is_remark).map(|line| line.trim_start_matches(['#', ' ']).to_owned()).collect();

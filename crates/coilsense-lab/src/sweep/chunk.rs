@@ -90,8 +90,7 @@ impl Plan {
         if rows.is_empty() {
             return Err(SweepError(format!("chunk {index}: there are {}, counted from 0", self.chunks())));
         }
-        let parameters = self.parameters();
-        let draft = Draft::parse(&parameters.spec_file, &parameters.spec)?.known();
+        let draft = self.draft()?.known();
         let files = |name: &str| self.file(name);
         let columns: Vec<_> = self.columns.iter().map(|(_, column)| column.clone()).collect();
         let one = |draft: &mut Draft<'_>, row: u64| {

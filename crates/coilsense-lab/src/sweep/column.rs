@@ -25,7 +25,7 @@ pub(super) enum Column {
     Bound { condition: Option<usize> },
     /// The smallest distance of neighbouring windings from t = 0 on, and the same less that at which they touch \[m\].
     Pitch { clearance: bool },
-    /// What the whole analysis says of a sensor.
+    /// What an analysis says of a sensor.
     Sensor { sensor: usize, of: OfSensor },
 }
 
@@ -94,14 +94,14 @@ const OF_SENSOR: [(&str, OfSensor); 3] =
 pub(super) const BY_INDUCTANCE: usize = 3;
 
 /// Which work some columns need.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Needs {
     /// Forces at the ends and by the ends' positions, each of [`Channel::FORCES`].
     pub forces: [bool; 4],
     /// Positions from t = 0 on.
     pub pitch: bool,
-    /// The whole analysis.
-    pub analysis: bool,
+    /// What sensors read, those of these numbers in the spec.
+    pub sensors: Vec<usize>,
 }
 
 /// Names of a spec that columns may call.
@@ -149,7 +149,8 @@ impl Column {
             Self::Force { force, .. } | Self::WorstOf { force } => needs.forces[*force] = true,
             Self::Method { .. } | Self::Bound { .. } => needs.forces[BY_INDUCTANCE] = true,
             Self::Pitch { .. } => needs.pitch = true,
-            Self::Sensor { .. } => needs.analysis = true,
+            Self::Sensor { sensor, .. } if needs.sensors.contains(sensor) => {}
+            Self::Sensor { sensor, .. } => needs.sensors.push(*sensor),
         }
     }
 

@@ -60,9 +60,9 @@ pub(super) fn judge(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], ne
 }
 
 fn judged(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Needs) -> std::result::Result<Row, String> {
-    let (core, assessed) = if needs.analysis {
+    let (core, assessed) = if !needs.sensors.is_empty() {
         let spec = draft.spec(files).map_err(|error| error.to_string())?;
-        let assessed = assess(&spec).map_err(|error| error.to_string())?;
+        let assessed = assess(&spec, &needs.sensors).map_err(|error| error.to_string())?;
         let (spring, mount, conditions, goal) = (spec.spring, spec.mount, spec.conditions, spec.goal);
         (Core { spring, mount, conditions, goal }, assessed)
     } else {
@@ -118,7 +118,7 @@ struct Design<'a> {
     core: &'a Core,
     /// Condition by condition, each under every damping.
     cases: &'a [Judged],
-    assessed: &'a [Assessed],
+    assessed: &'a [(usize, Assessed)],
     needs: &'a Needs,
 }
 
@@ -180,7 +180,7 @@ impl Design<'_> {
     }
 
     fn sensor(&self, sensor: usize, of: OfSensor, nominal: f64) -> Result {
-        let Some(assessed) = self.assessed.get(sensor) else { return Result::None };
+        let Some((_, assessed)) = self.assessed.iter().find(|(index, _)| *index == sensor) else { return Result::None };
         match of {
             OfSensor::Combined => Result::Number(100.0 * assessed.combined / nominal),
             OfSensor::Meets => assessed.meets.map_or(Result::None, Result::Flag),

@@ -5,6 +5,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -15,7 +16,7 @@ use super::column::{self, Column, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
 use super::{sobol, variable};
-use crate::spec::{Draft, Files, Spec, TABLES, files_beside, read_text};
+use crate::spec::{Draft, Files, Recordings, Spec, TABLES, files_beside, read_text};
 
 /// A plan as people give it, and as a manifest keeps it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -61,6 +62,8 @@ pub struct Plan {
     pub(super) columns: Vec<(String, Column)>,
     pub(super) needs: Needs,
     sampler: Sampler,
+    /// Files that designs share, as they have been read.
+    recordings: Arc<Recordings>,
     /// Rows for each of the catalogue.
     inner: u64,
     rows: u64,
@@ -148,7 +151,18 @@ impl Plan {
             chunk_rows: Some(chunk_rows),
             ..parameters
         };
-        let plan = Self { parameters, variables, catalogue, columns, needs, sampler, inner, rows, chunk_rows };
+        let plan = Self {
+            parameters,
+            variables,
+            catalogue,
+            columns,
+            needs,
+            sampler,
+            recordings: Arc::default(),
+            inner,
+            rows,
+            chunk_rows,
+        };
         plan.check_titles()?;
         plan.check_spec()?;
         Ok(plan)
@@ -224,6 +238,11 @@ impl Plan {
         cells
     }
 
+    /// The spec, ready for a row's values.
+    pub(super) fn draft(&self) -> Result<Draft<'_>, SweepError> {
+        Ok(Draft::parse(&self.parameters.spec_file, &self.parameters.spec)?.sharing(&self.recordings))
+    }
+
     /// Reads a file that the spec names.
     pub(super) fn file(&self, name: &str) -> Result<String, String> {
         self.parameters.files.get(name).cloned().ok_or_else(|| format!("{name} is not in the plan"))
@@ -241,7 +260,7 @@ impl Plan {
 
     /// The spec itself can be read, or at least with the values of a row from among the first: else every row would be refused.
     fn check_spec(&self) -> Result<(), SweepError> {
-        let mut draft = Draft::parse(&self.parameters.spec_file, &self.parameters.spec)?;
+        let mut draft = self.draft()?;
         let files = |name: &str| self.file(name);
         let Err(error) = draft.spec(&files) else { return Ok(()) };
         for row in 0..self.rows.min(TRIED) {
@@ -260,7 +279,7 @@ const TRIED: u64 = 100;
 /// Rows of a chunk where nothing is said: seconds of one core's work.
 fn usual_chunk(needs: &Needs) -> u64 {
     match needs {
-        Needs { analysis: true, .. } => 64,
+        Needs { sensors, .. } if !sensors.is_empty() => 64,
         Needs { pitch: true, .. } => 512,
         Needs { forces: [.., true], .. } => 1024,
         _ => 8192,

@@ -6,6 +6,7 @@ mod asked;
 mod dataset;
 mod refusals;
 mod rows;
+mod sensors;
 
 use std::path::Path;
 
