@@ -1,8 +1,10 @@
 """How much faster two Dask workers are than one, on a sweep of at least half a minute: the same chunks, each worker one thread.
 
-Run it where the wheel is installed with its extra "dask": `python bench/python/dask_sweep.py [ROWS]`; prints the seconds of each and their ratio.
+`cargo xtask bench --dask` runs it where the wheel is installed with its extra "dask"; by hand: `python bench/python/dask_sweep.py [ROWS]`. Prints a line of
+JSON for each number of workers.
 """
 
+import json
 import pathlib
 import sys
 import tempfile
@@ -30,10 +32,17 @@ def seconds(workers: int, rows: int) -> float:
 
 
 def main() -> None:
-    rows = int(sys.argv[1]) if len(sys.argv) > 1 else 6000
-    one = seconds(1, rows)
-    two = seconds(2, rows)
-    print(f"{rows} designs with F_L under five conditions: one worker {one:.1f} s ({rows / one:.0f} a second), two {two:.1f} s: {one / two:.2f}×")
+    rows = int(sys.argv[1]) if len(sys.argv) > 1 else 8000
+    for workers, setting in ((1, "1 worker"), (2, "2 workers")):
+        measurement = {
+            "job": "sweep on Dask",
+            "system": "coilsense",
+            "setting": setting,
+            "median_ms": 1e3 * seconds(workers, rows),
+            "max_rel_error": None,
+            "note": f"{rows} designs with F_L under five conditions",
+        }
+        print(json.dumps(measurement), flush=True)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 //! `cargo xtask bench`: coilsense and its peers on the same jobs in one run; medians, for single runs vary by a third.
 //!
-//! Next door: the jobs and the peers (`bench/README.md`), the goals (`goals`).
+//! Next door: the jobs and the peers (`bench/README.md`), the goals (`goals`), what is measured from Python (`from_python`).
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -30,6 +30,9 @@ pub struct Arguments {
     /// Only calls from Python: what one costs, and a motion's end forces beside the same from Rust
     #[arg(long)]
     python: bool,
+    /// Only a sweep on Dask: how much faster two workers are than one, over a minute of work
+    #[arg(long)]
+    dask: bool,
 }
 
 /// How often the whole command is run; the median counts.
@@ -37,14 +40,14 @@ const RUNS: usize = 11;
 
 /// A measurement as the programs print it.
 #[derive(Deserialize)]
-struct Measurement {
+pub struct Measurement {
     job: String,
     system: String,
-    setting: String,
-    median_ms: Option<f64>,
+    pub setting: String,
+    pub median_ms: Option<f64>,
     max_rel_error: Option<f64>,
     #[serde(default)]
-    note: String,
+    pub note: String,
 }
 
 /// One row of `target/bench.json`.
@@ -69,7 +72,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return crate::sweep::run(arguments.million);
     }
     if arguments.python {
-        return from_python();
+        return crate::from_python::calls();
+    }
+    if arguments.dask {
+        return crate::from_python::cluster();
     }
     let jobs = root().join("target/bench-jobs");
     let environment = python::environment("bench/.venv", "bench/python/requirements.txt")?;
@@ -91,53 +97,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
         .with_context(|| format!("{} cannot be written", path.display()))?;
     println!("\n{} rows in target/bench.json", rows.len());
-    Ok(())
-}
-
-/// Longest that a trivial call from Python may take \[ms\], and how much longer end forces may than from Rust.
-const PYTHON_GOALS: (f64, f64) = (5e-3, 1.2);
-/// How often Rust and Python take turns; the medians of the turns count, for the machine is not always as fast.
-const TURNS: usize = 5;
-
-/// Calls from Python, by turns with the same from Rust.
-fn from_python() -> anyhow::Result<()> {
-    let environment = crate::package::installed()?;
-    if !cargo(&["build", "--release", "--package", "coilsense", "--example", "end_forces"]).status()?.success() {
-        bail!("the release build failed");
-    }
-    let mut measurements = Vec::new();
-    for _ in 0..TURNS {
-        measurements.extend(measure(
-            "Rust",
-            cargo(&["run", "--release", "--quiet", "-p", "coilsense", "--example", "end_forces"]),
-        )?);
-        let mut python = environment.python();
-        python.arg("python/bench/calls.py");
-        measurements.extend(measure("Python", python)?);
-    }
-    let median = |setting: &str| -> anyhow::Result<f64> {
-        let of_setting = measurements.iter().filter(|each| each.setting == setting);
-        let mut all: Vec<f64> = of_setting.filter_map(|each| each.median_ms).collect();
-        all.sort_by(f64::total_cmp);
-        all.get(all.len() / 2).copied().with_context(|| format!("{setting} was not measured"))
-    };
-    let verdict = |holds: bool| if holds { "met   " } else { "MISSED" };
-    for setting in ["Spring.static_force", "Spring.surge_frequency"] {
-        let call = median(setting)?;
-        println!(
-            "{}  {setting}: {:.3} us (goal {} us)",
-            verdict(call <= PYTHON_GOALS.0),
-            1e3 * call,
-            1e3 * PYTHON_GOALS.0
-        );
-    }
-    let (rust, python) = (median("Motion::end_forces")?, median("Motion.end_forces")?);
-    let ratio = python / rust;
-    println!(
-        "{}  S_T, 1 s at 10 kHz, end forces: {python:.4} ms from Python, {rust:.4} ms from Rust: {ratio:.2}x (goal {}x)",
-        verdict(ratio <= PYTHON_GOALS.1),
-        PYTHON_GOALS.1
-    );
     Ok(())
 }
 
@@ -166,7 +125,7 @@ fn rust_peers(jobs: &Path) -> anyhow::Result<Command> {
 }
 
 /// Runs a program that prints one measurement per line.
-fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measurement>> {
+pub fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measurement>> {
     eprintln!("== measuring {name}");
     let output = command.stderr(Stdio::inherit()).output().with_context(|| format!("cannot start {command:?}"))?;
     if !output.status.success() {

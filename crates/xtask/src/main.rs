@@ -3,6 +3,7 @@
 mod bench;
 mod browser;
 mod commands;
+mod from_python;
 mod goals;
 mod logs;
 mod package;
