@@ -139,8 +139,35 @@ test('the log is drawn as it was dropped, with its taps, and a part of it can be
   await page.mouse.move(box.x + 0.5 * box.width, box.y + 40, { steps: 4 });
   await page.mouse.up();
   await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);
+  // A choice does not change what is looked at.
+  await type(page, 'How exact', 'A force is trusted up to', '2 %');
+  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('make 2.00 % of error', {
+    timeout: 30_000,
+  });
+  await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);
   await over.dblclick();
   await expect(shown).toHaveText(/^0 s to 15\.2\d* s$/);
+});
+
+test('two logs that are dropped together are two devices, and one can be left out again', async ({ page }) => {
+  const rows = (await simulated(page))
+    .split('\n')
+    .filter((line) => /^\d/.test(line))
+    .map((line) => line.split(','));
+  const first = ['time [s],F_i [N],F_o [N]', ...rows.map(([t, , , a, b]) => `${t},${a},${b}`)].join('\n');
+  const second = ['time [s],u1 [mm],u2 [mm]', ...rows.map(([t, a, b]) => `${t},${a},${b}`)].join('\n');
+  await drop(page, { 'first.csv': first, 'second.csv': second });
+  await expect(page.locator('#panel-log .refusal').first()).toContainText('no channel is in both', { timeout: 30_000 });
+  await type(page, 'A second device', 'Its clock', '0 s');
+  await expect(page.getByRole('region', { name: 'The second device' })).toContainText('0 ms were added', {
+    timeout: 60_000,
+  });
+  await expect(page.locator('[data-quantity=stiffness_n_per_m] td').first()).toHaveText(/^760\.0/, { timeout: 30_000 });
+  await page.getByRole('button', { name: 'Without it' }).click();
+  await expect(page.locator('[data-quantity=stiffness_n_per_m] td').first()).not.toHaveText(/^760/, {
+    timeout: 30_000,
+  });
+  await expect(page.getByRole('region', { name: 'The second device' })).toHaveCount(0);
 });
 
 test('a log that says nothing is still drawn, beside the reason', async ({ page }) => {

@@ -27,7 +27,7 @@ test('columns are mapped, and a wrong log is refused with its row and column', a
     .slice(0, 20_001);
   rows[0] = 'a,b,c';
   await drop(page, { 'nameless.csv': rows.join('\n') });
-  await expect(page.locator('#panel-log .refusal')).toBeVisible({ timeout: 30_000 });
+  await expect(page.locator('#panel-log .asked > .refusal')).toBeVisible({ timeout: 30_000 });
   for (const [column, channel, unit] of [
     ['a', 'time', 's'],
     ['b', 'F_o', 'N'],
@@ -84,5 +84,22 @@ for (const [width, colorScheme] of [
       await page.screenshot({ path: join(folder, `${tab}-${width}-${colorScheme}.png`), fullPage: true });
     };
     await fine('log');
+  });
+}
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`before any log, and with a wrong choice, axe finds nothing in ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await page.goto('./#S_T&@tab="log"');
+    await expect(page.getByRole('region', { name: 'What a log tells' })).toBeVisible();
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+    await page.locator('#log-file').setInputFiles(join(folder, 'tap.csv'));
+    await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
+    for (const summary of await page.locator('#panel-log summary').all()) await summary.click();
+    await page.getByLabel('Coil radius', { exact: true }).fill('8 kg');
+    await page.getByLabel('Coil radius', { exact: true }).press('Tab');
+    await expect(page.getByText('What stands here is of the choices as they were before.')).toBeVisible();
+    expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
+    await page.screenshot({ path: join(folder, `log-wrong-${colorScheme}.png`), fullPage: true });
   });
 }

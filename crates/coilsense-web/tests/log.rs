@@ -49,6 +49,17 @@ fn the_simulated_log_says_that_it_is_one_and_gives_the_spring_back() {
 }
 
 #[test]
+fn a_spring_that_carries_a_mass_is_held_for_its_simulated_log() {
+    let mut engine = Engine::new();
+    engine.add_file("road-c-20mps.csv".into(), include_str!("../../../examples/road-c-20mps.csv").into());
+    let facts = meta(&engine.trial_log(include_str!("../../../examples/car-suspension.toml"), 0, 0).unwrap());
+    let found = found(facts["text"].as_str().unwrap(), &json!({}));
+    assert_eq!(found["verdict"], "spring");
+    // The evidence names the ends.
+    assert!(found["evidence"].to_string().contains("both ends held"), "{:#}", found["evidence"]);
+}
+
+#[test]
 fn a_spring_without_damping_gets_some_and_the_log_says_so() {
     let facts = meta(&Engine::new().trial_log(ANKLE, 0, 0).unwrap());
     assert!(facts["text"].as_str().unwrap().contains("ζ = 0.005 (the page's 0 would ring for ever)"));

@@ -40,7 +40,7 @@ export function showCalibration(host: HTMLElement, name: string, answer: Answer<
       list(told.answer),
       table(told),
       ...(told.theories.length === 0 ? [make('p', { class: 'hint' }, ask)] : []),
-      list(told.account),
+      make('details', {}, make('summary', {}, 'What became of the rows'), list(told.account)),
       make('div', { class: 'downloads' }, button('Calibration (JSON)', save)),
     ),
     figures,

@@ -123,15 +123,16 @@ export class Form {
     });
   }
 
-  /** Marks the field that an error is about; whether there is one. */
-  refuse(error: string | null): boolean {
-    const [, name = '', line, reason = ''] = (error && ABOUT.exec(error)) || [];
-    let found = false;
+  /** Marks the fields that errors are about; those errors that are about none. */
+  refuse(errors: string[]): string[] {
+    const about = errors.map((error) => {
+      const [, name = '', line, reason = ''] = ABOUT.exec(error) ?? [];
+      return { error, name: name === 'preset' ? 'layout' : name, reason: line ? `line ${line}: ${reason}` : reason };
+    });
     for (const field of this.fields) {
-      const mine = error !== null && field.option.name === (name === 'preset' ? 'layout' : name);
-      field.refuse(mine ? inPageWords(line ? `line ${line}: ${reason}` : reason) : null);
-      found ||= mine;
+      const mine = about.find(({ name }) => name === field.option.name);
+      field.refuse(mine ? inPageWords(mine.reason) : null);
     }
-    return found;
+    return about.filter(({ name }) => !this.field(name)).map(({ error }) => error);
   }
 }

@@ -6,9 +6,15 @@ import uPlot from 'uplot';
 import type { Series } from '../answer';
 import { make, rich } from '../dom';
 import { axis, chart, curve, LARGER, plain } from '../plots/chart';
-import { ink, sample, type Look } from '../plots/looks';
+import { ink, look, sample, type Look } from '../plots/looks';
 import { button, card } from './found';
 import type { Recorded } from './identification';
+
+/** Times [s]; none for the whole log. */
+export interface Range {
+  min: number;
+  max: number;
+}
 
 interface Curve {
   label: string;
@@ -62,7 +68,14 @@ function quantities(series: Series): Quantity[] {
   return all.filter(({ curves }) => curves.length > 0);
 }
 
-export function showRecorded(host: HTMLElement, facts: Recorded, series: Series): void {
+/** `kept` is the part that was shown before, `keep` hears of another. */
+export function showRecorded(
+  host: HTMLElement,
+  facts: Recorded,
+  series: Series,
+  kept: Range | null,
+  keep: (range: Range | null) => void,
+): void {
   const time = series['recorded time'] ?? new Float64Array();
   const whole = { min: time[0] ?? 0, max: time[time.length - 1] ?? 1 };
   let shown = whole;
@@ -72,6 +85,7 @@ export function showRecorded(host: HTMLElement, facts: Recorded, series: Series)
     const wide = Math.min(Math.max(max - min, 1e-4 * (whole.max - whole.min)), whole.max - whole.min);
     const from = Math.min(Math.max(min, whole.min), whole.max - wide);
     shown = { min: from, max: from + wide };
+    keep(wide < whole.max - whole.min ? shown : null);
     for (const plot of plots) plot.setScale('x', shown);
     const short = (value: number) => plain(Number(value.toFixed(4)));
     said.textContent = `${short(shown.min)} s to ${short(shown.max)} s`;
@@ -100,7 +114,9 @@ export function showRecorded(host: HTMLElement, facts: Recorded, series: Series)
   const hosts = all.map(() => make('div', { class: 'plot recorded', role: 'img' }));
   const figures = all.map(({ title, curves }, index) => {
     hosts[index]?.setAttribute('aria-label', `${title} over time`);
-    const keys = curves.map(({ label, look }) => make('span', {}, sample(look), make('span', {}, rich(label))));
+    const keys = curves.map(({ label, look: name }) =>
+      make('span', {}, sample({ ...look(name), dash: [] }), make('span', {}, rich(label))),
+    );
     return make(
       'figure',
       {},
@@ -114,9 +130,12 @@ export function showRecorded(host: HTMLElement, facts: Recorded, series: Series)
   host.replaceChildren(card('What was recorded', tools, make('p', { class: 'hint' }, hint), ...figures));
   all.forEach(({ label, curves }, index) => {
     const plotHost = hosts[index];
-    if (plotHost) plots.push(draw(plotHost, label, time, curves, taps, show, () => show(whole.min, whole.max)));
+    if (plotHost) {
+      const back = () => show(whole.min, whole.max);
+      plots.push(draw(plotHost, label, time, curves, taps, index === all.length - 1, show, back));
+    }
   });
-  show(whole.min, whole.max);
+  show(kept?.min ?? whole.min, kept?.max ?? whole.max);
 }
 
 function draw(
@@ -125,6 +144,7 @@ function draw(
   time: Float64Array,
   curves: Curve[],
   taps: number[],
+  isLast: boolean,
   show: (min: number, max: number) => void,
   back: () => void,
 ): uPlot {
@@ -146,7 +166,10 @@ function draw(
         y: false,
         bind: { dblclick: () => () => (back(), null) },
       },
-      axes: [axis('Time [s]', 36, { space: 60 * LARGER }), axis(label, 60, { values: (_, ticks) => ticks.map(plain) })],
+      axes: [
+        axis('Time [s]', isLast ? 36 : 22, { space: 60 * LARGER, ...(isLast ? {} : { labelSize: 0, label: '' }) }),
+        axis(label, 60, { space: 22 * LARGER, values: (_, ticks) => ticks.map(plain) }),
+      ],
       series: [{}, ...curves.map(({ look, label }) => ({ ...curve(look, label), dash: [], width: LARGER }))],
     },
     [time, ...curves.map(({ values }) => values)] as unknown as uPlot.AlignedData,

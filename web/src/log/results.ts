@@ -7,42 +7,61 @@ import { digits, make } from '../dom';
 import { showCalibration } from './calibration';
 import { card, showFound, type Ways } from './found';
 import { saysSomething, type Recorded, type Said } from './identification';
-import { showRecorded } from './recorded';
+import { showRecorded, type Range } from './recorded';
 
 export class Results {
   private readonly clock = make('div', { class: 'found' });
   private readonly head = make('div', { class: 'found' });
   private readonly found = make('div', { class: 'found' });
   private readonly recorded = make('div', { class: 'found' });
+  private readonly note = make(
+    'p',
+    { class: 'refusal note', hidden: true },
+    'What stands here is of the choices as they were before.',
+  );
   private readonly calibration = make('div', { class: 'found' });
   private readonly ofLog = [this.head, this.clock, this.recorded, this.found];
-  readonly element = make('div', { class: 'told' }, ...this.ofLog, this.calibration);
+  readonly element = make('div', { class: 'told' }, this.note, ...this.ofLog, this.calibration);
 
-  constructor(private readonly ways: Ways) {}
+  /** The times that are shown of the log. */
+  private range: Range | null = null;
+  private isEmpty = true;
 
-  /** Nothing is left of the last log; what stands in its place. */
-  clear(instead?: HTMLElement): void {
+  /** `empty` makes what stands here before any log does. */
+  constructor(
+    private readonly ways: Ways,
+    private readonly empty: () => HTMLElement,
+  ) {}
+
+  /** Nothing is left of the last log; what is said in its place. */
+  clear(instead: string): void {
     for (const part of [...this.ofLog, this.calibration]) {
       part.replaceChildren();
       part.classList.remove('stale');
     }
-    if (instead) this.head.replaceChildren(instead);
+    this.note.hidden = true;
+    [this.range, this.isEmpty] = [null, true];
+    this.head.replaceChildren(make('p', { class: 'hint' }, instead));
   }
 
-  /** What is shown is not of the choices as they are. */
+  /** What is shown is not of the choices as they are; without a log, how to begin. */
   fade(): void {
+    if (this.isEmpty) return this.head.replaceChildren(this.empty());
+    this.note.hidden = false;
     for (const part of this.ofLog) part.classList.add('stale');
   }
 
-  /** Shows what came of a log; why it says nothing, where that is so. */
-  showLog(name: string, answer: Answer<unknown>): string | null {
+  /** Shows what came of a log; why it says nothing, else nothing. */
+  showLog(name: string, answer: Answer<unknown>): string {
     const facts = answer.facts as Recorded;
+    this.note.hidden = true;
+    this.isEmpty = false;
     for (const part of this.ofLog) part.classList.remove('stale');
     this.showClock(facts);
-    showRecorded(this.recorded, facts, answer.series);
+    showRecorded(this.recorded, facts, answer.series, this.range, (range) => (this.range = range));
     if (saysSomething(facts)) {
       showFound(this.head, this.found, name, answer as Answer<Said>, this.ways);
-      return null;
+      return '';
     }
     for (const part of [this.head, this.found]) part.replaceChildren();
     return facts.refusal ?? 'the log says nothing';
@@ -60,9 +79,7 @@ export class Results {
 
   /** A log without a force, but with inductances. */
   onlyCalibration(): void {
-    this.clear(
-      make('p', { class: 'hint' }, 'No column is a force, so nothing is said of what rings; see the calibration.'),
-    );
+    this.clear('No column is a force, so nothing is said of what rings; see the calibration.');
   }
 
   showCalibration(name: string, answer: Answer<unknown> | null): void {

@@ -5,6 +5,9 @@ import { make, rich } from '../dom';
 import { axis, chart, curve, font, plain } from './chart';
 import { ink, look, sample, type Look } from './looks';
 
+/** More dots than these are drawn small. */
+const MANY = 500;
+
 export interface Curves {
   title: string;
   x: { label: string; values: Float64Array; factor?: number };
@@ -54,14 +57,19 @@ export function curves(
       ],
       series: [
         {},
-        ...lines.map(({ look: name, label, dots, spans = false }): uPlot.Series => {
+        ...lines.map(({ look: name, label, values, dots, spans = false }): uPlot.Series => {
           const stroke = () => ink[look(name).colour as keyof typeof ink];
           return dots
             ? {
                 label,
                 stroke,
                 paths: () => null,
-                points: { show: true, size: 8, width: 2, fill: dots === 'hollow' ? () => ink.ground : stroke },
+                points: {
+                  show: true,
+                  size: values.length > MANY ? 4 : 8,
+                  width: values.length > MANY ? 1 : 2,
+                  fill: dots === 'hollow' ? () => ink.ground : stroke,
+                },
               }
             : { ...curve(name, label), spanGaps: spans };
         }),

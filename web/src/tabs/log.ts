@@ -22,19 +22,26 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   readInk();
   const refusal = make('p', { class: 'refusal', role: 'alert', hidden: true });
   const written = make('p', { class: 'hint', 'aria-live': 'polite' });
-  const results = new Results({ openSpec: (text) => openSpec(store, text) });
+  const results = new Results({ openSpec: (text) => openSpec(store, text) }, () => empty(tryIt));
   const asking = new Asking(compute, (busy) => panel.setAttribute('aria-busy', String(busy)));
+  /** Of the second device, whose columns no question about the first may end. */
+  const beside = new Asking(compute, () => {});
   let log: Log | null = null;
   let second: Log | null = null;
   /** What was asked last, and which format it was asked for. */
   let [last, format] = ['', ''];
 
-  const say = (error: string | null) => {
-    const atField = form.refuse(error);
-    refusal.hidden = error === null || atField;
-    refusal.textContent = error === null ? '' : inPageWords(error);
-    if (error !== null) results.fade();
+  /** What is wrong with the log or a choice, and with what a calibration takes of them: told at its field, else in a line. */
+  const wrong = { log: '', calibration: '' };
+  const say = (part: keyof typeof wrong, error: string, isOfNow = false) => {
+    wrong[part] = error;
+    const rest = form.refuse(Object.values(wrong).filter(Boolean));
+    refusal.hidden = !rest.includes(wrong.log);
+    refusal.textContent = refusal.hidden ? '' : inPageWords(wrong.log);
+    if (part === 'calibration' && rest.includes(error)) results.refuseCalibration(inPageWords(error));
+    if (part === 'log' && error && !isOfNow) results.fade();
   };
+  const sayOfLog = (error: string) => say('log', error);
   const read = async (file: File): Promise<Log> => ({
     name: file.name,
     bytes: new Uint8Array(await file.arrayBuffer()),
@@ -52,13 +59,14 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
 
   function takeFirst(file: Log): void {
     log = file;
-    results.clear();
+    results.clear(`Reading ${file.name} …`);
     for (const part of [written, trial]) part.replaceChildren();
     columns();
   }
 
   function takeSecond(file: Log): void {
-    asking.ask({ kind: 'columns', log: file, asked: '{}' }, say, ({ facts }) => {
+    beside.cancel();
+    beside.ask({ kind: 'columns', log: file, asked: '{}' }, sayOfLog, ({ facts }) => {
       second = file;
       form.showSecond((facts as { columns: Column[] }).columns, store.state.view.log);
       secondName.replaceChildren(`${file.name}: ${(facts as { description: string }).description} `, without);
@@ -87,9 +95,9 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     format = layout();
     const { name } = log;
     asking.cancel();
-    asking.ask({ kind: 'columns', log, asked: asked() }, say, ({ facts }) => {
+    asking.ask({ kind: 'columns', log, asked: asked() }, sayOfLog, ({ facts }) => {
       const { description, columns } = facts as { description: string; columns: Column[] };
-      say(null);
+      say('log', '');
       written.textContent = `${name}: ${description}`;
       form.show(columns, store.state.view.log);
       identify();
@@ -103,21 +111,27 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     const { name } = log;
     const holds = form.holds;
     if (holds.force || !holds.calibration)
-      asking.ask({ kind: 'identify', log, second, asked: last }, say, (answer) => {
-        say(null);
-        const reason = results.showLog(name, answer);
-        if (reason) say(reason);
+      asking.ask({ kind: 'identify', log, second, asked: last }, sayOfLog, (answer) => {
+        say('log', results.showLog(name, answer), true);
       });
-    else results.onlyCalibration();
+    else {
+      say('log', '');
+      results.onlyCalibration();
+    }
+    wrong.calibration = '';
     if (!holds.calibration) return results.showCalibration(name, null);
-    const wrong = (error: string) => {
-      if (!form.refuse(error)) results.refuseCalibration(inPageWords(error));
-    };
-    asking.ask({ kind: 'calibrate', log, asked: last }, wrong, (answer) => results.showCalibration(name, answer));
+    asking.ask(
+      { kind: 'calibrate', log, asked: last },
+      (error) => say('calibration', error),
+      (answer) => {
+        say('calibration', '');
+        results.showCalibration(name, answer);
+      },
+    );
   }
 
   const tryIt = () =>
-    asking.ask(trialJob(store), say, ({ facts }) => {
+    asking.ask(trialJob(store), sayOfLog, ({ facts }) => {
       const { name, text } = facts as { name: string; text: string };
       takeFirst({ name, bytes: new TextEncoder().encode(text) });
       const save = () => download(name, text, 'text/csv');
@@ -144,7 +158,7 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     (files) => void take(files, 'first'),
     panel,
   );
-  results.clear(empty(tryIt));
+  results.fade();
   store.subscribe(({ view }, before) => {
     if (view.log !== before.view.log) form.fill(view.log);
     if (!log || view.tab !== 'log') return;

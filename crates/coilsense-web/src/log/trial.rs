@@ -1,12 +1,13 @@
 //! A simulated log for those who have none at hand: the page's spring on a bench, pulled slowly through its range and then struck.
 //!
-//! What moves it is the engine's own chain of windings; what records it has noise and steps. The same seed gives the same text. Next door:
+//! What moves it is the engine's own chain of windings; what records it has noise and steps. L is that of round wire, whatever the spec takes from the
+//! paper. The same seed gives the same text. Next door:
 //! a whole rig with its instruments (`coilsense_lab::rig`), which records only one end.
 
 use std::fmt::Write as _;
 
 use coilsense::excitation::Sampled;
-use coilsense::inductance::MaxwellSum;
+use coilsense::inductance::{MaxwellSum, SelfDistance};
 use coilsense::sensors::{Readout, ReadoutParameters};
 use coilsense::{Damping, EndInput, Error, Excitation, FarEnd, Motion, Mount, Spring, Start};
 use coilsense_lab::spec::Spec;
@@ -32,15 +33,17 @@ pub fn trial(spec: &Spec, condition: usize, damping: usize, seed: u64) -> Result
     let (Some(asked), Some(case)) = (spec.conditions.get(condition), spec.mount.cases.get(damping)) else {
         return Err(format!("condition {condition}, damping {damping}: is not in the spec"));
     };
-    let undamped = case.ratio == Some(0.0);
-    let (damped, told) = match undamped {
-        true => (Damping::Modal(USUAL_RATIO), format!("ζ = {USUAL_RATIO} (the page's 0 would ring for ever)")),
-        false => (case.mount.damping().clone(), case.label.clone()),
+    let (damped, told) = match case.ratio {
+        Some(0.0) => (Damping::Modal(USUAL_RATIO), format!("ζ = {USUAL_RATIO} (the page's 0 would ring for ever)")),
+        // Without the swing of an end mass, which is not there where end 2 is held.
+        Some(ratio) => (Damping::Modal(ratio), case.label.clone()),
+        None => (case.mount.damping().clone(), case.label.clone()),
     };
     let science = |error: Error| format!("{}: {error}", spec.spring.name);
     let mount = Mount::new(FarEnd::Position, damped).map_err(science)?;
     let bench = Bench::new(&spec.spring.spring, asked.excitation.mean_length());
-    let columns = bench.record(&mount, &MaxwellSum::new(&bench.spring, spec.spring.self_distance)).map_err(science)?;
+    let columns =
+        bench.record(&mount, &MaxwellSum::new(&bench.spring, SelfDistance::GeometricMean)).map_err(science)?;
     let mut text = format!(
         "# Simulated data: by coilsense {}, spring {}, {told}, seed {seed}; nothing of it was measured\n\
          # end 1 is pulled slowly and then struck {TAPS} times at {} mm, the length of {:?}; end 2 is held; each column has noise and steps\n",
