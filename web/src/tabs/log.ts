@@ -30,6 +30,8 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   let second: Log | null = null;
   /** What was asked last, and which format it was asked for. */
   let [last, format] = ['', ''];
+  /** Whether the log's columns are known; until then nothing else is asked about it. */
+  let known = false;
 
   /** What is wrong with the log or a choice, and with what a calibration takes of them: told at its field, else in a line. */
   const wrong = { log: '', calibration: '' };
@@ -92,11 +94,12 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
 
   function columns(): void {
     if (!log) return;
-    format = layout();
+    [format, last, known] = [layout(), asked(), false];
     const { name } = log;
     asking.cancel();
     asking.ask({ kind: 'columns', log, asked: asked() }, sayOfLog, ({ facts }) => {
       const { description, columns } = facts as { description: string; columns: Column[] };
+      known = true;
       say('log', '');
       written.textContent = `${name}: ${description}`;
       form.show(columns, store.state.view.log);
@@ -105,7 +108,7 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   }
 
   function identify(): void {
-    if (!log) return;
+    if (!log || !known) return;
     last = asked();
     asking.cancel();
     const { name } = log;
@@ -162,7 +165,7 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   store.subscribe(({ view }, before) => {
     if (view.log !== before.view.log) form.fill(view.log);
     if (!log || view.tab !== 'log') return;
-    if (layout() !== format) columns();
+    if (layout() !== format || (!known && asked() !== last)) columns();
     else if (asked() !== last) identify();
   });
   form.fill(store.state.view.log);
