@@ -136,6 +136,7 @@ mod served {
         }
         let head = served.ask("HEAD", "/", &own);
         assert!(head.status == 200 && head.body.is_empty());
+        assert!(has(&head, &format!("content-length: {}", built("index.html").len())), "{}", head.head);
         let post = served.ask("POST", "/", &own);
         assert!(post.status == 405 && has(&post, "allow: GET, HEAD"), "{}", post.head);
     }
