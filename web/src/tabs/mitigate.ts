@@ -116,7 +116,12 @@ class Mitigate {
     const { text, asked, key } = this;
     const { log } = this.drop;
     const onLog = this.choices.get('on') === 'log';
-    if (onLog && !log) return this.refuse(['Drop a log first, or judge on the conditions of the tab Spring.']);
+    if (onLog && !log) {
+      // What is asked of the engine meanwhile knows of no log, and must not take that back.
+      clearTimeout(this.timer);
+      this.number++;
+      return this.refuse(['Drop a log first, or judge on the conditions of the tab Spring.']);
+    }
     const job: Job = onLog && log ? { kind: 'mitigate-log', text, asked, ...log } : { kind: 'mitigate', text, asked };
     const begun = performance.now();
     this.progress.begin();
