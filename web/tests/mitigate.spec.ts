@@ -3,6 +3,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
+import type { Ranking } from '../src/mitigate/ranking';
 import { apart, drop, example, folderOf, saved } from './judged';
 import { expect, test } from './page';
 
@@ -47,6 +48,21 @@ test('without any choice the answer is the command’s, advice and all', async (
   await page.goto(address());
   await judge(page);
   expect(await difference(page, example('sea-ankle'))).toBeLessThan(SAME);
+});
+
+test('where u1 moves, shaped commands are told with what they leave and cost', async ({ page }) => {
+  await page.goto(address({ seeds: '1' }));
+  await judge(page);
+  const card = page.getByRole('region', { name: 'Shape the command instead' });
+  await expect(card).toContainText('half resonance, resonance');
+  const { 'command shaping': told } = JSON.parse(await saved(page, 'Everything (JSON)')) as Ranking;
+  for (const one of told!.shapers) {
+    const cells = card.locator(`[data-shaper="${one.name}"] td`);
+    await expect(cells.nth(1)).toHaveText(`${(100 * one['mode 1 left, worst']).toFixed(1)} %`);
+    await expect(cells.nth(3)).toHaveText(`${(1e3 * one['mean delay [s]']).toFixed(1)} ms`);
+  }
+  // Two impulses half a period of 54.07 Hz apart: late by a quarter of it, 4.6 ms.
+  await expect(card.locator('[data-shaper^="ZV:"] td').nth(3)).toHaveText('4.6 ms');
 });
 
 test('every option counts as it does for the command', async ({ page }) => {

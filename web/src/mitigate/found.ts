@@ -1,6 +1,6 @@
 // What came of it: the advice, error against lag, one candidate over time, the rankings. Whoever picks, all of them show the same one.
 //
-// Next door: its parts (`scatter`, `picked`, `table`), what was asked (`form`).
+// Next door: its parts (`scatter`, `picked`, `table`, `shaping`), what was asked (`form`).
 
 import { download, make, rich } from '../dom';
 import { picture } from '../plots/picture';
@@ -8,6 +8,7 @@ import type { Choices } from './choices';
 import { Picked } from './picked';
 import { conditions, GROUPS, type Judged } from './ranking';
 import { Scatter } from './scatter';
+import { shaped } from './shaping';
 import { Table } from './table';
 
 /** From which number of series on the worst is one. */
@@ -33,7 +34,7 @@ export class Found {
       this.verdict(),
       figures,
       this.picked.element,
-      ...tables.map(({ element }) => element),
+      make('div', { class: 'rankings' }, ...tables.map(({ element }) => element), shaped(ranking)),
       this.leftOut(),
     );
     const scatters = groups.map(([truth, title]) => new Scatter(figures, judged, truth, title, pick));

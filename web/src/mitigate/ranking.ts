@@ -4,6 +4,7 @@
 
 import type { Answer } from '../answer';
 import { digits, fixed } from '../dom';
+import type { Shaping } from './shaping';
 
 export interface Candidate {
   name: string;
@@ -27,6 +28,8 @@ export interface Ranking {
   seeds: number;
   candidates: Candidate[];
   'left out': { name: string; reason: string }[];
+  /** Where a condition moves u1. */
+  'command shaping': Shaping | null;
 }
 
 /** Settings in one precision: the name they have, and the files by their endings. */

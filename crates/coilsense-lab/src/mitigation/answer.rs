@@ -4,6 +4,7 @@
 
 use super::candidate::{Candidate, Origin, Truth};
 use super::judge::Judgement;
+use super::shaping::Shaping;
 use super::shown::Shown;
 use super::study::Study;
 
@@ -28,6 +29,8 @@ pub struct Answer {
     pub runs: usize,
     /// One run over time.
     pub shown: Option<Shown>,
+    /// What shaping the command would do, where a condition moves u1 by one.
+    pub shaping: Option<Shaping>,
 }
 
 impl Answer {

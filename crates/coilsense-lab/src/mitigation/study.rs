@@ -16,6 +16,7 @@ use super::candidate::{Candidate, Truth};
 use super::candidates::{Brief, Candidates};
 use super::judge::{Judgement, Trial, order};
 use super::runs;
+use super::shaping::Shaping;
 use crate::recording::{Recording, RecordingError};
 use crate::spec::Spec;
 
@@ -204,6 +205,7 @@ impl Study {
         if self.recorded.as_ref().is_some_and(|recorded| recorded.output.is_none()) {
             candidates.all.retain(|candidate| candidate.truth == Truth::Static);
         }
+        let shaping = Shaping::of(&self, &sampled)?;
         let trial = self.trial(&sampled, nominal, impact)?;
         let (done, of) = (AtomicUsize::new(0), candidates.all.len());
         told(0, of);
@@ -218,7 +220,7 @@ impl Study {
             .collect();
         judged.sort_by(order);
         let runs = trial.over_the_box.len();
-        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None };
+        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None, shaping };
         let all: Vec<&Candidate> = answer.judged.iter().map(|(candidate, _)| candidate).collect();
         answer.shown = trial.shown(&all, sampled.surge_period());
         Ok(answer)

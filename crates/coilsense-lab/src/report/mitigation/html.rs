@@ -4,9 +4,10 @@
 
 use minijinja::{AutoEscape, Environment, Value, context};
 
+use super::shaping::{percent as share, shaping_advice};
 use super::text::{advice, conditions, percent};
 use super::{EXPORTS, figures};
-use crate::mitigation::{Answer, Truth};
+use crate::mitigation::{Answer, Shaping, Truth};
 use crate::plot::{Figure, Theme};
 use crate::quantity::digits;
 use crate::report::{Drawn, ReportError};
@@ -36,6 +37,7 @@ pub(super) fn page(answer: &Answer, spec: &Spec, date: &str, trade_off: &Drawn) 
         over_time => figures::over_time(answer).map(|figure| drawn(&figure)).transpose()?,
         run => answer.shown.as_ref().map(|shown| &shown.label),
         exports => exports(answer),
+        shaping => answer.shaping.as_ref().map(shaping),
         style => include_str!("../style.css"),
     })?;
     Ok(page)
@@ -73,6 +75,29 @@ fn group(answer: &Answer, truth: Truth) -> Value {
         Truth::Output => "Estimators, against F_o",
     };
     context! { title, rows => rows.collect::<Vec<_>>() }
+}
+
+/// Shaped commands.
+fn shaping(shaping: &Shaping) -> Value {
+    let best = shaping.best().map(|best| best.name);
+    let rows = shaping.shapers.iter().map(|shaped| {
+        context! {
+            name => shaped.name,
+            advised => best == Some(shaped.name),
+            first => share(shaped.first),
+            worst => share(shaped.first_worst),
+            worst_case => &shaped.worst_case,
+            higher => share(shaped.higher_worst),
+            delay => format!("{:.1}", 1e3 * shaped.delay),
+            length => format!("{:.1}", 1e3 * shaped.length),
+        }
+    });
+    let left_out = shaping.left_out.iter().map(|it| context! { name => &it.name, reason => &it.reason });
+    context! {
+        advice => shaping_advice(shaping),
+        rows => rows.collect::<Vec<_>>(),
+        left_out => left_out.collect::<Vec<_>>(),
+    }
 }
 
 /// What is exported, and how a controller calls it.

@@ -4,8 +4,9 @@
 
 use serde_json::{Value, json};
 
+use super::shaping::shaping_advice;
 use super::text::advice;
-use crate::mitigation::Answer;
+use crate::mitigation::{Answer, Shaping};
 use crate::report::ReportError;
 
 /// Everything as JSON; errors in N.
@@ -48,6 +49,30 @@ pub fn mitigation_json(answer: &Answer) -> Result<String, ReportError> {
         "mass tolerance": study.tolerances.mass(),
         "candidates": candidates,
         "left out": left_out.collect::<Vec<_>>(),
+        "command shaping": answer.shaping.as_ref().map(shaping),
     });
     Ok(serde_json::to_string_pretty(&whole)? + "\n")
+}
+
+/// What is left of ringing by shaped commands; shares of what the plain command leaves.
+fn shaping(shaping: &Shaping) -> Value {
+    let shapers = shaping.shapers.iter().map(|shaped| {
+        json!({
+            "name": shaped.name,
+            "mode 1 left": shaped.first,
+            "mode 1 left, worst": shaped.first_worst,
+            "worst case": shaped.worst_case,
+            "modes 2 to 5 left, worst": shaped.higher_worst,
+            "mean delay [s]": shaped.delay,
+            "length [s]": shaped.length,
+            "settings": shaped.settings().map(|settings| settings.numbers()),
+        })
+    });
+    let left_out = shaping.left_out.iter().map(|it| json!({ "name": it.name, "reason": it.reason }));
+    json!({
+        "conditions that move u1": shaping.conditions,
+        "advice": shaping_advice(shaping),
+        "shapers": shapers.collect::<Vec<_>>(),
+        "left out": left_out.collect::<Vec<_>>(),
+    })
 }

@@ -5,6 +5,7 @@
 mod figures;
 mod html;
 mod json;
+mod shaping;
 mod text;
 
 pub use json::mitigation_json;

@@ -4,6 +4,7 @@
 
 use std::fmt::Write as _;
 
+use super::shaping::shaping_text;
 use crate::mitigation::{Answer, Candidate, Judgement, Origin, Truth};
 
 /// The table, what was left out, and the advice.
@@ -23,7 +24,7 @@ pub fn mitigation_text(answer: &Answer) -> String {
     for left_out in &answer.left_out {
         let _ = writeln!(text, "left out: {}: {}", left_out.name, left_out.reason);
     }
-    text + &conditions(answer) + "\n"
+    text + &conditions(answer) + "\n" + &answer.shaping.as_ref().map(shaping_text).unwrap_or_default()
 }
 
 /// What candidates were judged on, and what the columns mean.
