@@ -128,7 +128,8 @@ export class Store {
 
   /** What a tab is asked is no step of its own: it stays as it is. */
   private chosenNow(state: State): State {
-    return { ...state, view: { ...state.view, mitigate: this.now.view.mitigate } };
+    const { mitigate, log } = this.now.view;
+    return { ...state, view: { ...state.view, mitigate, log } };
   }
 
   private put(next: State, gesture: string): void {
