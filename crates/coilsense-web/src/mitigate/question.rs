@@ -39,7 +39,7 @@ pub fn study(spec: &Spec, given: &Asked) -> Result<Study, String> {
 /// The options.
 ///
 /// # Errors
-/// As [`study`].
+/// One line, which begins with the option's name and a colon.
 pub fn asked(given: &Asked) -> Result<Options, String> {
     let mut values = [None; OPTIONS.len()];
     for (value, (name, dimension, usual)) in values.iter_mut().zip(OPTIONS) {
