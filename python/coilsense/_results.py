@@ -12,12 +12,15 @@ from coilsense._logs import (
 from coilsense._studies import (
     experiment_html,
     experiment_plot,
+    indices_frame,
     limits_frame,
     mitigation_html,
     mitigation_plot,
+    pareto_html,
     placement_html,
     ranking_frame,
     runs_frame,
+    sensitivity_html,
 )
 
 __all__ = [
@@ -30,10 +33,13 @@ __all__ = [
     "recording_html",
     "experiment_html",
     "experiment_plot",
+    "indices_frame",
     "limits_frame",
     "mitigation_html",
     "mitigation_plot",
+    "pareto_html",
     "placement_html",
     "ranking_frame",
     "runs_frame",
+    "sensitivity_html",
 ]

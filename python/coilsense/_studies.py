@@ -1,4 +1,4 @@
-"""Remedies, placements and experiments laid out. Next door: what they are laid out with (`_layout`)."""
+"""Remedies, placements, experiments, and what is asked of sweeps, laid out. Next door: what they are laid out with (`_layout`)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import matplotlib.axes
     import pandas
 
-    from coilsense import Experiment, Mitigation, Placement
+    from coilsense import Experiment, Mitigation, Pareto, Placement, Sensitivity
 
 # mitigation
 
@@ -118,3 +118,38 @@ def experiment_html(experiment: Experiment) -> str:
     ]
     head = ("run", "kind", "frequency [Hz]", "RMSD [% of F_nom]", "largest [% of F_nom]")
     return paragraphs(experiment.answer) + table("Runs", rows, head)
+
+
+# what is asked of sweeps
+
+
+def pareto_html(pareto: Pareto) -> str:
+    """The answer, and the objectives of the first designs."""
+    most = 20
+    values = zip(pareto.rows[:most], pareto.values[:most], strict=True)
+    rows = [(str(row), *(f"{value:.4g}" for value in each)) for row, each in values]
+    return paragraphs(pareto.answer) + table("The front", rows, ("row", *pareto.objectives))
+
+
+def indices_frame(sensitivity: Sensitivity) -> pandas.DataFrame:
+    """One row per column and key."""
+    rows = []
+    for column, keys in sensitivity.total.items():
+        for key, (total, low, high) in keys.items():
+            first, first_low, first_high = sensitivity.first_order[column][key]
+            rows.append({
+                "column": column, "key": key,
+                "first_order": first, "first_order_low": first_low, "first_order_high": first_high,
+                "total": total, "total_low": low, "total_high": high,
+            })
+    return frame(rows)
+
+
+def sensitivity_html(sensitivity: Sensitivity) -> str:
+    """The answer, and the indices of each column."""
+    tables = []
+    for column, keys in sensitivity.total.items():
+        first = sensitivity.first_order[column]
+        rows = [(key, f"{first[key][0]:.2f}", f"{total:.2f}", f"{low:.2f} to {high:.2f}") for key, (total, low, high) in keys.items()]
+        tables.append(table(column, rows, ("key", "S_1", "S_T", "S_T, 95 %")))
+    return paragraphs(sensitivity.answer) + "".join(tables)

@@ -55,7 +55,8 @@ def values() -> list[object]:
     coil = coilsense.MaxwellSum(SPRING, "geometric-mean")
     estimate = coilsense.Estimate(54.0, 0.1, 0.2)
     meter = coilsense.InductanceSensor.theoretical(coil, 0.23)
-    return [SPRING, coil, meter, estimate, *inputs, *starts, *dampings, *far_ends, *loads, *others, *nouns]
+    encoders = coilsense.TwoEncoder(SPRING, compliance=1e-5, backlash=2e-4, mean_length=0.204)
+    return [SPRING, coil, meter, encoders, estimate, *inputs, *starts, *dampings, *far_ends, *loads, *others, *nouns]
 
 
 def tapped(noise: float = 0.05, seconds: float = 30.0, pulled: bool = True) -> coilsense.Signals:

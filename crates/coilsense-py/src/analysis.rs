@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::json;
-use crate::progress::watched;
+use crate::long_work::watched;
 use crate::spec::PySpec;
 use case::PyCase;
 

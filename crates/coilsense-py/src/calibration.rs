@@ -16,8 +16,8 @@ use pyo3::types::PyDict;
 
 use crate::calibration::points::PointsArgument;
 use crate::errors::{Error, refused, unknown};
-use crate::interrupt::interruptible;
 use crate::json;
+use crate::long_work::interruptible;
 use crate::quantity::{Quantity, positive, share};
 use crate::results::{laid_out, plain, save};
 use crate::series::Series;

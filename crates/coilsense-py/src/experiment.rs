@@ -15,9 +15,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{OutputError, refused};
-use crate::interrupt::interruptible;
 use crate::json;
-use crate::progress::watched;
+use crate::long_work::{interruptible, watched};
 use crate::quantity::{Quantity, positive, rate};
 use crate::results::{laid_out, plain, save};
 use crate::spec_argument::SpecArgument;

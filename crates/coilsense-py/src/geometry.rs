@@ -17,7 +17,8 @@ use crate::value::{self, Arguments, NewArguments};
 /// Adds the classes to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<PyMaterial>()?;
-    module.add_class::<PyGeometry>()
+    module.add_class::<PyGeometry>()?;
+    module.add_function(wrap_pyfunction!(material::materials, module)?)
 }
 
 /// Words for how the wire ends, those of a spec.

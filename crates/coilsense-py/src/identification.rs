@@ -17,8 +17,8 @@ use pyo3::types::PyDict;
 
 use crate::errors::{Error, in_python, refused, unknown};
 use crate::estimate::PyEstimate;
-use crate::interrupt::interruptible;
 use crate::json;
+use crate::long_work::interruptible;
 use crate::quantity::{Quantity, open_share, positive, share};
 use crate::recording::recording;
 use crate::results::{laid_out, plain, save};

@@ -16,8 +16,8 @@ use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, refused, unknown};
-use crate::interrupt::interruptible;
 use crate::json;
+use crate::long_work::interruptible;
 use crate::quantity::{Quantity, finite, positive};
 use crate::recording::recording;
 use crate::results::{laid_out, plain, save};

@@ -11,8 +11,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::refused;
-use crate::interrupt::interruptible;
 use crate::json;
+use crate::long_work::interruptible;
 use crate::results::{laid_out, plain, save};
 use crate::spec_argument::SpecArgument;
 

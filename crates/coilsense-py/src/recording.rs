@@ -10,8 +10,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
-use crate::interrupt::interruptible;
 use crate::log_options::LogOptions;
+use crate::long_work::interruptible;
 use crate::quantity::Quantity;
 use crate::results::laid_out;
 use crate::signals::{PySignals, channel};

@@ -1,9 +1,14 @@
-//! `coilsense.SweepPlan` and `coilsense.SweepDataset`: what decides the rows of a sweep, and the folder that they go into.
+//! `coilsense.SweepPlan` and `coilsense.SweepDataset`: what decides the rows of a sweep, and the folder that they go into; and what is asked of one
+//! afterwards, `coilsense.pareto` and `coilsense.sensitivity`.
 //!
 //! Next door: `coilsense.sweep`, which runs a plan here or on a Dask cluster (`python/coilsense/_sweep.py`).
 
 mod dataset;
+mod pareto;
 mod plan;
+mod sensitivity;
+
+use std::path::PathBuf;
 
 use coilsense_lab::sweep::Data;
 use numpy::IntoPyArray;
@@ -13,7 +18,27 @@ use pyo3::types::{PyDict, PyList};
 /// Adds the classes to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<plan::PySweepPlan>()?;
-    module.add_class::<dataset::PySweepDataset>()
+    module.add_class::<dataset::PySweepDataset>()?;
+    module.add_class::<pareto::PyPareto>()?;
+    module.add_class::<sensitivity::PySensitivity>()?;
+    module.add_function(wrap_pyfunction!(pareto::pareto, module)?)?;
+    module.add_function(wrap_pyfunction!(sensitivity::sensitivity, module)?)
+}
+
+/// A sweep's folder: as it was opened, or where it is.
+#[derive(FromPyObject)]
+enum Folder<'py> {
+    Opened(PyRef<'py, dataset::PySweepDataset>),
+    Path(PathBuf),
+}
+
+impl Folder<'_> {
+    fn path(self) -> PathBuf {
+        match self {
+            Self::Opened(dataset) => dataset.folder.clone(),
+            Self::Path(path) => path,
+        }
+    }
 }
 
 /// Columns by title: arrays of numbers, lists of texts and of truths.

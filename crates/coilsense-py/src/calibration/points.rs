@@ -12,8 +12,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython, refused};
-use crate::interrupt::interruptible;
 use crate::log_options::LogOptions;
+use crate::long_work::interruptible;
 use crate::quantity::{Quantity, positive};
 use crate::recording::PyRecording;
 use crate::series::Series;

@@ -3,10 +3,11 @@
 //! Next door: the coil wound from it (the parent).
 
 use coilsense::geometry::{Material, MaterialParameters};
+use coilsense_lab::spec::named_materials;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::IntoPython;
+use crate::errors::{IntoPython, unknown};
 use crate::value::{self, Arguments, NewArguments};
 
 /// What a wire is made of, at 20 degrees Celsius.
@@ -75,6 +76,29 @@ impl PyMaterial {
             relative_permeability,
         };
         Material::new(parameters).python().map(Self)
+    }
+
+    /// A material of the table that a spec's ``material`` names, too; `materials` has all of them.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     As ``"steel EN 10270-1"``.
+    ///
+    /// Returns
+    /// -------
+    /// Material
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For a name that the table does not have; it says which there are.
+    #[staticmethod]
+    fn named(name: &str) -> PyResult<Self> {
+        let all = named_materials().python()?;
+        let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
+        let found = all.iter().find(|(known, _)| *known == name).ok_or_else(|| unknown("material", &names, name))?;
+        Material::new(found.1).python().map(Self)
     }
 
     /// G: shear modulus [Pa].
@@ -156,4 +180,25 @@ impl PyMaterial {
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         value::shown("Material", &self.arguments(py)?)
     }
+}
+
+/// The materials that come with coilsense, by their names in a spec; each value has its source in what ``coilsense spring
+/// --materials`` prints.
+///
+/// Returns
+/// -------
+/// dict of str to Material
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> round(coilsense.materials()["steel EN 10270-1"].density)
+/// 7850
+#[pyfunction]
+pub fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let dict = PyDict::new(py);
+    for (name, parameters) in named_materials().python()? {
+        dict.set_item(name, PyMaterial(Material::new(parameters).python()?))?;
+    }
+    Ok(dict)
 }

@@ -31,7 +31,7 @@ use crate::errors::IntoPython;
 #[pyclass(name = "SweepDataset", module = "coilsense", frozen)]
 pub struct PySweepDataset {
     dataset: Dataset,
-    folder: PathBuf,
+    pub(super) folder: PathBuf,
 }
 
 #[pymethods]

@@ -11,7 +11,8 @@ use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 
 use super::by_title;
 use crate::errors::{IntoPython, SweepError, unknown};
-use crate::progress::watched;
+use crate::json;
+use crate::long_work::watched;
 use crate::spec::{PySpec, beside};
 
 /// All that decides the rows of a sweep.
@@ -178,7 +179,27 @@ impl PySweepPlan {
     /// -------
     /// dict
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("json")?.call_method1("loads", (self.0.to_json(),))
+        json::loads(py, Ok::<_, coilsense::Error>(self.0.to_json()))
+    }
+
+    /// The spec of a row: the author's text with the row's values in it.
+    ///
+    /// Parameters
+    /// ----------
+    /// row : int
+    ///     Its number, counted from 0.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     TOML, comments and all.
+    ///
+    /// Raises
+    /// ------
+    /// SweepError
+    ///     For a row that is not there.
+    fn spec_of(&self, row: u64) -> PyResult<String> {
+        self.0.spec_of(row).python()
     }
 
     /// How many rows there are.

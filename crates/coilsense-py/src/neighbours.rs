@@ -1,0 +1,111 @@
+//! `coilsense.torsional_frequency`, `lateral_frequency` and `buckling_force`: the motions that the axial model leaves out.
+//!
+//! Next door: the coil that they are of (`geometry`), the surge itself (`modes`).
+
+use coilsense::neighbours;
+use pyo3::prelude::*;
+
+use crate::errors::IntoPython;
+use crate::geometry::PyGeometry;
+
+/// Adds the functions to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(torsional_frequency, module)?)?;
+    module.add_function(wrap_pyfunction!(lateral_frequency, module)?)?;
+    module.add_function(wrap_pyfunction!(buckling_force, module)?)
+}
+
+/// First frequency at which the windings turn about the spring's axis, both ends held.
+///
+/// Parameters
+/// ----------
+/// geometry : Geometry
+///     The coil.
+/// mass : float
+///     m of the active windings [kg], measured or ``geometry.active_mass``.
+///
+/// Returns
+/// -------
+/// float
+///     [Hz].
+///
+/// Raises
+/// ------
+/// Error
+///     For a mass that is not above zero.
+///
+/// Notes
+/// -----
+/// f = sqrt(k_t / I) / 2, k_t = E d^4 / (64 D n), I = m D^2 / 4. An estimate: coupling with the axial motion and pitch move it by some per
+/// cent. Source: [Shigley2011] chapter 10.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> wire = coilsense.Material(shear_modulus=81.5e9, youngs_modulus=206e9, density=7850)
+/// >>> coil = coilsense.Geometry(wire_diameter=2e-3, coil_diameter=16e-3, active_windings=52, end_type="hooks", material=wire, rest_length=0.104)
+/// >>> round(coilsense.torsional_frequency(coil, 0.065), 1)
+/// 61.0
+#[pyfunction]
+fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
+    neighbours::torsional_frequency(&geometry.0, mass).python()
+}
+
+/// First frequency at which a spring swings sideways, ends held in place but free to tilt.
+///
+/// Parameters
+/// ----------
+/// geometry : Geometry
+///     The coil.
+/// mass : float
+///     m of the active windings [kg].
+/// length : float
+///     l [m].
+/// force : float
+///     F at that length [N], tension positive: compression lowers it.
+///
+/// Returns
+/// -------
+/// float
+///     [Hz].
+///
+/// Raises
+/// ------
+/// Error
+///     For a mass or a length that is not above zero, and for a force that is not between buckling and the shear stiffness.
+///
+/// Notes
+/// -----
+/// The coil as a column that bends and shears, under the axial force. An estimate: ends that may tilt, no coupling with the axial motion.
+/// Source: [Haringx1948].
+#[pyfunction]
+fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f64) -> PyResult<f64> {
+    neighbours::lateral_frequency(&geometry.0, mass, length, force).python()
+}
+
+/// Force at which a spring buckles at a length, ends free to tilt.
+///
+/// Parameters
+/// ----------
+/// geometry : Geometry
+///     The coil.
+/// length : float
+///     l under that force [m].
+///
+/// Returns
+/// -------
+/// float
+///     [N]; above zero, the push that does it.
+///
+/// Raises
+/// ------
+/// Error
+///     For a length that is not above zero.
+///
+/// Notes
+/// -----
+/// P (1 + P/S) = B pi^2 / l^2, with the bending and shear stiffness B and S of `lateral_frequency`, which is zero there. Source: [Haringx1948].
+#[pyfunction]
+fn buckling_force(geometry: &PyGeometry, length: f64) -> PyResult<f64> {
+    neighbours::buckling_force(&geometry.0, length).python()
+}

@@ -1,0 +1,173 @@
+//! `coilsense.TwoEncoder`: force from two encoders with a drive train between.
+//!
+//! Next door: what each encoder makes of its position (`readout`).
+
+use coilsense::Spring;
+use coilsense::sensors::TwoEncoder;
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::IntoPython;
+use crate::series::Series;
+use crate::spring::PySpring;
+use crate::value::{self, Arguments, NewArguments};
+
+/// Adds the class to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<PyTwoEncoder>()
+}
+
+/// An encoder on the motor's side of the drive train and one at end 2, of a series elastic actuator; zeroed under a static load.
+///
+/// Parameters
+/// ----------
+/// spring : Spring
+///     The spring between them.
+/// compliance : float
+///     c of the drive train [m/N], not below zero.
+/// backlash : float
+///     b of the drive train, the whole gap [m], not below zero.
+/// mean_length : float
+///     Length at which it was zeroed [m].
+///
+/// Raises
+/// ------
+/// Error
+///     For a compliance or backlash below zero, or a value that is not finite.
+///
+/// Notes
+/// -----
+/// k_s = 1 / (1/k + c); a static load at the mean length reads exactly. Valid for a massless drive train, linear but for its gap.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> encoders = coilsense.TwoEncoder(coilsense.Spring.of_paper("S_T"), compliance=1e-5, backlash=2e-4, mean_length=0.204)
+/// >>> encoders.force(encoders.elongation([0.0], [0.204], [76.0])).round(9)
+/// array([76.])
+#[pyclass(name = "TwoEncoder", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyTwoEncoder {
+    encoders: TwoEncoder,
+    spring: Spring,
+    compliance: f64,
+    backlash: f64,
+    mean_length: f64,
+}
+
+impl PyTwoEncoder {
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        let dict = PyDict::new(py);
+        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
+        dict.set_item("compliance", self.compliance)?;
+        dict.set_item("backlash", self.backlash)?;
+        dict.set_item("mean_length", self.mean_length)?;
+        Ok(dict)
+    }
+}
+
+#[pymethods]
+impl PyTwoEncoder {
+    #[new]
+    fn new(spring: &PySpring, compliance: f64, backlash: f64, mean_length: f64) -> PyResult<Self> {
+        let encoders = TwoEncoder::new(&spring.0, compliance, backlash, mean_length).python()?;
+        Ok(Self { encoders, spring: spring.0.clone(), compliance, backlash, mean_length })
+    }
+
+    /// The spring between them.
+    #[getter]
+    fn spring(&self) -> PySpring {
+        PySpring(self.spring.clone())
+    }
+
+    /// c of the drive train [m/N].
+    #[getter]
+    fn compliance(&self) -> f64 {
+        self.compliance
+    }
+
+    /// b of the drive train, the whole gap [m].
+    #[getter]
+    fn backlash(&self) -> f64 {
+        self.backlash
+    }
+
+    /// Length at which it was zeroed [m].
+    #[getter]
+    fn mean_length(&self) -> f64 {
+        self.mean_length
+    }
+
+    /// k_s: stiffness of spring and drive train in series [N/m].
+    #[getter]
+    fn stiffness(&self) -> f64 {
+        self.encoders.stiffness()
+    }
+
+    /// Elongation at which it reads no force [m].
+    #[getter]
+    fn zero(&self) -> f64 {
+        self.encoders.zero()
+    }
+
+    /// Distance between the two encoders.
+    ///
+    /// Parameters
+    /// ----------
+    /// u1, u2 : array_like of float, shape (samples,)
+    ///     Positions of the spring's ends [m].
+    /// f_i : array_like of float, shape (samples,)
+    ///     Force at end 1 [N], tension positive.
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     u2 - u_motor = (u2 - u1) + c F_i + (b/2) sgn F_i [m].
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For series of different lengths, or a value beyond 1e9 either way.
+    fn elongation<'py>(
+        &self,
+        py: Python<'py>,
+        u1: Series<'_>,
+        u2: Series<'_>,
+        f_i: Series<'_>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(self.encoders.elongation(&u1.values(), &u2.values(), &f_i.values()).python()?.into_pyarray(py))
+    }
+
+    /// Force that the two encoders tell.
+    ///
+    /// Parameters
+    /// ----------
+    /// elongation : array_like of float, shape (samples,)
+    ///     As `elongation` gives it, through an instrument or not [m].
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     k_s (e - zero) [N].
+    fn force<'py>(&self, py: Python<'py>, elongation: Series<'_>) -> Bound<'py, PyArray1<f64>> {
+        self.encoders.force(&elongation.values()).into_pyarray(py)
+    }
+
+    /// The arguments by name, the spring as a dict.
+    ///
+    /// Returns
+    /// -------
+    /// dict
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
+        value::plain(&self.arguments(py)?)
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
+        Ok(value::new_arguments(self.arguments(py)?))
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        value::shown("TwoEncoder", &self.arguments(py)?)
+    }
+}
