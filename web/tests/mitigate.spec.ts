@@ -62,7 +62,7 @@ test('where u1 moves, shaped commands are told with what they leave and cost', a
     await expect(cells.nth(3)).toHaveText(`${(1e3 * one['mean delay [s]']).toFixed(1)} ms`);
   }
   // Two impulses half a period of 54.07 Hz apart: late by a quarter of it, 4.6 ms.
-  await expect(card.locator('[data-shaper^="ZV:"] td').nth(3)).toHaveText('4.6 ms');
+  await expect(card.locator('[data-shaper^="ZV,"] td').nth(3)).toHaveText('4.6 ms');
 });
 
 test('every option counts as it does for the command', async ({ page }) => {

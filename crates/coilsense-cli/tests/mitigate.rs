@@ -88,3 +88,13 @@ fn bad_input_is_one_line_and_leaves_nothing_behind() {
     let empty = mitigate(folder.path(), &["--mass-tolerance", "0 %", "--stiffness-tolerance", "0 %"]);
     assert!(String::from_utf8(empty.stderr).unwrap().contains("the box is empty"));
 }
+
+#[test]
+fn a_rate_that_would_take_for_ever_is_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = mitigate(folder.path(), &["--rate", "10 MHz", "--out", "out"]);
+    assert_eq!(done.status.code(), Some(2));
+    let text = String::from_utf8(done.stderr).unwrap();
+    assert!(text.contains("rate must be at most 4000000 Hz") && text.trim_end().lines().count() == 1, "{text}");
+    assert!(!folder.path().join("out").exists());
+}

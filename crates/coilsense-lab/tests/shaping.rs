@@ -52,7 +52,7 @@ fn named<'a>(answer: &'a Answer, name: &str) -> &'a Shaped {
 #[test]
 fn an_undamped_mode_rests_after_two_impulses_and_over_the_box_keeps_a_cosine() {
     let answer = answer();
-    let (zv, zvd) = (named(&answer, "ZV:"), named(&answer, "ZVD:"));
+    let (zv, zvd) = (named(&answer, "ZV,"), named(&answer, "ZVD,"));
     // Two halves, half a period apart: nothing but roundings of the angle.
     assert!(zv.first < 1e-12 && zvd.first < 1e-12, "{} {}", zv.first, zvd.first);
     // cos(π/2 · ω'/ω), ω'/ω = √(1.1/0.9) where k is 10 % more and m 10 % less, the farthest of the box; its square for three impulses.
@@ -94,7 +94,7 @@ fn the_exact_motion_rings_as_is_foretold() {
     // A line from sample to sample is exact for this drive; what is left are roundings of 100 N.
     assert!(ratio(&nominal) < 1e-9, "{}", ratio(&nominal));
     let other = ToleranceBox::changed(&nominal, [0.1, -0.1]).unwrap();
-    let foretold = named(&answer(), "ZV:").first_worst;
+    let foretold = named(&answer(), "ZV,").first_worst;
     // The peak lies between samples, at most half of one of 181 a period: (π/181)²/2.
     assert!((ratio(&other) / foretold - 1.0).abs() < 3e-4, "{} and {foretold}", ratio(&other));
 }
@@ -110,7 +110,7 @@ fn a_spec_whose_end_1_moves_is_told_to_shape_the_command_and_no_other() {
     let answer = Study { conditions: study.conditions[3..].to_vec(), ..study }.run().unwrap();
     let shaping = answer.shaping.as_ref().unwrap();
     assert_eq!(shaping.conditions, ["half resonance", "resonance"]);
-    let (zv, ramp) = (named(&answer, "ZV:"), named(&answer, "mean over 2τ"));
+    let (zv, ramp) = (named(&answer, "ZV,"), named(&answer, "mean over 2τ"));
     // Impulses half a period apart do nothing to mode 2; a mean over the period of all modes forgives 10 % as sin(0.1 π)/π does.
     assert!(zv.higher_worst > 0.9, "{}", zv.higher_worst);
     assert!(ramp.first < 0.01 && ramp.first_worst < 0.12 && ramp.higher_worst < 0.12, "{}", ramp.first_worst);

@@ -241,6 +241,11 @@ impl Study {
         if self.seeds == 0 {
             return Err(unfit("seeds", 0.0, "", "at least 1"));
         }
+        let most = MOST_SAMPLES / self.longest();
+        if self.rate > most {
+            let allowed = format!("at most {most:.0} Hz, two million samples of the longest run").into();
+            return Err(Error::Value { quantity: "rate".into(), value: self.rate, unit: "Hz", allowed });
+        }
         Ok(())
     }
 
@@ -270,6 +275,8 @@ impl Study {
     }
 }
 
+/// Every candidate runs over every spring of the box so often: minutes on one core.
+const MOST_SAMPLES: f64 = 2e6;
 const POSITIVE: &str = "above zero and finite";
 
 fn unfit(quantity: &'static str, value: f64, unit: &'static str, allowed: &'static str) -> Error {
