@@ -7,7 +7,7 @@ import { toToml } from './document';
 import engineAddress from './engine/coilsense_web_bg.wasm?url';
 import { Lane, type Reply } from './lane';
 import { preset } from './presets';
-import type { State, Store } from './state';
+import { isOther, type State, type Store } from './state';
 
 /** A state rests after so long [ms]. */
 const REST = 140;
@@ -59,10 +59,8 @@ export class Compute {
       for (const listener of this.listeners) listener.refused({ place: '', text });
     });
     store.subscribe((state, before) => {
-      const { view } = state;
-      const moved =
-        state.spec !== before.spec || view.condition !== before.view.condition || view.damping !== before.view.damping;
-      if (moved || view.times !== before.view.times) void this.follow(state, moved);
+      const moved = isOther(state, before);
+      if (moved || state.view.times !== before.view.times) void this.follow(state, moved);
     });
   }
 

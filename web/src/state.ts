@@ -31,6 +31,12 @@ export interface State {
   view: View;
 }
 
+/** Whether another case is asked for, and not only other times of it. */
+export const isOther = (state: State, before: State): boolean =>
+  state.spec !== before.spec ||
+  state.view.condition !== before.view.condition ||
+  state.view.damping !== before.view.damping;
+
 export const defaultView = (): View => ({
   tab: 'spring',
   condition: 0,

@@ -19,6 +19,7 @@ import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
 import { Player } from '../spring/player';
 import { layOut } from './layout';
+import { isOther } from '../state';
 import type { Open } from './tab';
 
 export const open: Open = (panel, store, compute) => {
@@ -63,8 +64,15 @@ export const open: Open = (panel, store, compute) => {
     clocked = last.since;
     performance.measure('slider to plots', { start: clocked, end: performance.now() });
   };
+  const mark = (exact: boolean) => {
+    parts.status.textContent = exact ? 'exact' : 'preview …';
+    parts.status.classList.toggle('preview', !exact);
+    document.body.dataset['exact'] = String(exact);
+  };
   store.subscribe((state, before) => {
     inputs();
+    // Until the engine answers, what is shown is of another state.
+    if (isOther(state, before)) mark(false);
     if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
       curves(last);
       table.show(last.answer.facts, last.exact);
@@ -84,12 +92,10 @@ export const open: Open = (panel, store, compute) => {
       table.show(facts, shown.exact);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
-      parts.status.textContent = shown.exact ? 'exact' : 'preview …';
-      parts.status.classList.toggle('preview', !shown.exact);
       panels.show(store.state, facts);
       views.show(shown);
       downloads.show(shown);
-      document.body.dataset['exact'] = String(shown.exact !== null);
+      mark(shown.exact !== null);
     },
     refused: (refusal) => {
       const beside = panels.refuse(refusal);
@@ -99,6 +105,7 @@ export const open: Open = (panel, store, compute) => {
         refusal && last ? 'What is shown is the last state that could be computed.' : '',
       ];
       parts.refusal.textContent = words.filter(Boolean).join(' ');
+      if (refusal && last) mark(last.exact !== null);
       if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
     },
     busy: () => {},
