@@ -29,7 +29,7 @@ const OPTIONS: readonly Option[] = [
   { name: 'seeds', label: 'Series of noise', hint: '1 to 1000; one is quicker and enough for a look.', on: [''] },
 ];
 const ON = [
-  ['', 'the conditions of the tab Spring'],
+  ['', 'this spring’s conditions'],
   ['log', 'a log of yours'],
   ['stated', 'the stated scenario'],
 ] as const;

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::Precision;
 
 /// Settings of `coilsense-rt` that can be written down.
-pub trait Settings {
+pub trait Settings: Send + Sync {
     /// In words.
     fn kind(&self) -> &'static str;
     /// The type in Rust, over the number type `scalar`.
