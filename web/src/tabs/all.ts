@@ -8,7 +8,7 @@ export const TABS: readonly Tab[] = [
   {
     id: 'log',
     label: 'Log',
-    lead: 'Drop a recording of your own spring, and read off what rings in it, how strongly it is damped, and whether its sensors fit.',
+    lead: 'Drop a recording of your own spring, and read off what rings in it, how strongly it is damped, and how far its forces can be trusted.',
     load: () => import('./log'),
   },
   { id: 'mitigate', label: 'Mitigate', load: () => import('./mitigate') },
