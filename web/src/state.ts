@@ -87,10 +87,10 @@ export class Store {
     this.put({ ...this.now, spec, view: { ...this.now.view, ...view } }, gesture);
   }
 
-  /** What is shown; whether it can be undone. */
-  setView(view: Partial<View>, undoable = false): void {
+  /** What is shown; whether it can be undone, and as which gesture. */
+  setView(view: Partial<View>, undoable = false, gesture = ''): void {
     const next = { ...this.now, view: { ...this.now.view, ...view } };
-    if (undoable) this.put(next, '');
+    if (undoable) this.put(next, gesture);
     else this.tell(next);
   }
 
@@ -121,7 +121,7 @@ export class Store {
     if (!before) return;
     this.future.push(this.now);
     this.gesture.name = '';
-    this.tell(this.chosenNow(before));
+    this.tell(before);
   }
 
   redo(): void {
@@ -129,13 +129,7 @@ export class Store {
     if (!next) return;
     this.past.push(this.now);
     this.gesture.name = '';
-    this.tell(this.chosenNow(next));
-  }
-
-  /** What a tab is asked is no step of its own: it stays as it is. */
-  private chosenNow(state: State): State {
-    const { mitigate, log } = this.now.view;
-    return { ...state, view: { ...state.view, mitigate, log } };
+    this.tell(next);
   }
 
   private put(next: State, gesture: string): void {

@@ -264,6 +264,11 @@ test('choices travel in the address, and numbers of an earlier state are said to
   await expect(earlier).toBeHidden();
   await page.getByLabel('Most lag').fill('40 deg');
   await expect(earlier).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(page.getByLabel('Most lag')).toHaveValue('');
+  await expect(earlier).toBeHidden();
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await expect(page.getByLabel('Most lag')).toHaveValue('40 deg');
   await page.getByRole('button', { name: 'Judge again' }).click();
   await expect(earlier).toBeHidden({ timeout: 100_000 });
   await page.getByRole('tab', { name: 'Spring' }).click();

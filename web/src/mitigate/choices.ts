@@ -27,7 +27,8 @@ export class Choices {
 
   set(name: Name, value: string): void {
     const { [name]: _, ...others } = this.store.state.view.mitigate;
-    this.store.setView({ mitigate: value === '' ? others : { ...others, [name]: value } });
+    const mitigate = value === '' ? others : { ...others, [name]: value };
+    this.store.setView({ mitigate }, true, `mitigate.${name}`);
   }
 
   /** Tells of every change of one of them. */
