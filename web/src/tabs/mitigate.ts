@@ -38,6 +38,8 @@ class Mitigate {
   /** What the numbers are of. */
   private judged = '';
   private number = 0;
+  /** How often Judge has said something: a check of the fields that was begun before does not take it back. */
+  private said = 0;
   private stop: (() => void) | null = null;
   private timer = 0;
 
@@ -90,14 +92,16 @@ class Mitigate {
   /** What the fields are where nothing is said, and what is wrong with what is. */
   private async check(): Promise<void> {
     const number = ++this.number;
+    const { said } = this;
     const { reply } = await this.compute.job({ kind: 'mitigate-usual', text: this.text, asked: this.asked }, () => {});
     const coming = await reply;
     if (number !== this.number) return;
-    if ('error' in coming) return this.refuse([coming.error]);
+    const refuse = (reasons: readonly string[]) => said === this.said && this.refuse(reasons);
+    if ('error' in coming) return void refuse([coming.error]);
     if (!('answer' in coming)) return;
     const { usual, wrong } = coming.answer.facts as { usual: Record<string, string>; wrong: string[] };
     this.form.usual(usual);
-    this.refuse(this.choices.get('on') === 'stated' ? [] : wrong);
+    refuse(this.choices.get('on') === 'stated' ? [] : wrong);
   }
 
   private refuse(reasons: readonly string[]): void {
@@ -113,15 +117,13 @@ class Mitigate {
 
   private async judge(): Promise<void> {
     if (this.progress.isRunning) return;
+    clearTimeout(this.timer);
+    void this.check();
+    this.said++;
     const { text, asked, key } = this;
     const { log } = this.drop;
     const onLog = this.choices.get('on') === 'log';
-    if (onLog && !log) {
-      // What is asked of the engine meanwhile knows of no log, and must not take that back.
-      clearTimeout(this.timer);
-      this.number++;
-      return this.refuse(['Drop a log first, or judge on the conditions of the tab Spring.']);
-    }
+    if (onLog && !log) return this.refuse(['Drop a log first, or judge on the conditions of the tab Spring.']);
     const job: Job = onLog && log ? { kind: 'mitigate-log', text, asked, ...log } : { kind: 'mitigate', text, asked };
     const begun = performance.now();
     this.progress.begin();
@@ -151,6 +153,7 @@ class Mitigate {
     if (stopped) return cancel();
     if (isLong) this.stop = cancel;
     const coming = await reply;
+    this.said++;
     this.refuse('error' in coming ? [coming.error] : []);
     if ('error' in coming) wrong();
     else if ('answer' in coming) done(coming.answer as Answer<unknown>);
