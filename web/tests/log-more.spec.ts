@@ -1,7 +1,8 @@
 // Two devices on one clock, theories beside a calibration, and the log as it was dropped.
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { apart, drop, rigLogs, saved, settled, told, type, written } from './logs';
+import { apart, drop, saved } from './jobs';
+import { rigLogs, settled, told, type, written } from './logs';
 import { expect, test } from './page';
 
 const examples = join(new URL('..', import.meta.url).pathname, '..', 'examples');

@@ -2,7 +2,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { apart, drop, folder, rigLogs, saved, settled, told, type, written } from './logs';
+import { apart, drop, saved } from './jobs';
+import { folder, rigLogs, settled, told, type, written } from './logs';
 import { expect, test } from './page';
 
 let tap = '';

@@ -3,7 +3,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { expect, test } from './page';
-import { apart, folder, rigLogs, saved, settled, told, type, written } from './logs';
+import { apart, saved } from './jobs';
+import { folder, rigLogs, settled, told, type, written } from './logs';
 
 test.beforeAll(rigLogs);
 

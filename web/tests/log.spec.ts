@@ -2,7 +2,8 @@
 import AxeBuilder from '@axe-core/playwright';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { apart, drop, folder, rigLogs, saved, told, written } from './logs';
+import { apart, drop, saved } from './jobs';
+import { folder, rigLogs, told, written } from './logs';
 import { expect, test } from './page';
 
 test.beforeAll(rigLogs);

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import type { Ranking } from '../src/mitigate/ranking';
-import { apart, drop, example, folderOf, saved } from './judged';
+import { apart, drop, example, folderOf, saved } from './jobs';
 import { expect, test } from './page';
 
 const { folder, told } = folderOf('mitigate');
@@ -231,14 +231,14 @@ test('a log is judged with the numbers of the command, its columns by name or by
   await page.getByLabel('Judge on').selectOption('log');
   await page.getByRole('button', { name: 'Judge', exact: true }).click();
   await expect(page.locator(`${panel} .refusal`).filter({ hasText: 'Drop a log first' })).toBeVisible();
-  await drop(page, panel, 'motion-heel-strike-zeta-0.005.csv', text);
+  await drop(page, { 'motion-heel-strike-zeta-0.005.csv': text }, `${panel} .drop`);
   await expect(page.getByLabel('Column of F_i')).toHaveValue('4', { timeout: 20_000 });
   await judge(page);
   const log = ['--log', 'motion-heel-strike-zeta-0.005.csv'];
   expect(await difference(page, example('sea-ankle'), ...log)).toBeLessThan(SAME);
   // The same without names, and without F_o: filters alone.
   const nameless = text.replace(/^.*$/m, (titles) => titles.replace('F_i [N],F_o [N]', 'force,other'));
-  await drop(page, panel, 'nameless.csv', nameless);
+  await drop(page, { 'nameless.csv': nameless }, `${panel} .drop`);
   await expect(page.getByLabel('Column of F_i')).toHaveValue('', { timeout: 20_000 });
   await page.getByRole('button', { name: 'Judge', exact: true }).click();
   await expect(page.locator(`${panel} .refusal`).filter({ hasText: 'nameless.csv' })).toContainText('F_i');

@@ -22,13 +22,13 @@ pub struct Arguments {
     log: LogArguments,
     /// Length of the coil, from wire end to wire end along the axis, where the log's positions read zero; without it u2 − u1, or u2, is the
     /// length itself
-    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
     length_at_zero: Option<f64>,
     /// Diameter of the wire, for the theories
-    #[arg(long, value_name = "LENGTH", value_parser = length, requires_all = ["radius", "windings"])]
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true, requires_all = ["radius", "windings"])]
     wire: Option<f64>,
     /// Radius of the coil, from the axis to the centre of the wire
-    #[arg(long, value_name = "LENGTH", value_parser = length, requires_all = ["wire", "windings"])]
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true, requires_all = ["wire", "windings"])]
     radius: Option<f64>,
     /// Windings, may be fractional
     #[arg(long, value_name = "N", requires_all = ["wire", "radius"])]
@@ -49,10 +49,10 @@ pub struct Arguments {
     #[arg(long, value_name = "K", value_parser = stiffness, requires = "length_at_zero_force")]
     stiffness: Option<f64>,
     /// Standard uncertainty of the stiffness, as in "0.2 %"
-    #[arg(long, value_name = "SHARE", value_parser = share, requires = "stiffness", default_value = "0 %")]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true, requires = "stiffness", default_value = "0 %")]
     stiffness_uncertainty: f64,
     /// Length of the coil at which its force is zero
-    #[arg(long, value_name = "LENGTH", value_parser = length, requires = "stiffness")]
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true, requires = "stiffness")]
     length_at_zero_force: Option<f64>,
     /// Print JSON
     #[arg(long)]

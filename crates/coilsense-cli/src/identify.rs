@@ -27,34 +27,34 @@ pub struct Arguments {
     #[arg(long, value_name = "SPEC", conflicts_with_all = ["mass", "windings", "radius", "wire"])]
     spec: Option<PathBuf>,
     /// Mass of the active coil: with the stiffness it foretells f1
-    #[arg(long, value_name = "MASS", value_parser = mass)]
+    #[arg(long, value_name = "MASS", value_parser = mass, allow_hyphen_values = true)]
     mass: Option<f64>,
     /// Active windings, may be fractional: the steps between modes are then those of a chain of so many
     #[arg(long, value_name = "N")]
     windings: Option<f64>,
     /// Radius of the coil to the wire's centre, for --spec-out
-    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
     radius: Option<f64>,
     /// Diameter of the wire, for --spec-out
-    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
     wire: Option<f64>,
     /// What end 2 is tied to; without it the record decides, by whether u2 moves with the ringing
     #[arg(long, value_name = "WHAT")]
     end2: Option<End2>,
     /// Mass at end 2; without it F_o over the acceleration of u2
-    #[arg(long, value_name = "MASS", value_parser = mass)]
+    #[arg(long, value_name = "MASS", value_parser = mass, allow_hyphen_values = true)]
     end_mass: Option<f64>,
     /// How far a foretold f1 may be off
-    #[arg(long, value_name = "SHARE", value_parser = open_share, default_value = "5 %")]
+    #[arg(long, value_name = "SHARE", value_parser = open_share, allow_hyphen_values = true, default_value = "5 %")]
     prediction_tolerance: f64,
     /// Dynamic error up to which a force counts as trusted
-    #[arg(long, value_name = "SHARE", value_parser = open_share, default_value = "1 %")]
+    #[arg(long, value_name = "SHARE", value_parser = open_share, allow_hyphen_values = true, default_value = "1 %")]
     tolerance: f64,
     /// Limit of error of the force sensors, of reading, which the intervals then hold
-    #[arg(long, value_name = "SHARE", value_parser = share, default_value = "0 %")]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true, default_value = "0 %")]
     accuracy_force: f64,
     /// Limit of error of the position sensors, of reading
-    #[arg(long, value_name = "SHARE", value_parser = share, default_value = "0 %")]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true, default_value = "0 %")]
     accuracy_position: f64,
     /// Write what was identified as a spec that `coilsense analyze` reads; needs --spec, or --windings, --radius and --wire
     #[arg(long, value_name = "FILE")]

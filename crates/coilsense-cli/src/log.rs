@@ -25,7 +25,7 @@ pub struct LogArguments {
     #[arg(long, value_name = "NAME", help_heading = LAYOUT)]
     preset: Option<String>,
     /// How often a log without a time column was sampled, such as "2.5 kHz"
-    #[arg(long, value_name = "RATE", value_parser = frequency, help_heading = LAYOUT)]
+    #[arg(long, value_name = "RATE", value_parser = frequency, allow_hyphen_values = true, help_heading = LAYOUT)]
     sample_rate: Option<f64>,
     #[command(flatten)]
     repairs: RepairArguments,

@@ -27,22 +27,22 @@ pub struct Arguments {
     #[arg(long, value_name = "LOG", conflicts_with_all = ["stated", "rate", "seeds"])]
     log: Option<PathBuf>,
     /// How often the controller samples
-    #[arg(long, value_name = "FREQUENCY", default_value = "2.5 kHz", value_parser = frequency)]
+    #[arg(long, value_name = "FREQUENCY", default_value = "2.5 kHz", value_parser = frequency, allow_hyphen_values = true)]
     rate: f64,
     /// White noise of the force at end 1, rms per sample; without it, 0.2 % of the nominal force
-    #[arg(long, value_name = "FORCE", value_parser = force)]
+    #[arg(long, value_name = "FORCE", value_parser = force, allow_hyphen_values = true)]
     noise: Option<f64>,
     /// Up to which frequency the force moves by itself; without it, the goal's bandwidth, or f1/20
-    #[arg(long, value_name = "FREQUENCY", value_parser = frequency)]
+    #[arg(long, value_name = "FREQUENCY", value_parser = frequency, allow_hyphen_values = true)]
     bandwidth: Option<f64>,
     /// By how much the stiffness may be off, either way
-    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share)]
+    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share, allow_hyphen_values = true)]
     stiffness_tolerance: f64,
     /// By how much the mass may be off, either way
-    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share)]
+    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share, allow_hyphen_values = true)]
     mass_tolerance: f64,
     /// Most lag at the bandwidth that what is advised may have
-    #[arg(long, value_name = "ANGLE", default_value = "30 deg", value_parser = angle)]
+    #[arg(long, value_name = "ANGLE", default_value = "30 deg", value_parser = angle, allow_hyphen_values = true)]
     most_lag: f64,
     /// Series of noise, 1 to 1000
     #[arg(long, value_name = "COUNT", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1000))]

@@ -21,10 +21,10 @@ pub struct RepairArguments {
     #[arg(long, help_heading = REPAIRS)]
     merge_repeated: bool,
     /// Fill gaps and missing values up to this length along straight lines, such as "10 ms"
-    #[arg(long, value_name = "TIME", value_parser = positive_time, help_heading = REPAIRS)]
+    #[arg(long, value_name = "TIME", value_parser = positive_time, allow_hyphen_values = true, help_heading = REPAIRS)]
     fill_gaps: Option<f64>,
     /// Bring all channels to this rate along straight lines, such as "2.5 kHz"
-    #[arg(long, value_name = "RATE", value_parser = frequency, help_heading = REPAIRS)]
+    #[arg(long, value_name = "RATE", value_parser = frequency, allow_hyphen_values = true, help_heading = REPAIRS)]
     resample: Option<f64>,
 }
 

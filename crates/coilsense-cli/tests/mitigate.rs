@@ -79,6 +79,7 @@ fn bad_input_is_one_line_and_leaves_nothing_behind() {
         (["--bandwidth", "0 Hz"], "bandwidth must be above zero and below the first surge frequency, got 0 Hz"),
         (["--mass-tolerance", "100 %"], "mass tolerance must be from 0 to below 1, got 1"),
         (["--noise", "0.2"], "must be a force with its unit"),
+        (["--noise", "-0.2 N"], "noise of the force must be above zero and finite, got -0.2 N"),
     ] {
         let done = mitigate(folder.path(), &[&arguments[..], &["--out", "out"]].concat());
         let text = String::from_utf8(done.stderr).unwrap();

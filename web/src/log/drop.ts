@@ -2,7 +2,7 @@
 //
 // Next door: what becomes of it (`tabs/log`).
 
-import { make } from '../dom';
+import { make, rich } from '../dom';
 
 const ACCEPTED = '.csv,.tsv,.txt,.dat,.log,.toml,text/*';
 
@@ -20,7 +20,7 @@ export function dropPlace(
     { class: 'drop' },
     make('label', { for: id }, make('b', {}, bold), rest),
     choose,
-    make('p', { class: 'hint' }, hint),
+    make('p', { class: 'hint' }, rich(hint)),
   );
   choose.addEventListener('change', () => {
     taken([...(choose.files ?? [])]);

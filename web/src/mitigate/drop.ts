@@ -1,10 +1,11 @@
 // A log to judge on: dropped or chosen, and which of its columns are force and positions. It stays in this browser.
 //
-// Next door: what else is asked (`form`), the tab for logs alone (`tabs/log`).
+// Next door: what else is asked (`form`), the place itself (`log/drop`), the tab for logs alone (`tabs/log`).
 
 import type { Answer, Job } from '../answer';
 import { make, rich } from '../dom';
 import type { Column } from '../log/columns';
+import { dropPlace } from '../log/drop';
 
 const NEEDED = [
   ['time', 'time'],
@@ -32,27 +33,15 @@ export class Drop {
     private readonly ask: (job: Job, done: (answer: Answer<unknown>) => void) => void,
     private readonly changed: () => void,
   ) {
-    const choose = make('input', { type: 'file', id: 'mitigate-file', accept: '.csv,.tsv,.txt,.dat,.log,text/*' });
-    choose.addEventListener('change', () => void this.take(choose.files?.[0]));
-    const place = make(
-      'div',
-      { class: 'drop' },
-      make('label', { for: choose.id }, make('b', {}, 'Drop a log here'), ', or choose one'),
-      choose,
-      make('p', { class: 'hint' }, rich('A text with columns F_i, u1, u2, and F_o to judge estimators.')),
+    const place = dropPlace(
+      'mitigate-file',
+      ['Drop a log here', ', or choose one'],
+      'A text with columns F_i, u1, u2, and F_o to judge estimators.',
+      ([file]) => void this.take(file),
+      this.element,
     );
     this.element.append(place, this.written, this.table);
     this.element.addEventListener('change', changed);
-    const over = (event: DragEvent, on: boolean) => {
-      event.preventDefault();
-      place.classList.toggle('over', on);
-    };
-    this.element.addEventListener('dragover', (event) => over(event, true));
-    this.element.addEventListener('dragleave', (event) => over(event, false));
-    this.element.addEventListener('drop', (event) => {
-      over(event, false);
-      void this.take(event.dataTransfer?.files[0]);
-    });
   }
 
   /** Columns that are not found by their names, as the engine takes them. */

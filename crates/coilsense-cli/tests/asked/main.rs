@@ -14,29 +14,7 @@ use parquet::file::reader::SerializedFileReader;
 use parquet::record::Field;
 
 /// A coil of few windings, watched for a few samples: thousands of rows a second, also in a test build.
-const SPEC: &str = r#"
-# As the drawing has it.
-[spring]
-name = "short"
-rest_length = "30 mm"
-windings = 4
-coil_radius = "8 mm"
-wire_radius = "1 mm"
-mass = "10 g"
-stiffness = "760 N/m"
-min_length = "35 mm"
-max_length = "60 mm"
-
-[mount]
-damping_ratio = 0
-
-[[condition]]
-name = "strike"
-kind = "impact"
-velocity = "0.25 m/s"
-duration = "10 ms"
-window = ["8 ms", "10 ms"]
-"#;
+const SPEC: &str = include_str!("../short-coil.toml");
 
 /// A folder with the spec, and the command in it.
 struct Place {

@@ -79,6 +79,8 @@ fn options_that_make_no_sense_are_refused() {
     for (option, value, words) in [
         ("--fill-gaps", "10", "must be a time with its unit"),
         ("--fill-gaps", "0 s", "must be above zero"),
+        ("--fill-gaps", "-1 ms", "must be above zero"),
+        ("--resample", "-1 Hz", "must be from 1e-9 to 1e9 Hz"),
         ("--resample", "2.5", "must be a frequency with its unit"),
         ("--preset", "rig", "no preset of that name; there are: lab-data"),
         ("--column", "LC", "must be NAME="),

@@ -1,4 +1,4 @@
-// What tests of jobs share: the command's words, files that the page saves, a log that is dropped, how far two answers are apart.
+// What tests of the tabs Log and Mitigate share: the command's words, files that the page saves, a log that is dropped, how far two answers are apart.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,27 +14,24 @@ export function folderOf(name: string): { folder: string; told: (...args: string
   mkdirSync(folder, { recursive: true });
   const program = process.env['COILSENSE_COMMAND'] ?? '';
   const told = (...args: string[]) =>
-    execFileSync(program, args, {
-      encoding: 'utf8',
-      cwd: folder,
-      maxBuffer: 1 << 28,
-      stdio: ['ignore', 'pipe', 'inherit'],
-    });
+    execFileSync(program, args, { encoding: 'utf8', cwd: folder, maxBuffer: 1 << 28 });
   return { folder, told };
 }
 
-/** The largest relative difference of two JSON values of one shape; texts must be the same. */
+/** The largest relative difference of two JSON values of one shape; all but numbers must be the same. */
 export function apart(here: unknown, there: unknown, place = ''): number {
   if (typeof here === 'number' && typeof there === 'number')
     return here === there ? 0 : Math.abs(here - there) / Math.max(Math.abs(there), 1e-9);
   if (here !== null && there !== null && typeof here === 'object' && typeof there === 'object') {
-    expect(Object.keys(here), place).toEqual(Object.keys(there));
-    const each = Object.entries(here).map(([key, value]) =>
-      apart(value, (there as Record<string, unknown>)[key], `${place}/${key}`),
+    const names = Object.keys(here);
+    // Tens of thousands of them: only what differs is handed to `expect`.
+    if (names.join() !== Object.keys(there).join()) expect(names, place).toEqual(Object.keys(there));
+    const each = names.map((name) =>
+      apart((here as Record<string, unknown>)[name], (there as Record<string, unknown>)[name], `${place}/${name}`),
     );
-    return Math.max(0, ...each);
+    return each.reduce((most, one) => Math.max(most, one), 0);
   }
-  expect(here, place).toEqual(there);
+  if (here !== there) expect(here, place).toEqual(there);
   return 0;
 }
 
@@ -47,15 +44,12 @@ export async function saved(page: Page, button: string): Promise<string> {
   return readFileSync((await download.path()) ?? '', 'utf8');
 }
 
-/** Drops a file where the tab takes one. */
-export async function drop(page: Page, panel: string, name: string, content: string): Promise<void> {
-  const data = await page.evaluateHandle(
-    ([name, content]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([content ?? ''], name ?? ''));
-      return data;
-    },
-    [name, content],
-  );
-  await page.dispatchEvent(`${panel} .drop`, 'drop', { dataTransfer: data });
+/** Drops texts by name. */
+export async function drop(page: Page, files: Record<string, string>, where = '.drop >> nth=0'): Promise<void> {
+  const data = await page.evaluateHandle((files) => {
+    const data = new DataTransfer();
+    for (const [name, content] of Object.entries(files)) data.items.add(new File([content], name));
+    return data;
+  }, files);
+  await page.dispatchEvent(where, 'drop', { dataTransfer: data });
 }
