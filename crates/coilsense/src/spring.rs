@@ -57,6 +57,7 @@ pub struct SpringParameters {
 pub struct Spring {
     parameters: SpringParameters,
     nominal_force: f64,
+    masses_per_winding: usize,
 }
 
 impl Spring {
@@ -111,7 +112,7 @@ impl Spring {
                 p.stiffness * longest.max((p.min_length - p.rest_length).abs())
             }
         };
-        Ok(Self { parameters, nominal_force })
+        Ok(Self { parameters, nominal_force, masses_per_winding: 1 })
     }
 
     /// The parameters it was made from.
@@ -159,9 +160,58 @@ impl Spring {
         self.parameters.inductance_windings.unwrap_or(self.parameters.windings)
     }
 
-    /// Masses of the chain that stands for the spring: the active windings rounded, at least 1.
-    pub fn chain_masses(&self) -> usize {
+    /// Windings of the model: the active ones rounded, at least 1.
+    pub fn whole_windings(&self) -> usize {
         (self.parameters.windings.round() as usize).max(1)
+    }
+
+    /// The same spring as a chain of `masses` masses for each winding; the paper's chain, and every spring as it is made, has one.
+    ///
+    /// More masses bring the chain nearer to a continuous bar, whose surge frequencies are multiples of f1. Neither end of that road is the
+    /// coil: see [`Self::first_frequency_band`].
+    ///
+    /// # Errors
+    /// [`Error::Value`] for no masses, or more than 1024 for a winding.
+    pub fn with_masses_per_winding(self, masses: usize) -> Result<Self, Error> {
+        let allowed = format!("from 1 to {MAX_MASSES_PER_WINDING}");
+        check((1..=MAX_MASSES_PER_WINDING).contains(&masses), "masses per winding", masses as f64, "", allowed)?;
+        Ok(Self { masses_per_winding: masses, ..self })
+    }
+
+    /// How many masses of the chain stand for one winding; 1 where nobody asked for more.
+    pub fn masses_per_winding(&self) -> usize {
+        self.masses_per_winding
+    }
+
+    /// Masses of the chain that stands for the spring: [`Self::whole_windings`] times [`Self::masses_per_winding`].
+    pub fn chain_masses(&self) -> usize {
+        self.whole_windings() * self.masses_per_winding
+    }
+
+    /// First surge frequency of the chain with both ends held \[Hz\].
+    ///
+    /// f = M/(πτ) sin(π/2M), M the chain's masses; [`Self::surge_frequency`] is its limit for many
+    ///
+    /// Source:   `[Weijde2017]` eqs. 5–6, as [`crate::modes::ChainModes`].
+    /// Valid:    no damping, windings that never touch.
+    /// Accuracy: 4e-16 relative.
+    pub fn chain_frequency(&self) -> f64 {
+        chain_frequency(self.chain_masses(), self.transit_time())
+    }
+
+    /// The band in which the first surge frequency of the real coil lies, both ends held \[Hz\].
+    ///
+    /// From that of a chain of one mass per winding to that of the continuous bar, and beyond both by max(0.2 %, 25 %/N)
+    ///
+    /// Source:   helical rods with prestress, two formulations: valve spring of 5.75 windings 388.7 Hz held, 391.4 Hz free to turn, where the
+    ///           chain has 399.0 and the bar 403.6 Hz; car spring of 6.5 windings 50.7 Hz (52.3, 52.7); S_T −0.11 to +0.16 %.
+    /// Valid:    round wire, N from some 5 windings on; for fewer the width is a guess.
+    /// Accuracy: holds all the springs above.
+    pub fn first_frequency_band(&self) -> (f64, f64) {
+        let windings = self.whole_windings();
+        let beyond = (0.25 / windings as f64).max(0.002);
+        let (chain, bar) = (chain_frequency(windings, self.transit_time()), self.surge_frequency());
+        (chain * (1.0 - beyond), bar * (1.0 + beyond))
     }
 
     /// Shortest and longest length in use \[m\].
@@ -263,6 +313,15 @@ impl Spring {
         self.parameters.stiffness * (length - self.parameters.rest_length)
     }
 }
+
+/// First frequency of a chain of so many masses with both ends held \[Hz\].
+fn chain_frequency(masses: usize, transit_time: f64) -> f64 {
+    let masses = masses as f64;
+    masses / (std::f64::consts::PI * transit_time) * (0.5 * std::f64::consts::PI / masses).sin()
+}
+
+/// Most masses for a winding: far beyond what any figure still moves by.
+const MAX_MASSES_PER_WINDING: usize = 1024;
 
 /// Most windings that are taken: far above any coil; end forces of so many still take well under a second per simulated second.
 const MAX_WINDINGS: f64 = 1e5;

@@ -23,7 +23,7 @@ pub struct Clash {
 impl Clash {
     /// Of a motion, watched at `times` \[s\] (increasing, shape `samples`); the first contact is then refined between samples.
     ///
-    /// p_i = x_{i+1} − x_i, contact at p_i = 2ρ
+    /// p_i = x_{i+1} − x_i, contact at p_i = 2ρ; with n masses per winding p_i = x_{i+n} − x_i: a point and that one turn further
     ///
     /// Source:   geometry; the paper has no check.
     /// Valid:    neighbouring windings of the model; end turns and seats are not in it.
@@ -49,10 +49,11 @@ impl Clash {
         crate::error::at_least_one("times", times.len())?;
         crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
         crate::error::above_zero("contact pitch", contact_pitch, "m")?;
+        let apart = motion.spring().masses_per_winding();
         let mut clash =
             Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact: None };
         for (sample, &time) in times.iter().enumerate() {
-            let (pitch, winding) = smallest_pitch(windings.row(sample));
+            let (pitch, winding) = smallest_pitch(windings.row(sample), apart);
             if pitch < clash.smallest_pitch {
                 (clash.smallest_pitch, clash.winding, clash.time) = (pitch, winding, time);
             }
@@ -98,7 +99,7 @@ fn contact_between(motion: &Motion, contact_pitch: f64, clear: f64, touching: f6
             break;
         }
         let windings: Windings = motion.windings(&[middle])?;
-        if smallest_pitch(windings.row(0)).0 < contact_pitch {
+        if smallest_pitch(windings.row(0), motion.spring().masses_per_winding()).0 < contact_pitch {
             touching = middle;
         } else {
             clear = middle;
@@ -107,10 +108,11 @@ fn contact_between(motion: &Motion, contact_pitch: f64, clear: f64, touching: f6
     Ok(touching)
 }
 
-/// The smallest distance between neighbours, and the number of the first of them.
-fn smallest_pitch(row: &[f64]) -> (f64, usize) {
-    row.windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .zip(1..)
-        .fold((f64::INFINITY, 1), |least, pitch| if pitch.0 < least.0 { pitch } else { least })
+/// The smallest distance between masses one turn apart, `apart` of them, and the number of the winding of the first.
+fn smallest_pitch(row: &[f64], apart: usize) -> (f64, usize) {
+    row.iter()
+        .zip(&row[apart.min(row.len())..])
+        .map(|(first, next)| next - first)
+        .zip(0..)
+        .fold((f64::INFINITY, 1), |least, (pitch, mass)| if pitch < least.0 { (pitch, mass / apart + 1) } else { least })
 }

@@ -63,6 +63,6 @@ impl ToleranceBox {
         parameters.stiffness *= 1.0 + stiffness;
         parameters.mass *= 1.0 + mass;
         parameters.nominal_force = Some(spring.nominal_force());
-        Spring::new(parameters)
+        Spring::new(parameters)?.with_masses_per_winding(spring.masses_per_winding())
     }
 }

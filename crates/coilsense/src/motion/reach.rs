@@ -16,7 +16,8 @@ impl Motion {
     /// A distance \[m\] below which no two neighbouring windings come, centre to centre, for 0 ≤ t ≤ `until`; minus infinity where none
     /// can be stated, infinity for a single winding.
     ///
-    /// p ≥ min(û2 − u1)/N − Σ_j Q_j ω_jτ/N; Q_j bounds |q_j| over the time, and |φ_j(i+1) − φ_j(i)| ≤ 2 sin(θ_j/2) = ω_jτ/N
+    /// p ≥ min(û2 − u1)/N − Σ_j Q_j min(ω_jτ/N, 2); Q_j bounds |q_j| over the time, and over one turn, n masses,
+    /// |φ_j(i+n) − φ_j(i)| ≤ 2n sin(θ_j/2) = ω_jτ/N, and never more than 2
     ///
     /// Q_j sums what start, jumps and sines give: √(q² + (q̇/ω)²) of the start; |c| (|Δu| + |Δu̇|/ω) of a jump; of a sine from rest
     /// `|c a| Ω²/2ω_d Σ min(T, 2/|λ − iΩ|)` over λ = −ζω ± iω_d, T the time that it acts, and √2 as much once it has ended.
@@ -37,10 +38,11 @@ impl Motion {
     /// # Ok::<(), coilsense::Error>(())
     /// ```
     pub fn least_pitch(&self, until: f64) -> f64 {
-        let masses = self.modes.masses();
-        if masses < 2 {
+        let turns = self.spring.whole_windings();
+        if turns < 2 {
             return f64::INFINITY;
         }
+        let per_turn = 1.0 / turns as f64;
         let pushes = self.inputs().map(|input| Push::of(input, until));
         let mut swings = 0.0;
         for (mode, (&natural, &ratio)) in self.modes.frequencies().iter().zip(&self.ratios).enumerate() {
@@ -49,10 +51,9 @@ impl Motion {
             for (push, participations) in pushes.iter().zip(self.modes.participations()) {
                 swing += participations[mode].abs() * push.swing(&oscillator, until);
             }
-            swings += swing * natural;
+            swings += swing * (natural * self.spring.transit_time() * per_turn).min(2.0);
         }
-        let per_mass = 1.0 / masses as f64;
-        let apart = self.shortest_line() * per_mass - swings * self.spring.transit_time() * per_mass * (1.0 + ROUNDING);
+        let apart = self.shortest_line() * per_turn - swings * (1.0 + ROUNDING);
         let least = apart - ROUNDING * self.excitation.mean_length();
         if least.is_nan() { f64::NEG_INFINITY } else { least }
     }
