@@ -18,7 +18,8 @@ impl Motion {
     ///
     /// p ≥ min(û2 − u1)/N − Σ_j Q_j ω_jτ/N; Q_j bounds |q_j| over the time, and |φ_j(i+1) − φ_j(i)| ≤ 2 sin(θ_j/2) = ω_jτ/N
     ///
-    /// Q_j sums what start, jumps and sines give: √(q² + (q̇/ω)²) of the start; |c| (|Δu| + |Δu̇|/ω) of a jump; of a sine from rest
+    /// Q_j sums what start, jumps and sines give: √(q² + (q̇/ω)²) of the start; |c| (|Δu| + |Δu̇|/ω) of a jump (of a step `q = −c Δu ġ`,
+    /// g the answer to a unit impulse, |ġ| ≤ 1 whatever the damping); of a sine from rest
     /// `|c a| Ω²/2ω_d Σ min(T, 2/|λ − iΩ|)` over λ = −ζω ± iω_d, T the time that it acts, and √2 as much once it has ended.
     ///
     /// - `until`: \[s\], not below zero
@@ -85,7 +86,7 @@ impl Push {
         Self { jumps, sines: input.sines().collect() }
     }
 
-    /// The largest √(q² + (q̇/ω)²) of a mode at rest with a participation of one.
+    /// The largest |q| of a mode at rest with a participation of one.
     fn swing(&self, oscillator: &Oscillator, until: f64) -> f64 {
         let sines: f64 = self.sines.iter().map(|sine| under_sine(sine, oscillator, until)).sum();
         self.jumps[0] + self.jumps[1] / oscillator.natural + sines
