@@ -6,7 +6,8 @@ use crate::error::{Error, check, count, not_negative};
 
 /// Damping of the windings.
 ///
-/// It acts on winding velocities *relative to the straight line between the ends*, so a spring that is carried along feels none.
+/// It acts on winding velocities *relative to the straight line between the ends*, so a spring that is carried along feels none, and an end
+/// that jumps by h gives each mode an impulse, 2ζ_jω_j c_j h of q̇_j ([`crate::Motion`]).
 /// Over time, where end 2 carries a mass or is under a force, the line ends where a spring without mass would end: each mode of the
 /// mounted spring has its ζ_j, the swing of the end mass included. Over frequency a [`crate::two_port::TwoPort`] knows no mount: its line
 /// runs to end 2 wherever that is, so under a load only what the coil does between its ends is damped.

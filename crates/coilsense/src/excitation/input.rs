@@ -39,7 +39,8 @@ pub enum EndInput {
         /// Phase at t = 0 \[rad\].
         phase: f64,
     },
-    /// A jump.
+    /// A jump: what a ramp becomes as it gets shorter, the impulse that it gives through damping included. One at t = 0 comes right after
+    /// the start; a massless start has followed it.
     Step {
         /// How far \[m or N\].
         height: f64,
@@ -206,6 +207,14 @@ impl EndInput {
             Self::Held | Self::Harmonics(_) => 0,
             Self::Sampled(sampled) => sampled.count(),
             _ => 2,
+        }
+    }
+
+    /// How far it jumps at t = 0: a step there is seen by the start ([`Self::displacement`]), but for what it does to damping.
+    pub(crate) fn step_at_start(&self) -> f64 {
+        match self {
+            Self::Step { height, at } if *at <= 0.0 => *height,
+            _ => 0.0,
         }
     }
 

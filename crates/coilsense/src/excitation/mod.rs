@@ -22,12 +22,12 @@ pub enum End {
     Two,
 }
 
-/// Where the windings are, and how fast, at t = 0.
+/// Where the windings are, and how fast, at t = 0; a step there comes right after, but for a massless start.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Start {
     /// Uniform for the mean length, velocity zero, wherever the ends are.
     Rest,
-    /// As a spring without mass: uniform between the ends' positions, velocities linear between the ends' velocities.
+    /// As a spring without mass: uniform between the ends' positions, velocities linear between the ends' velocities; after a step at t = 0.
     Massless,
     /// As the sines of both ends have left it after a long time: the motion repeats from the first period on. Ends held or driven by sines
     /// only; without damping, the answer that a vanishing damping would leave.

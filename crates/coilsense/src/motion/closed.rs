@@ -110,7 +110,8 @@ impl Closed {
         self.push(0.0, &state);
     }
 
-    /// A new segment after a jump of an input: winding positions and velocities stay, the straight line jumps under them.
+    /// A new segment after a jump of an input: winding positions stay, the straight line jumps under them, and damping, which acts on
+    /// velocities relative to it, gives each mode an impulse ([`Oscillator::impulse`]).
     fn jump(&mut self, participation: &[f64], kick: Kick) {
         let mut state = ModalState::zero(self.oscillators.len());
         self.free_state(kick.time, &mut state);
@@ -120,9 +121,9 @@ impl Closed {
                 drive.add_to(kick.time, &mut state);
             }
         }
-        for (mode, participation) in participation.iter().enumerate() {
+        for (mode, (participation, oscillator)) in participation.iter().zip(&self.oscillators).enumerate() {
             state.coordinates[mode] -= participation * kick.displacement;
-            state.rates[mode] -= participation * kick.velocity;
+            state.rates[mode] -= participation * (kick.velocity - oscillator.impulse() * kick.displacement);
         }
         self.take_off_steady(&mut state, kick.time);
         self.push(kick.time, &state);

@@ -85,15 +85,24 @@ impl March {
             self.kicks.pop();
             self.move_by(kick.time - self.time);
             self.time = kick.time;
-            self.kick(end, kick.displacement, kick.velocity);
+            self.jump(end, kick.displacement);
+            self.kick(end, kick.velocity);
         }
         self.move_by(time - self.time);
         self.time = time;
     }
 
-    /// A jump of an input now.
-    pub(super) fn kick(&mut self, end: usize, displacement: f64, velocity: f64) {
-        self.stride.kick(end, displacement, velocity);
+    /// A jump of an input's rate now.
+    pub(super) fn kick(&mut self, end: usize, velocity: f64) {
+        self.stride.kick(end, velocity);
+    }
+
+    /// A jump of an input now: the windings stay, the straight line jumps under them, and damping gives each mode its impulse.
+    fn jump(&mut self, end: usize, displacement: f64) {
+        if displacement != 0.0 {
+            let impulses: Vec<f64> = self.oscillators.iter().map(|mode| -mode.impulse()).collect();
+            self.stride.push(end, displacement, &vec![1.0; impulses.len()], &impulses);
+        }
     }
 
     /// Moves by a step in which no input jumps.

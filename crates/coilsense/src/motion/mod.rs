@@ -51,6 +51,7 @@ const LARGEST_RATIO: f64 = 1e3;
 ///
 /// Winding i sits at `x_i = u1 + s_i (û2 − u1) + Σ_j q_j φ_j(i)`, `s_i = (i−½)/N`, where û2 is u2 if its position is prescribed and
 /// otherwise where a spring without mass would end; `q̈_j + 2ζ_jω_j q̇_j + ω_j² q_j = −(c1_j ẅ1 + c2_j ẅ2)` (see [`ChainModes`]).
+/// Where an input jumps by h, q_j jumps by −c_j h and, as damping acts on it, q̇_j by 2ζ_jω_j c_j h: a step is the limit of short ramps.
 /// Sums of sines, steps, ramps, half sines and short recordings have a closed solution. A chirp and a long recording are followed from
 /// time to time, exactly: a recording by its kicks under first-order hold, a chirp by Gauss's rule to 1e-16 a step.
 ///

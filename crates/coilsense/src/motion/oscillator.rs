@@ -46,6 +46,14 @@ impl Oscillator {
         (self.ratio - 1.0).abs() < 1e-6
     }
 
+    /// What a jump of an input by one adds to q̇, at a participation of one: 2ζω. To q it adds −1.
+    ///
+    /// The windings stay while the straight line jumps under them, but damping acts on q̇, which is then a pulse of area −c: with p = q̇ + cẇ
+    /// the mode's equation is ṗ = −2ζω q̇ − ω² q, and its integral over the jump 2ζω c. Over a jump of ẇ that area is zero.
+    pub(super) fn impulse(&self) -> f64 {
+        2.0 * self.ratio * self.natural
+    }
+
     /// What a time `step` adds to `[q, q̇]`, row by row: the step's matrix less the unit matrix.
     ///
     /// S = e^(−ζωh) sin(ω_d h)/ω_d, C = e^(−ζωh) cos(ω_d h); `[C − 1 + ζωS, S, −ω²S, C − 1 − ζωS]`, hyperbolic for ζ > 1.

@@ -19,7 +19,8 @@ impl Motion {
     /// p ≥ min(û2 − u1)/N − Σ_j Q_j min(ω_jτ/N, 2); Q_j bounds |q_j| over the time, and over one turn, n masses,
     /// |φ_j(i+n) − φ_j(i)| ≤ 2n sin(θ_j/2) = ω_jτ/N, and never more than 2
     ///
-    /// Q_j sums what start, jumps and sines give: √(q² + (q̇/ω)²) of the start; |c| (|Δu| + |Δu̇|/ω) of a jump; of a sine from rest
+    /// Q_j sums what start, jumps and sines give: √(q² + (q̇/ω)²) of the start; |c| (|Δu| + |Δu̇|/ω) of a jump (of a step `q = −c Δu ġ`,
+    /// g the answer to a unit impulse, |ġ| ≤ 1 whatever the damping); of a sine from rest
     /// `|c a| Ω²/2ω_d Σ min(T, 2/|λ − iΩ|)` over λ = −ζω ± iω_d, T the time that it acts, and √2 as much once it has ended.
     ///
     /// - `until`: \[s\], not below zero
@@ -86,7 +87,7 @@ impl Push {
         Self { jumps, sines: input.sines().collect() }
     }
 
-    /// The largest √(q² + (q̇/ω)²) of a mode at rest with a participation of one.
+    /// The largest |q| of a mode at rest with a participation of one.
     fn swing(&self, oscillator: &Oscillator, until: f64) -> f64 {
         let sines: f64 = self.sines.iter().map(|sine| under_sine(sine, oscillator, until)).sum();
         self.jumps[0] + self.jumps[1] / oscillator.natural + sines

@@ -8,6 +8,7 @@ use num_complex::Complex64;
 
 use super::Motion;
 use super::closed::ModalState;
+use super::oscillator::Oscillator;
 use crate::error::{Error, check, count};
 use crate::excitation::{Start, VelocityProfile};
 
@@ -23,8 +24,9 @@ impl Motion {
             coordinates: self.modes.project_line(displacement),
             rates: self.modes.project_line(velocity),
         };
-        Ok(match self.excitation.start() {
-            Start::Massless => lines([0.0; 2], [0.0; 2]),
+        let mut state = match self.excitation.start() {
+            // It has followed a step at t = 0 already.
+            Start::Massless => return Ok(lines([0.0; 2], [0.0; 2])),
             Start::Rest => lines([-u[0], -u[1]], [-v[0], -v[1]]),
             Start::Steady => self.steady_start()?,
             Start::Moving { velocity, profile } => {
@@ -41,7 +43,23 @@ impl Motion {
                     rates: self.modes.project(&less_line(velocities, v), -v[1]),
                 }
             }
-        })
+        };
+        self.add_impulses(&mut state.rates);
+        Ok(state)
+    }
+
+    /// Adds what damping makes of a step at t = 0 ([`Oscillator::impulse`]): the windings start as they do, then the line jumps.
+    fn add_impulses(&self, rates: &mut [f64]) {
+        for (input, participations) in self.inputs().into_iter().zip(self.modes.participations()) {
+            let height = input.step_at_start();
+            if height == 0.0 {
+                continue;
+            }
+            let modes = self.modes.frequencies().iter().zip(&self.ratios).zip(participations);
+            for (rate, ((&natural, &ratio), participation)) in rates.iter_mut().zip(modes) {
+                *rate += participation * height * Oscillator { natural, ratio }.impulse();
+            }
+        }
     }
 
     /// Where forced motion has led when all free motion has died.

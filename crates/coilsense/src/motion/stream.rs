@@ -115,7 +115,7 @@ impl Live {
         finite("input 2", next[1], if self.motion.mount().far_end() == FarEnd::Position { "m" } else { "N" })?;
         for (end, next) in next.into_iter().enumerate() {
             let slope = (next - self.inputs[end]) / self.step;
-            self.march.kick(end, 0.0, slope - self.slopes[end]);
+            self.march.kick(end, slope - self.slopes[end]);
             (self.inputs[end], self.slopes[end]) = (next, slope);
         }
         self.march.move_by(self.step);

@@ -22,7 +22,7 @@ pub(super) struct Stride {
     participations: [AVec<f64>; 2],
     /// a_j and b_j.
     weights: [AVec<f64>; 2],
-    /// Σ_j a_j c1_j, Σ_j a_j c2_j; Σ_j b_j c1_j, Σ_j b_j c2_j: what a jump of an input does to the sums.
+    /// Σ_j a_j c1_j, Σ_j a_j c2_j; Σ_j b_j c1_j, Σ_j b_j c2_j: what a jump of an input's rate does to the sums.
     pulls: [[f64; 2]; 2],
     /// Velocity kicks of both inputs that the next step begins with.
     pending: [f64; 2],
@@ -72,17 +72,12 @@ impl Stride {
         }
     }
 
-    /// A jump of an input: the windings stay, the straight line jumps under them.
-    pub(super) fn kick(&mut self, end: usize, displacement: f64, velocity: f64) {
-        for (sums, pulls) in [0, 1].into_iter().zip(self.pulls) {
-            self.sums.coordinates[sums] -= pulls[end] * displacement;
-            self.sums.rates[sums] -= pulls[end] * velocity;
+    /// A jump of an input's rate: the windings go on as they did, the straight line changes its pace under them.
+    pub(super) fn kick(&mut self, end: usize, velocity: f64) {
+        for (rate, pulls) in self.sums.rates.iter_mut().zip(self.pulls) {
+            *rate -= pulls[end] * velocity;
         }
         self.pending[end] += velocity;
-        if displacement != 0.0 {
-            let each = self.coordinates.iter_mut().zip(self.participations[end].iter());
-            each.for_each(|(coordinate, participation)| *coordinate -= participation * displacement);
-        }
     }
 
     /// Velocities with the kicks that no step has taken up yet.
@@ -92,7 +87,7 @@ impl Stride {
         each.map(|((rate, first), second)| rate - first * self.pending[0] - second * self.pending[1])
     }
 
-    /// What an input's acceleration leaves: `kick` times a unit kick's answer, per mode.
+    /// What an input's acceleration, or a jump of it, leaves: `kick` times what one takes off, per mode.
     pub(super) fn push(&mut self, end: usize, kick: f64, coordinates: &[f64], rates: &[f64]) {
         let each = self.participations[end].iter().zip(coordinates.iter().zip(rates));
         for (mode, (participation, (coordinate, rate))) in each.enumerate() {

@@ -6,7 +6,7 @@ use super::Motion;
 use super::closed::{Closed, ModalState};
 use super::oscillator::Oscillator;
 use crate::error::{Error, check};
-use crate::excitation::{EndInput, Sine};
+use crate::excitation::{EndInput, Kick, Sine};
 
 /// What is left of the modes that a truncated motion leaves out.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +64,8 @@ impl Motion {
 
     /// How far F_i and F_o of a truncated motion can be from those of all modes \[N\]; zero where none is left out.
     ///
-    /// Σ_{j>n} 2Nk |a_j| (1 + βω_j) √(q² + (q̇/ω_j)²): a mode's ringing never exceeds the sum of what start, jumps and sines give it
+    /// Σ_{j>n} 2Nk |a_j| (1 + βω_j) √(q² + (q̇/ω_j)²): a mode's ringing never exceeds the sum of what start, jumps and sines give it;
+    /// of a step |a_j c_j Δu| (1 + βω_j √(1 + 4ζ_j²)), as it leaves `q = −c_j Δu ġ`, g the answer to a unit impulse, ġ² + (ω_j g)² ≤ 1
     ///
     /// Source:   the energy of a mode without input does not grow.
     /// Valid:    any damping; for a chirp it grows with its duration, and at a resonance of a mode left out without damping it is infinite.
@@ -77,27 +78,31 @@ impl Motion {
     fn leave_out(&self, mode: usize, remainder: &mut Remainder) {
         let scale = self.force_scale();
         let natural = self.modes.frequencies()[mode];
-        let dashpot = 1.0 + self.mount.damping().dashpot_time() * natural;
+        let dashpot = self.mount.damping().dashpot_time() * natural;
         let oscillator = Oscillator { natural, ratio: self.ratios[mode] };
         let ModalState { coordinates, rates } = &self.start;
-        let mut ringing = coordinates[mode].hypot(rates[mode] / natural);
+        let mut ringing = (1.0 + dashpot) * coordinates[mode].hypot(rates[mode] / natural);
         for (end, input) in self.inputs().into_iter().enumerate() {
-            ringing += ringing_under(input, &oscillator, self.modes.participations()[end][mode]);
+            ringing += self.modes.participations()[end][mode].abs() * ringing_under(input, &oscillator, dashpot);
         }
         for (end, weights) in [self.modes.input_weights(), self.modes.output_weights()].into_iter().enumerate() {
             for (input, participations) in self.modes.participations().into_iter().enumerate() {
                 let follows = scale * weights[mode] * participations[mode] / (natural * natural);
                 remainder.per_acceleration[end][input] -= follows;
             }
-            remainder.bound[end] += scale * weights[mode].abs() * dashpot * ringing;
+            remainder.bound[end] += scale * weights[mode].abs() * ringing;
         }
     }
 }
 
-/// Bound on how far a mode rings beyond its static answer under an input \[m\].
-fn ringing_under(input: &EndInput, oscillator: &Oscillator, participation: f64) -> f64 {
+/// Bound on how far q + βq̇ of a mode goes beyond its static answer under an input \[m\], at a participation of one.
+///
+/// - `dashpot`: βω
+fn ringing_under(input: &EndInput, oscillator: &Oscillator, dashpot: f64) -> f64 {
     let natural = oscillator.natural;
-    let jumps: f64 = input.kicks().iter().map(|kick| kick.displacement.hypot(kick.velocity / natural)).sum();
+    let (both, after_step) = (1.0 + dashpot, 1.0 + dashpot * f64::hypot(1.0, 2.0 * oscillator.ratio));
+    let of_kick = |kick: &Kick| after_step * kick.displacement.abs() + both * kick.velocity.abs() / natural;
+    let jumps: f64 = input.kicks().iter().map(of_kick).sum();
     let of_sine = |sine: Sine| {
         let acceleration = sine.amplitude.abs() * sine.angular * sine.angular;
         let (gain, follows) = (oscillator.steady_gain(sine.angular), 1.0 / (natural * natural));
@@ -110,5 +115,5 @@ fn ringing_under(input: &EndInput, oscillator: &Oscillator, participation: f64) 
     let times = |sine: &Sine| if sine.until.is_finite() { 2.0 } else { 1.0 };
     let sines: f64 = input.sines().map(|sine| times(&sine) * of_sine(sine)).sum();
     let chirp = input.chirp_impulse() / natural;
-    participation.abs() * (jumps + sines + chirp)
+    jumps + both * (sines + chirp)
 }
