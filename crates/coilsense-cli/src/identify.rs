@@ -120,7 +120,7 @@ fn settings(arguments: &Arguments, spring: Option<&Spring>) -> Settings {
     let foretold = spring.and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
     let end_mass = arguments.end_mass.map(FarEnd::Mass);
     Settings {
-        windings: spring.map(|spring| spring.chain_masses() as f64).or(arguments.windings),
+        windings: spring.map(|spring| spring.whole_windings() as f64).or(arguments.windings),
         mass: arguments.mass,
         predicted: foretold.map(|angular| angular / std::f64::consts::TAU),
         prediction_tolerance: arguments.prediction_tolerance,

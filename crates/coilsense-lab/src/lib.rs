@@ -24,6 +24,8 @@ pub mod sweep;
 
 pub mod recording;
 
+pub mod study;
+
 pub mod analysis;
 
 pub mod data_sheet;

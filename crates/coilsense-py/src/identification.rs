@@ -350,7 +350,7 @@ fn identify(
     let foretold = known.as_ref().and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
     let end_mass = positive(end_mass.as_ref(), "end_mass", Dimension::Mass)?;
     let settings = Settings {
-        windings: known.as_ref().map(|spring| spring.chain_masses() as f64).or(windings),
+        windings: known.as_ref().map(|spring| spring.whole_windings() as f64).or(windings),
         mass: positive(mass.as_ref(), "mass", Dimension::Mass)?,
         predicted: foretold.map(|angular| angular / std::f64::consts::TAU),
         prediction_tolerance: open_share(prediction_tolerance, "prediction_tolerance")?,

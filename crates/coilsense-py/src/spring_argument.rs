@@ -49,7 +49,7 @@ impl SpringArgument<'_> {
 fn of_spec(spec: &SpringSpec) -> Known {
     Known {
         spring: spec.spring.clone(),
-        stiffness_tolerance: spec.stiffness_tolerance,
-        rest_length_tolerance: spec.rest_length_tolerance,
+        stiffness_tolerance: spec.stiffness_tolerance(),
+        rest_length_tolerance: spec.rest_length_tolerance(),
     }
 }

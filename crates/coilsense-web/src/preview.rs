@@ -5,8 +5,9 @@
 use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
 use coilsense::motion::Windings;
-use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor, Motion, Signals};
+use coilsense::{Channel, Clash, Deviation, Error, Motion};
 use coilsense_lab::spec::{ConditionSpec, Spec};
+use coilsense_lab::study::{self, Coil, Method, Setup, Simulation};
 use serde_json::{Map, Value, json};
 
 use crate::answer::Answer;
@@ -37,10 +38,13 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
         return Err(format!("times from {} s to {} s: must rise, within {} s", shown.0, shown.1, asked.duration));
     }
     let science = |error: Error| format!("{}: {error}", asked.name);
-    let motion = Motion::mounted(&spec.spring.spring, &mounted.mount, &asked.excitation).map_err(science)?;
     let times = evenly(times.0, times.1, samples);
-    let windings = motion.windings(&times).map_err(science)?;
-    let signals = with_inductance(spec, asked, motion.signals(&times).map_err(science)?, &windings).map_err(science)?;
+    let sum = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    let coil = Coil::of(&spec.spring.spring, &sum, asked.excitation.mean_length(), Method::Within(ANY)).ok();
+    let (spring, mount) = (&spec.spring.spring, &mounted.mount);
+    let setup = Setup { spring, mount, excitation: &asked.excitation, coil, positions: true };
+    let Simulation { motion, signals, windings, .. } = study::simulate(&setup, &times).map_err(science)?;
+    let windings = windings.map_or_else(|| motion.windings(&times), Ok).map_err(science)?;
     let clash = Clash::seen(&motion, &times, &windings, spec.spring.contact_pitch()).map_err(science)?;
     let judged = Judged::of(spec, asked, &motion).map_err(science)?;
     let mut meta = facts::of_spec(spec, condition, damping);
@@ -57,21 +61,6 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
 fn evenly(from: f64, to: f64, samples: usize) -> Vec<f64> {
     let step = (to - from) / (samples - 1) as f64;
     (0..samples).map(|index| from + step * index as f64).collect()
-}
-
-fn with_inductance(
-    spec: &Spec,
-    asked: &ConditionSpec,
-    mut signals: Signals,
-    windings: &Windings,
-) -> Result<Signals, Error> {
-    let spring = &spec.spring.spring;
-    let coil = MaxwellSum::new(spring, spec.spring.self_distance);
-    let near = coil.series_within(windings, ANY)?;
-    let inductance: Vec<f64> = near.samples.iter().map(|sample| sample.inductance).collect();
-    let calibration = Calibration::theoretical(spring, &coil, asked.excitation.mean_length())?;
-    signals.insert(Channel::InductanceForce, InductanceSensor::new(spring, calibration).force(&inductance))?;
-    Ok(signals)
 }
 
 /// What the forces do in the judged window.

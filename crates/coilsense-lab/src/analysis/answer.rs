@@ -6,11 +6,14 @@ use super::verdict::Verdict;
 use super::{Analysis, Subject};
 use crate::quantity::{digits, plainly};
 
-/// The answer, one sentence or two per line, at most five lines.
+/// The answer, one sentence or two per line, at most eight lines.
 pub fn answer(analysis: &Analysis) -> Vec<String> {
     let mut lines = vec![best(analysis)];
     lines.extend(failing(analysis));
+    lines.extend(untold(analysis));
     lines.extend(fixes(analysis));
+    lines.extend(exact_rate(analysis));
+    lines.extend(masses(analysis));
     lines.push(damping(analysis));
     lines.push(warned(analysis));
     lines
@@ -32,13 +35,26 @@ fn wish(analysis: &Analysis, newton: f64) -> String {
     format!("{} N ({} % of F_nom)", plainly(newton), plainly(100.0 * newton / nominal))
 }
 
-/// In which condition, and under which damping where there are several.
-fn place(analysis: &Analysis, verdict: &Verdict) -> String {
-    let case = &analysis.cases[verdict.worst];
+/// Which share of the specimens is inside the goal all the same.
+fn inside(verdict: &Verdict) -> String {
+    match verdict.least_inside() {
+        Some(share) if share > 0.0 => format!("{} of the springs are inside", of_specimens(share)),
+        _ => "no spring is inside".to_owned(),
+    }
+}
+
+/// A condition, and under which damping where there are several.
+fn case_name(analysis: &Analysis, number: usize) -> String {
+    let case = &analysis.cases[number];
     let condition = &analysis.spec.conditions[case.condition].name;
     let dampings = &analysis.spec.mount.cases;
-    let place =
-        if dampings.len() > 1 { format!("{condition}, {}", dampings[case.damping].label) } else { condition.clone() };
+    if dampings.len() > 1 { format!("{condition}, {}", dampings[case.damping].label) } else { condition.clone() }
+}
+
+/// The same of a sensor's worst case, and whether it lies beyond contact.
+fn place(analysis: &Analysis, verdict: &Verdict) -> String {
+    let case = &analysis.cases[verdict.worst];
+    let place = case_name(analysis, verdict.worst);
     if case.clash.happens() { format!("{place}, where windings would touch") } else { place }
 }
 
@@ -74,7 +90,43 @@ fn best(analysis: &Analysis) -> String {
         (some, of) => format!("{some} of {of} sensors meet"),
     };
     let (best_name, most) = (name(analysis, best), at_most(best));
-    format!("Choose {best_name}. {all} the goal of {wanted}; its standard uncertainty is {most}.")
+    let (behind, specimens) = (behind(analysis, best), specimens(best));
+    format!("Choose {best_name}{behind}. {all} the goal of {wanted}; its standard uncertainty is {most}{specimens}.")
+}
+
+/// `, behind a low-pass of order 8 at 20 Hz (41 ms late; without it 11.1 N rms in resonance)`.
+fn behind(analysis: &Analysis, verdict: &Verdict) -> String {
+    let Some(filter) = verdict.filter else { return String::new() };
+    format!(
+        ", behind a Butterworth low-pass of order {} at {} Hz (which comes {:.0} ms late; without it {} N rms in {})",
+        filter.order,
+        plainly(filter.bandwidth),
+        1e3 * filter.lag,
+        digits(filter.raw),
+        case_name(analysis, filter.case),
+    )
+}
+
+/// `, over the springs that its tolerances allow: 97 % of them are inside, the worst is 1.3 N off, the nominal one 0.4 N`.
+fn specimens(verdict: &Verdict) -> String {
+    let (worst, Some(inside)) = (verdict.at_worst(), verdict.least_inside()) else { return String::new() };
+    format!(
+        ", over the springs that the spec allows: {} of them are inside the goal, the worst is {} N off, the nominal one {} N",
+        of_specimens(inside),
+        digits(worst.worst),
+        digits(worst.nominal),
+    )
+}
+
+/// A share of specimens in words.
+fn of_specimens(share: f64) -> String {
+    match share {
+        all if all >= 1.0 => "all".to_owned(),
+        none if none <= 0.0 => "none".to_owned(),
+        many if many > 0.99 => "more than 99 %".to_owned(),
+        few if few < 0.01 => "less than 1 %".to_owned(),
+        share => format!("{:.0} %", 100.0 * share),
+    }
 }
 
 /// Those that miss the goal, and where.
@@ -86,11 +138,12 @@ fn failing(analysis: &Analysis) -> Option<String> {
         .map(|verdict| match verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
             true => format!("{} (reaches {} Hz only)", name(analysis, verdict), digits(verdict.bandwidth)),
             false => format!(
-                "{} ({} N in {}, mostly {})",
+                "{} ({} N in {}, mostly {}; {})",
                 name(analysis, verdict),
                 digits(verdict.combined()),
                 place(analysis, verdict),
-                cause(verdict)
+                cause(verdict),
+                inside(verdict),
             ),
         })
         .collect();
@@ -105,6 +158,69 @@ fn cause(verdict: &Verdict) -> String {
         Some(line) if line.contribution >= budget.bias().abs() => line.name.to_string(),
         _ => format!("a mean error of {} N", digits(budget.bias()).replace('-', "−")),
     }
+}
+
+/// From so many times the nominal error on, the worst specimen's says that the error cannot be told from the spec.
+const UNTOLD: f64 = 2.0;
+
+/// Where how far a sensor is off hangs on a frequency that the spec does not say well enough, and what would tell it.
+fn untold(analysis: &Analysis) -> Option<String> {
+    let cannot = |verdict: &&Verdict| {
+        let worst = verdict.at_worst();
+        let by_surge = worst.over_specimens > 0.5 * worst.combined;
+        by_surge && worst.worst > UNTOLD * worst.nominal.min(worst.combined)
+    };
+    let each: Vec<String> = analysis
+        .verdicts
+        .iter()
+        .filter(cannot)
+        .map(|verdict| {
+            let (worst, place) = (verdict.at_worst(), case_name(analysis, verdict.worst));
+            let (nominal, most) = (digits(worst.nominal), digits(worst.worst));
+            format!("{} in {place} ({nominal} N on the nominal spring, {most} N on the worst)", name(analysis, verdict))
+        })
+        .collect();
+    let spring = &analysis.spec.spring.spring;
+    let (low, high) = spring.first_frequency_band();
+    let (low, high, chain) = (digits(low), digits(high), digits(spring.chain_frequency()));
+    (!each.is_empty()).then(|| {
+        format!(
+            "How far off cannot be told more closely for {}: it hangs on the first surge frequency, which for this coil may be {low} to {high} Hz \
+             by model alone (the chain used has {chain} Hz), and further off by tolerances. Measure it: hit the spring and run `coilsense identify`.",
+            each.join("; ")
+        )
+    })
+}
+
+/// What a spec that is silent on its stiffness takes for granted, and what would be so otherwise.
+fn exact_rate(analysis: &Analysis) -> Option<String> {
+    let usual = analysis.if_usual.as_ref()?;
+    let percent = plainly(100.0 * super::USUAL_TOLERANCE);
+    let of = |sensor: usize| format!("{} ({})", analysis.sensors[sensor].name, force(analysis, usual.combined[sensor]));
+    let now = analysis.verdicts.first()?.sensor;
+    let goal = analysis.spec.goal.error;
+    let judged = |sensor: usize| match goal {
+        Some(goal) if usual.combined[sensor] > goal => ", which misses the goal",
+        _ => "",
+    };
+    let then = match usual.best == now {
+        true => format!("{}{} would still be the best", of(now), judged(now)),
+        false => {
+            format!("{}{} would be the best, and not {}{}", of(usual.best), judged(usual.best), of(now), judged(now))
+        }
+    };
+    Some(format!("The spring's rate is taken as exact, for want of a stiffness_tolerance; at ±{percent} % {then}."))
+}
+
+/// Whether the figures still hang on how many masses stand for a winding.
+fn masses(analysis: &Analysis) -> Option<String> {
+    let masses = &analysis.masses;
+    let change = masses.change.filter(|_| !masses.are_enough())?;
+    Some(format!(
+        "With {} masses per winding, the most that are taken, some rms still moves by {:.1} % when they are doubled.",
+        masses.per_winding,
+        100.0 * change
+    ))
 }
 
 fn fixes(analysis: &Analysis) -> Option<String> {
@@ -149,6 +265,8 @@ fn damping(analysis: &Analysis) -> String {
 fn warned(analysis: &Analysis) -> String {
     let count = |subject| analysis.warnings.iter().filter(|warning| warning.subject == subject).count();
     let kinds = [
+        (Subject::Resonance, "a mode of the real spring may meet the input"),
+        (Subject::NoLimit, "the rms of a step has no limit"),
         (Subject::Clash, "windings touch"),
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Doubt, "values of the spring do not fit together"),

@@ -2,15 +2,19 @@
 //!
 //! Next door: how a sensor is judged in a case (`verdict`), the whole analysis (the parent).
 
+use coilsense::Error;
 use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::Readout;
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Channel, Error, InductanceSensor, Motion, Signals};
 
 use super::case::judged;
-use super::verdict::{Judge, Scene};
-use super::{AnalysisError, refused};
-use crate::spec::{Quantity, SensorSpec, Spec};
+use super::instrument::Instrument;
+use super::response::{Asked, Responses, needs_coil};
+use super::specimen::SOME;
+use super::verdict::{Judge, Over, Scene, Springs};
+use super::{AnalysisError, band, refused};
+use crate::spec::{SensorSpec, Spec};
+use crate::study::{self, Coil, Method, Setup};
 
 /// A sensor in a word or three.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,68 +36,65 @@ pub(crate) fn assess(spec: &Spec, wanted: &[usize]) -> Result<Vec<(usize, Assess
         return Err(AnalysisError::NoCondition(spec.file.clone()));
     }
     let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
-    let judge = Judge { spec, coil: &coil, cases: &[] };
+    let springs = Springs::of(spec, &spec.spring.tolerances, SOME);
+    let judge = Judge { spec, coil: &coil, cases: &[], springs: &springs };
     let sensors: Vec<(usize, &SensorSpec)> =
         wanted.iter().filter_map(|&index| Some((index, spec.sensors.get(index)?))).collect();
-    let of_coil = |(_, sensor): &(usize, &SensorSpec)| matches!(sensor.quantity, Quantity::Inductance { .. });
-    let by_coil = spec.goal.force == Channel::InductanceForce || sensors.iter().any(of_coil);
-    let mut largest = vec![f64::NEG_INFINITY; sensors.len()];
+    let mut largest = vec![(f64::NEG_INFINITY, f64::NEG_INFINITY); sensors.len()];
     for condition in 0..spec.conditions.len() {
         for damping in 0..spec.mount.cases.len() {
-            let seen = seen(&judge, &sensors, by_coil, (condition, damping));
+            let seen = seen(&judge, &sensors, (condition, damping));
             let seen = seen.map_err(|reason| refused(spec, condition, damping, reason))?;
-            for (largest, combined) in
-                largest.iter_mut().zip(seen).filter(|(largest, own)| own.total_cmp(largest).is_gt())
-            {
-                *largest = combined;
+            for (largest, own) in largest.iter_mut().zip(seen) {
+                *largest = (largest.0.max(own.0), largest.1.max(own.1));
             }
         }
     }
-    let of_all = |((index, sensor), combined): ((usize, &SensorSpec), f64)| {
+    let of_all = |((index, sensor), (combined, raw)): ((usize, &SensorSpec), (f64, f64))| {
         let readout = Readout::new(sensor.readout.clone())?;
         let bandwidth = spec.goal.bandwidth;
         let reaches = bandwidth.is_none_or(|bandwidth| readout.bandwidth_3db() >= bandwidth);
         let meets = spec.goal.error.map(|goal| reaches && combined <= goal);
-        Ok((index, Assessed { combined, meets, lag: readout.lag(bandwidth.unwrap_or(0.0)) }))
+        let behind = if spec.goal.error.is_some_and(|goal| raw > goal) { band::lag(bandwidth) } else { 0.0 };
+        Ok((index, Assessed { combined, meets, lag: readout.lag(bandwidth.unwrap_or(0.0)) + behind }))
     };
     sensors.into_iter().zip(largest).map(of_all).collect()
 }
 
-/// Combined standard uncertainties of sensors in one condition under one damping \[N\].
+/// Combined standard uncertainties of sensors in one condition under one damping, and their errors at every frequency \[N\].
 fn seen(
     judge: &Judge<'_>,
     sensors: &[(usize, &SensorSpec)],
-    by_coil: bool,
     (condition, damping): (usize, usize),
-) -> Result<Vec<f64>, Error> {
-    let asked = &judge.spec.conditions[condition];
+) -> Result<Vec<(f64, f64)>, Error> {
+    let spec = judge.spec;
+    let asked = &spec.conditions[condition];
     let times = sampled_window(asked.sample_rate, 0.0, asked.duration)?;
-    let motion = Motion::mounted(&judge.spec.spring.spring, &judge.spec.mount.cases[damping].mount, &asked.excitation)?;
-    let mut signals = motion.signals(&times)?;
-    if by_coil {
-        add_inductance(judge, &motion, asked.excitation.mean_length(), &times, &mut signals)?;
-    }
+    let each: Vec<&SensorSpec> = sensors.iter().map(|(_, sensor)| *sensor).collect();
+    let mean_length = asked.excitation.mean_length();
+    let coil = match needs_coil(spec, &each) {
+        true => Some(Coil::of(&spec.spring.spring, judge.coil, mean_length, Method::Exact)?),
+        false => None,
+    };
+    let (spring, mount) = (&spec.spring.spring, &spec.mount.cases[damping].mount);
+    let setup = Setup { spring, mount, excitation: &asked.excitation, coil, positions: false };
+    let signals = study::simulate(&setup, &times)?.signals;
     let judged = judged(&times, asked.window);
     let scene = Scene { condition, signals: &signals, judged: &judged };
-    let of = |(_, sensor): &(usize, &SensorSpec)| {
+    let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;
         let steady = instrument.forces(&instrument.steady_readings(&signals)?);
-        Ok(judge.assessment(sensor, &instrument, scene, &steady)?.combined)
+        let beside = judge.beside(sensor, &instrument, scene, &steady)?;
+        Ok((instrument, steady, beside))
     };
-    sensors.iter().map(of).collect()
-}
-
-/// L by the exact sum, as the analysis has it, and F_L.
-fn add_inductance(
-    judge: &Judge<'_>,
-    motion: &Motion,
-    mean_length: f64,
-    times: &[f64],
-    signals: &mut Signals,
-) -> Result<(), Error> {
-    let spring = &judge.spec.spring.spring;
-    let inductance = judge.coil.series(&motion.windings(times)?);
-    let calibration = Calibration::theoretical(spring, judge.coil, mean_length)?;
-    signals.insert(Channel::InductanceForce, InductanceSensor::new(spring, calibration).force(&inductance))?;
-    signals.insert(Channel::Inductance, inductance)
+    let ready: Vec<(Instrument, Vec<f64>, f64)> = each.iter().map(ready).collect::<Result<_, Error>>()?;
+    let beside: Vec<f64> = ready.iter().map(|(_, _, beside)| *beside).collect();
+    let asked = Asked { spec, coil: judge.coil, condition, damping, sensors: &each, beside: &beside };
+    let responses = Responses::of(&asked, &judge.springs.specimens)?;
+    let of = |(number, (instrument, steady, _)): (usize, &(Instrument, Vec<f64>, f64))| {
+        let over = Over { responses: &responses, sensor: number };
+        let assessment = judge.assessment(each[number], instrument, scene, steady, Some(over))?;
+        Ok((assessment.combined, assessment.raw))
+    };
+    ready.iter().enumerate().map(of).collect()
 }

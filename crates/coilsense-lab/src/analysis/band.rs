@@ -28,12 +28,29 @@ pub(super) fn within(
 ) -> Result<Vec<f64>, Error> {
     let Some(bandwidth) = bandwidth else { return Ok(errors[judged.clone()].to_vec()) };
     let mean = errors[judged.clone()].iter().sum::<f64>() / judged.len() as f64;
-    let low_pass =
-        Readout::new(ReadoutParameters { bandwidth: Some(bandwidth), order: MAX_ORDER, ..Default::default() })?;
+    let low_pass = filter(bandwidth)?;
     // A sample more, ahead of the run, where the filter rests at the mean.
     let step = if times.len() > 1 { times[1] - times[0] } else { 1.0 };
     let with_rest: Vec<f64> = [times[0] - step].into_iter().chain(times.iter().copied()).collect();
     let about_mean: Vec<f64> = [0.0].into_iter().chain(errors.iter().map(|error| error - mean)).collect();
     let slow = low_pass.ideal_series(&with_rest, &about_mean)?;
     Ok(slow[judged.start + 1..=judged.end].iter().map(|error| mean + error).collect())
+}
+
+/// The low-pass that makes a goal with a bandwidth \[Hz\] true: a Butterworth of order 8.
+///
+/// # Errors
+/// [`Error::Value`] for a bandwidth that is not above zero.
+pub(super) fn filter(bandwidth: f64) -> Result<Readout, Error> {
+    Readout::new(ReadoutParameters { bandwidth: Some(bandwidth), order: MAX_ORDER, ..Default::default() })
+}
+
+/// How much later a slow force comes behind that filter \[s\]; none where no bandwidth is wanted.
+pub(super) fn lag(bandwidth: Option<f64>) -> f64 {
+    bandwidth.and_then(|bandwidth| filter(bandwidth).ok()).map_or(0.0, |filter| filter.lag(0.0))
+}
+
+/// How long it remembers \[s\].
+pub(super) fn memory(bandwidth: f64) -> f64 {
+    super::trial_run::low_pass(MAX_ORDER, bandwidth)
 }

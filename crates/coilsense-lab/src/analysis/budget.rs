@@ -5,8 +5,12 @@
 use coilsense::inductance::MaxwellSum;
 use coilsense::uncertainty::{Agreement, Budget, Distribution, Input, MonteCarlo};
 use coilsense::{Calibration, Error, Spring};
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
 
 use super::instrument::Instrument;
+use super::specimen::Specimens;
+use super::spread::Spread;
 use crate::spec::{Quantity, SensorSpec, Spec};
 
 /// The budget of one sensor in one case, and the Monte Carlo of the same model.
@@ -42,6 +46,9 @@ pub(super) fn with_bias(budget: &Budget) -> f64 {
     budget.combined().hypot(budget.bias())
 }
 
+/// The line that says what it adds that a coil's first frequency is not that of the chain.
+pub(super) const CHAIN: &str = "the coil as a chain";
+
 /// What the budget of a sensor in a case is made of.
 pub(super) struct Model<'a> {
     pub spec: &'a Spec,
@@ -53,6 +60,8 @@ pub(super) struct Model<'a> {
     /// Force of the steady reading less the true one at the same instant, as far as it counts \[N\]: oscillation, as the sensor sees it,
     /// and its lag behind a moving force.
     pub errors: Vec<f64>,
+    /// The same over the springs that the tolerances allow.
+    pub spread: Spread,
     /// Samples per second of the simulation \[Hz\].
     pub sample_rate: f64,
     /// Force at the mean length, where instruments are set to zero \[N\].
@@ -71,6 +80,8 @@ enum Place {
     Temperature,
     /// A share of the stiffness.
     Stiffness,
+    /// A share of the initial tension.
+    InitialTension,
     /// Added to the rest length \[m\].
     RestLength,
     /// Added to the length that is read from an inductance \[m\].
@@ -82,15 +93,26 @@ enum Place {
 impl Model<'_> {
     /// The budget alone.
     pub fn budget(&self) -> Result<Budget, Error> {
-        let (places, inputs) = self.inputs()?;
+        let (places, inputs) = self.inputs(self.oscillation())?;
         Budget::of(|values| self.force(&places, values), &inputs)
+    }
+
+    /// Two errors with the mean and the spread of all of them: what a budget needs.
+    fn oscillation(&self) -> Distribution {
+        let apart = self.spread.deviation / 2.0_f64.sqrt();
+        Distribution::Empirical(vec![self.spread.mean - apart, self.spread.mean + apart])
     }
 
     /// The budget with its Monte Carlo.
     pub fn with_monte_carlo(&self) -> Result<SensorBudget, Error> {
-        let (places, inputs) = self.inputs()?;
         let asked = &self.spec.uncertainty;
-        let budget = Budget::of(|values| self.force(&places, values), &inputs)?;
+        let budget = self.budget()?;
+        let values = Distribution::Empirical(self.spread.values(&self.errors, DRAWN));
+        let (places, mut inputs) = self.inputs(values)?;
+        // These values hold what the chain adds.
+        inputs.iter_mut().filter(|input| input.name == CHAIN).for_each(|input| {
+            input.distribution = Distribution::Normal { standard: 0.0 };
+        });
         let monte_carlo = MonteCarlo::run(|values| self.force(&places, values), &inputs, asked.trials, asked.seed)?;
         Ok(SensorBudget {
             coverage_factor: budget.coverage_factor(asked.coverage)?,
@@ -104,9 +126,42 @@ impl Model<'_> {
         })
     }
 
+    /// Rms error of each specimen over time \[N\]: one spring, one instrument, one temperature, and the noise of its readings.
+    pub fn of_specimens(&self, specimens: &Specimens) -> Result<Vec<f64>, Error> {
+        let (places, inputs) = self.inputs(self.oscillation())?;
+        let still: Vec<f64> = vec![0.0; inputs.len()];
+        let unmoved = self.force(&places, &still);
+        let scattered = |name: &str| name == "sensor: noise" || name == "sensor: resolution";
+        let mut scatter = 0.0;
+        for (index, input) in inputs.iter().enumerate().filter(|(_, input)| scattered(&input.name)) {
+            let mut values = still.clone();
+            values[index] = input.distribution.standard_uncertainty();
+            scatter += (self.force(&places, &values) - unmoved).powi(2);
+        }
+        let mut chance = Pcg64::seed_from_u64(self.spec.uncertainty.seed);
+        let mut values = still;
+        let each = specimens.each.iter().zip(&self.spread.each).map(|(specimen, moments)| {
+            for ((value, place), input) in values.iter_mut().zip(&places).zip(&inputs) {
+                *value = match place {
+                    Place::Oscillation => 0.0,
+                    Place::Stiffness => specimen.departure.stiffness - 1.0,
+                    // The estimate takes a longer spring for a stretched one.
+                    Place::RestLength => specimen.departure.rest_length,
+                    Place::InitialTension => specimen.departure.initial_tension - 1.0,
+                    Place::Reading if scattered(&input.name) => 0.0,
+                    _ => input.distribution.sample(&mut chance),
+                };
+            }
+            let steady = self.force(&places, &values) - unmoved;
+            (moments.variance + (moments.mean + steady).powi(2) + scatter).sqrt()
+        });
+        Ok(each.collect())
+    }
+
     /// F of the inputs: the reading as the sensor errs, the force that the estimate makes of it as the spring errs, and the oscillation.
     fn force(&self, places: &[Place], values: &[f64]) -> f64 {
-        let [mut oscillation, mut added, mut gain, mut kelvin, mut stiffness, mut longer, mut softer] = [0.0; 7];
+        let [mut oscillation, mut added, mut gain, mut kelvin, mut stiffness, mut tension, mut longer, mut softer] =
+            [0.0; 8];
         for (place, value) in places.iter().zip(values) {
             match place {
                 Place::Oscillation => oscillation += value,
@@ -114,6 +169,7 @@ impl Model<'_> {
                 Place::Gain => gain += value,
                 Place::Temperature => kelvin += value,
                 Place::Stiffness => stiffness += value,
+                Place::InitialTension => tension += value,
                 Place::RestLength => longer -= value,
                 Place::Form => longer += value,
                 Place::Compliance => softer += value,
@@ -127,12 +183,16 @@ impl Model<'_> {
         }
         // The true spring is not the nominal one: of the same elongation its force differs, and the estimate knows nothing of it.
         let (spring, slope) = (&self.spec.spring.spring, self.instrument.stiffness(&self.spec.spring.spring));
-        let change = (1.0 + stiffness) * (1.0 + self.modulus_drift() * kelvin) - 1.0;
         // In series with a drive train a spring's change shows in part only: dk_s/k_s = (k_s/k) dk/k.
-        let share = 1.0 + slope / spring.stiffness() * change;
+        let part = slope / spring.stiffness();
+        let warm = 1.0 + self.modulus_drift() * kelvin;
+        let share = 1.0 + part * ((1.0 + stiffness) * warm - 1.0);
+        // The rate's tolerance does not act on the tension that was wound in; the modulus does.
+        let wound = self.spec.spring.initial_tension;
+        let tensed = wound * (1.0 + part * (warm - 1.0)) * (1.0 + tension);
         // Set to zero at the mean length, a drive train that is softer than thought shows in what the force is off its mean.
         let bent = slope * softer * (estimate - self.mean_force);
-        (estimate + slope * longer) * share + bent + oscillation
+        (estimate - wound + slope * longer) * share + tensed + bent + oscillation
     }
 
     /// (dk/dT)/k \[1/K\]; zero, with a warning elsewhere, where the material table does not know it.
@@ -140,17 +200,19 @@ impl Model<'_> {
         self.spec.spring.geometry.material().stiffness_temperature().unwrap_or(0.0)
     }
 
-    fn inputs(&self) -> Result<(Vec<Place>, Vec<Input>), Error> {
+    fn inputs(&self, oscillation: Distribution) -> Result<(Vec<Place>, Vec<Input>), Error> {
         let (spec, sensor) = (self.spec, self.sensor);
         let (readout, range) = (&sensor.readout, sensor.range);
         let normal = |standard| Distribution::Normal { standard };
         let limits = |half_width| Distribution::Rectangular { half_width };
-        let mut lines = vec![(Place::Oscillation, "oscillation", Distribution::Empirical(self.errors.clone()))];
+        let mut lines = vec![(Place::Oscillation, "oscillation", oscillation)];
         let mut add = |place, name, standard: f64, distribution| {
             if standard > 0.0 {
                 lines.push((place, name, distribution));
             }
         };
+        let chain = self.spread.chain;
+        add(Place::Oscillation, CHAIN, chain, normal(chain));
         let noise = self.noise_in_band();
         add(Place::Reading, "sensor: noise", noise, normal(noise));
         let step = readout.resolution.unwrap_or(0.0);
@@ -167,9 +229,11 @@ impl Model<'_> {
         let kelvin = if drifts { spec.uncertainty.temperature_change } else { 0.0 };
         add(Place::Temperature, "temperature", kelvin, limits(kelvin));
         if self.estimates() {
-            let (stiffness, length) = (spec.spring.stiffness_tolerance, spec.spring.rest_length_tolerance);
+            let (stiffness, length) = (spec.spring.stiffness_tolerance(), spec.spring.rest_length_tolerance());
             add(Place::Stiffness, "tolerance of the stiffness", stiffness, limits(stiffness));
             add(Place::RestLength, "tolerance of the rest length", length, limits(length));
+            let tension = if spec.spring.initial_tension > 0.0 { spec.spring.tolerances.initial_tension } else { 0.0 };
+            add(Place::InitialTension, "tolerance of the initial tension", tension, limits(tension));
             if let Quantity::TwoEncoder { compliance, .. } = sensor.quantity {
                 let softer = sensor.compliance_tolerance * compliance;
                 add(Place::Compliance, "tolerance of the drive train's compliance", softer, limits(softer));
@@ -214,6 +278,9 @@ impl Model<'_> {
         })
     }
 }
+
+/// Errors over specimens and time that stand for all of them in a Monte Carlo.
+const DRAWN: usize = 16384;
 
 /// Lengths at which the misfit of eq. (13) is taken.
 const MISFIT_LENGTHS: usize = 41;

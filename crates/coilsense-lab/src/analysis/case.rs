@@ -7,13 +7,15 @@ use std::ops::Range;
 use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor, Motion, Signals};
+use coilsense::{Channel, Clash, Deviation, Error, Signals};
 
 use super::frames::Frames;
 use super::instrument::Instrument;
+use super::response::needs_coil;
 use super::verdict::Scene;
 use crate::series::{Column, Run};
 use crate::spec::{SensorSpec, Spec};
+use crate::study::{self, Coil, Method, Setup, Simulation};
 
 /// A simulation that was run.
 #[derive(Debug, Clone)]
@@ -64,22 +66,25 @@ impl Case {
         let asked = &spec.conditions[condition];
         let spring = &spec.spring.spring;
         let times = sampled_window(asked.sample_rate, 0.0, asked.duration)?;
-        let motion = Motion::mounted(spring, &spec.mount.cases[damping].mount, &asked.excitation)?;
-        let windings = motion.windings(&times)?;
-        let mut signals = motion.signals(&times)?;
-        let inductance = coil.series(&windings);
         let mean_length = asked.excitation.mean_length();
-        let calibration = Calibration::theoretical(spring, coil, mean_length)?;
-        let sensor = InductanceSensor::new(spring, calibration);
-        signals.insert(Channel::InductanceForce, sensor.force(&inductance))?;
-        signals.insert(Channel::Inductance, inductance)?;
+        let setup = Setup {
+            spring,
+            mount: &spec.mount.cases[damping].mount,
+            excitation: &asked.excitation,
+            coil: force_of_coil(spec, sensors, coil, mean_length)?,
+            positions: true,
+        };
+        let Simulation { motion, signals, windings, .. } = study::simulate(&setup, &times)?;
+        // Asked for above.
+        let windings = windings.map_or_else(|| motion.windings(&times), Ok)?;
 
         let judged = judged(&times, asked.window);
         let truth = &signals.channel(spec.goal.force)?[judged.clone()];
         let mut ideal = Vec::new();
         let mut spectra = Vec::new();
         for force in Channel::FORCES {
-            let series = &signals.channel(force)?[judged.clone()];
+            let Ok(series) = signals.channel(force) else { continue };
+            let series = &series[judged.clone()];
             ideal.push((force, Deviation::between(series, truth)?));
             spectra.push((force, Spectrum::of(&times[judged.clone()], series)?));
         }
@@ -152,6 +157,21 @@ impl Reading {
         };
         let deviation = Deviation::between(&force[judged.clone()], truth)?;
         Ok(Self { native, force, steady, deviation })
+    }
+}
+
+/// The coil as an inductance. Where nobody asks for it, a coil for which eq. (13) cannot be fitted, such as one of few windings, has none.
+pub(super) fn force_of_coil<'a>(
+    spec: &Spec,
+    sensors: &[SensorSpec],
+    coil: &'a MaxwellSum,
+    mean_length: f64,
+) -> Result<Option<Coil<'a>>, Error> {
+    let each: Vec<&SensorSpec> = sensors.iter().collect();
+    match Coil::of(&spec.spring.spring, coil, mean_length, Method::Exact) {
+        Ok(coil) => Ok(Some(coil)),
+        Err(error) if needs_coil(spec, &each) => Err(error),
+        Err(_) => Ok(None),
     }
 }
 

@@ -5,8 +5,9 @@
 use coilsense::sensors::ReadoutParameters;
 use coilsense::{End, Error};
 
+use super::specimen::MANY;
 use super::tighter;
-use super::verdict::{Judge, Verdict};
+use super::verdict::{Judge, Springs, Verdict};
 use crate::quantity::Dimension;
 use crate::quantity::digits;
 use crate::spec::{Quantity, SensorSpec, Spec};
@@ -35,11 +36,14 @@ pub(super) struct Change {
 /// Single changes with which a sensor meets the goal under every damping, the quickest first.
 pub(super) fn of(judge: &Judge<'_>, sensor: &SensorSpec, verdict: &Verdict) -> Result<Vec<Fix>, Error> {
     let Some(goal) = judge.spec.goal.error else { return Ok(Vec::new()) };
+    let fewer = Springs::of(judge.spec, &judge.spec.spring.tolerances, MANY);
     let mut fixes = Vec::new();
     let changes = candidates(judge, sensor).into_iter().chain(tighter::all(judge.spec, sensor, verdict, goal));
     for Change { words, sensor, spec } in changes {
-        let trial = Judge { spec: spec.as_ref().unwrap_or(judge.spec), ..*judge }.trial(&sensor)?;
-        if trial.reaches && trial.combined <= goal {
+        let springs = spec.as_ref().map(|spec| Springs::of(spec, &spec.spring.tolerances, MANY));
+        let springs = springs.as_ref().unwrap_or(&fewer);
+        let trial = Judge { spec: spec.as_ref().unwrap_or(judge.spec), springs, ..*judge }.trial(&sensor)?;
+        if let Some(trial) = trial {
             fixes.push(Fix { change: words, combined: trial.combined, lag: trial.lag });
         }
     }

@@ -1,8 +1,13 @@
 //! A spec worked off: every condition under every damping, every sensor judged, what breaks the goal and what would meet it.
 //!
 //! ```text
-//! Spec ─► Case (condition × damping) ─► Verdict per sensor ─► answer, warnings ─► report
+//! Spec ─► Case (condition × damping) ─┬────────────────────────► Verdict per sensor ─► answer, warnings ─► report
+//!         on the nominal spring       └─► Responses: how each sensor's error moves with the spring's frequencies
+//!                                         Specimens: springs that the tolerances allow
 //! ```
+//!
+//! **Over which springs.** A tolerance of k or m moves every resonance, and a chain of masses is not a coil: what is said of a sensor is said
+//! over all springs that tolerances and that doubt allow, their rms, the share of them inside the goal, the worst, and the nominal one.
 //!
 //! **What counts as error** is the force a sensor tells less the true force *at the same instant*. A reading that comes late is off where the
 //! force moves, by its lag times the force's rate, and nothing is shifted in time to make it look better: a controller has no such shift.
@@ -14,11 +19,18 @@ mod assessed;
 mod band;
 mod budget;
 mod case;
+mod curve;
 mod fix;
 mod frames;
 mod instrument;
+mod refinement;
+mod resonance;
+mod response;
 mod single;
+mod specimen;
+mod spread;
 mod tighter;
+mod trial_run;
 mod verdict;
 mod warnings;
 
@@ -30,7 +42,7 @@ pub use fix::Fix;
 pub use frames::Frames;
 pub use instrument::Instrument;
 pub use single::Single;
-pub use verdict::Verdict;
+pub use verdict::{Assessment, GoalFilter, Verdict};
 pub use warnings::{Subject, Warning};
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -40,7 +52,11 @@ use coilsense::inductance::MaxwellSum;
 use rayon::prelude::*;
 
 use crate::data_sheet::DataSheet;
-use crate::spec::{Quantity, SensorSpec, Spec};
+use crate::spec::{Quantity, SensorSpec, Spec, Tolerances};
+use crate::study::{self, Masses};
+use response::{Asked, Responses};
+use specimen::{MANY, SOME, Specimens};
+use verdict::Springs;
 
 /// Why an analysis did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -85,6 +101,22 @@ pub struct Analysis {
     pub warnings: Vec<Warning>,
     /// What follows from the spring alone.
     pub data_sheet: DataSheet,
+    /// How many masses stand for a winding.
+    pub masses: Masses,
+    /// Of a spec that is silent on how far the stiffness may be off: the same question with [`USUAL_TOLERANCE`].
+    pub if_usual: Option<IfUsual>,
+}
+
+/// How far the rate of a bought spring is off, where nobody says: 5 to 10 % by the standards for wound springs.
+pub const USUAL_TOLERANCE: f64 = 0.05;
+
+/// What would be so if the stiffness had the usual tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IfUsual {
+    /// Number of the sensor that is best then.
+    pub best: usize,
+    /// The largest combined standard uncertainty of each sensor, in the sensors' order \[N\].
+    pub combined: Vec<f64>,
 }
 
 /// Simulates every condition under every damping.
@@ -92,7 +124,9 @@ pub struct Analysis {
 /// # Errors
 /// [`AnalysisError`] for a spec without conditions, the first case that the science refuses, or where `progress` says stop.
 pub fn simulate(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
-    simulate_watched(spec, &spec.sensors, progress)
+    let mut spec = spec.clone();
+    prepare(&mut spec)?;
+    simulate_watched(&spec, &spec.sensors, progress)
 }
 
 fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
@@ -159,27 +193,87 @@ fn judged_sensors(spec: &Spec) -> Vec<SensorSpec> {
     if spec.sensors.is_empty() { perfect_sensors(spec) } else { spec.sensors.clone() }
 }
 
+/// Gives a spec's spring as many masses as its figures need.
+///
+/// # Errors
+/// As [`study::enough_masses`].
+pub(crate) fn prepare(spec: &mut Spec) -> Result<Masses, Error> {
+    study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions)
+}
+
+/// Springs of a spec that is silent on its stiffness, within the usual tolerance.
+fn usual(spec: &Spec) -> Option<Springs> {
+    let tolerances = &spec.spring.tolerances;
+    let wider = Tolerances { stiffness: Some(USUAL_TOLERANCE), ..*tolerances };
+    tolerances.is_silent_on_stiffness().then(|| Springs::of(spec, &wider, SOME))
+}
+
+/// How the errors of all sensors in a case change from spring to spring.
+fn responses(
+    judge: &verdict::Judge<'_>,
+    sensors: &[SensorSpec],
+    number: usize,
+    specimens: &Specimens,
+) -> Result<Responses, Error> {
+    let case = &judge.cases[number];
+    let of = |(sensor, reading): (&SensorSpec, &Reading)| {
+        let instrument = judge.instrument(sensor, case.condition)?;
+        judge.beside(sensor, &instrument, case.scene(), &reading.steady)
+    };
+    let beside: Vec<f64> = sensors.iter().zip(&case.readings).map(of).collect::<Result<_, Error>>()?;
+    let (condition, damping) = (case.condition, case.damping);
+    let sensors: Vec<&SensorSpec> = sensors.iter().collect();
+    let (spec, coil) = (judge.spec, judge.coil);
+    Responses::of(&Asked { spec, coil, condition, damping, sensors: &sensors, beside: &beside }, specimens)
+}
+
+/// The answer within the usual tolerance.
+fn if_usual(judge: &verdict::Judge<'_>, sensors: &[SensorSpec], responses: &[Responses]) -> Result<IfUsual, Error> {
+    let mut spec = judge.spec.clone();
+    spec.spring.tolerances.stiffness = Some(USUAL_TOLERANCE);
+    let judge = verdict::Judge { spec: &spec, ..*judge };
+    let each = (0..sensors.len()).into_par_iter().map(|index| judge.combined(index, &sensors[index], responses));
+    let combined: Vec<f64> = each.collect::<Result<_, Error>>()?;
+    let best = (0..combined.len()).min_by(|a, b| combined[*a].total_cmp(&combined[*b])).unwrap_or(0);
+    Ok(IfUsual { best, combined })
+}
+
 impl Analysis {
     /// Works off a spec.
     ///
     /// # Errors
     /// As [`simulate`].
-    pub fn run(spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
+    pub fn run(mut spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
+        let masses = prepare(&mut spec)?;
         let sensors = judged_sensors(&spec);
         let cases = simulate_watched(&spec, &sensors, progress)?;
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
-        let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases };
+        let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
+        let usual = usual(&spec);
+        let widest = usual.as_ref().unwrap_or(&springs);
+        let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases, springs: &springs };
+        let go_on = || match progress(cases.len(), cases.len()) {
+            true => Ok(()),
+            false => Err(AnalysisError::Interrupted),
+        };
+        let responses: Vec<Responses> = (0..cases.len())
+            .into_par_iter()
+            .map(|number| go_on().and_then(|()| Ok(responses(&judge, &sensors, number, &widest.specimens)?)))
+            .collect::<Result<_, AnalysisError>>()?;
         let mut verdicts: Vec<Verdict> = (0..sensors.len())
             .into_par_iter()
-            .map(|index| match progress(cases.len(), cases.len()) {
-                true => Ok(judge.verdict(index, &sensors[index])?),
-                false => Err(AnalysisError::Interrupted),
-            })
+            .map(|index| go_on().and_then(|()| Ok(judge.verdict(index, &sensors[index], &responses)?)))
             .collect::<Result<_, AnalysisError>>()?;
         verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
+        let if_usual = match &usual {
+            Some(springs) => Some(if_usual(&verdict::Judge { springs, ..judge }, &sensors, &responses)?),
+            None => None,
+        };
         let data_sheet = DataSheet::of(&spec)?;
-        let warnings = warnings::of(&judge, &sensors, &data_sheet)?;
-        Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet })
+        let mut warnings = resonance::of(&judge, &sensors, &verdicts, &responses)?;
+        warnings.extend(resonance::without_limit(&masses));
+        warnings.extend(warnings::of(&judge, &sensors, &data_sheet)?);
+        Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet, masses, if_usual })
     }
 
     /// The conditions' case under a damping.

@@ -5,7 +5,7 @@
 use coilsense::inductance::MaxwellSum;
 
 use super::case::Case;
-use super::verdict::Judge;
+use super::verdict::{Judge, Springs};
 use super::warnings::{self, Warning};
 use super::{AnalysisError, judged_sensors};
 use crate::data_sheet::DataSheet;
@@ -32,12 +32,17 @@ impl Single {
     /// [`AnalysisError::Case`] for what the science refuses.
     pub fn run(spec: &Spec, condition: usize, damping: usize) -> Result<Self, AnalysisError> {
         super::check_case(spec, condition, damping)?;
+        let mut prepared = spec.clone();
+        super::prepare(&mut prepared)?;
+        let spec = &prepared;
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
         let sensors = judged_sensors(spec);
         let case = super::run_case(spec, &sensors, &coil, condition, damping)?;
         let data_sheet = DataSheet::of(spec)?;
         let cases = [case];
-        let warnings = warnings::of(&Judge { spec, coil: &coil, cases: &cases }, &sensors, &data_sheet)?;
+        let springs = Springs::of(spec, &spec.spring.tolerances, 1);
+        let warnings =
+            warnings::of(&Judge { spec, coil: &coil, cases: &cases, springs: &springs }, &sensors, &data_sheet)?;
         let [case] = cases;
         Ok(Self { case, sensors, warnings, data_sheet })
     }

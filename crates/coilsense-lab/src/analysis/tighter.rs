@@ -70,12 +70,19 @@ fn of_spring(line: &str, spec: &Spec, sensor: &SensorSpec, share: f64) -> Option
             format!("a temperature within ±{text} of the calibration's")
         }
         "tolerance of the stiffness" => {
-            format!("a stiffness known within ±{}", percent(&mut spec.spring.stiffness_tolerance, share)?)
+            let mut tolerance = spec.spring.stiffness_tolerance();
+            let words = format!("a stiffness known within ±{}", percent(&mut tolerance, share)?);
+            spec.spring.tolerances.stiffness = Some(tolerance);
+            words
+        }
+        "tolerance of the initial tension" => {
+            let tolerance = &mut spec.spring.tolerances.initial_tension;
+            format!("an initial tension known within ±{}", percent(tolerance, share)?)
         }
         "tolerance of the rest length" => {
-            let length = cut(1e3 * share * spec.spring.rest_length_tolerance);
+            let length = cut(1e3 * share * spec.spring.rest_length_tolerance());
             let (value, text) = written(Dimension::Length, format!("{length} mm"))?;
-            spec.spring.rest_length_tolerance = value;
+            spec.spring.tolerances.rest_length = value;
             format!("a rest length known within ±{text}")
         }
         _ => return None,

@@ -2,18 +2,21 @@
 //!
 //! Next door: what makes a force uncertain (`budget`), what would help (`fix`), the judgement by itself (`assessed`).
 
-use std::borrow::Cow;
 use std::ops::Range;
 
 use coilsense::inductance::MaxwellSum;
+use coilsense::sensors::{MAX_ORDER, Readout};
 use coilsense::{Error, Signals};
 
 use super::band;
-use super::budget::{Model, SensorBudget, with_bias};
+use super::budget::{CHAIN, Model, SensorBudget, with_bias};
 use super::case::Case;
 use super::fix::{self, Fix};
 use super::instrument::Instrument;
-use crate::spec::{SensorSpec, Spec};
+use super::response::{Asked, Moments, Responses};
+use super::specimen::Specimens;
+use super::spread::Spread;
+use crate::spec::{SensorSpec, Spec, Tolerances};
 
 /// What the analysis says of one sensor.
 #[derive(Debug, Clone)]
@@ -30,8 +33,10 @@ pub struct Verdict {
     pub meets: Vec<bool>,
     /// Where the sensor's own answer has fallen by 3 dB \[Hz\]; infinite for one without limits.
     pub bandwidth: f64,
-    /// How much later the force comes at the wanted bandwidth, or slowly where none is wanted \[s\].
+    /// How much later the force comes at the wanted bandwidth, or slowly where none is wanted, behind the filter if it needs one \[s\].
     pub lag: f64,
+    /// The low-pass without which the sensor does not meet a goal with a bandwidth; `None` where it needs none.
+    pub filter: Option<GoalFilter>,
     /// Whether the sensor does not reach the wanted bandwidth.
     pub too_slow: bool,
     /// Single changes with which it meets the goal, the quickest first.
@@ -42,13 +47,48 @@ pub struct Verdict {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assessment {
     /// Rms deviation from the true force at the same instant within the wanted bandwidth, without noise and resolution \[N\]: surge,
-    /// and the lag behind a moving force.
+    /// and the lag behind a moving force; on the nominal spring.
     pub oscillation: f64,
-    /// Combined standard uncertainty, with the bias that stays uncorrected \[N\].
+    /// The same over the springs that the tolerances allow \[N\].
+    pub over_specimens: f64,
+    /// Combined standard uncertainty over them, with the bias that stays uncorrected \[N\].
     pub combined: f64,
+    /// Of the nominal spring: its oscillation and the instrument's own errors \[N\].
+    pub nominal: f64,
+    /// The same with errors of every frequency, where the goal has a bandwidth \[N\].
+    pub raw: f64,
+    /// Share of the specimens whose rms error meets the goal \[1\]; `None` without a goal, and where it was not asked for.
+    pub inside: Option<f64>,
+    /// Rms error of the worst specimen that was drawn \[N\].
+    pub worst: f64,
+}
+
+/// What makes a goal with a bandwidth true: errors above it count for nothing only behind a low-pass there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GoalFilter {
+    /// Where it has lost 3 dB \[Hz\].
+    pub bandwidth: f64,
+    /// Its order, a Butterworth.
+    pub order: usize,
+    /// How much later a slow force comes behind it \[s\].
+    pub lag: f64,
+    /// Rms error without it in the case where it is largest \[N\].
+    pub raw: f64,
+    /// Number of that case.
+    pub case: usize,
 }
 
 impl Verdict {
+    /// The assessment of the worst case.
+    pub fn at_worst(&self) -> &Assessment {
+        &self.assessments[self.worst]
+    }
+
+    /// The smallest share of specimens inside the goal over all cases.
+    pub fn least_inside(&self) -> Option<f64> {
+        self.assessments.iter().filter_map(|assessment| assessment.inside).min_by(f64::total_cmp)
+    }
+
     /// The combined standard uncertainty of the worst case \[N\].
     pub fn combined(&self) -> f64 {
         self.assessments[self.worst].combined
@@ -66,6 +106,31 @@ pub(super) struct Judge<'a> {
     pub spec: &'a Spec,
     pub coil: &'a MaxwellSum,
     pub cases: &'a [Case],
+    pub springs: &'a Springs,
+}
+
+/// The springs over which sensors are judged.
+#[derive(Debug, Clone)]
+pub(super) struct Springs {
+    /// As tolerances allow them.
+    pub specimens: Specimens,
+    /// The same as if each were the chain that the model is.
+    pub as_chains: Specimens,
+    /// Whether shares and the worst of them are wanted.
+    pub one_by_one: bool,
+}
+
+impl Springs {
+    /// Of a spec, within other tolerances than its own where they are given.
+    pub fn of(spec: &Spec, tolerances: &Tolerances, count: usize) -> Self {
+        let specimens = Specimens::of(&spec.spring.spring, tolerances, count);
+        Self { as_chains: specimens.as_chains(), specimens, one_by_one: false }
+    }
+
+    /// The same, each of them looked at.
+    pub fn one_by_one(self) -> Self {
+        Self { one_by_one: true, ..self }
+    }
 }
 
 /// What of a case a sensor is judged by.
@@ -78,16 +143,15 @@ pub(super) struct Scene<'a> {
 }
 
 impl Judge<'_> {
-    /// The verdict on a sensor of the analysis.
-    pub fn verdict(&self, index: usize, sensor: &SensorSpec) -> Result<Verdict, Error> {
-        let assessments = self.assessments(sensor, |case, _| Ok(Cow::Borrowed(&case.readings[index].steady)))?;
+    /// The verdict on a sensor of the analysis; `responses` are those of all its sensors in each case.
+    pub fn verdict(&self, index: usize, sensor: &SensorSpec, responses: &[Responses]) -> Result<Verdict, Error> {
+        let assessments = self.assessments(index, sensor, responses)?;
         let worst = worst(&assessments);
-        let case = &self.cases[worst];
-        let instrument = self.instrument(sensor, case.condition)?;
-        let budget = self.model(sensor, &instrument, case.scene(), &case.readings[index].steady)?.with_monte_carlo()?;
-        let readout = instrument.readout();
+        let budget = self.model(index, sensor, worst, responses)?.with_monte_carlo()?;
+        let readout = Readout::new(sensor.readout.clone())?;
         let bandwidth = readout.bandwidth_3db();
         let wanted = self.spec.goal.bandwidth;
+        let filter = self.filter(&assessments);
         let mut verdict = Verdict {
             sensor: index,
             meets: self.meets(&assessments),
@@ -95,7 +159,8 @@ impl Judge<'_> {
             worst,
             budget,
             bandwidth,
-            lag: readout.lag(wanted.unwrap_or(0.0)),
+            lag: readout.lag(wanted.unwrap_or(0.0)) + filter.map_or(0.0, |filter| filter.lag),
+            filter,
             too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
             fixes: Vec::new(),
         };
@@ -105,44 +170,138 @@ impl Judge<'_> {
         Ok(verdict)
     }
 
-    /// A sensor in every case; `steady` gives the force that it reads without noise and resolution.
-    fn assessments<'c>(
-        &'c self,
-        sensor: &SensorSpec,
-        steady: impl Fn(&'c Case, &Instrument) -> Result<Cow<'c, [f64]>, Error>,
-    ) -> Result<Vec<Assessment>, Error> {
-        let assess = |case: &'c Case| {
-            let instrument = self.instrument(sensor, case.condition)?;
-            self.assessment(sensor, &instrument, case.scene(), &steady(case, &instrument)?)
-        };
-        self.cases.iter().map(assess).collect()
+    /// The combined uncertainty of the worst case \[N\], and whether every case meets the goal.
+    pub fn combined(&self, index: usize, sensor: &SensorSpec, responses: &[Responses]) -> Result<f64, Error> {
+        let assessments = self.assessments(index, sensor, responses)?;
+        Ok(assessments[worst(&assessments)].combined)
     }
 
-    /// A sensor in one case; `steady` is the force that it reads without noise and resolution.
+    /// A sensor in every case.
+    fn assessments(
+        &self,
+        index: usize,
+        sensor: &SensorSpec,
+        responses: &[Responses],
+    ) -> Result<Vec<Assessment>, Error> {
+        let assess = |number: usize| {
+            let case = &self.cases[number];
+            let instrument = self.instrument(sensor, case.condition)?;
+            let over = Over { responses: &responses[number], sensor: index };
+            self.assessment(sensor, &instrument, case.scene(), &case.readings[index].steady, Some(over))
+        };
+        (0..self.cases.len()).map(assess).collect()
+    }
+
+    fn model<'m>(
+        &'m self,
+        index: usize,
+        sensor: &'m SensorSpec,
+        number: usize,
+        responses: &'m [Responses],
+    ) -> Result<SensorModel<'m>, Error> {
+        let case = &self.cases[number];
+        let instrument = self.instrument(sensor, case.condition)?;
+        let over = Over { responses: &responses[number], sensor: index };
+        let scene = case.scene();
+        let steady = &case.readings[index].steady;
+        Ok(SensorModel { judge: self, sensor, instrument, scene, steady, over })
+    }
+
+    /// A sensor in one case; `steady` is the force that it reads without noise and resolution, `over` how that changes from spring to
+    /// spring, without which the nominal one alone is judged.
     pub fn assessment(
         &self,
         sensor: &SensorSpec,
         instrument: &Instrument,
         scene: Scene<'_>,
         steady: &[f64],
+        over: Option<Over<'_>>,
     ) -> Result<Assessment, Error> {
-        let model = self.model(sensor, instrument, scene, steady)?;
-        let oscillation = rms(&model.errors);
-        Ok(Assessment { oscillation, combined: with_bias(&model.budget()?) })
+        let (errors, raw) = self.errors(scene, steady)?;
+        let model = self.model_of(sensor, instrument, scene, errors, over)?;
+        let budget = model.budget()?;
+        let of_spring = |name: &str| name.starts_with("tolerance of the ") || name == "oscillation" || name == CHAIN;
+        let instrument_only: f64 = budget
+            .contributions()
+            .iter()
+            .filter(|line| !of_spring(&line.name))
+            .map(|line| line.contribution * line.contribution)
+            .sum();
+        let (mut inside, mut worst) = (None, f64::NAN);
+        if self.springs.one_by_one && over.is_some() {
+            let each = model.of_specimens(&self.springs.specimens)?;
+            let met = |goal: f64| each.iter().filter(|error| **error <= goal).count() as f64 / each.len() as f64;
+            inside = self.spec.goal.error.map(met);
+            worst = each.iter().fold(0.0, |worst: f64, error| worst.max(*error));
+        }
+        let oscillation = model.spread.nominal.square().sqrt();
+        Ok(Assessment {
+            oscillation,
+            over_specimens: model.spread.rms(),
+            combined: with_bias(&budget),
+            nominal: oscillation.hypot(instrument_only.sqrt()),
+            raw: raw.hypot(instrument_only.sqrt()),
+            inside,
+            worst,
+        })
     }
 
-    /// The largest combined uncertainty of a sensor that the analysis does not have, and whether it reaches the wanted bandwidth.
-    pub fn trial(&self, sensor: &SensorSpec) -> Result<Trial, Error> {
-        let assessments = self.assessments(sensor, |case, instrument| {
-            Ok(instrument.forces(&instrument.steady_readings(&case.signals)?).into())
-        })?;
-        let readout = coilsense::sensors::Readout::new(sensor.readout.clone())?;
+    /// Sensors that the analysis does not have, tried on all springs: the largest combined uncertainty of each, and whether it reaches the
+    /// wanted bandwidth; `None` for those that the nominal spring rules out.
+    pub fn trial(&self, sensor: &SensorSpec) -> Result<Option<Trial>, Error> {
+        let Some(goal) = self.spec.goal.error else { return Ok(None) };
+        let readout = Readout::new(sensor.readout.clone())?;
         let wanted = self.spec.goal.bandwidth;
-        Ok(Trial {
-            combined: assessments[worst(&assessments)].combined,
-            reaches: wanted.is_none_or(|wanted| readout.bandwidth_3db() >= wanted),
-            lag: readout.lag(wanted.unwrap_or(0.0)),
-        })
+        if wanted.is_some_and(|wanted| readout.bandwidth_3db() < wanted) {
+            return Ok(None);
+        }
+        let (mut combined, mut raw) = (0.0_f64, 0.0_f64);
+        for over_springs in [false, true] {
+            for case in self.cases {
+                let instrument = self.instrument(sensor, case.condition)?;
+                let steady = instrument.forces(&instrument.steady_readings(&case.signals)?);
+                let responses = match over_springs {
+                    true => Some(self.responses(case, sensor, &instrument, &steady)?),
+                    false => None,
+                };
+                let over = responses.as_ref().map(|responses| Over { responses, sensor: 0 });
+                let assessment = self.assessment(sensor, &instrument, case.scene(), &steady, over)?;
+                if assessment.combined > goal {
+                    return Ok(None);
+                }
+                (combined, raw) = (combined.max(assessment.combined), raw.max(assessment.raw));
+            }
+        }
+        let behind = if raw > goal { band::lag(wanted) } else { 0.0 };
+        Ok(Some(Trial { combined, lag: readout.lag(wanted.unwrap_or(0.0)) + behind }))
+    }
+
+    fn responses(
+        &self,
+        case: &Case,
+        sensor: &SensorSpec,
+        instrument: &Instrument,
+        steady: &[f64],
+    ) -> Result<Responses, Error> {
+        let beside = self.beside(sensor, instrument, case.scene(), steady)?;
+        let (condition, damping) = (case.condition, case.damping);
+        let asked =
+            Asked { spec: self.spec, coil: self.coil, condition, damping, sensors: &[sensor], beside: &[beside] };
+        Responses::of(&asked, &self.springs.specimens)
+    }
+
+    /// Variance of everything but the oscillation \[N²\].
+    pub fn beside(
+        &self,
+        sensor: &SensorSpec,
+        instrument: &Instrument,
+        scene: Scene<'_>,
+        steady: &[f64],
+    ) -> Result<f64, Error> {
+        let (errors, _) = self.errors(scene, steady)?;
+        let budget = self.model_of(sensor, instrument, scene, errors, None)?.budget()?;
+        let each = budget.contributions().iter().filter(|line| line.name != "oscillation");
+        Ok(each.map(|line| line.contribution * line.contribution).sum())
     }
 
     /// A sensor as it is set up for a condition.
@@ -151,28 +310,53 @@ impl Judge<'_> {
         Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
     }
 
-    fn model<'m>(
+    /// Errors of a reading as far as they count \[N\], and their rms at every frequency.
+    fn errors(&self, scene: Scene<'_>, steady: &[f64]) -> Result<(Vec<f64>, f64), Error> {
+        let truth = scene.signals.channel(self.spec.goal.force)?;
+        let errors: Vec<f64> = steady.iter().zip(truth).map(|(force, truth)| force - truth).collect();
+        let raw = rms(&errors[scene.judged.clone()]);
+        Ok((band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?, raw))
+    }
+
+    fn model_of<'m>(
         &'m self,
         sensor: &'m SensorSpec,
         instrument: &'m Instrument,
         scene: Scene<'_>,
-        steady: &[f64],
+        errors: Vec<f64>,
+        over: Option<Over<'_>>,
     ) -> Result<Model<'m>, Error> {
         let truth = scene.signals.channel(self.spec.goal.force)?;
-        let errors: Vec<f64> = steady.iter().zip(truth).map(|(force, truth)| force - truth).collect();
         let by_size = |a: &usize, b: &usize| truth[*a].abs().total_cmp(&truth[*b].abs());
         let largest = scene.judged.clone().max_by(by_size).unwrap_or(scene.judged.start);
         let quantity = instrument.quantity(scene.signals)?;
+        let nominal = Moments::of(&errors);
+        let springs = [&self.springs.specimens, &self.springs.as_chains];
+        let spread = match over {
+            Some(over) => Spread::over(over.responses, over.sensor, nominal, springs),
+            None => Spread::nominal(nominal),
+        };
         Ok(Model {
             spec: self.spec,
             coil: self.coil,
             sensor,
             instrument,
             reading: quantity[largest],
-            errors: band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?,
+            errors,
+            spread,
             sample_rate: self.spec.conditions[scene.condition].sample_rate,
             mean_force: self.spec.spring.spring.static_force(self.mean_length(scene.condition)),
         })
+    }
+
+    /// The low-pass that a goal with a bandwidth needs where errors of every frequency exceed it.
+    fn filter(&self, assessments: &[Assessment]) -> Option<GoalFilter> {
+        let (goal, bandwidth) = (self.spec.goal.error?, self.spec.goal.bandwidth?);
+        let each = assessments.iter().enumerate();
+        let (case, largest) = each.max_by(|a, b| a.1.raw.total_cmp(&b.1.raw))?;
+        let needed =
+            GoalFilter { bandwidth, order: MAX_ORDER, lag: band::lag(Some(bandwidth)), raw: largest.raw, case };
+        Some(needed).filter(|filter| filter.raw > goal)
     }
 
     fn mean_length(&self, condition: usize) -> f64 {
@@ -190,12 +374,35 @@ impl Judge<'_> {
     }
 }
 
-/// A sensor tried out.
+/// How a sensor's error changes from spring to spring in a case.
+#[derive(Clone, Copy)]
+pub(super) struct Over<'a> {
+    pub responses: &'a Responses,
+    /// Its number among the sensors of the responses.
+    pub sensor: usize,
+}
+
+/// What the budget of a sensor in a case is made from.
+struct SensorModel<'a> {
+    judge: &'a Judge<'a>,
+    sensor: &'a SensorSpec,
+    instrument: Instrument,
+    scene: Scene<'a>,
+    steady: &'a [f64],
+    over: Over<'a>,
+}
+
+impl SensorModel<'_> {
+    fn with_monte_carlo(&self) -> Result<SensorBudget, Error> {
+        let (errors, _) = self.judge.errors(self.scene, self.steady)?;
+        self.judge.model_of(self.sensor, &self.instrument, self.scene, errors, Some(self.over))?.with_monte_carlo()
+    }
+}
+
+/// A sensor tried out, which meets the goal.
 pub(super) struct Trial {
     /// The largest combined uncertainty \[N\].
     pub combined: f64,
-    /// Whether it reaches the wanted bandwidth.
-    pub reaches: bool,
     /// How much later the force comes \[s\].
     pub lag: f64,
 }

@@ -25,6 +25,10 @@ pub struct Warning {
 /// What a warning is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Subject {
+    /// A line of the input inside the band that tolerances give a mode.
+    Resonance,
+    /// Figures that have no limit for many masses.
+    NoLimit,
     /// Windings touch.
     Clash,
     /// A length out of range.
@@ -45,6 +49,8 @@ impl Subject {
     /// Its name in `results.json`.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Resonance => "resonance",
+            Self::NoLimit => "no_limit",
             Self::Clash => "clash",
             Self::Length => "length",
             Self::Doubt => "doubt",

@@ -23,9 +23,9 @@ impl ForceLaw {
         let (stiffness, even) = (spec.spring.stiffness(), 1.0 / 3.0_f64.sqrt());
         Self {
             stiffness,
-            stiffness_u: even * stiffness * spec.stiffness_tolerance,
+            stiffness_u: even * stiffness * spec.stiffness_tolerance(),
             rest_length: spec.spring.rest_length(),
-            rest_length_u: even * spec.rest_length_tolerance,
+            rest_length_u: even * spec.rest_length_tolerance(),
         }
     }
 

@@ -87,8 +87,17 @@ fn of_spring(spec: &SpringSpec) -> Vec<Row> {
     if spec.initial_tension > 0.0 {
         rows.push(Row::new("initial_tension_n", "F_0, initial tension", spec.initial_tension, 1.0, "N"));
     }
-    if spec.stiffness_tolerance > 0.0 {
-        rows.push(Row::new("stiffness_tolerance", "tolerance of k, either way", spec.stiffness_tolerance, 100.0, "%"));
+    if spec.stiffness_tolerance() > 0.0 {
+        rows.push(Row::new(
+            "stiffness_tolerance",
+            "tolerance of k, either way",
+            spec.stiffness_tolerance(),
+            100.0,
+            "%",
+        ));
+    }
+    if spec.tolerances.of_mass() > 0.0 {
+        rows.push(Row::new("mass_tolerance", "tolerance of m, either way", spec.tolerances.of_mass(), 100.0, "%"));
     }
     rows
 }
@@ -151,6 +160,16 @@ fn of_wave(spec: &SpringSpec) -> Vec<Row> {
             1.0,
             "Hz",
         ),
+        Row::new(
+            "model_frequency_hz",
+            "first frequency of the chain that is used",
+            spring.chain_frequency(),
+            1.0,
+            "Hz",
+        ),
+        Row::new("masses_per_winding", "masses of that chain per winding", spring.masses_per_winding() as f64, 1.0, ""),
+        Row::new("lowest_first_frequency_hz", "the coil's own, at least", spring.first_frequency_band().0, 1.0, "Hz"),
+        Row::new("highest_first_frequency_hz", "the coil's own, at most", spring.first_frequency_band().1, 1.0, "Hz"),
         Row::new(
             "surge_frequency_en13906_hz",
             "the same by EN 13906-1, from wire and coil",

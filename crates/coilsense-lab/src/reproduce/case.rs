@@ -4,10 +4,11 @@
 
 use coilsense::inductance::{MaxwellSum, SelfDistance};
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Channel, Clash, Deviation, Error, Excitation, InductanceSensor, Motion, Signals, Spring};
+use coilsense::{Channel, Clash, Deviation, Error, Excitation, Motion, Mount, Signals, Spring};
 
 use super::{Condition, PaperSprings, Protocol, ReproduceError};
 use crate::published::COLUMNS;
+use crate::study::{self, Coil, Method, Setup, Simulation};
 
 /// Samples per second of the paper's tables here, and the window that is judged \[s\]: the last quarter of the first second.
 const SAMPLE_RATE: f64 = 10_000.0;
@@ -91,15 +92,12 @@ impl Case {
     }
 
     fn simulate(self) -> Result<CaseResult, Error> {
-        let motion = Motion::new(&self.spring, &self.excitation)?;
         let times = sampled_window(SAMPLE_RATE, WINDOW.0, WINDOW.1)?;
-        let mut signals = motion.signals(&times)?;
-        let coil = MaxwellSum::new(&self.spring, SelfDistance::AsPrinted);
-        let inductance = coil.series(&motion.windings(&times)?);
-        let calibration = Calibration::theoretical(&self.spring, &coil, self.excitation.mean_length())?;
-        let sensor = InductanceSensor::new(&self.spring, calibration);
-        signals.insert(Channel::InductanceForce, sensor.force(&inductance))?;
-        signals.insert(Channel::Inductance, inductance)?;
+        let sum = MaxwellSum::new(&self.spring, SelfDistance::AsPrinted);
+        let coil = Coil::of(&self.spring, &sum, self.excitation.mean_length(), Method::Exact)?;
+        let (mount, excitation) = (&Mount::default(), &self.excitation);
+        let setup = Setup { spring: &self.spring, mount, excitation, coil: Some(coil), positions: false };
+        let Simulation { motion, signals, .. } = study::simulate(&setup, &times)?;
         let reference = signals.channel(Channel::DeflectionForce)?;
         let deviation = |force| Ok((force, Deviation::between(signals.channel(force)?, reference)?));
         let deviations = [deviation(COLUMNS[0])?, deviation(COLUMNS[1])?, deviation(COLUMNS[2])?];

@@ -16,7 +16,7 @@ impl Rig {
         let closest = match course {
             Course::Resting { positions, .. } => {
                 let furthest = positions.iter().copied().fold(0.0, f64::max);
-                (self.length - furthest) / self.spring.chain_masses() as f64
+                (self.length - furthest) / self.spring.whole_windings() as f64
             }
             Course::Periodic { motion, period } => self.smallest_pitch(run, motion, &in_period(*period))?,
             Course::Hit { motion, times } => {

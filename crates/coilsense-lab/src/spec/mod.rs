@@ -43,6 +43,8 @@ pub use run::{RunKind, RunSpec};
 pub use sensor::SensorSpec;
 pub use spring::SpringSpec;
 pub use template::template;
+pub(crate) use tolerance::DIMENSIONS as TOLERANCE_DIMENSIONS;
+pub use tolerance::{Departure, Tolerances};
 
 use std::fmt::Display;
 use std::fs::File;

@@ -11,7 +11,7 @@ use coilsense::{Spring, SpringParameters};
 use super::document::Document;
 use super::material::material;
 use super::section::Section;
-use super::tolerance::{rest_length_tolerance, stiffness_tolerance};
+use super::tolerance::Tolerances;
 use super::{SpecError, read_text};
 use crate::quantity::Dimension;
 
@@ -36,11 +36,14 @@ pub struct SpringSpec {
     pub initial_tension: f64,
     /// Which self term the inductance takes.
     pub self_distance: SelfDistance,
-    /// How far the stiffness may be off, either way, as a share \[1\].
-    pub stiffness_tolerance: f64,
-    /// How far the rest length may be off, either way \[m\].
-    pub rest_length_tolerance: f64,
+    /// How far real springs are from all this.
+    pub tolerances: Tolerances,
+    /// Masses of the chain for each winding, where the spec says so; `spring` has as many, else one.
+    pub masses_per_winding: Option<usize>,
 }
+
+/// Most masses for a winding that a spec may ask for.
+const MOST_MASSES_PER_WINDING: u64 = 64;
 
 /// Words for how the wire ends.
 const ENDS: [(&str, EndType); 5] = [
@@ -60,6 +63,16 @@ const RADII: [(&str, &str); 3] =
     [("active windings", "windings"), ("coil diameter", "coil_radius"), ("wire diameter", "wire_radius")];
 
 impl SpringSpec {
+    /// How far the stiffness may be off, either way, as a share \[1\].
+    pub fn stiffness_tolerance(&self) -> f64 {
+        self.tolerances.of_stiffness()
+    }
+
+    /// How far the rest length may be off, either way \[m\].
+    pub fn rest_length_tolerance(&self) -> f64 {
+        self.tolerances.rest_length
+    }
+
     /// Reads a spring from the text of a spec, whose other tables are left alone; `file` names it in errors.
     ///
     /// # Errors
@@ -84,10 +97,10 @@ impl SpringSpec {
         }
     }
 
-    /// Distance between neighbours of the chain at which windings touch \[m\]: l_s over the chain's masses, since its pitch is the length
-    /// over its masses, dead end windings included.
+    /// Distance of points one turn apart at which windings touch \[m\]: l_s over the model's windings, since their pitch is the length over
+    /// their number, dead end windings included.
     pub fn contact_pitch(&self) -> f64 {
-        self.solid_length() / self.spring.chain_masses() as f64
+        self.solid_length() / self.spring.whole_windings() as f64
     }
 
     /// Reads the table `[spring]`.
@@ -107,6 +120,8 @@ impl SpringSpec {
             false => Self::valued(section, material.1, closed_length, initial_tension)?,
         };
         let name = section.text("name")?;
+        let masses = section.optional_whole("masses_per_winding", 1, MOST_MASSES_PER_WINDING)?;
+        let masses_per_winding = masses.map(|masses| masses as usize);
         let self_distance = match section.optional_word("self_distance", &["as-printed", "geometric-mean"])? {
             Some("geometric-mean") => SelfDistance::GeometricMean,
             _ => SelfDistance::AsPrinted,
@@ -120,9 +135,11 @@ impl SpringSpec {
             closed_length,
             initial_tension,
             self_distance,
-            stiffness_tolerance: stiffness_tolerance(section, by_geometry)?,
-            rest_length_tolerance: rest_length_tolerance(section, closed_length)?,
-            spring,
+            tolerances: Tolerances::parse(section, by_geometry, closed_length)?,
+            masses_per_winding,
+            spring: spring
+                .with_masses_per_winding(masses_per_winding.unwrap_or(1))
+                .map_err(|error| section.refuse_science(&error, &[]))?,
         })
     }
 

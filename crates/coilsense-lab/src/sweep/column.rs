@@ -69,7 +69,7 @@ const fn number(word: &'static str, unit: &'static str, of: fn(&SpringSpec) -> f
 }
 
 /// Every number of a spring that can be asked for.
-const OF_SPRING: [SpringNumber; 14] = [
+const OF_SPRING: [SpringNumber; 16] = [
     number("stiffness", "N/m", |spec| spec.spring.stiffness()),
     number("mass", "kg", |spec| spec.spring.mass()),
     number("windings", "1", |spec| spec.spring.windings()),
@@ -80,6 +80,8 @@ const OF_SPRING: [SpringNumber; 14] = [
     number("solid_length", "m", SpringSpec::solid_length),
     number("travel", "m", |spec| spec.spring.operating_range().1 - spec.spring.operating_range().0),
     number("f1", "Hz", |spec| spec.spring.surge_frequency()),
+    number("model_f1", "Hz", |spec| spec.spring.chain_frequency()),
+    number("masses_per_winding", "1", |spec| spec.spring.masses_per_winding() as f64),
     number("tau", "s", |spec| spec.spring.transit_time()),
     number("nominal_force", "N", |spec| spec.spring.nominal_force()),
     number("wave_impedance", "N s/m", |spec| spec.spring.wave_impedance()),

@@ -10,6 +10,7 @@ use super::column::{BY_INDUCTANCE, Column, Measure, Needs, OfSensor};
 use super::forces::{self, Judged, Windows};
 use crate::analysis::{Assessed, assess};
 use crate::spec::{Core, Draft, Files};
+use crate::study::prepare;
 
 /// What became of a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,12 +62,15 @@ pub(super) fn judge(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], ne
 
 fn judged(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Needs) -> std::result::Result<Row, String> {
     let (core, assessed) = if !needs.sensors.is_empty() {
-        let spec = draft.spec(files).map_err(|error| error.to_string())?;
+        let mut spec = draft.spec(files).map_err(|error| error.to_string())?;
+        prepare(&mut spec.spring, &mut spec.mount, &spec.conditions).map_err(|error| error.to_string())?;
         let assessed = assess(&spec, &needs.sensors).map_err(|error| error.to_string())?;
         let (spring, mount, conditions, goal) = (spec.spring, spec.mount, spec.conditions, spec.goal);
         (Core { spring, mount, conditions, goal }, assessed)
     } else {
-        (draft.core(files).map_err(|error| error.to_string())?, Vec::new())
+        let mut core = draft.core(files).map_err(|error| error.to_string())?;
+        prepare(&mut core.spring, &mut core.mount, &core.conditions).map_err(|error| error.to_string())?;
+        (core, Vec::new())
     };
     let coil = needs.forces[BY_INDUCTANCE].then(|| {
         let coil = MaxwellSum::new(&core.spring.spring, core.spring.self_distance);

@@ -5,10 +5,11 @@
 use coilsense::calibrate::Theory;
 use coilsense::inductance::MaxwellSum;
 use coilsense::signals::sampled_window;
-use coilsense::{Channel, Clash, Deviation, Error, InductanceSensor, Motion};
+use coilsense::{Channel, Clash, Deviation, Error, Motion};
 
 use super::column::{BY_INDUCTANCE, Needs};
 use crate::spec::Core;
+use crate::study::{self, Coil, Method, Setup, Simulation};
 
 /// L is taken to second order where that is within this share of it.
 const TOLERANCE: f64 = 1e-6;
@@ -61,31 +62,31 @@ pub(super) fn judge(
 ) -> Result<Judged, Error> {
     let asked = &core.conditions[condition];
     let spring = &core.spring.spring;
-    let motion = Motion::mounted(spring, &core.mount.cases[damping].mount, &asked.excitation)?;
-    let mut judged = Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() };
+    let (mount, excitation) = (&core.mount.cases[damping].mount, &asked.excitation);
     if needs.forces == [false; 4] {
-        return Ok(judged);
+        let motion = Motion::mounted(spring, mount, excitation)?;
+        return Ok(Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() });
     }
     let times = windows.of(asked.sample_rate, asked.window)?;
-    let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
-    let forces = motion.end_forces(times)?;
-    let deflection = match needs.forces[BY_DEFLECTION] || truth == BY_DEFLECTION {
-        true => motion.deflection_forces(times)?,
-        false => Vec::new(),
+    let coil = match coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
+        Some((sum, theory)) => {
+            let calibration = theory.calibration(sum, excitation.mean_length())?;
+            Some(Coil { sum, calibration, method: Method::Within(TOLERANCE) })
+        }
+        None => None,
     };
-    let series = [forces.input.as_slice(), forces.output.as_slice(), deflection.as_slice()];
-    for index in (0..series.len()).filter(|index| needs.forces[*index]) {
+    let setup = Setup { spring, mount, excitation, coil, positions: false };
+    let Simulation { motion, signals, bounded, .. } = study::simulate(&setup, times)?;
+    let mut judged = Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() };
+    let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
+    for index in (0..Channel::FORCES.len()).filter(|index| needs.forces[*index]) {
+        let series = |index: usize| signals.channel(Channel::FORCES[index]);
         judged.deviations[index] = Some(match index == truth {
             true => NONE,
-            false => Deviation::between(series[index], series[truth])?,
+            false => Deviation::between(series(index)?, series(truth)?)?,
         });
     }
-    if let Some((coil, theory)) = coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
-        let inductance = coil.along(&motion, times, TOLERANCE)?;
-        let calibration = theory.calibration(coil, asked.excitation.mean_length())?;
-        let samples: Vec<f64> = inductance.samples.iter().map(|sample| sample.inductance).collect();
-        let force = InductanceSensor::new(spring, calibration).force(&samples);
-        judged.deviations[BY_INDUCTANCE] = Some(Deviation::between(&force, series[truth])?);
+    if let Some(inductance) = bounded {
         judged.methods = [inductance.second_order, inductance.exact];
         judged.bound = inductance.samples.iter().map(|sample| sample.bound / sample.inductance).fold(0.0, f64::max);
     }

@@ -151,7 +151,7 @@ impl Asked {
         let first = spring.and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
         let usual = Settings::default();
         Ok(Settings {
-            windings: spring.map_or(self.windings()?, |spring| Some(spring.chain_masses() as f64)),
+            windings: spring.map_or(self.windings()?, |spring| Some(spring.whole_windings() as f64)),
             mass: self.above_zero("mass", Dimension::Mass)?.filter(|_| spring.is_none()),
             predicted: first.map(|angular| angular / std::f64::consts::TAU),
             prediction_tolerance: self.open_share("prediction-tolerance")?.unwrap_or(usual.prediction_tolerance),

@@ -110,9 +110,8 @@ fn contact_between(motion: &Motion, contact_pitch: f64, clear: f64, touching: f6
 
 /// The smallest distance between masses one turn apart, `apart` of them, and the number of the winding of the first.
 fn smallest_pitch(row: &[f64], apart: usize) -> (f64, usize) {
-    row.iter()
-        .zip(&row[apart.min(row.len())..])
-        .map(|(first, next)| next - first)
-        .zip(0..)
-        .fold((f64::INFINITY, 1), |least, (pitch, mass)| if pitch < least.0 { (pitch, mass / apart + 1) } else { least })
+    row.iter().zip(&row[apart.min(row.len())..]).map(|(first, next)| next - first).zip(0..).fold(
+        (f64::INFINITY, 1),
+        |least, (pitch, mass)| if pitch < least.0 { (pitch, mass / apart + 1) } else { least },
+    )
 }

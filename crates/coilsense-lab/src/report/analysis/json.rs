@@ -5,8 +5,9 @@
 use coilsense::Deviation;
 use serde_json::{Value, json};
 
-use crate::analysis::{Analysis, Case, SensorBudget, Verdict, answer};
+use crate::analysis::{Analysis, Case, IfUsual, SensorBudget, USUAL_TOLERANCE, Verdict, answer};
 use crate::report::data_sheet::data_sheet_value;
+use crate::study::Masses;
 
 /// The whole analysis as text; what was not computed is null.
 ///
@@ -23,6 +24,8 @@ pub fn analysis_json(analysis: &Analysis, date: &str) -> Result<String, serde_js
         "answer": answer(analysis),
         "goal": { "error_n": goal.error, "bandwidth_hz": goal.bandwidth, "force": goal.force.name() },
         "nominal_force_n": spec.spring.spring.nominal_force(),
+        "masses": masses_value(&analysis.masses),
+        "if_stiffness_tolerance_were_usual": analysis.if_usual.as_ref().map(|usual| usual_value(analysis, usual)),
         "ranking": analysis.verdicts.iter().map(|verdict| verdict_value(analysis, verdict)).collect::<Vec<_>>(),
         "cases": analysis.cases.iter().map(|case| case_value(analysis, case)).collect::<Vec<_>>(),
         "warnings": analysis.warnings.iter()
@@ -31,6 +34,27 @@ pub fn analysis_json(analysis: &Analysis, date: &str) -> Result<String, serde_js
         "spec": spec.text,
     });
     Ok(format!("{}\n", serde_json::to_string_pretty(&value)?))
+}
+
+/// How many masses stand for a winding, and whether they are enough.
+fn masses_value(masses: &Masses) -> Value {
+    json!({
+        "per_winding": masses.per_winding,
+        "given": masses.is_given,
+        "change_when_doubled": masses.change,
+        "enough": masses.are_enough(),
+        "conditions_without_limit": masses.without_limit,
+    })
+}
+
+/// The answer of a spec that is silent on its stiffness, within the usual tolerance.
+fn usual_value(analysis: &Analysis, usual: &IfUsual) -> Value {
+    let sensors = analysis.sensors.iter().zip(&usual.combined);
+    json!({
+        "stiffness_tolerance": USUAL_TOLERANCE,
+        "best": analysis.sensors[usual.best].name,
+        "sensors": sensors.map(|(sensor, combined)| json!({ "sensor": sensor.name, "combined_n": combined })).collect::<Vec<_>>(),
+    })
 }
 
 fn verdict_value(analysis: &Analysis, verdict: &Verdict) -> Value {
@@ -51,6 +75,16 @@ fn verdict_value(analysis: &Analysis, verdict: &Verdict) -> Value {
         // A sensor without limits has no −3 dB point.
         "bandwidth_hz": Some(verdict.bandwidth).filter(|bandwidth| bandwidth.is_finite()),
         "lag_s": verdict.lag,
+        "goal_filter": verdict.filter.map(|filter| json!({
+            "kind": "Butterworth low-pass",
+            "order": filter.order,
+            "bandwidth_hz": filter.bandwidth,
+            "lag_s": filter.lag,
+            "error_without_n": filter.raw,
+        })),
+        "share_inside_goal": verdict.least_inside(),
+        "worst_specimen_n": verdict.at_worst().worst,
+        "nominal_n": verdict.at_worst().nominal,
         "fixes": fixes.collect::<Vec<_>>(),
         "budget": budget_value(&verdict.budget),
     })
@@ -98,7 +132,12 @@ fn case_value(analysis: &Analysis, case: &Case) -> Value {
             "sensor": sensor.name,
             "deviation": deviation_value(&reading.deviation, nominal),
             "oscillation_in_band_n": assessment.map(|assessment| assessment.oscillation),
+            "oscillation_over_specimens_n": assessment.map(|assessment| assessment.over_specimens),
             "combined_n": assessment.map(|assessment| assessment.combined),
+            "nominal_n": assessment.map(|assessment| assessment.nominal),
+            "every_frequency_n": assessment.map(|assessment| assessment.raw),
+            "worst_specimen_n": assessment.map(|assessment| assessment.worst),
+            "share_inside_goal": assessment.and_then(|assessment| assessment.inside),
         })
     });
     let condition = &spec.conditions[case.condition];

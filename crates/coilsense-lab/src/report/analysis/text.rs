@@ -25,8 +25,8 @@ pub fn analysis_text(analysis: &Analysis) -> String {
     let widest = analysis.sensors.iter().map(|sensor| sensor.name.chars().count()).max().unwrap_or(0).max(6);
     let _ = writeln!(
         text,
-        "\n{BOLD}{:widest$}  {:>12}  {:>12}  {:>10}  {:>8}  worst in{BOLD:#}",
-        "sensor", "u [N]", "u [% F_nom]", "−3 dB [Hz]", "lag [ms]"
+        "\n{BOLD}{:widest$}  {:>12}  {:>12}  {:>12}  {:>12}  {:>8}  {:>10}  {:>8}  worst in{BOLD:#}",
+        "sensor", "u [N]", "u [% F_nom]", "nominal [N]", "worst [N]", "inside", "−3 dB [Hz]", "lag [ms]"
     );
     for verdict in &analysis.verdicts {
         let sensor = &analysis.sensors[verdict.sensor].name;
@@ -34,16 +34,24 @@ pub fn analysis_text(analysis: &Analysis) -> String {
         let style = style(verdict);
         let _ = writeln!(
             text,
-            "{sensor:widest$}  {style}{:>12}  {:>12}{style:#}  {:>10}  {:>8}  {}, {}",
+            "{sensor:widest$}  {style}{:>12}  {:>12}{style:#}  {:>12}  {:>12}  {:>8}  {:>10}  {:>8}  {}, {}",
             digits(verdict.combined()),
             digits(100.0 * verdict.combined() / nominal),
+            digits(verdict.at_worst().nominal),
+            digits(verdict.at_worst().worst),
+            verdict.least_inside().map_or_else(|| "–".to_owned(), |share| format!("{:.0} %", 100.0 * share)),
             if verdict.bandwidth.is_finite() { digits(verdict.bandwidth) } else { "–".to_owned() },
             format!("{:.2}", 1e3 * verdict.lag),
             analysis.spec.conditions[case.condition].name,
             analysis.spec.mount.cases[case.damping].label,
         );
     }
-    let _ = writeln!(text, "u: combined standard uncertainty in the worst case; F_nom = {} N", digits(nominal));
+    let _ = writeln!(
+        text,
+        "u: combined standard uncertainty in the worst case, rms over the springs that the spec allows; nominal, worst: of the spec's own \
+         spring and of the worst one; inside: share of them that meets the goal in every case; F_nom = {} N",
+        digits(nominal)
+    );
     for warning in &analysis.warnings {
         let _ = writeln!(text, "{MARK}Warning:{MARK:#} {}", warning.text);
     }

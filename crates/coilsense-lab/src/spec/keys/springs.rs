@@ -82,13 +82,33 @@ pub(super) const SPRING: Table = Table {
             "stiffness_tolerance",
             "\"5 %\"",
             "how far k may be off, either way",
+            "by geometry from the tolerances below, else none: the rate is then taken as exact, and `analyze` says so",
+        ),
+        optional(
+            "mass_tolerance",
+            "\"2 %\"",
+            "how far m may be off, either way",
             "by geometry from the tolerances below, else none",
+        ),
+        optional(
+            "initial_tension_tolerance",
+            "\"10 %\"",
+            "how far F_0 may be off, either way; the tolerance of k does not act on it",
+            "none",
         ),
         optional("rest_length_tolerance", "\"0.5 mm\"", "how far l0 may be off, either way", "none"),
         optional("wire_diameter_tolerance", "\"0.5 %\"", "how far d may be off, either way", "none").of(GEOMETRY),
         optional("coil_diameter_tolerance", "\"1 %\"", "how far D may be off, either way", "none").of(GEOMETRY),
         optional("windings_tolerance", "\"0.5 %\"", "how far n may be off, either way", "none").of(GEOMETRY),
         optional("shear_modulus_tolerance", "\"1 %\"", "how far G may be off, either way", "none").of(GEOMETRY),
+        optional("density_tolerance", "\"0.5 %\"", "how far the wire's density may be off, either way", "none")
+            .of(GEOMETRY),
+        optional(
+            "masses_per_winding",
+            "4",
+            "masses of the chain for each winding, 1 (the paper's chain) to 64",
+            "as many as it takes for no rms to move by more than 0.5 % when they are doubled, 32 at most",
+        ),
     ],
 };
 

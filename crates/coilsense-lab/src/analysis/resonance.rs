@@ -1,0 +1,120 @@
+//! Resonances that the tolerances move onto the input.
+//!
+//! Next door: other things that a reader must know (`warnings`), how errors change from spring to spring (`response`).
+
+use std::f64::consts::TAU;
+
+use coilsense::modes::ChainModes;
+use coilsense::{End, EndInput, Error};
+
+use super::response::Responses;
+use super::verdict::{Judge, Verdict};
+use super::warnings::{Subject, Warning};
+use crate::quantity::digits;
+use crate::spec::SensorSpec;
+use crate::study::Masses;
+
+/// An error that grows by less than this from the nominal spring to the loudest is no resonance.
+const GROWS: f64 = 1.5;
+
+/// A warning for each condition in which a mode of a spring that the tolerances allow meets a line of the input.
+pub(super) fn of(
+    judge: &Judge<'_>,
+    sensors: &[SensorSpec],
+    verdicts: &[Verdict],
+    responses: &[Responses],
+) -> Result<Vec<Warning>, Error> {
+    let each = (0..judge.spec.conditions.len()).map(|condition| {
+        let lines = lines(judge, condition);
+        let text = match lines.is_empty() {
+            true => by_response(judge, sensors, verdicts, responses, condition),
+            false => by_lines(judge, condition, &lines)?,
+        };
+        Ok(text.map(|text| Warning { subject: Subject::Resonance, text }))
+    });
+    each.filter_map(Result::transpose).collect()
+}
+
+/// A warning for each condition whose rms has no limit.
+pub(super) fn without_limit(masses: &Masses) -> Option<Warning> {
+    let names = masses.without_limit.join(", ");
+    let text = format!(
+        "{names}: a position that jumps hits every mode alike, so that the rms and the largest value of the end forces grow with the number of \
+         masses ({} per winding here); what a low-pass leaves of them, or a ramp in place of the jump, has a limit.",
+        masses.per_winding
+    );
+    (!masses.without_limit.is_empty()).then_some(Warning { subject: Subject::NoLimit, text })
+}
+
+/// Frequencies of the sines that drive the ends \[Hz\].
+fn lines(judge: &Judge<'_>, condition: usize) -> Vec<f64> {
+    let excitation = &judge.spec.conditions[condition].excitation;
+    let of = |end| match excitation.input(end) {
+        EndInput::Harmonics(sines) => sines.iter().filter(|sine| sine.amplitude != 0.0).map(|s| s.frequency).collect(),
+        _ => Vec::new(),
+    };
+    [End::One, End::Two].into_iter().flat_map(of).collect()
+}
+
+/// The lowest mode whose band holds a line.
+fn by_lines(judge: &Judge<'_>, condition: usize, lines: &[f64]) -> Result<Option<String>, Error> {
+    let spec = judge.spec;
+    let factors = judge.springs.specimens.each.iter().map(|specimen| specimen.frequency());
+    let (low, high) = factors.fold((1.0_f64, 1.0_f64), |(low, high), factor| (low.min(factor), high.max(factor)));
+    let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
+    for (mode, angular) in modes.frequencies().iter().enumerate() {
+        let frequency = angular / TAU;
+        let (from, to) = (low * frequency, high * frequency);
+        if let Some(line) = lines.iter().find(|line| (from..=to).contains(*line)) {
+            return Ok(Some(format!(
+                "{}: the input's {} Hz lie inside the band in which mode {} of such springs may be, {} to {} Hz ({} Hz here): how much it \
+                 rings differs from specimen to specimen. Measure that frequency (hit the spring, `coilsense identify`).",
+                spec.conditions[condition].name,
+                digits(*line),
+                mode + 1,
+                digits(from),
+                digits(to),
+                digits(frequency),
+            )));
+        }
+    }
+    Ok(None)
+}
+
+/// An input without lines of its own, a recording, whose error grows by much for some specimens.
+fn by_response(
+    judge: &Judge<'_>,
+    sensors: &[SensorSpec],
+    verdicts: &[Verdict],
+    responses: &[Responses],
+    condition: usize,
+) -> Option<String> {
+    let of_condition = |number: &usize| judge.cases[*number].condition == condition;
+    let mut loudest: Option<(f64, usize, usize)> = None;
+    for number in (0..judge.cases.len()).filter(of_condition) {
+        for verdict in verdicts {
+            let assessment = &verdict.assessments[number];
+            let grows = assessment.worst / assessment.nominal.max(f64::MIN_POSITIVE);
+            let counts = assessment.over_specimens > 0.5 * assessment.combined;
+            if counts && grows > GROWS && loudest.is_none_or(|(most, ..)| grows > most) {
+                loudest = Some((grows, number, verdict.sensor));
+            }
+        }
+    }
+    let (_, number, sensor) = loudest?;
+    let (spec, factor) = (judge.spec, responses[number].loudest(sensor));
+    let assessment = verdicts.iter().find(|verdict| verdict.sensor == sensor)?.assessments[number];
+    let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
+    let first = modes.frequencies().first()? / TAU;
+    Some(format!(
+        "{}, {}: what the input does to the surge differs from specimen to specimen: {} is off by {} N on the nominal spring (first mode {} Hz) \
+         and by up to {} N on others, most near {} Hz. Measure that frequency (hit the spring, `coilsense identify`).",
+        spec.conditions[condition].name,
+        spec.mount.cases[judge.cases[number].damping].label,
+        sensors[sensor].name,
+        digits(assessment.nominal),
+        digits(first),
+        digits(assessment.worst),
+        digits(factor * first),
+    ))
+}

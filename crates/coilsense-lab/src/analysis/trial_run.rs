@@ -1,0 +1,81 @@
+//! The errors of sensors on a spring that is not the nominal one: only the judged part of a run, and what a filter must have seen before.
+//!
+//! Next door: the whole run of the nominal spring (`case`), what is made of many springs (`response`).
+
+use std::ops::Range;
+
+use coilsense::sensors::ReadoutParameters;
+use coilsense::signals::sampled_window;
+use coilsense::{Calibration, Error, Spring};
+
+use super::band;
+use super::instrument::Instrument;
+use super::refinement::Sample;
+use super::response::{Asked, Moments, needs_coil};
+use crate::study::{self, Coil, Method, Setup};
+
+/// Filters have forgotten all but a thousandth of what was before so many of their times.
+const FORGOTTEN: f64 = 7.0;
+/// L to second order is good enough for how an error changes.
+const ANY: f64 = 1.0;
+
+/// A case, ready to be run on other springs.
+pub(super) struct TrialRun<'a> {
+    asked: &'a Asked<'a>,
+    times: Vec<f64>,
+    judged: Range<usize>,
+    by_coil: bool,
+}
+
+impl<'a> TrialRun<'a> {
+    pub fn new(asked: &'a Asked<'a>) -> Result<Self, Error> {
+        let condition = &asked.spec.conditions[asked.condition];
+        let rate = condition.sample_rate;
+        let each = asked.sensors.iter().map(|sensor| memory(&sensor.readout));
+        let bandwidth = asked.spec.goal.bandwidth.map_or(0.0, band::memory);
+        let before = each.fold(bandwidth, f64::max);
+        // On the grid of the condition's own samples.
+        let from = ((condition.window.0 - before).max(0.0) * rate).floor() / rate;
+        let times = sampled_window(rate, from, condition.window.1)?;
+        let judged = super::case::judged(&times, condition.window);
+        Ok(Self { asked, times, judged, by_coil: needs_coil(asked.spec, asked.sensors) })
+    }
+
+    /// Errors of every sensor on a spring, as far as they count: an instrument knows the stiffness of the spring that it is on.
+    pub fn moments(&self, spring: &Spring) -> Result<Sample, Error> {
+        let asked = self.asked;
+        let condition = &asked.spec.conditions[asked.condition];
+        let mean_length = condition.excitation.mean_length();
+        let coil = match self.by_coil {
+            true => {
+                let calibration = Calibration::theoretical(&asked.spec.spring.spring, asked.coil, mean_length)?;
+                Some(Coil { sum: asked.coil, calibration, method: Method::Within(ANY) })
+            }
+            false => None,
+        };
+        let mount = &asked.spec.mount.cases[asked.damping].mount;
+        let setup = Setup { spring, mount, excitation: &condition.excitation, coil, positions: false };
+        let signals = study::simulate(&setup, &self.times)?.signals;
+        let truth = signals.channel(asked.spec.goal.force)?;
+        let of = |sensor: &&crate::spec::SensorSpec| {
+            let instrument = Instrument::new(sensor, spring, asked.coil, mean_length)?;
+            let forces = instrument.forces(&instrument.steady_readings(&signals)?);
+            let errors: Vec<f64> = forces.iter().zip(truth).map(|(force, truth)| force - truth).collect();
+            let counted = band::within(&errors, &self.times, &self.judged, asked.spec.goal.bandwidth)?;
+            Ok(Moments::of(&counted))
+        };
+        asked.sensors.iter().map(of).collect()
+    }
+}
+
+/// How long ago an instrument still remembers \[s\].
+fn memory(settings: &ReadoutParameters) -> f64 {
+    let low_pass = settings.bandwidth.map_or(0.0, |bandwidth| low_pass(settings.order, bandwidth));
+    low_pass + settings.delay + settings.averaging.unwrap_or(0.0) + settings.sample_rate.map_or(0.0, f64::recip)
+}
+
+/// How long a Butterworth low-pass remembers \[s\]: its slowest pole decays with ω_c sin(π/2n).
+pub(super) fn low_pass(order: usize, bandwidth: f64) -> f64 {
+    let slowest = std::f64::consts::TAU * bandwidth * (0.5 * std::f64::consts::PI / order.max(1) as f64).sin();
+    FORGOTTEN / slowest
+}

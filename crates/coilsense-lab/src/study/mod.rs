@@ -1,0 +1,9 @@
+//! A spring simulated once: the one way from a spring, its mount and what is done to it to all that sensors watch.
+//!
+//! Next door: what is made of it (`analysis`, `sweep`, `reproduce`), the motion itself (`coilsense::motion`).
+
+mod masses;
+mod simulation;
+
+pub use masses::{ENOUGH, Masses, enough_masses, mounted, prepare};
+pub use simulation::{Coil, Method, Setup, Simulation, simulate};
