@@ -9,7 +9,8 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{EXPERIMENT_TABLES, TABLES, Table};
 use super::section::{Section, clipped};
-use super::{SpecError, located};
+use super::{SpecError, located, spring, synonyms};
+use crate::likeness::nearest;
 
 /// A spec file, parsed as TOML, whose tables are all known.
 #[derive(Clone)]
@@ -27,7 +28,7 @@ impl<'a> Document<'a> {
     pub(super) fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
         let document = Self { lenient: false, ..Self::catalogue(file, text)? };
         let names: Vec<&str> = TABLES.iter().map(|table| table.name).collect();
-        reject_unknown(file, text, document.table.get_ref(), &names, "")?;
+        reject_unknown(file, text, document.table.get_ref(), &names, "", |name| like_one_of(&names, name))?;
         Ok(document)
     }
 
@@ -45,7 +46,7 @@ impl<'a> Document<'a> {
         let document = Self { lenient: false, tables: &EXPERIMENT_TABLES, ..Self::catalogue(file, text)? };
         let [root, tables @ ..] = EXPERIMENT_TABLES;
         let names: Vec<&str> = root.names(None).into_iter().chain(tables.map(|table| table.name)).collect();
-        reject_unknown(file, text, document.table.get_ref(), &names, "")?;
+        reject_unknown(file, text, document.table.get_ref(), &names, "", |name| like_one_of(&names, name))?;
         Ok(document)
     }
 
@@ -155,28 +156,50 @@ impl<'a> Document<'a> {
         let documented = documented.ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
         let section = Section { file: self.file, text: self.text, documented, label, table, span };
         if !self.lenient {
-            reject_unknown(self.file, self.text, table, &documented.names(None), &format!(" in {}", section.label))?;
+            let (names, place) = (documented.names(None), format!(" in {}", section.label));
+            let meant = |name: &str| synonyms::meant(documented, kind_of(documented, table), name);
+            reject_unknown(self.file, self.text, table, &names, &place, meant)?;
         }
         Ok(section)
     }
 }
 
-/// The first key of `table` that is not known is an error that names the nearest known one.
-fn reject_unknown(file: &str, text: &str, table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), SpecError> {
+/// The first key of `table` that is not known is an error that says what was probably `meant`, and what is allowed.
+fn reject_unknown(
+    file: &str,
+    text: &str,
+    table: &DeTable<'_>,
+    known: &[&str],
+    place: &str,
+    meant: impl Fn(&str) -> String,
+) -> Result<(), SpecError> {
     let stranger =
         table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())).min_by_key(|key| key.span().start);
     let Some(stranger) = stranger else {
         return Ok(());
     };
     let name = clipped(stranger.get_ref());
-    let nearest = known
-        .iter()
-        .max_by(|a, b| strsim::jaro_winkler(&name, a).total_cmp(&strsim::jaro_winkler(&name, b)))
-        .copied()
-        .unwrap_or_default();
     let inner = table.get(stranger.get_ref().as_ref()).map(Spanned::get_ref);
     let is_table = place.is_empty() && inner.is_some_and(|value| value.is_table() || value.is_array());
     let what = if is_table { "table" } else { "key" };
-    let message = format!("unknown {what} {name:?}{place}; did you mean \"{nearest}\"? Allowed: {}", known.join(", "));
+    let meant = meant(&name);
+    let then = if meant.is_empty() { "; allowed" } else { " Allowed" };
+    let message = format!("unknown {what} {name:?}{place}{meant}{then}: {}", known.join(", "));
     Err(located(file, text, stranger.span().start, message))
+}
+
+/// What is said of an unknown name at the top of a file.
+fn like_one_of(known: &[&str], name: &str) -> String {
+    nearest(name, known.iter().copied()).map_or_else(String::new, |known| format!("; did you mean \"{known}\"?"))
+}
+
+/// The kind that a table says it is of, by the key that tells it.
+fn kind_of<'t>(documented: &Table, table: &'t DeTable<'_>) -> Option<&'t str> {
+    let word = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
+    match documented.name {
+        "spring" => Some(spring::kind(|key| table.contains_key(key))),
+        "mount" => Some(word("end2").unwrap_or("held")),
+        "control" => word("drive"),
+        _ => word("kind"),
+    }
 }

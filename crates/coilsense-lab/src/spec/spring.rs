@@ -42,6 +42,15 @@ pub struct SpringSpec {
     pub rest_length_tolerance: f64,
 }
 
+/// The two ways to describe a spring.
+const BY_VALUES: &str = "by values";
+const BY_GEOMETRY: &str = "by geometry";
+
+/// The way by which the keys that a table `has` describe a spring.
+pub(super) fn kind(has: impl Fn(&str) -> bool) -> &'static str {
+    if has("wire_diameter") || has("coil_diameter") { BY_GEOMETRY } else { BY_VALUES }
+}
+
 /// Words for how the wire ends.
 const ENDS: [(&str, EndType); 5] = [
     ("hooks", EndType::Hooks),
@@ -92,10 +101,11 @@ impl SpringSpec {
 
     /// Reads the table `[spring]`.
     pub(super) fn of(section: &Section<'_>) -> Result<Self, SpecError> {
-        let by_geometry = section.first_of(&["wire_diameter", "coil_diameter"]).is_some();
-        let (kind, whose) = match by_geometry {
-            true => ("by geometry", "a spring by geometry (which wire_diameter or coil_diameter makes it)"),
-            false => ("by values", "a spring by values (without wire_diameter and coil_diameter)"),
+        let kind = kind(|key| section.has(key));
+        let by_geometry = kind == BY_GEOMETRY;
+        let whose = match by_geometry {
+            true => "a spring by geometry (which wire_diameter or coil_diameter makes it)",
+            false => "a spring by values (without wire_diameter and coil_diameter)",
         };
         section.only_of(kind, whose)?;
         let closed_length = section.quantity("rest_length", Dimension::Length)?;

@@ -216,7 +216,7 @@ fn a_mapping_that_is_wrong_is_said() {
         ("[columns]\nF_o = { unit = \"N\" }", "map.toml: [columns] F_o: needs one of column and columns"),
         (
             "[columns]\nF_o = { column = \"a\", unit = \"mm\" }",
-            "map.toml: [columns] F_o: unit = \"mm\": must be a force with its unit (N, kN, mN)",
+            "map.toml: [columns] F_o: unit = \"mm\": must be a force with its unit (N, kN, mN, lbf, kgf, gf)",
         ),
         (
             "[columns]\nF_o = { column = \"a\", factor = 0 }",
