@@ -5,7 +5,7 @@
 use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
 use coilsense::motion::Windings;
-use coilsense::{Calibration, Channel, Clash, Deviation, Error, InductanceSensor, Motion, Signals};
+use coilsense::{Channel, Clash, Deviation, Error, Motion, Signals};
 use coilsense_lab::spec::{ConditionSpec, Spec};
 use serde_json::{Map, Value, json};
 
@@ -69,8 +69,10 @@ fn with_inductance(
     let coil = MaxwellSum::new(spring, spec.spring.self_distance);
     let near = coil.series_within(windings, ANY)?;
     let inductance: Vec<f64> = near.samples.iter().map(|sample| sample.inductance).collect();
-    let calibration = Calibration::theoretical(spring, &coil, asked.excitation.mean_length())?;
-    signals.insert(Channel::InductanceForce, InductanceSensor::new(spring, calibration).force(&inductance))?;
+    // A single winding has none: its inductance does not tell its length.
+    if let Some(sensor) = spec.spring.coil_force(&coil, asked.excitation.mean_length()) {
+        signals.insert(Channel::InductanceForce, sensor.force(&inductance))?;
+    }
     Ok(signals)
 }
 

@@ -11,6 +11,7 @@ use super::keys::{EXPERIMENT_TABLES, TABLES, Table};
 use super::section::{Section, clipped};
 use super::{SpecError, located, spring, synonyms};
 use crate::likeness::nearest;
+use crate::quantity::with_point;
 
 /// A spec file, parsed as TOML, whose tables are all known.
 #[derive(Clone)]
@@ -36,7 +37,9 @@ impl<'a> Document<'a> {
     pub(super) fn catalogue(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
         let table = DeTable::parse(text).map_err(|error| {
             let offset = error.span().map_or(0, |span| span.start);
-            located(file, text, offset, format!("not TOML: {}", error.message().replace('\n', ", ")))
+            let point =
+                decimal_comma(text, offset).map_or_else(String::new, |number| format!("; write {number} with a point"));
+            located(file, text, offset, format!("not TOML: {}{point}", error.message().replace('\n', ", ")))
         })?;
         Ok(Self { file, text, table, tables: &TABLES, lenient: true })
     }
@@ -186,6 +189,15 @@ fn reject_unknown(
     let then = if meant.is_empty() { "; allowed" } else { " Allowed" };
     let message = format!("unknown {what} {name:?}{place}{meant}{then}: {}", known.join(", "));
     Err(located(file, text, stranger.span().start, message))
+}
+
+/// The number with a point that the line at an offset writes with a comma.
+fn decimal_comma(text: &str, offset: usize) -> Option<String> {
+    let before = text.get(..offset)?;
+    let line = text[before.rfind('\n').map_or(0, |end| end + 1)..].lines().next()?;
+    let value = line.split_once('=')?.1.split('#').next()?.trim();
+    let number = with_point(value).filter(|number| number.parse::<f64>().is_ok())?;
+    Some(number)
 }
 
 /// What is said of an unknown name at the top of a file.

@@ -80,9 +80,13 @@ pub(super) fn judge(
             false => Deviation::between(series[index], series[truth])?,
         });
     }
-    if let Some((coil, theory)) = coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
+    // Of a single winding, whose inductance does not tell its length, there is no F_L.
+    let by_inductance = coil.filter(|_| needs.forces[BY_INDUCTANCE]).and_then(|(coil, theory)| {
+        let calibration = theory.calibration(coil, asked.excitation.mean_length()).ok()?;
+        Some((coil, calibration))
+    });
+    if let Some((coil, calibration)) = by_inductance {
         let inductance = coil.along(&motion, times, TOLERANCE)?;
-        let calibration = theory.calibration(coil, asked.excitation.mean_length())?;
         let samples: Vec<f64> = inductance.samples.iter().map(|sample| sample.inductance).collect();
         let force = InductanceSensor::new(spring, calibration).force(&samples);
         judged.deviations[BY_INDUCTANCE] = Some(Deviation::between(&force, series[truth])?);

@@ -1,6 +1,8 @@
 //! Sensors, goals and budgets that cannot be: each is refused in one line that names file, line, key, value and what is allowed.
 
-use super::fixtures::{BY_VALUES, check};
+use coilsense_lab::spec::Quantity;
+
+use super::fixtures::{BY_VALUES, check, read};
 
 #[test]
 fn a_sensor_that_cannot_be_is_refused() {
@@ -81,6 +83,17 @@ fn a_sensor_that_cannot_be_is_refused() {
 }
 
 #[test]
+fn a_single_winding_has_no_sensor_by_inductance_and_needs_none() {
+    let single = BY_VALUES.replace("windings = 52", "windings = 1");
+    read(&single).expect("a laser");
+    let coil = single.replace("kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"inductance\"");
+    let expected = r#"S.toml:32: kind = "inductance": "laser": must be another kind: the inductance of 1 winding does not change with the length"#;
+    assert_eq!(read(&coil).unwrap_err(), expected);
+    let few = coil.replace("windings = 1", "windings = 2");
+    assert!(read(&few).unwrap().sensors[0].range > 0.0);
+}
+
+#[test]
 fn a_goal_or_a_budget_that_cannot_be_is_refused() {
     #[rustfmt::skip]
     let faults = [
@@ -128,4 +141,25 @@ fn a_goal_or_a_budget_that_cannot_be_is_refused() {
             r#"S.toml:39: unknown key "converage" in [uncertainty]; did you mean "coverage"? Allowed: temperature_change, coverage, trials, seed"#],
     ];
     check(BY_VALUES, &faults);
+}
+
+#[test]
+fn an_uncalibrated_coil_is_trusted_less_where_its_wire_may_be_magnetic() {
+    let form = |material: &str, calibration: &str| {
+        let sensor = format!("kind = \"inductance\"\ncalibration = \"{calibration}\"");
+        let text = BY_VALUES.replace("[mount]", &format!("{material}\n[mount]"));
+        let spec = read(&text.replace("kind = \"deflection\"\nresolution = \"10 um\"", &sensor)).expect(material);
+        match spec.sensors[0].quantity {
+            Quantity::Inductance { form, .. } => form,
+            _ => panic!(),
+        }
+    };
+    // Steel, which is assumed; drawn stainless wire; a wire of unknown making.
+    for magnetic in ["", "material = \"stainless 1.4310\"", "relative_permeability = 1.2"] {
+        assert_eq!((form(magnetic, "theory"), form(magnetic, "fitted")), (0.30, 0.013), "{magnetic}");
+    }
+    for name in ["CuSn6", "CuBe2", "CuZn36", "Inconel X-750", "Ti-6Al-4V"] {
+        assert_eq!(form(&format!("material = {name:?}"), "theory"), 0.14, "{name}");
+    }
+    assert_eq!(form("relative_permeability = 1.0005", "theory"), 0.14);
 }

@@ -1,6 +1,6 @@
 //! Springs and mounts that cannot be: each is refused in one line that names file, line, key, value and what is allowed.
 
-use super::fixtures::{BY_GEOMETRY, BY_VALUES, check};
+use super::fixtures::{BY_GEOMETRY, BY_VALUES, check, read};
 
 #[test]
 fn a_spring_by_values_that_cannot_be_is_refused() {
@@ -74,7 +74,7 @@ fn a_spring_by_values_that_cannot_be_is_refused() {
             "S.toml:4: windings = 1_000_000: windings must be above zero and at most 100000, got 1000000"],
         ["hardly a winding", "= 52", "= 1e-12",
             "S.toml:4: windings = 1e-12: active windings must be from 1e-9 to 1e9, got 0.000000000001"],
-        ["more windings than can be simulated", "= 52", "= 100_000",
+        ["more windings than can be simulated", "= 52\ncoil_radius = \"8 mm\"\nwire_radius = \"1 mm\"", "= 100_000\ncoil_radius = \"8 mm\"\nwire_radius = \"100 nm\"",
             r#"S.toml:22: sample_rate = "10 kHz": 100000 windings are too many to simulate over time; up to 50000 are taken"#],
         ["a wire as thick as the coil", r#""1 mm""#, r#""8 mm""#,
             r#"S.toml:6: wire_radius = "8 mm": wire radius must be below the coil radius of 0.008 m, got 0.008 m"#],
@@ -84,6 +84,12 @@ fn a_spring_by_values_that_cannot_be_is_refused() {
             r#"S.toml:10: max_length = "190 mm": max length must be above the min length of 0.196 m, got 0.19 m"#],
         ["a range of nothing", r#""264 mm""#, r#""196 mm""#,
             r#"S.toml:10: max_length = "196 mm": max length must be above the min length of 0.196 m, got 0.196 m"#],
+        ["a range below the solid length", r#""196 mm""#, r#""103.9 mm""#,
+            r#"S.toml:9: min_length = "103.9 mm": must be at least the solid length of 104 mm, at which all windings touch"#],
+        ["a compression spring that is pulled", r#"mass = "65 g""#, "mass = \"65 g\"\nend_type = \"open-ground\"",
+            r#"S.toml:11: max_length = "264 mm": must be at most the rest_length of 104 mm: ends that are "open-ground" cannot be pulled"#],
+        ["windings that do not fit between the ends", r#""104 mm""#, r#""0.5 mm""#,
+            r#"S.toml:3: rest_length = "0.5 mm": rest length must be at least the solid length of 0.104 m, got 0.0005 m"#],
         ["a value that is a table", r#""65 g""#, "{ g = 65 }",
             "S.toml:7: mass = { g = 65 }: must be a mass with its unit (kg, g, mg, lb, oz)"],
         ["a wire diameter beside a mass", r#"wire_radius = "1 mm""#, r#"wire_diameter = "2 mm""#,
@@ -134,6 +140,10 @@ fn a_spring_by_geometry_that_cannot_be_is_refused() {
             r#"S.toml:7: wire_diameter = "0 mm": wire diameter must be above zero and finite, got 0 m"#],
         ["a wire that is NaN", r#""2 mm""#, r#""NaN mm""#,
             r#"S.toml:7: wire_diameter = "NaN mm": wire diameter must be above zero and finite, got NaN m"#],
+        ["a range below the solid length", r#""196 mm""#, r#""100 mm""#,
+            r#"S.toml:4: min_length = "100 mm": must be at least the solid length of 104 mm, at which all windings touch"#],
+        ["a compression spring that is pulled", "\"104 mm\"\nmin_length = \"196 mm\"\nmax_length = \"264 mm\"\nwindings = 52\nwire_diameter = \"2 mm\"\ncoil_diameter = \"16 mm\"\nend_type = \"hooks\"", "\"264 mm\"\nmin_length = \"196 mm\"\nmax_length = \"264.1 mm\"\nwindings = 52\nwire_diameter = \"2 mm\"\ncoil_diameter = \"16 mm\"\nend_type = \"closed-ground\"",
+            r#"S.toml:5: max_length = "264.1 mm": must be at most the rest_length of 264 mm: ends that are "closed-ground" cannot be pulled"#],
         ["an unknown material", r#""CuBe2""#, r#""cheese""#,
             r#"S.toml:10: material = "cheese": no material of that name; there are steel EN 10270-1, steel EN 10270-2, stainless 1.4310, stainless 1.4568, stainless 1.4401, CuSn6, CuBe2, CuZn36, Inconel X-750, Ti-6Al-4V"#],
         ["a material by number", r#""CuBe2""#, "2",
@@ -150,10 +160,32 @@ fn a_spring_by_geometry_that_cannot_be_is_refused() {
             r#"S.toml:7: initial_tension = "50 N": initial tension must be below 45.89843749999999 N, stiffness times rest length, got 50 N"#],
         ["tolerances that leave nothing sure", "windings = 52", "windings = 52\nwire_diameter_tolerance = \"20 %\"\ncoil_diameter_tolerance = \"25 %\"",
             r#"S.toml:7: wire_diameter_tolerance = "20 %": the tolerances leave 110 % of doubt in the stiffness; must be below 100 %"#],
-        ["a spring whose stiffness is beyond all springs", "\"2 mm\"\ncoil_diameter = \"16 mm\"", "\"2000 m\"\ncoil_diameter = \"2001 m\"",
-            "S.toml:1: [spring]: mass must be from 1e-9 to 1e9 kg, got 8.472354636422735e15 kg"],
+        ["a spring whose stiffness is beyond all springs", "\"16 mm\"", "\"2001 m\"",
+            "S.toml:1: [spring]: stiffness must be from 1e-9 to 1e9 N/m, got 0.0000000000002256229348139136 N/m"],
     ];
     check(BY_GEOMETRY, &faults);
+}
+
+#[test]
+fn a_number_with_a_decimal_comma_is_told_to_have_a_point() {
+    let message = read(&BY_VALUES.replace("windings = 52", "windings = 52,5   # counted")).unwrap_err();
+    assert!(message.starts_with("S.toml:4: not TOML: ") && message.ends_with("; write 52.5 with a point"), "{message}");
+}
+
+#[test]
+fn a_spring_whose_ends_are_not_told_may_be_used_either_way() {
+    // Pushed, pulled, and through the rest length: hooks, which are assumed, say nothing against it.
+    for rest in ["104 mm", "103.6 mm", "230 mm", "300 mm"] {
+        read(&BY_VALUES.replace("\"104 mm\"", &format!("\"{rest}\""))).expect(rest);
+    }
+}
+
+#[test]
+fn a_spring_with_initial_tension_is_closed_at_its_rest_length() {
+    let wound = BY_VALUES.replace("\"104 mm\"", "\"200 mm\"\ninitial_tension = \"5 N\"");
+    let expected =
+        r#"S.toml:10: min_length = "196 mm": must be at least the solid length of 200 mm, at which all windings touch"#;
+    assert_eq!(read(&wound).unwrap_err(), expected);
 }
 
 #[test]
