@@ -160,7 +160,7 @@ fn force(arguments: &Arguments, spec: Option<&SpringSpec>) -> Option<ForceLaw> {
 
 /// A quantity above zero.
 fn quantity(dimension: Dimension, text: &str) -> Result<f64, String> {
-    let value = dimension.parse(text).ok_or_else(|| format!("must be {}", dimension.expectation()))?;
+    let value = dimension.parse(text).ok_or_else(|| dimension.refusal(text))?;
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err("must be above zero and finite".to_owned()) }
 }
 
@@ -173,7 +173,7 @@ fn stiffness(text: &str) -> Result<f64, String> {
 }
 
 fn share(text: &str) -> Result<f64, String> {
-    let value = Dimension::Share.parse(text).ok_or_else(|| format!("must be {}", Dimension::Share.expectation()))?;
+    let value = Dimension::Share.parse(text).ok_or_else(|| Dimension::Share.refusal(text))?;
     if (0.0..1.0).contains(&value) { Ok(value) } else { Err("must be from 0 % to below 100 %".to_owned()) }
 }
 

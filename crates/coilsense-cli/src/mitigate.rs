@@ -71,7 +71,7 @@ enum Numbers {
 }
 
 fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
-    dimension.parse(text).ok_or_else(|| format!("must be {}", dimension.expectation()))
+    dimension.parse(text).ok_or_else(|| dimension.refusal(text))
 }
 
 fn frequency(text: &str) -> Result<f64, String> {

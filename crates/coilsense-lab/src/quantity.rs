@@ -58,9 +58,23 @@ enum Factor {
     Ten(i32),
     /// Any other factor.
     Times(f64),
+    /// Any other divisor.
+    Over(f64),
 }
 
-use Factor::{Ten, Times};
+use Factor::{Over, Ten, Times};
+
+/// One inch \[m\], exactly.
+///
+/// Source: the international yard and pound agreement of 1959, as the next one.
+const INCH: f64 = 0.0254;
+/// One avoirdupois pound \[kg\], exactly.
+const POUND: f64 = 0.453_592_37;
+/// Standard gravity \[m/s²\], exactly: what makes a force of a kilogram or a pound.
+///
+/// Source: 3rd General Conference on Weights and Measures, 1901.
+const GRAVITY: f64 = 9.806_65;
+const POUND_FORCE: f64 = POUND * GRAVITY;
 
 impl Dimension {
     /// All dimensions; no two share a unit.
@@ -114,16 +128,41 @@ impl Dimension {
     /// The units it may be written in, the SI unit first.
     fn units(self) -> &'static [Unit] {
         match self {
-            Self::Length => {
-                &[("m", Ten(0)), ("cm", Ten(-2)), ("mm", Ten(-3)), ("um", Ten(-6)), ("µm", Ten(-6)), ("nm", Ten(-9))]
+            Self::Length => &[
+                ("m", Ten(0)),
+                ("cm", Ten(-2)),
+                ("mm", Ten(-3)),
+                ("um", Ten(-6)),
+                ("µm", Ten(-6)),
+                ("nm", Ten(-9)),
+                ("in", Times(INCH)),
+                ("inch", Times(INCH)),
+                ("\"", Times(INCH)),
+                ("ft", Times(12.0 * INCH)),
+                ("mil", Times(1e-3 * INCH)),
+            ],
+            Self::Mass => {
+                &[("kg", Ten(0)), ("g", Ten(-3)), ("mg", Ten(-6)), ("lb", Times(POUND)), ("oz", Times(POUND / 16.0))]
             }
-            Self::Mass => &[("kg", Ten(0)), ("g", Ten(-3)), ("mg", Ten(-6))],
-            Self::Stiffness => &[("N/m", Ten(0)), ("kN/m", Ten(3)), ("N/mm", Ten(3))],
-            Self::Force => &[("N", Ten(0)), ("kN", Ten(3)), ("mN", Ten(-3))],
-            Self::Time => &[("s", Ten(0)), ("ms", Ten(-3)), ("us", Ten(-6)), ("µs", Ten(-6))],
+            Self::Stiffness => &[
+                ("N/m", Ten(0)),
+                ("kN/m", Ten(3)),
+                ("N/mm", Ten(3)),
+                ("lbf/in", Times(POUND_FORCE / INCH)),
+                ("kgf/mm", Times(1e3 * GRAVITY)),
+            ],
+            Self::Force => &[
+                ("N", Ten(0)),
+                ("kN", Ten(3)),
+                ("mN", Ten(-3)),
+                ("lbf", Times(POUND_FORCE)),
+                ("kgf", Times(GRAVITY)),
+                ("gf", Times(1e-3 * GRAVITY)),
+            ],
+            Self::Time => &[("s", Ten(0)), ("ms", Ten(-3)), ("us", Ten(-6)), ("µs", Ten(-6)), ("ns", Ten(-9))],
             Self::Frequency => &[("Hz", Ten(0)), ("kHz", Ten(3)), ("MHz", Ten(6))],
             Self::SurgeMultiple => &[("f1", Ten(0))],
-            Self::Velocity => &[("m/s", Ten(0)), ("mm/s", Ten(-3))],
+            Self::Velocity => &[("m/s", Ten(0)), ("cm/s", Ten(-2)), ("mm/s", Ten(-3)), ("km/h", Over(3.6))],
             Self::Angle => &[("rad", Ten(0)), ("deg", Times(PI / 180.0))],
             Self::Inductance => &[("H", Ten(0)), ("mH", Ten(-3)), ("uH", Ten(-6)), ("µH", Ten(-6)), ("nH", Ten(-9))],
             Self::Temperature => &[("K", Ten(0))],
@@ -151,6 +190,16 @@ impl Dimension {
         format!("{} with its unit ({})", self.name(), self.symbols())
     }
 
+    /// Why `text` is none of this dimension: what is allowed, and how to write what was probably meant.
+    ///
+    /// ```
+    /// use coilsense_lab::quantity::Dimension;
+    /// assert!(Dimension::Length.refusal("4,5 mm").ends_with("; write 4.5 mm with a point"));
+    /// ```
+    pub fn refusal(self, text: &str) -> String {
+        format!("must be {}{}", self.expectation(), pointed(text, |text| self.parse(text).is_some()))
+    }
+
     /// The SI value of `text`, such as `"104 mm"`; `None` where it is not a number followed by a unit of this dimension.
     ///
     /// The number is read together with the unit's power of ten, so `"104 mm"` is the double nearest to 0.104.
@@ -170,6 +219,7 @@ impl Dimension {
         match factor {
             Ten(exponent) => scaled(number, exponent),
             Times(factor) => Some(number.parse::<f64>().ok()? * factor),
+            Over(divisor) => Some(number.parse::<f64>().ok()? / divisor),
         }
     }
 
@@ -180,6 +230,7 @@ impl Dimension {
             Ten(exponent) if exponent < 0 => Scale::Over(10f64.powi(-exponent)),
             Ten(exponent) => Scale::Times(10f64.powi(exponent)),
             Times(factor) => Scale::Times(factor),
+            Over(divisor) => Scale::Over(divisor),
         })
     }
 
@@ -223,24 +274,86 @@ fn scaled(text: &str, exponent: i32) -> Option<f64> {
     format!("{mantissa}e{}", own.saturating_add(exponent)).parse().ok()
 }
 
+/// `text` with a decimal point where it has one decimal comma and no point; `None` for any other.
+///
+/// ```
+/// use coilsense_lab::quantity::with_point;
+/// assert_eq!(with_point("4,5 mm").as_deref(), Some("4.5 mm"));
+/// assert_eq!(with_point("1,234.5 mm"), None);
+/// ```
+pub fn with_point(text: &str) -> Option<String> {
+    let (whole, behind) = text.split_once(',')?;
+    let is_decimal = whole.ends_with(|c: char| c.is_ascii_digit()) && behind.starts_with(|c: char| c.is_ascii_digit());
+    (is_decimal && !behind.contains(',') && !text.contains('.')).then(|| format!("{whole}.{behind}"))
+}
+
+/// What to write in place of a decimal comma, where that is all that keeps `text` from being taken; else nothing.
+pub(crate) fn pointed(text: &str, is_taken: impl Fn(&str) -> bool) -> String {
+    let point = with_point(text).filter(|text| is_taken(text));
+    point.map_or_else(String::new, |text| format!("; write {text} with a point"))
+}
+
+/// Below this a number is written with a power of ten: its zeros would be counted, not read.
+const SMALLEST_PLAIN: f64 = 1e-4;
+
 /// Three significant digits, as people write them.
 pub(crate) fn digits(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
-    let decimals = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
+    if value.abs() < SMALLEST_PLAIN {
+        return format!("{value:.2e}");
+    }
+    let decimals = (2 - value.abs().log10().floor() as i32).max(0) as usize;
     format!("{value:.decimals$}")
 }
 
 /// The same without zeros behind: for what a person has set.
 pub fn plainly(value: f64) -> String {
     let text = digits(value);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    let (mantissa, exponent) = text.find('e').map_or((text.as_str(), ""), |place| text.split_at(place));
+    match mantissa.contains('.') {
+        true => format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.')),
+        false => text,
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Dimension;
+    use super::{Dimension, digits, plainly};
+
+    #[test]
+    fn customary_units_are_what_treaties_make_them() {
+        // Inch and pound by the agreement of 1959, gravity by that of 1901; a product of two doubles is off by 2e-16 of it.
+        let near = |dimension: Dimension, text: &str, expected: f64| {
+            let found = dimension.parse(text).unwrap_or_else(|| panic!("{text}"));
+            assert!((found / expected - 1.0).abs() < 3e-16, "{text}: {found}");
+        };
+        near(Dimension::Length, "1.5 in", 0.0381);
+        near(Dimension::Length, "1.5\"", 0.0381);
+        near(Dimension::Length, "1.5 inch", 0.0381);
+        near(Dimension::Length, "2 ft", 0.6096);
+        near(Dimension::Length, "63 mil", 1.6002e-3);
+        near(Dimension::Mass, "2 lb", 0.907_184_74);
+        near(Dimension::Mass, "16 oz", 0.453_592_37);
+        near(Dimension::Force, "1 lbf", 4.448_221_615_260_5);
+        near(Dimension::Force, "1 kgf", 9.806_65);
+        near(Dimension::Force, "500 gf", 4.903_325);
+        near(Dimension::Stiffness, "1 lbf/in", 175.126_835_246_476_4);
+        near(Dimension::Stiffness, "0.1 kgf/mm", 980.665);
+        near(Dimension::Velocity, "36 km/h", 10.0);
+        assert_eq!(Dimension::Time.parse("1 ns"), Some(1e-9));
+    }
+
+    #[test]
+    fn what_is_tiny_is_written_with_a_power_of_ten() {
+        assert_eq!((digits(2.12e-6).as_str(), digits(-2.1249e-11).as_str()), ("2.12e-6", "-2.12e-11"));
+        assert_eq!((digits(0.000_123_4).as_str(), digits(0.0).as_str()), ("0.000123", "0"));
+        assert_eq!(
+            (plainly(1e-10).as_str(), plainly(2.5e-7).as_str(), plainly(100.0).as_str()),
+            ("1e-10", "2.5e-7", "100")
+        );
+    }
 
     #[test]
     fn units_scale_to_the_nearest_double() {

@@ -38,11 +38,11 @@ fn each_fault_is_named_with_its_place_and_value() {
         ("mass", "mass = \"-65 g\"", "S.toml:10: mass = \"-65 g\": mass must be above zero and finite, got -0.065 kg"),
         ("mass", "mass = \"nan g\"", "S.toml:10: mass = \"nan g\": mass must be above zero and finite, got NaN kg"),
         ("mass", "mass = \"inf kg\"", "S.toml:10: mass = \"inf kg\": mass must be above zero and finite, got inf kg"),
-        ("mass", "mass = nan", "S.toml:10: mass = nan: must be a mass with its unit (kg, g, mg)"),
-        ("mass", "mass = 0.065", "S.toml:10: mass = 0.065: must be a mass with its unit (kg, g, mg)"),
-        ("mass", "mass = \"65 mm\"", "S.toml:10: mass = \"65 mm\": must be a mass with its unit (kg, g, mg)"),
-        ("mass", "mass = [1]", "S.toml:10: mass = [1]: must be a mass with its unit (kg, g, mg)"),
-        ("mass", "", "S.toml:4: [spring] lacks the key \"mass\": a mass with its unit (kg, g, mg)"),
+        ("mass", "mass = nan", "S.toml:10: mass = nan: must be a mass with its unit (kg, g, mg, lb, oz)"),
+        ("mass", "mass = 0.065", "S.toml:10: mass = 0.065: must be a mass with its unit (kg, g, mg, lb, oz)"),
+        ("mass", "mass = \"65 mm\"", "S.toml:10: mass = \"65 mm\": must be a mass with its unit (kg, g, mg, lb, oz)"),
+        ("mass", "mass = [1]", "S.toml:10: mass = [1]: must be a mass with its unit (kg, g, mg, lb, oz)"),
+        ("mass", "", "S.toml:4: [spring] lacks the key \"mass\": a mass with its unit (kg, g, mg, lb, oz)"),
         (
             "stiffness",
             "stiffness = \"0 N/m\"",
@@ -62,7 +62,7 @@ fn each_fault_is_named_with_its_place_and_value() {
         (
             "mass",
             "mass = \"\"\"65 x\n\"\"\"",
-            "S.toml:10: mass = \"\"\"65 x …: must be a mass with its unit (kg, g, mg)",
+            "S.toml:10: mass = \"\"\"65 x …: must be a mass with its unit (kg, g, mg, lb, oz)",
         ),
         ("windings", "windings = \"52\"", "S.toml:7: windings = \"52\": must be a number without a unit"),
         (

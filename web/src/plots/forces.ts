@@ -51,7 +51,8 @@ export class ForcePlot {
       series['time'],
       truth.map((force) => force + band),
       truth.map((force) => force - band),
-      ...FORCE_NAMES.map((name) => series[name]),
+      // A single winding has no F_L.
+      ...FORCE_NAMES.map((name) => series[name] ?? new Array<null>(truth.length).fill(null)),
     ];
     const { plot } = this.chart;
     plot.batch(() => {

@@ -138,7 +138,7 @@ fn what_cannot_be_asked_is_one_line_and_leaves_no_folder() {
     assert!(refused(&["--minimize", "status"]).contains("column \"status\" holds no numbers"));
     assert!(refused(&["--minimize", "f1", "--maximize", "f1"]).contains("f1 is asked for twice"));
     let unit = refused(&["--minimize", "mass", "--where", "mass < 3 mm"]);
-    assert!(unit.contains("3 mm must be a number in kg, or a mass with its unit (kg, g, mg)"), "{unit}");
+    assert!(unit.contains("3 mm must be a number in kg, or a mass with its unit (kg, g, mg, lb, oz)"), "{unit}");
     let none = refused(&["--minimize", "mass", "--where", "mass > 1 kg"]);
     assert!(none.contains("no design is left to compare: 400 rows: 40 are refused, 360 fail a condition"), "{none}");
     // Refused after the front has been found: still nothing of it is written.

@@ -2,10 +2,10 @@
 //!
 //! Next door: the judgement of sensors (`verdict`).
 
-use coilsense::Error;
 use coilsense::measures::{Spectrum, alias_of};
 use coilsense::modes::ChainModes;
 use coilsense::sensors::{Readout, ReadoutParameters};
+use coilsense::{Channel, End, Error};
 
 use super::case::Case;
 use super::verdict::Judge;
@@ -33,6 +33,8 @@ pub enum Subject {
     Clash,
     /// A length out of range.
     Length,
+    /// An end that can only push, and would have to pull.
+    Lift,
     /// Values of the spring that do not fit together.
     Doubt,
     /// A surge line above half a sample rate.
@@ -53,6 +55,7 @@ impl Subject {
             Self::NoLimit => "no_limit",
             Self::Clash => "clash",
             Self::Length => "length",
+            Self::Lift => "lift",
             Self::Doubt => "doubt",
             Self::Alias => "alias",
             Self::Range => "range",
@@ -73,6 +76,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
         warnings.extend(clash(spec, &of_condition));
         warnings.extend(length(spec, &of_condition, sheet));
+        warnings.extend(lift(spec, &of_condition)?);
     }
     warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
@@ -103,7 +107,7 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
         spec.conditions[nearest.condition].name,
         spec.mount.cases[nearest.damping].label,
         nearest.clash.time,
-        -1e3 * nearest.clash.clearance(),
+        -1e3 * spec.spring.gap(nearest.clash.smallest_pitch),
     );
     Some(Warning { subject: Subject::Clash, text })
 }
@@ -135,6 +139,71 @@ fn length(spec: &Spec, cases: &[&Case], sheet: &DataSheet) -> Option<Warning> {
         return None;
     };
     Some(Warning { subject: Subject::Length, text })
+}
+
+/// An end lifts off from this share of F_nom on; below it is rounding of a spring that hangs loose.
+const LEAST_LIFT: f64 = 1e-3;
+
+/// How an end that can only push is pulled.
+struct Pull {
+    end: End,
+    damping: usize,
+    /// When first \[s\].
+    first: f64,
+    /// The largest force \[N\], and when \[s\].
+    largest: (f64, f64),
+    /// Whether the judged part has such a force.
+    is_judged: bool,
+}
+
+/// Ends of a compression spring that would have to pull, under the damping where they pull hardest.
+fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
+    if spec.spring.geometry.parameters().end_type.is_extension() {
+        return Ok(None);
+    }
+    let mut pulls = Vec::new();
+    for case in cases {
+        for (end, channel) in [(End::One, Channel::InputForce), (End::Two, Channel::OutputForce)] {
+            pulls.extend(pull(spec, case, end, case.signals.channel(channel)?));
+        }
+    }
+    let Some(worst) = pulls.iter().max_by(|a, b| a.largest.0.total_cmp(&b.largest.0)) else { return Ok(None) };
+    let of_end = |pull: &Pull| {
+        let name = if pull.end == End::One { "end 1" } else { "end 2" };
+        format!(
+            "{name} from t = {:.4} s on, by up to {} N at t = {:.4} s",
+            pull.first,
+            digits(pull.largest.0),
+            pull.largest.1
+        )
+    };
+    let ends: Vec<String> = pulls.iter().filter(|pull| pull.damping == worst.damping).map(of_end).collect();
+    let label = |damping: usize| spec.mount.cases[damping].label.as_str();
+    let mut others: Vec<&str> =
+        pulls.iter().filter(|pull| pull.damping != worst.damping).map(|pull| label(pull.damping)).collect();
+    others.dedup();
+    let also = if others.is_empty() { String::new() } else { format!(" So they would at {}.", others.join(", ")) };
+    let judged =
+        if pulls.iter().any(|pull| pull.is_judged) { "" } else { " The judged part itself has no such force." };
+    let text = format!(
+        "{}, {}: ends that can only push would have to pull: {}. A real spring lifts off its seat there, which the model does not know; \
+         the numbers after that lie beyond what this spring can do.{also}{judged}",
+        spec.conditions[cases[0].condition].name,
+        label(worst.damping),
+        ends.join("; "),
+    );
+    Ok(Some(Warning { subject: Subject::Lift, text }))
+}
+
+/// The pull on an end up to the end of the judged part, where there is one.
+fn pull(spec: &Spec, case: &Case, end: End, force: &[f64]) -> Option<Pull> {
+    let least = LEAST_LIFT * spec.spring.spring.nominal_force();
+    let force = &force[..case.judged.end];
+    let times = case.signals.time();
+    let first = force.iter().position(|force| *force > least)?;
+    let (place, largest) = force.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
+    let is_judged = force[case.judged.start..].iter().any(|force| *force > least);
+    Some(Pull { end, damping: case.damping, first: times[first], largest: (*largest, times[place]), is_judged })
 }
 
 /// Surge lines above half of a sensor's sample rate that get through its filter.

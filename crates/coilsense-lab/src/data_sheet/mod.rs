@@ -36,17 +36,8 @@ pub struct DataSheet {
 const DOUBTFUL: f64 = 0.05;
 
 /// What does not fit together in a spring.
-fn doubts(spring: &SpringSpec, solid: f64) -> Vec<String> {
+fn doubts(spring: &SpringSpec) -> Vec<String> {
     let mut doubts = Vec::new();
-    let shortest = spring.spring.operating_range().0;
-    if shortest < solid * (1.0 - 1e-9) {
-        let text = format!(
-            "the shortest length in use, {:.2} mm, is below the solid length of {:.2} mm: the windings touch before it is reached.",
-            1e3 * shortest,
-            1e3 * solid
-        );
-        doubts.push(text);
-    }
     let both = [
         ("k", spring.geometry.stiffness(), spring.spring.stiffness(), 1.0, "N/m"),
         ("m", spring.geometry.active_mass(), spring.spring.mass(), 1e3, "g"),
@@ -82,7 +73,7 @@ impl DataSheet {
             surge: frequencies::on_every_mount(&spring.spring, spec.mount.far_end())?,
             neighbours: frequencies::neighbours(spring)?,
             solid_length: solid,
-            doubts: doubts(spring, solid),
+            doubts: doubts(spring),
         })
     }
 

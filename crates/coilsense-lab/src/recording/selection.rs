@@ -8,6 +8,7 @@ use super::error::{RecordingError, clipped};
 use super::mapping::{Columns, Mapping};
 use super::quantity::Quantity;
 use super::title::Title;
+use crate::likeness::nearest;
 use crate::quantity::Scale;
 
 /// Columns of a file that are taken.
@@ -126,11 +127,7 @@ fn find(titles: &[Title], wanted: &str, quantity: Quantity) -> Result<usize, Str
             clipped(wanted)
         )),
         [] => {
-            let nearest = titles
-                .iter()
-                .map(|title| title.name.as_str())
-                .filter(|name| !name.is_empty())
-                .max_by(|a, b| strsim::jaro_winkler(wanted, a).total_cmp(&strsim::jaro_winkler(wanted, b)));
+            let nearest = nearest(wanted, titles.iter().map(|title| title.name.as_str()));
             let nearest = nearest.map_or(String::new(), |name| format!("; did you mean {}?", clipped(name)));
             Err(format!("{name} = {}: no column has this title{nearest}", clipped(wanted)))
         }

@@ -9,7 +9,9 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{EXPERIMENT_TABLES, TABLES, Table};
 use super::section::{Section, clipped};
-use super::{SpecError, located};
+use super::{SpecError, located, spring, synonyms};
+use crate::likeness::nearest;
+use crate::quantity::with_point;
 
 /// A spec file, parsed as TOML, whose tables are all known.
 #[derive(Clone)]
@@ -27,7 +29,7 @@ impl<'a> Document<'a> {
     pub(super) fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
         let document = Self { lenient: false, ..Self::catalogue(file, text)? };
         let names: Vec<&str> = TABLES.iter().map(|table| table.name).collect();
-        reject_unknown(file, text, document.table.get_ref(), &names, "")?;
+        reject_unknown(file, text, document.table.get_ref(), &names, "", |name| like_one_of(&names, name))?;
         Ok(document)
     }
 
@@ -35,7 +37,9 @@ impl<'a> Document<'a> {
     pub(super) fn catalogue(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
         let table = DeTable::parse(text).map_err(|error| {
             let offset = error.span().map_or(0, |span| span.start);
-            located(file, text, offset, format!("not TOML: {}", error.message().replace('\n', ", ")))
+            let point =
+                decimal_comma(text, offset).map_or_else(String::new, |number| format!("; write {number} with a point"));
+            located(file, text, offset, format!("not TOML: {}{point}", error.message().replace('\n', ", ")))
         })?;
         Ok(Self { file, text, table, tables: &TABLES, lenient: true })
     }
@@ -45,7 +49,7 @@ impl<'a> Document<'a> {
         let document = Self { lenient: false, tables: &EXPERIMENT_TABLES, ..Self::catalogue(file, text)? };
         let [root, tables @ ..] = EXPERIMENT_TABLES;
         let names: Vec<&str> = root.names(None).into_iter().chain(tables.map(|table| table.name)).collect();
-        reject_unknown(file, text, document.table.get_ref(), &names, "")?;
+        reject_unknown(file, text, document.table.get_ref(), &names, "", |name| like_one_of(&names, name))?;
         Ok(document)
     }
 
@@ -155,28 +159,59 @@ impl<'a> Document<'a> {
         let documented = documented.ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
         let section = Section { file: self.file, text: self.text, documented, label, table, span };
         if !self.lenient {
-            reject_unknown(self.file, self.text, table, &documented.names(None), &format!(" in {}", section.label))?;
+            let (names, place) = (documented.names(None), format!(" in {}", section.label));
+            let meant = |name: &str| synonyms::meant(documented, kind_of(documented, table), name);
+            reject_unknown(self.file, self.text, table, &names, &place, meant)?;
         }
         Ok(section)
     }
 }
 
-/// The first key of `table` that is not known is an error that names the nearest known one.
-fn reject_unknown(file: &str, text: &str, table: &DeTable<'_>, known: &[&str], place: &str) -> Result<(), SpecError> {
+/// The first key of `table` that is not known is an error that says what was probably `meant`, and what is allowed.
+fn reject_unknown(
+    file: &str,
+    text: &str,
+    table: &DeTable<'_>,
+    known: &[&str],
+    place: &str,
+    meant: impl Fn(&str) -> String,
+) -> Result<(), SpecError> {
     let stranger =
         table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())).min_by_key(|key| key.span().start);
     let Some(stranger) = stranger else {
         return Ok(());
     };
     let name = clipped(stranger.get_ref());
-    let nearest = known
-        .iter()
-        .max_by(|a, b| strsim::jaro_winkler(&name, a).total_cmp(&strsim::jaro_winkler(&name, b)))
-        .copied()
-        .unwrap_or_default();
     let inner = table.get(stranger.get_ref().as_ref()).map(Spanned::get_ref);
     let is_table = place.is_empty() && inner.is_some_and(|value| value.is_table() || value.is_array());
     let what = if is_table { "table" } else { "key" };
-    let message = format!("unknown {what} {name:?}{place}; did you mean \"{nearest}\"? Allowed: {}", known.join(", "));
+    let meant = meant(&name);
+    let then = if meant.is_empty() { "; allowed" } else { " Allowed" };
+    let message = format!("unknown {what} {name:?}{place}{meant}{then}: {}", known.join(", "));
     Err(located(file, text, stranger.span().start, message))
+}
+
+/// The number with a point that the line at an offset writes with a comma.
+fn decimal_comma(text: &str, offset: usize) -> Option<String> {
+    let before = text.get(..offset)?;
+    let line = text[before.rfind('\n').map_or(0, |end| end + 1)..].lines().next()?;
+    let value = line.split_once('=')?.1.split('#').next()?.trim();
+    let number = with_point(value).filter(|number| number.parse::<f64>().is_ok())?;
+    Some(number)
+}
+
+/// What is said of an unknown name at the top of a file.
+fn like_one_of(known: &[&str], name: &str) -> String {
+    nearest(name, known.iter().copied()).map_or_else(String::new, |known| format!("; did you mean \"{known}\"?"))
+}
+
+/// The kind that a table says it is of, by the key that tells it.
+fn kind_of<'t>(documented: &Table, table: &'t DeTable<'_>) -> Option<&'t str> {
+    let word = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
+    match documented.name {
+        "spring" => Some(spring::kind(|key| table.contains_key(key))),
+        "mount" => Some(word("end2").unwrap_or("held")),
+        "control" => word("drive"),
+        _ => word("kind"),
+    }
 }

@@ -17,7 +17,9 @@ use super::recordings::Recordings;
 use super::rig::RigSpec;
 use super::sensor::SensorSpec;
 use super::spring::SpringSpec;
+use super::synonyms::synonym;
 use super::{Files, Spec, SpecError};
+use crate::likeness::alike;
 
 /// A spec's tables.
 #[derive(Clone)]
@@ -161,18 +163,21 @@ impl<'a> Draft<'a> {
     }
 }
 
-/// An unknown key, and the one most like it.
+/// An unknown key, and the one that is probably meant.
 fn unknown(path: &str) -> String {
-    let tail = |path: &str| path.rsplit('.').next().unwrap_or_default().trim().to_owned();
-    let head = |path: &str| path.split('.').next().unwrap_or_default().trim().to_owned();
-    let likeness = |table: &str, key: &str| {
-        strsim::jaro_winkler(&tail(path), key) + 0.5 * strsim::jaro_winkler(&head(path), table)
-    };
+    let (head, tail) = (path.split('.').next().unwrap_or_default(), path.rsplit('.').next().unwrap_or_default());
+    let (head, tail) = (head.trim(), tail.trim());
+    let likeness = |table: &str, key: &str| strsim::jaro_winkler(tail, key) + 0.5 * strsim::jaro_winkler(head, table);
     let all = TABLES.iter().flat_map(|table| table.keys.iter().map(|key| (*table, key.name)));
-    let nearest = all.max_by(|a, b| likeness(a.0.name, a.1).total_cmp(&likeness(b.0.name, b.1)));
-    let nearest = nearest.map_or_else(String::new, |(table, key)| match table.repeats {
-        true => format!("{}.NAME.{key}", table.name),
-        false => format!("{}.{key}", table.name),
+    let nearest = || {
+        let alike = all.filter(|(_, key)| alike(tail, key));
+        alike.max_by(|a, b| likeness(a.0.name, a.1).total_cmp(&likeness(b.0.name, b.1)))
+    };
+    let table = TABLES.into_iter().find(|table| table.name == head);
+    let synonym = table.and_then(|table| Some((table, synonym(table, None, tail)?.0)));
+    let meant = synonym.or_else(nearest).map_or_else(String::new, |(table, key)| match table.repeats {
+        true => format!("did you mean {}.NAME.{key}? ", table.name),
+        false => format!("did you mean {}.{key}? ", table.name),
     });
-    format!("{path}: no key of a spec; did you mean {nearest}? docs/spec.md lists all")
+    format!("{path}: no key of a spec; {meant}docs/spec.md lists all")
 }

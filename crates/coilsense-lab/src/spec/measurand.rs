@@ -2,6 +2,7 @@
 //!
 //! Next door: the instrument itself (`sensor`), what it makes of a signal (`coilsense::sensors`).
 
+use coilsense::geometry::Material;
 use coilsense::inductance::MaxwellSum;
 use coilsense::{End, Spring};
 
@@ -35,10 +36,15 @@ pub enum Quantity {
     },
 }
 
-/// Departure of measured springs from eq. (13)'s form, share of the travel: findings of measured runs, 0.3–2 %; and of a Maxwell sum
-/// without calibration, 1–14 %.
+/// Departure of measured springs from eq. (13)'s form, share of the travel: findings of measured runs, 0.3–2 %.
 const FITTED_FORM: f64 = 0.013;
-const THEORY_FORM: f64 = 0.14;
+/// The same of a Maxwell sum without calibration: measured extension springs, uncalibrated Maxwell sum: 27, 33, 28 and 8 % of travel. Most
+/// spring wire is magnetic, stainless wire too once it is drawn.
+const THEORY_FORM: f64 = 0.30;
+/// The same of a wire that is known not to be magnetic, which the sum's air coil is: the upper end of 1–14 %.
+const THEORY_FORM_IN_AIR: f64 = 0.14;
+/// A relative permeability so near to 1 changes no inductance of a coil by as much.
+const NOT_MAGNETIC: f64 = 0.01;
 
 impl Quantity {
     /// Its word in a spec.
@@ -80,8 +86,8 @@ impl Quantity {
     }
 }
 
-/// What a sensor of a kind measures, by its table.
-pub(super) fn measurand(section: &Section<'_>, kind: &str) -> Result<Quantity, SpecError> {
+/// What a sensor of a kind measures, by its table, on a spring of that wire.
+pub(super) fn measurand(section: &Section<'_>, kind: &str, wire: &Material) -> Result<Quantity, SpecError> {
     Ok(match kind {
         "load-cell" => match section.optional_whole("end", 1, 2)? {
             Some(1) => Quantity::Force(End::One),
@@ -94,7 +100,12 @@ pub(super) fn measurand(section: &Section<'_>, kind: &str) -> Result<Quantity, S
         },
         _ => {
             let uncalibrated = section.optional_word("calibration", &["fitted", "theory"])? == Some("theory");
-            let usual = if uncalibrated { THEORY_FORM } else { FITTED_FORM };
+            let in_air = wire.relative_permeability().is_some_and(|relative| (relative - 1.0).abs() <= NOT_MAGNETIC);
+            let usual = match (uncalibrated, in_air) {
+                (false, _) => FITTED_FORM,
+                (true, false) => THEORY_FORM,
+                (true, true) => THEORY_FORM_IN_AIR,
+            };
             let form = section.share("calibration_form")?.unwrap_or(usual);
             Quantity::Inductance { uncalibrated, form }
         }

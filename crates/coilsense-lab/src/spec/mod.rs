@@ -24,6 +24,7 @@ mod section;
 mod sensor;
 mod size;
 mod spring;
+mod synonyms;
 mod template;
 mod tolerance;
 mod value;

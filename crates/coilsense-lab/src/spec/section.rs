@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::Table;
 use super::{SpecError, located};
+use crate::quantity::pointed;
 
 /// Most characters of a value that a message repeats.
 const MOST_SHOWN: usize = 80;
@@ -85,7 +86,9 @@ impl Section<'_> {
         // What was put in the place of a value is a text, also where it is a number.
         let number = || DeValue::parse(value.get_ref().as_str()?).ok().and_then(|number| parse(number.get_ref()));
         let parsed = parse(value.get_ref()).or_else(|| if value.span().is_empty() { number() } else { None });
-        let message = || format!("{key} = {}: must be {}", self.source(value), expectation());
+        let is_taken = |text: &str| parse(&DeValue::String(text.to_owned().into())).is_some();
+        let point = || value.get_ref().as_str().map_or_else(String::new, |text| pointed(text, is_taken));
+        let message = || format!("{key} = {}: must be {}{}", self.source(value), expectation(), point());
         parsed.map(Some).ok_or_else(|| self.at(value, message()))
     }
 

@@ -6,12 +6,12 @@ use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::ReadoutParameters;
 use coilsense::{Channel, Spring};
 
-use super::SpecError;
 use super::catalogue;
 use super::document::Document;
 use super::measurand::{KINDS, Quantity, measurand};
 use super::section::Section;
 use super::spring::SpringSpec;
+use super::{SpecError, plain};
 use crate::quantity::Dimension;
 use crate::series;
 
@@ -55,7 +55,7 @@ impl SensorSpec {
         let coil = MaxwellSum::new(&spring.spring, spring.self_distance);
         let mut sensors: Vec<Self> = Vec::new();
         for section in sections {
-            let sensor = Self::parse(&section, &spring.spring, &coil)?;
+            let sensor = Self::parse(&section, spring, &coil)?;
             let key = series::key_of(&sensor.name);
             let text = if let Some(other) = sensors.iter().find(|other| series::key_of(&other.name) == key) {
                 format!(
@@ -73,7 +73,8 @@ impl SensorSpec {
         Ok(sensors)
     }
 
-    fn parse(section: &Section<'_>, spring: &Spring, coil: &MaxwellSum) -> Result<Self, SpecError> {
+    fn parse(section: &Section<'_>, spec: &SpringSpec, coil: &MaxwellSum) -> Result<Self, SpecError> {
+        let spring = &spec.spring;
         let class = section.optional_text("class")?;
         // A class says its kind; a kind that is given must be that one.
         let kind = match section.has("kind") {
@@ -82,8 +83,11 @@ impl SensorSpec {
         };
         let kind = kind.map_or_else(|| section.word("kind", &KINDS), Ok)?;
         section.only_of(kind, &format!("kind \"{kind}\""))?;
-        let quantity = measurand(section, kind)?;
+        let quantity = measurand(section, kind, spec.geometry.material())?;
         let natural = quantity.natural_range(spring, coil);
+        if matches!(quantity, Quantity::Inductance { .. }) && natural == 0.0 {
+            return Err(section.refuse("kind", single_winding(section, spring)?));
+        }
         let range = section.above_zero("range", quantity.dimension())?.unwrap_or(natural);
         let base = match class {
             Some(class) => {
@@ -169,4 +173,14 @@ fn native(section: &Section<'_>, key: &str, quantity: Quantity, range: f64) -> R
         &format!("from zero to the range of {range} {}", quantity.unit()),
     )?;
     Ok(Some(native))
+}
+
+/// Why a spring has no sensor by inductance.
+fn single_winding(section: &Section<'_>, spring: &Spring) -> Result<String, SpecError> {
+    let name = section.optional_text("name")?.map_or_else(String::new, |name| format!("{name:?}: "));
+    let windings = plain(spring.inductance_windings());
+    let plural = if windings == "1" { "" } else { "s" };
+    Ok(format!(
+        "{name}must be another kind: the inductance of {windings} winding{plural} does not change with the length"
+    ))
 }

@@ -5,14 +5,14 @@
 use std::path::Path;
 
 use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material};
-use coilsense::inductance::SelfDistance;
-use coilsense::{Spring, SpringParameters};
+use coilsense::inductance::{MaxwellSum, SelfDistance};
+use coilsense::{Calibration, InductanceSensor, Spring, SpringParameters};
 
 use super::document::Document;
 use super::material::material;
 use super::section::Section;
 use super::tolerance::Tolerances;
-use super::{SpecError, read_text};
+use super::{SpecError, plain, read_text};
 use crate::quantity::Dimension;
 
 /// A spring and what people say of it.
@@ -44,6 +44,14 @@ pub struct SpringSpec {
 
 /// Most masses for a winding that a spec may ask for.
 const MOST_MASSES_PER_WINDING: u64 = 64;
+/// The two ways to describe a spring.
+const BY_VALUES: &str = "by values";
+const BY_GEOMETRY: &str = "by geometry";
+
+/// The way by which the keys that a table `has` describe a spring.
+pub(super) fn kind(has: impl Fn(&str) -> bool) -> &'static str {
+    if has("wire_diameter") || has("coil_diameter") { BY_GEOMETRY } else { BY_VALUES }
+}
 
 /// Words for how the wire ends.
 const ENDS: [(&str, EndType); 5] = [
@@ -89,12 +97,9 @@ impl SpringSpec {
         Self::parse(&path.display().to_string(), &read_text(path)?)
     }
 
-    /// Length with all windings touching \[m\]: of a compression spring by geometry with its end windings, else N · 2ρ.
+    /// Length with all windings touching \[m\], as [`Geometry::solid_length`] has it: with initial tension the closed length.
     pub fn solid_length(&self) -> f64 {
-        match self.by_geometry && !self.geometry.parameters().end_type.is_extension() {
-            true => self.geometry.solid_length(),
-            false => self.spring.solid_length(),
-        }
+        if self.initial_tension > 0.0 { self.closed_length } else { self.geometry.solid_length() }
     }
 
     /// Distance of points one turn apart at which windings touch \[m\]: l_s over the model's windings, since their pitch is the length over
@@ -103,12 +108,34 @@ impl SpringSpec {
         self.solid_length() / self.spring.whole_windings() as f64
     }
 
+    /// Gap from wire to wire between neighbouring windings \[m\] where neighbours of the chain are `pitch` apart \[m\]; below zero where
+    /// wires would overlap.
+    ///
+    /// g = (p − l_s/M) M/N, of M masses: (l − l_s)/N where all are equally far apart, as the data sheet has it.
+    pub fn gap(&self, pitch: f64) -> f64 {
+        (pitch - self.contact_pitch()) * self.spring.whole_windings() as f64 / self.spring.windings()
+    }
+
+    /// Distance of neighbouring active windings from centre to centre \[m\] where neighbours of the chain are `pitch` apart \[m\]: they touch
+    /// at the wire's diameter.
+    pub fn winding_pitch(&self, pitch: f64) -> f64 {
+        self.spring.wire_diameter() + self.gap(pitch)
+    }
+
+    /// The coil as a sensor of force in a condition with that mean length \[m\], by eq. (13) fitted to its own theory; `None` where its
+    /// inductance does not tell its length: that of a single winding.
+    pub fn coil_force(&self, coil: &MaxwellSum, mean_length: f64) -> Option<InductanceSensor> {
+        let calibration = Calibration::theoretical(&self.spring, coil, mean_length).ok()?;
+        Some(InductanceSensor::new(&self.spring, calibration))
+    }
+
     /// Reads the table `[spring]`.
     pub(super) fn of(section: &Section<'_>) -> Result<Self, SpecError> {
-        let by_geometry = section.first_of(&["wire_diameter", "coil_diameter"]).is_some();
-        let (kind, whose) = match by_geometry {
-            true => ("by geometry", "a spring by geometry (which wire_diameter or coil_diameter makes it)"),
-            false => ("by values", "a spring by values (without wire_diameter and coil_diameter)"),
+        let kind = kind(|key| section.has(key));
+        let by_geometry = kind == BY_GEOMETRY;
+        let whose = match by_geometry {
+            true => "a spring by geometry (which wire_diameter or coil_diameter makes it)",
+            false => "a spring by values (without wire_diameter and coil_diameter)",
         };
         section.only_of(kind, whose)?;
         let closed_length = section.quantity("rest_length", Dimension::Length)?;
@@ -126,7 +153,7 @@ impl SpringSpec {
             Some("geometric-mean") => SelfDistance::GeometricMean,
             _ => SelfDistance::AsPrinted,
         };
-        Ok(Self {
+        let spec = Self {
             name,
             geometry,
             material: material.0,
@@ -140,7 +167,23 @@ impl SpringSpec {
             spring: spring
                 .with_masses_per_winding(masses_per_winding.unwrap_or(1))
                 .map_err(|error| section.refuse_science(&error, &[]))?,
-        })
+        };
+        spec.check_range(section)?;
+        Ok(spec)
+    }
+
+    /// The spring can be used over the range: windings have room, and ends that only push are not pulled.
+    fn check_range(&self, section: &Section<'_>) -> Result<(), SpecError> {
+        let (shortest, longest) = self.spring.operating_range();
+        let (solid, rest) = (self.solid_length(), self.closed_length);
+        let touching = format!("at least the solid length of {}, at which all windings touch", millimetres(solid));
+        section.check("min_length", shortest >= solid * (1.0 - ROUNDING), shortest, &touching)?;
+        let end_type = self.geometry.parameters().end_type;
+        let reaches = end_type.is_extension() || longest <= rest * (1.0 + ROUNDING);
+        let word = ENDS.iter().find(|(_, known)| *known == end_type).map_or("", |(word, _)| word);
+        let pulled =
+            format!("at most the rest_length of {}: ends that are \"{word}\" cannot be pulled", millimetres(rest));
+        section.check("max_length", reaches, longest, &pulled).map(|_| ())
     }
 
     /// By wire, coil and material.
@@ -217,6 +260,14 @@ fn in_use(section: &Section<'_>) -> Result<SpringParameters, SpecError> {
         nominal_force: section.optional_quantity("nominal_force", Dimension::Force)?,
         inductance_windings: section.optional_number("inductance_windings")?,
     })
+}
+
+/// Rounding of lengths as they are written.
+const ROUNDING: f64 = 1e-9;
+
+/// A length as messages have it, to a tenth of a micrometre.
+fn millimetres(length: f64) -> String {
+    format!("{} mm", plain((1e7 * length).round() / 1e4))
 }
 
 fn end_type(section: &Section<'_>) -> Result<EndType, SpecError> {

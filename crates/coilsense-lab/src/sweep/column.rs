@@ -6,6 +6,7 @@ use coilsense::Channel;
 
 use super::SweepError;
 use super::chunk::Kind;
+use crate::likeness::nearest;
 use crate::spec::SpringSpec;
 
 /// A column of results.
@@ -212,9 +213,11 @@ fn unknown(text: &str) -> SweepError {
     }));
     known.extend(["F_L.method", "F_L.bound", "worst", "closest_pitch", "clearance"].map(str::to_owned));
     known.extend(OF_SENSOR.map(|(word, _)| format!("SENSOR.{word}")));
-    let likeness = |word: &String| strsim::jaro_winkler(text, word);
-    let nearest = known.iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b))).cloned().unwrap_or_default();
-    SweepError(format!("column {text}: is not known; did you mean {nearest}? Allowed: {}", known.join(", ")))
+    let meant = match nearest(text, known.iter().map(String::as_str)) {
+        Some(nearest) => format!("; did you mean {nearest}? Allowed"),
+        None => "; allowed".to_owned(),
+    };
+    SweepError(format!("column {text}: is not known{meant}: {}", known.join(", ")))
 }
 
 /// Words with commas between them; those in quotes or brackets belong to a name.

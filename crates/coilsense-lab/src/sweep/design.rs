@@ -143,13 +143,15 @@ impl Design<'_> {
             }
             Column::Method { condition } => self.method(*condition),
             Column::Bound { condition } => {
-                Result::Number(self.of(*condition).iter().map(|case| case.bound).fold(0.0, f64::max))
+                let of_cases = self.of(*condition).iter().filter(|case| case.methods != [0, 0]);
+                of_cases.map(|case| case.bound).max_by(by_size).map_or(Result::None, Result::Number)
             }
             Column::Pitch { clearance } => {
                 let clashes = self.cases.iter().filter_map(|case| case.clash.as_ref());
                 let smallest = clashes.map(|clash| clash.smallest_pitch).fold(f64::INFINITY, f64::min);
-                let contact = if *clearance { self.core.spring.contact_pitch() } else { 0.0 };
-                if smallest.is_finite() { Result::Number(smallest - contact) } else { Result::None }
+                let spring = &self.core.spring;
+                let found = if *clearance { spring.gap(smallest) } else { spring.winding_pitch(smallest) };
+                if smallest.is_finite() { Result::Number(found) } else { Result::None }
             }
             Column::Sensor { sensor, of } => self.sensor(*sensor, *of, nominal),
         }

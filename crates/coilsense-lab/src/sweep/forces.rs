@@ -69,17 +69,20 @@ pub(super) fn judge(
     }
     let times = windows.of(asked.sample_rate, asked.window)?;
     let coil = match coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
-        Some((sum, theory)) => {
-            let calibration = theory.calibration(sum, excitation.mean_length())?;
-            Some(Coil { sum, calibration, method: Method::Within(TOLERANCE) })
-        }
+        // Of a single winding, whose inductance does not tell its length, there is no F_L.
+        Some((sum, theory)) => theory.calibration(sum, excitation.mean_length()).ok().map(|calibration| Coil {
+            sum,
+            calibration,
+            method: Method::Within(TOLERANCE),
+        }),
         None => None,
     };
     let setup = Setup { spring, mount, excitation, coil, positions: false };
     let Simulation { motion, signals, bounded, .. } = study::simulate(&setup, times)?;
     let mut judged = Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() };
     let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
-    for index in (0..Channel::FORCES.len()).filter(|index| needs.forces[*index]) {
+    let known = |index: &usize| needs.forces[*index] && signals.channel(Channel::FORCES[*index]).is_ok();
+    for index in (0..Channel::FORCES.len()).filter(known) {
         let series = |index: usize| signals.channel(Channel::FORCES[index]);
         judged.deviations[index] = Some(match index == truth {
             true => NONE,

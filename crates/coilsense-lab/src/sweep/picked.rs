@@ -7,6 +7,7 @@ use super::chunk::{Chunk, Data, Kind, titles};
 use super::dataset::Dataset;
 use super::encoded;
 use super::plan::Plan;
+use crate::likeness::nearest;
 
 impl Plan {
     /// Title and kind of a column by its title, with or without its unit.
@@ -17,10 +18,9 @@ impl Plan {
         let found = exact.or_else(|| all.iter().find(|(title, _)| without_unit(title) == word));
         found.cloned().ok_or_else(|| {
             let names = || all.iter().map(|(title, _)| without_unit(title));
-            let likeness = |name: &str| strsim::jaro_winkler(name, word);
-            let nearest = names().max_by(|a, b| likeness(a).total_cmp(&likeness(b))).unwrap_or_default();
+            let meant = nearest(word, names()).map_or_else(String::new, |nearest| format!("did you mean {nearest}? "));
             let known: Vec<&str> = names().collect();
-            SweepError(format!("no column {word:?}; did you mean {nearest}? there are: {}", known.join(", ")))
+            SweepError(format!("no column {word:?}; {meant}there are: {}", known.join(", ")))
         })
     }
 

@@ -82,7 +82,7 @@ fn each_limit_alone_contributes_its_closed_form() {
             COLD,
             "",
             "calibration form: measured springs",
-            0.14 * TRAVEL * K,
+            0.30 * TRAVEL * K,
         ),
     ] {
         let (combined, contribution) = alone(sensor, uncertainty, spring, name);

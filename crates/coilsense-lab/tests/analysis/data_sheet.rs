@@ -68,3 +68,23 @@ fn neighbours_of_s_t_lie_around_its_surge() {
     assert!((of("lateral", "230.0") / 40.0 - 1.0).abs() < 0.1, "{}", of("lateral", "230.0"));
     assert!((of("torsional", "") / 60.0 - 1.0).abs() < 0.1, "{}", of("torsional", ""));
 }
+
+#[test]
+fn windings_touch_at_one_length_whoever_asks() {
+    let of = |text: &str| spec(&format!("{text}\n{STILL}")).spring;
+    let table = |text: &str| text[text.find("[spring]").unwrap()..text.find("[mount]").unwrap()].to_owned();
+    let wound = of(&table(include_str!("../../../../examples/own-geometry.toml")));
+    let valve = of(&table(include_str!("../../../../examples/valve-spring.toml")));
+    // Pulled shut by its initial tension at its rest length; 7.75 windings of 4 mm; 52 of 2 mm.
+    for (spring, solid) in [(&wound, 0.0615), (&valve, 0.031), (&of(S_T), 0.104)] {
+        close(spring.solid_length(), solid, 1e-12);
+        close(spring.geometry.solid_length(), solid, 1e-12);
+        let masses = spring.spring.chain_masses() as f64;
+        // A gap per winding; at the solid length it is none, and windings lie a wire apart.
+        let length = spring.spring.operating_range().0;
+        close(spring.gap(length / masses), (length - solid) / spring.spring.windings(), 1e-9);
+        close(spring.winding_pitch(solid / masses), spring.spring.wire_diameter(), 1e-12);
+    }
+    // The valve's spring open: 7 mm for 5.75 windings.
+    close(valve.winding_pitch(0.038 / 6.0), 0.004 + 0.007 / 5.75, 1e-9);
+}

@@ -16,6 +16,7 @@ mod fixes;
 mod paper;
 mod readings;
 mod runs;
+mod small;
 mod verdicts;
 mod warnings;
 

@@ -121,3 +121,28 @@ fn neighbours_below_the_first_surge_of_the_specs_own_mount_are_told() {
         "a heavy end swings at 3 Hz, below them all"
     );
 }
+
+#[test]
+fn an_end_that_can_only_push_is_told_where_it_would_have_to_pull() {
+    // Pushed by 9100 N/m × 1 mm, then struck so that the wave takes √(km) v = 26.98 N/(m/s) off both ends in turn.
+    let pushed = |ends: &str, velocity: f64, window: &str| {
+        let spring =
+            S_A.replace("\"82 mm\"", "\"85 mm\"").replace("\"122 mm\"", "\"99 mm\"").replace("\"81 mm\"", "\"100 mm\"");
+        let spring = spring.replace("[spring]", &format!("[spring]\n{ends}"));
+        let condition = format!(
+            "[[condition]]\nname = \"hit\"\nkind = \"impact\"\nlength = \"max\"\nvelocity = \"{velocity} m/s\"\nduration = \"20 ms\"\n{window}"
+        );
+        let analysis = undamped(&spring, &condition);
+        of(&analysis, Subject::Lift).into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let seats = "end_type = \"open-ground\"";
+    let [text] = &pushed(seats, 1.0, "")[..] else { panic!() };
+    assert!(text.starts_with("hit, ζ = 0: ends that can only push would have to pull: end 1 from t = 0.0"), "{text}");
+    assert!(text.contains("; end 2 from t = 0.0") && text.ends_with("beyond what this spring can do."), "{text}");
+    // 26.98 − 9.1 N of a continuous coil; the chain's last windings overshoot the wave, at most to twice it.
+    let largest: f64 = text.split("by up to ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((17.88..44.86).contains(&largest), "{text}");
+    assert_eq!(pushed(seats, 0.1, "").len(), 0, "at most 5.4 N of 9.1");
+    assert_eq!(pushed("end_type = \"hooks\"", 1.0, "").len(), 0, "hooks may be pulled");
+    assert_eq!(pushed("", 1.0, "").len(), 0, "and so may ends that nobody told");
+}

@@ -107,7 +107,7 @@ const FAULTS: [Fault; 36] = [
     (
         "time [s],F_o [mm]\n0,1\n1,2\n",
         &[],
-        "run.csv: column 2 \"F_o [mm]\": \"mm\" is not a unit of a force; F_o may have N, kN, mN",
+        "run.csv: column 2 \"F_o [mm]\": \"mm\" is not a unit of a force; F_o may have N, kN, mN, lbf, kgf, gf",
     ),
     (
         "time [N],F_o [N]\n0,1\n1,2\n",
@@ -117,7 +117,7 @@ const FAULTS: [Fault; 36] = [
     (
         "time [s],LC [V]\n0,1\n1,2\n",
         &["F_o=LC"],
-        "run.csv: column 2 \"LC [V]\": \"V\" is not a unit of a force; F_o may have N, kN, mN",
+        "run.csv: column 2 \"LC [V]\": \"V\" is not a unit of a force; F_o may have N, kN, mN, lbf, kgf, gf",
     ),
     (
         "time [s],LC [kN]\n0,1\n1,2\n",
@@ -216,7 +216,7 @@ fn a_mapping_that_is_wrong_is_said() {
         ("[columns]\nF_o = { unit = \"N\" }", "map.toml: [columns] F_o: needs one of column and columns"),
         (
             "[columns]\nF_o = { column = \"a\", unit = \"mm\" }",
-            "map.toml: [columns] F_o: unit = \"mm\": must be a force with its unit (N, kN, mN)",
+            "map.toml: [columns] F_o: unit = \"mm\": must be a force with its unit (N, kN, mN, lbf, kgf, gf)",
         ),
         (
             "[columns]\nF_o = { column = \"a\", factor = 0 }",

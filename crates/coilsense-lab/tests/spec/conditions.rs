@@ -1,6 +1,6 @@
 //! Conditions of use that cannot be, and recordings that cannot be read: each is refused in one line that names file, line, key, value and what is allowed.
 
-use super::fixtures::{BY_GEOMETRY, BY_VALUES, check};
+use super::fixtures::{BY_GEOMETRY, BY_VALUES, check, read};
 
 #[test]
 fn a_condition_that_cannot_be_is_refused() {
@@ -17,19 +17,21 @@ fn a_condition_that_cannot_be_is_refused() {
         ["a key of another kind", r#"velocity = "0.25 m/s""#, "velocity = \"0.25 m/s\"\nfrequency = \"5 Hz\"",
             r#"S.toml:20: frequency in [[condition]] 1 is no key of kind "impact"; allowed: kind, name, length, velocity, profile, duration, window, sample_rate"#],
         ["an unknown key", "velocity", "speed",
-            r#"S.toml:19: unknown key "speed" in [[condition]] 1; did you mean "sample_rate"? Allowed: kind, name, length, at, velocity, profile, end, frequency, amplitude, phase, begin, rise_time, width, start, file, duration, window, sample_rate"#],
+            r#"S.toml:19: unknown key "speed" in [[condition]] 1; did you mean "velocity"? Allowed: kind, name, length, at, velocity, profile, end, frequency, amplitude, phase, begin, rise_time, width, start, file, duration, window, sample_rate"#],
+        ["a speed where none is", "amplitude =", "speed = \"1 m/s\"\namplitude =",
+            r#"S.toml:28: unknown key "speed" in [[condition]] 2; did you mean "velocity", which only impact or end-stop has? Allowed: kind, name, length, at, velocity, profile, end, frequency, amplitude, phase, begin, rise_time, width, start, file, duration, window, sample_rate"#],
         ["no velocity", "velocity = \"0.25 m/s\"\n", "",
-            r#"S.toml:16: [[condition]] 1 lacks the key "velocity": a velocity with its unit (m/s, mm/s)"#],
+            r#"S.toml:16: [[condition]] 1 lacks the key "velocity": a velocity with its unit (m/s, cm/s, mm/s, km/h)"#],
         ["a velocity that is NaN", r#""0.25 m/s""#, r#""nan m/s""#,
             r#"S.toml:19: velocity = "nan m/s": velocity must be finite, got NaN m/s"#],
         ["a velocity beyond all", r#""0.25 m/s""#, r#""1e12 m/s""#,
             r#"S.toml:19: velocity = "1e12 m/s": velocity must be at most 1e9 either way, got 1000000000000 m/s"#],
         ["a velocity in the wrong unit", r#""0.25 m/s""#, r#""0.25 m""#,
-            r#"S.toml:19: velocity = "0.25 m": must be a velocity with its unit (m/s, mm/s)"#],
+            r#"S.toml:19: velocity = "0.25 m": must be a velocity with its unit (m/s, cm/s, mm/s, km/h)"#],
         ["an unknown profile", "velocity =", "profile = \"parabolic\"\nvelocity =",
             r#"S.toml:19: profile = "parabolic": must be one of "uniform", "linear""#],
         ["a length that is a word", "velocity =", "length = \"middle\"\nvelocity =",
-            r#"S.toml:19: length = "middle": must be a length with its unit (m, cm, mm, um, µm, nm), or a share with its unit (%, ppm), or "min", "mid" or "max""#],
+            r#"S.toml:19: length = "middle": must be a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil), or a share with its unit (%, ppm), or "min", "mid" or "max""#],
         ["a length below nothing", "velocity =", "length = \"-300 %\"\nvelocity =",
             r#"S.toml:19: length = "-300 %": must be above zero and finite"#],
         ["a duration of nothing", r#"duration = "1 s""#, r#"duration = "0 s""#,
@@ -47,11 +49,11 @@ fn a_condition_that_cannot_be_is_refused() {
         ["a window that is NaN", r#"["0.75 s", "1 s"]"#, r#"["nan s", "1 s"]"#,
             r#"S.toml:21: window = ["nan s", "1 s"]: must be from 0 s up, not empty, and end within the duration of 1 s"#],
         ["a window of three", r#"["0.75 s", "1 s"]"#, r#"["0 s", "0.5 s", "1 s"]"#,
-            r#"S.toml:21: window = ["0 s", "0.5 s", "1 s"]: must be a list of two: ["…", "…"], each a time with its unit (s, ms, us, µs)"#],
+            r#"S.toml:21: window = ["0 s", "0.5 s", "1 s"]: must be a list of two: ["…", "…"], each a time with its unit (s, ms, us, µs, ns)"#],
         ["a window of one", r#"["0.75 s", "1 s"]"#, r#""1 s""#,
-            r#"S.toml:21: window = "1 s": must be a list of two: ["…", "…"], each a time with its unit (s, ms, us, µs)"#],
+            r#"S.toml:21: window = "1 s": must be a list of two: ["…", "…"], each a time with its unit (s, ms, us, µs, ns)"#],
         ["a window without units", r#"["0.75 s", "1 s"]"#, "[0.75, 1]",
-            r#"S.toml:21: window = [0.75, 1]: must be a list of two: ["…", "…"], each a time with its unit (s, ms, us, µs)"#],
+            r#"S.toml:21: window = [0.75, 1]: must be a list of two: ["…", "…"], each a time with its unit (s, ms, us, µs, ns)"#],
         ["a window shorter than a few samples", r#"["0.75 s", "1 s"]"#, r#"["0.75 s", "0.7501 s"]"#,
             r#"S.toml:21: window = ["0.75 s", "0.7501 s"]: must be at least 8 samples long"#],
         ["a sample rate of zero", r#""10 kHz""#, r#""0 Hz""#,
@@ -75,13 +77,13 @@ fn a_condition_that_cannot_be_is_refused() {
         ["a frequency beyond all", r#""0.5 f1""#, r#""1e12 Hz""#,
             r#"S.toml:27: frequency = "1e12 Hz": frequency must be from 1e-9 to 1e9 Hz, got 1000000000000 Hz"#],
         ["no amplitude", "amplitude = \"1 %\"\n", "",
-            r#"S.toml:24: [[condition]] 2 lacks the key "amplitude": a length with its unit (m, cm, mm, um, µm, nm), or a share with its unit (%, ppm)"#],
+            r#"S.toml:24: [[condition]] 2 lacks the key "amplitude": a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil), or a share with its unit (%, ppm)"#],
         ["an amplitude that is endless", r#""1 %""#, r#""inf mm""#,
             r#"S.toml:28: amplitude = "inf mm": must be finite"#],
         ["an amplitude with which the ends meet", r#""1 %""#, r#""230 mm""#,
             r#"S.toml:28: amplitude = "230 mm": the ends meet: of a mean length of 230.000 mm the ends' motion leaves 0.000 mm; it must stay above zero"#],
         ["an amplitude that is a force where the end is held", r#""1 %""#, r#""5 N""#,
-            r#"S.toml:28: amplitude = "5 N": must be a length with its unit (m, cm, mm, um, µm, nm), or a share with its unit (%, ppm)"#],
+            r#"S.toml:28: amplitude = "5 N": must be a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil), or a share with its unit (%, ppm)"#],
         ["an end 3", "amplitude =", "end = 3\namplitude =",
             "S.toml:28: end = 3: must be a whole number from 1 to 2"],
         ["an end as a text", "amplitude =", "end = \"2\"\namplitude =",
@@ -107,7 +109,7 @@ fn a_condition_that_cannot_be_is_refused() {
         ["a step that begins before it all", "kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", "kind = \"step\"\namplitude = \"1 mm\"\nbegin = \"-1 s\"",
             r#"S.toml:28: begin = "-1 s": must be from 0 to 1e9 s"#],
         ["a ramp without rise time", "kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", "kind = \"ramp\"\namplitude = \"1 mm\"",
-            r#"S.toml:24: [[condition]] 2 lacks the key "rise_time": a time with its unit (s, ms, us, µs)"#],
+            r#"S.toml:24: [[condition]] 2 lacks the key "rise_time": a time with its unit (s, ms, us, µs, ns)"#],
         ["a ramp that takes no time", "kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", "kind = \"ramp\"\namplitude = \"1 mm\"\nrise_time = \"0 s\"",
             r#"S.toml:28: rise_time = "0 s": must be above zero and finite"#],
         ["a pulse of hardly any time", "kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", "kind = \"pulse\"\namplitude = \"1 mm\"\nwidth = \"1e-15 s\"",
@@ -120,6 +122,15 @@ fn a_condition_that_cannot_be_is_refused() {
             r#"S.toml:28: velocity = "-1 m/s": must be above zero and finite"#],
     ];
     check(BY_VALUES, &faults);
+}
+
+#[test]
+fn the_shortest_time_that_is_taken_may_be_written_in_nanoseconds() {
+    for time in ["1 ns", "0.001 us"] {
+        let ramp = format!("kind = \"ramp\"\nrise_time = \"{time}\"\namplitude = \"1 mm\"");
+        read(&BY_VALUES.replace("kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", &ramp))
+            .expect(time);
+    }
 }
 
 #[test]
@@ -143,9 +154,9 @@ fn a_recorded_file_that_cannot_be_is_refused() {
         ["u2 where a mass is", "file = \"road.csv\"\nduration = \"0.3 s\"", r#"file = "holds time [s],u2 [mm];0,1""#,
             r#"S.toml:18: file = "holds time [s],u2 [mm];0,1": column 2 is "u2 [mm]"; allowed: time, u1, F_2, each with its unit, as in "u1 [mm]""#],
         ["a column without unit", "file = \"road.csv\"\nduration = \"0.3 s\"", r#"file = "holds time [s],u1;0,1""#,
-            r#"S.toml:18: file = "holds time [s],u1;0,1": column 2, "u1": its unit must be that of a length with its unit (m, cm, mm, um, µm, nm)"#],
+            r#"S.toml:18: file = "holds time [s],u1;0,1": column 2, "u1": its unit must be that of a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil)"#],
         ["a column in the wrong unit", "file = \"road.csv\"\nduration = \"0.3 s\"", r#"file = "holds time [s],u1 [N];0,1""#,
-            r#"S.toml:18: file = "holds time [s],u1 [N];0,1": column 2, "u1 [N]": its unit must be that of a length with its unit (m, cm, mm, um, µm, nm)"#],
+            r#"S.toml:18: file = "holds time [s],u1 [N];0,1": column 2, "u1 [N]": its unit must be that of a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil)"#],
         ["a column twice", "file = \"road.csv\"\nduration = \"0.3 s\"", r#"file = "holds time [s],u1 [mm],u1 [m];0,1,2""#,
             r#"S.toml:18: file = "holds time [s],u1 [mm],u1 [m];0,1,2": column 3 is "u1" again; give it once"#],
         ["no time", "file = \"road.csv\"\nduration = \"0.3 s\"", r#"file = "holds u1 [mm];0""#,

@@ -44,7 +44,7 @@ fn windows_line_ends_and_a_byte_order_mark_are_read() {
     assert_eq!(Spec::read(&path).unwrap().spring.name, "S_T");
     let wrong = BY_VALUES.replace("65 g", "65 mm").replace('\n', "\r\n");
     fs::write(&path, wrong).unwrap();
-    let expected = format!("{}:7: mass = \"65 mm\": must be a mass with its unit (kg, g, mg)", path.display());
+    let expected = format!("{}:7: mass = \"65 mm\": must be a mass with its unit (kg, g, mg, lb, oz)", path.display());
     assert_eq!(refusal(&path), expected);
 }
 

@@ -29,7 +29,12 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
     let by_values = spring(BY_VALUES);
     match table.name {
         "spring" => {
-            vec![("by values", format!("{by_values}\n")), ("by geometry", format!("{}\n", spring(BY_GEOMETRY)))]
+            // Pulled, with room for some windings more; and pushed.
+            let both = [("by values", by_values), ("by geometry", spring(BY_GEOMETRY))];
+            let used = |(kind, text): &(&'static str, String)| {
+                ["110 mm", "270 mm"].map(|rest| (*kind, format!("{}\n", text.replace("104 mm", rest))))
+            };
+            both.iter().flat_map(used).collect()
         }
         "mount" => vec![
             ("held", format!("{by_values}\n[mount]\nend2 = \"held\"\n")),

@@ -1,6 +1,8 @@
 //! Sensors, goals and budgets that cannot be: each is refused in one line that names file, line, key, value and what is allowed.
 
-use super::fixtures::{BY_VALUES, check};
+use coilsense_lab::spec::Quantity;
+
+use super::fixtures::{BY_VALUES, check, read};
 
 #[test]
 fn a_sensor_that_cannot_be_is_refused() {
@@ -25,9 +27,9 @@ fn a_sensor_that_cannot_be_is_refused() {
         ["a range of zero", r#"resolution = "10 um""#, r#"range = "0 mm""#,
             r#"S.toml:33: range = "0 mm": must be above zero and finite"#],
         ["a range in the wrong unit", r#"resolution = "10 um""#, r#"range = "100 N""#,
-            r#"S.toml:33: range = "100 N": must be a length with its unit (m, cm, mm, um, µm, nm)"#],
+            r#"S.toml:33: range = "100 N": must be a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil)"#],
         ["a resolution in the wrong unit", r#""10 um""#, r#""10 deg""#,
-            r#"S.toml:33: resolution = "10 deg": must be a length with its unit (m, cm, mm, um, µm, nm), or a share with its unit (%, ppm)"#],
+            r#"S.toml:33: resolution = "10 deg": must be a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil), or a share with its unit (%, ppm)"#],
         ["a resolution beyond its range", r#""10 um""#, r#""1 m""#,
             r#"S.toml:33: resolution = "1 m": must be from zero to the range of 0.068 m"#],
         ["a resolution that is negative", r#""10 um""#, r#""-1 um""#,
@@ -53,9 +55,9 @@ fn a_sensor_that_cannot_be_is_refused() {
         ["limits of error of more than all", r#"resolution = "10 um""#, r#"accuracy_reading = "101 %""#,
             r#"S.toml:33: accuracy_reading = "101 %": must be from 0 to 100 %"#],
         ["limits of error without unit", r#"resolution = "10 um""#, "accuracy_full_scale = 0.1",
-            "S.toml:33: accuracy_full_scale = 0.1: must be a length with its unit (m, cm, mm, um, µm, nm), or a share with its unit (%, ppm)"],
+            "S.toml:33: accuracy_full_scale = 0.1: must be a length with its unit (m, cm, mm, um, µm, nm, in, inch, \", ft, mil), or a share with its unit (%, ppm)"],
         ["limits of error in the wrong unit", r#"resolution = "10 um""#, r#"accuracy_full_scale = "1 N""#,
-            r#"S.toml:33: accuracy_full_scale = "1 N": must be a length with its unit (m, cm, mm, um, µm, nm), or a share with its unit (%, ppm)"#],
+            r#"S.toml:33: accuracy_full_scale = "1 N": must be a length with its unit (m, cm, mm, um, µm, nm, in, inch, ", ft, mil), or a share with its unit (%, ppm)"#],
         ["a gain that nobody knows", r#"resolution = "10 um""#, r#"calibration_uncertainty = "200 %""#,
             r#"S.toml:33: calibration_uncertainty = "200 %": must be from 0 to 100 %"#],
         ["a temperature coefficient beyond all", r#"resolution = "10 um""#, r#"temperature_coefficient = "200 %/K""#,
@@ -81,17 +83,28 @@ fn a_sensor_that_cannot_be_is_refused() {
 }
 
 #[test]
+fn a_single_winding_has_no_sensor_by_inductance_and_needs_none() {
+    let single = BY_VALUES.replace("windings = 52", "windings = 1");
+    read(&single).expect("a laser");
+    let coil = single.replace("kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"inductance\"");
+    let expected = r#"S.toml:32: kind = "inductance": "laser": must be another kind: the inductance of 1 winding does not change with the length"#;
+    assert_eq!(read(&coil).unwrap_err(), expected);
+    let few = coil.replace("windings = 1", "windings = 2");
+    assert!(read(&few).unwrap().sensors[0].range > 0.0);
+}
+
+#[test]
 fn a_goal_or_a_budget_that_cannot_be_is_refused() {
     #[rustfmt::skip]
     let faults = [
         ["[[goal]]", "[goal]", "[[goal]]",
             "S.toml:35: goal must be a table [goal]"],
         ["a table in a table", "[goal]", "[goal.force]\n[goal.x]",
-            r#"S.toml:36: unknown key "x" in [goal]; did you mean "force"? Allowed: error, bandwidth, force"#],
+            r#"S.toml:36: unknown key "x" in [goal]; allowed: error, bandwidth, force"#],
         ["an array of numbers in place of sensors", "[[sensor]]\nname = \"laser\"\nkind = \"deflection\"\nresolution = \"10 um\"\n", "[sensor]\n",
             "S.toml:30: sensor must be tables [[sensor]]"],
         ["no error", "error = \"1 %\"\n", "",
-            r#"S.toml:35: [goal] lacks the key "error": a force with its unit (N, kN, mN), or a share with its unit (%, ppm)"#],
+            r#"S.toml:35: [goal] lacks the key "error": a force with its unit (N, kN, mN, lbf, kgf, gf), or a share with its unit (%, ppm)"#],
         ["an error of zero", "\"1 %\"\n\n[unc", "\"0 N\"\n\n[unc",
             r#"S.toml:36: error = "0 N": must be above zero and finite"#],
         ["an error that is negative", "\"1 %\"\n\n[unc", "\"-1 %\"\n\n[unc",
@@ -99,7 +112,7 @@ fn a_goal_or_a_budget_that_cannot_be_is_refused() {
         ["an error that is endless", "\"1 %\"\n\n[unc", "\"inf N\"\n\n[unc",
             r#"S.toml:36: error = "inf N": must be above zero and finite"#],
         ["an error as a length", "\"1 %\"\n\n[unc", "\"1 mm\"\n\n[unc",
-            r#"S.toml:36: error = "1 mm": must be a force with its unit (N, kN, mN), or a share with its unit (%, ppm)"#],
+            r#"S.toml:36: error = "1 mm": must be a force with its unit (N, kN, mN, lbf, kgf, gf), or a share with its unit (%, ppm)"#],
         ["a bandwidth that is negative", "\"1 %\"\n\n[unc", "\"1 %\"\nbandwidth = \"-1 Hz\"\n\n[unc",
             r#"S.toml:37: bandwidth = "-1 Hz": must be above zero and finite"#],
         ["a force that is no reference", "\"1 %\"\n\n[unc", "\"1 %\"\nforce = \"F_L\"\n\n[unc",
@@ -128,4 +141,25 @@ fn a_goal_or_a_budget_that_cannot_be_is_refused() {
             r#"S.toml:39: unknown key "converage" in [uncertainty]; did you mean "coverage"? Allowed: temperature_change, coverage, trials, seed"#],
     ];
     check(BY_VALUES, &faults);
+}
+
+#[test]
+fn an_uncalibrated_coil_is_trusted_less_where_its_wire_may_be_magnetic() {
+    let form = |material: &str, calibration: &str| {
+        let sensor = format!("kind = \"inductance\"\ncalibration = \"{calibration}\"");
+        let text = BY_VALUES.replace("[mount]", &format!("{material}\n[mount]"));
+        let spec = read(&text.replace("kind = \"deflection\"\nresolution = \"10 um\"", &sensor)).expect(material);
+        match spec.sensors[0].quantity {
+            Quantity::Inductance { form, .. } => form,
+            _ => panic!(),
+        }
+    };
+    // Steel, which is assumed; drawn stainless wire; a wire of unknown making.
+    for magnetic in ["", "material = \"stainless 1.4310\"", "relative_permeability = 1.2"] {
+        assert_eq!((form(magnetic, "theory"), form(magnetic, "fitted")), (0.30, 0.013), "{magnetic}");
+    }
+    for name in ["CuSn6", "CuBe2", "CuZn36", "Inconel X-750", "Ti-6Al-4V"] {
+        assert_eq!(form(&format!("material = {name:?}"), "theory"), 0.14, "{name}");
+    }
+    assert_eq!(form("relative_permeability = 1.0005", "theory"), 0.14);
 }

@@ -197,7 +197,7 @@ fn what_cannot_be_asked_is_refused_in_one_line() {
     assert_eq!(question(&[], &[], &[]), "a front has from 1 to 6 objectives, got 0");
     let wrong = [
         ("mass", "is not COLUMN < VALUE, with one of < <= > >= = != between them"),
-        ("mass < 3 mm", "3 mm must be a number in kg, or a mass with its unit (kg, g, mg)"),
+        ("mass < 3 mm", "3 mm must be a number in kg, or a mass with its unit (kg, g, mg, lb, oz)"),
         ("status < ok", "status holds no numbers: compare it with = or !="),
     ];
     for (condition, message) in wrong {

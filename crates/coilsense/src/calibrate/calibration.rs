@@ -18,6 +18,9 @@ pub struct Calibration {
 /// Lengths at which [`Calibration::theoretical`] samples the operating range; both ends are among them.
 pub const CALIBRATION_LENGTHS: usize = 101;
 
+/// α is 1/(μ₀ N² π r²) and thus large for small coils: 1e9 for 8 windings of 4 mm. This is that of 1 winding of 18 µm.
+const LARGEST_ALPHA: f64 = 1e15;
+
 impl Calibration {
     /// Least squares over pairs of length and inductance, constrained to pass through one of them, the preload.
     ///
@@ -45,7 +48,8 @@ impl Calibration {
         let inverse: Vec<f64> = lengths.iter().map(|l| 1.0 / l).collect();
         let (alpha, square) = slope_about(inductances, &inverse, [inductance, 1.0 / length]);
         check(square > 0.0, "spread of the inductances", square.sqrt(), "H", "above zero")?;
-        finite("alpha of the fit", alpha, "1/(H m)")?;
+        let holds = alpha.abs() <= LARGEST_ALPHA;
+        check(holds, "alpha of the fit", alpha, "1/(H m)", format!("at most {LARGEST_ALPHA:e} either way"))?;
         Ok(Self { alpha, beta: 1.0 / length - alpha * inductance })
     }
 

@@ -40,14 +40,16 @@ impl EndType {
 
     /// Length of the coil with all windings touching \[m\]; hooks: of the body between them.
     ///
-    /// l_s = (n_t + 1) d (hooks, open, closed), n_t d (ground)
+    /// l_s = n_t d (hooks, ground), (n_t + 1) d (open, closed)
     ///
     /// - `total_windings`: n_t; `wire_diameter`: d \[m\]
     ///
-    /// Source:   `[Shigley2011]` table 10–1, `[MachineryHandbook31]` p. 318 (compression); hooks: body length of `[EN13906-2]`.
+    /// Source:   `[Shigley2011]` table 10–1, `[MachineryHandbook31]` p. 318 (compression); hooks: n_t pitches of d.
     /// Valid:    wire of exactly the diameter d; real springs stop some per cent earlier.
     /// Accuracy: exact but for rounding.
-    /// Differs:  [`crate::Spring::solid_length`] counts n d, the active windings alone, as the paper's model does.
+    /// Differs:  hooks: `[EN13906-2]` gives the body's length over the outside, (n_t + 1) d. A hook leaves the body at the wire's centre,
+    ///           so that a pulled coil spans n_t pitches from centre to centre: what the paper's l is (S_T: 52 · 2 mm = 104 mm = l0), and
+    ///           what windings and inductance are spread over here. Seats hold a compressed coil from outside.
     ///
     /// ```
     /// let length = coilsense::geometry::EndType::Closed.solid_length(10.0, 0.002);
@@ -55,8 +57,8 @@ impl EndType {
     /// ```
     pub fn solid_length(self, total_windings: f64, wire_diameter: f64) -> f64 {
         match self {
-            Self::Hooks | Self::Open | Self::Closed => (total_windings + 1.0) * wire_diameter,
-            Self::OpenGround | Self::ClosedGround => total_windings * wire_diameter,
+            Self::Open | Self::Closed => (total_windings + 1.0) * wire_diameter,
+            Self::Hooks | Self::OpenGround | Self::ClosedGround => total_windings * wire_diameter,
         }
     }
 

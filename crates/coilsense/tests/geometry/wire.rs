@@ -74,9 +74,9 @@ fn curvature_raises_the_stress_inside_the_winding() {
 
 #[test]
 fn ends_take_windings_and_length() {
-    // Shigley, table 10-1, for 10 active windings of 2 mm; hooks: the body of EN 13906-2.
+    // Shigley, table 10-1, for 10 active windings of 2 mm; hooks: ten pitches from wire centre to wire centre.
     let cases = [
-        (EndType::Hooks, 10.0, 0.022),
+        (EndType::Hooks, 10.0, 0.020),
         (EndType::Open, 10.0, 0.022),
         (EndType::OpenGround, 11.0, 0.022),
         (EndType::Closed, 12.0, 0.026),
@@ -88,6 +88,21 @@ fn ends_take_windings_and_length() {
         assert!((geometry.solid_length() - solid).abs() < 1e-15, "{end_type:?}");
         assert!(relative(geometry.total_mass(), geometry.active_mass() * total / 10.0) < 1e-15);
     }
+}
+
+#[test]
+fn no_spring_is_shorter_than_its_windings_side_by_side() {
+    // 52 windings of 2 mm: 104 mm; a count may be off by a quarter of a winding, a wire by 1 %: 1.54 mm.
+    assert_eq!(with(|p| p.rest_length = 0.1025).unwrap().solid_length(), 52.0 * 0.002);
+    let error = with(|p| p.rest_length = 0.1024).unwrap_err().to_string();
+    assert_eq!(error, "rest length must be at least the solid length of 0.104 m, got 0.1024 m");
+}
+
+#[test]
+fn windings_that_pull_on_each_other_touch() {
+    // As long as it is between the hooks, say 110 mm with what the hooks take.
+    let wound = with(|p| (p.rest_length, p.initial_tension) = (0.110, 10.0)).unwrap();
+    assert_eq!(wound.solid_length(), 0.110);
 }
 
 #[test]

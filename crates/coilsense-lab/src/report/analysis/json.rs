@@ -140,6 +140,8 @@ fn case_value(analysis: &Analysis, case: &Case) -> Value {
             "share_inside_goal": assessment.and_then(|assessment| assessment.inside),
         })
     });
+    // A single winding has no neighbour.
+    let pitch = Some(case.clash.smallest_pitch).filter(|pitch| pitch.is_finite());
     let condition = &spec.conditions[case.condition];
     let damping = &spec.mount.cases[case.damping];
     json!({
@@ -153,8 +155,8 @@ fn case_value(analysis: &Analysis, case: &Case) -> Value {
         "sensors": sensors.collect::<Vec<_>>(),
         "shortest_length_m": case.lengths.0,
         "longest_length_m": case.lengths.1,
-        // A single winding has no neighbour.
-        "smallest_pitch_m": Some(case.clash.smallest_pitch).filter(|pitch| pitch.is_finite()),
+        "smallest_pitch_m": pitch.map(|pitch| spec.spring.winding_pitch(pitch)),
+        "smallest_gap_m": pitch.map(|pitch| spec.spring.gap(pitch)),
         "first_contact_s": case.clash.first_contact,
     })
 }

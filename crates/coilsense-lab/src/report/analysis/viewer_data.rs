@@ -113,8 +113,11 @@ fn windings(analysis: &Analysis, case: &Case) -> Value {
         "frames": frames.times.len(),
         "start_s": frames.times[0],
         "step_s": frames.times[1] - frames.times[0],
-        // What the viewer draws is the chain, whose windings touch at this distance.
-        "wire_diameter_m": case.clash.contact_pitch,
+        // What the viewer draws is the chain, whose masses stand for windings that touch at this distance, …
+        "contact_pitch_m": case.clash.contact_pitch,
+        // … and which are so many gaps of the wire to a pitch of the chain.
+        "gaps_per_pitch": spring.chain_masses() as f64 / spring.windings(),
+        "wire_diameter_m": spring.wire_diameter(),
         "coil_radius_m": spring.coil_radius(),
         "metres_per_unit": unit,
         "zero_m": zero,

@@ -20,7 +20,7 @@
       return place(straight + state.gain * (position - straight));
     });
     const radius = clamp(windings.coil_radius_m * scale, 16, 46);
-    return { drawn, scale, margin, radius, middle: radius + 16, wire: clamp(windings.wire_diameter_m * scale * 0.8, 1.2, 8) };
+    return { drawn, scale, margin, radius, middle: radius + 16, wire: clamp(windings.contact_pitch_m * scale * 0.8, 1.2, 8) };
   }
 
   function drawCoil(context, plan, strain, touching, peak) {
@@ -102,7 +102,7 @@
     }
     const context = canvas.getContext('2d'), strain = strains(x);
     const pitch = x.slice(1).map((place, gap) => place - x[gap]);
-    const touching = pitch.map((value, gap) => Number(gap > 0 && gap < windings.count && value <= windings.wire_diameter_m));
+    const touching = pitch.map((value, gap) => Number(gap > 0 && gap < windings.count && value <= windings.contact_pitch_m));
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
     drawCoil(context, plan, strain, touching, windings.peak);
@@ -164,7 +164,8 @@
       controls.gain.textContent = state.gain === 1 ? '×1, true to scale' : `×${state.gain}`;
       const pairs = touching.reduce((sum, one) => sum + one, 0), mm = (value) => fixed(1e3 * value, 2);
       const enlarged = state.gain > 1 ? ` Displacements are drawn ×${state.gain}: what seems to touch here touches only where marked.` : '';
-      note.textContent = `Closest pitch ${mm(Math.min(...pitch))} mm, wire ${mm(of.windings.wire_diameter_m)} mm: ` +
+      const { contact_pitch_m: contact, gaps_per_pitch: share, wire_diameter_m: wire } = of.windings, gap = (Math.min(...pitch) - contact) * share;
+      note.textContent = `Closest windings: gap ${mm(gap)} mm, pitch ${mm(wire + gap)} mm, wire ${mm(wire)} mm: ` +
         (pairs ? `${pairs} ${pairs > 1 ? 'pairs' : 'pair'} of windings touch.` : 'no windings touch.') + enlarged;
     };
     sizes.observe(canvas);

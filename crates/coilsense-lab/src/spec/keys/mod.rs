@@ -129,7 +129,8 @@ const INTRODUCTION: &str = "# The spec file
 A spec is a TOML file: one spring, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.
 `coilsense init` writes a commented one. `coilsense spring`, `simulate`, `analyze` and `rig` all read it.
 
-Quantities are texts of a number and a unit, such as `\"760 N/m\"`; pure numbers carry no quotes. An unknown key is an error that names the
-nearest known one. Where a kind stands in brackets, the key belongs to that kind only. This page is made from the table that the reader
+Quantities are texts of a number and a unit, such as `\"760 N/m\"`; pure numbers carry no quotes, and decimals a point. Besides SI units with
+their prefixes `in`, `ft`, `mil`, `lb`, `oz`, `lbf`, `kgf`, `gf`, `lbf/in`, `kgf/mm`, `km/h` and `deg` are taken; one that is not is refused with
+those that are. An unknown key is an error that says what it probably means. Where a kind stands in brackets, the key belongs to that kind only. This page is made from the table that the reader
 itself uses (`crates/coilsense-lab/src/spec/keys`); a test keeps the two equal.
 ";

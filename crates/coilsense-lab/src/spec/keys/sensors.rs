@@ -83,7 +83,7 @@ pub(super) const SENSOR: Table = Table {
             "calibration_form",
             "\"1.3 %\"",
             "how far a measured spring departs from the form of eq. (13), as standard deviation, a share of the travel",
-            "`\"1.3 %\"`; `\"14 %\"` of `theory`",
+            "`\"1.3 %\"`; of `theory` `\"30 %\"`, and `\"14 %\"` of a wire whose `relative_permeability` is known to be 1 within 1 %",
         )
         .of(COIL),
     ],

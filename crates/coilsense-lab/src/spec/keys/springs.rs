@@ -20,8 +20,17 @@ pub(super) const SPRING: Table = Table {
             "\"104 mm\"",
             "l0, the length without force (of an extension spring with initial tension: its closed length)",
         ),
-        needed("min_length", "\"196 mm\"", "shortest length in use"),
-        needed("max_length", "\"264 mm\"", "longest length in use"),
+        needed(
+            "min_length",
+            "\"196 mm\"",
+            "shortest length in use, at least the solid length: of hooks n_t·d from wire centre to wire centre (over the outside a body is \
+               one d longer), with initial tension the closed length; of seats (n_t + 1)·d, ground n_t·d",
+        ),
+        needed(
+            "max_length",
+            "\"264 mm\"",
+            "longest length in use; with ends that can only be pushed (`open`, `closed`, ground) at most `rest_length`",
+        ),
         needed("windings", "52", "N, active windings; may be fractional"),
         needed("stiffness", "\"760 N/m\"", "k").of(TABLE_I),
         needed("mass", "\"65 g\"", "m, of the active windings").of(TABLE_I),
@@ -39,7 +48,7 @@ pub(super) const SPRING: Table = Table {
         optional(
             "end_type",
             "\"closed-ground\"",
-            "`hooks`, `open`, `open-ground`, `closed` or `closed-ground`",
+            "`hooks`, `open`, `open-ground`, `closed` or `closed-ground`; only hooks can be pulled",
             "`hooks`",
         ),
         optional(
@@ -145,13 +154,15 @@ pub(super) const MOUNT: Table = Table {
         optional(
             "mass_damping",
             "\"2 1/s\"",
-            "α of ζ_j = α/2ω_j, as in a viscous fluid, in place of `damping_ratio`",
+            "α of ζ_j = α/2ω_j, in place of `damping_ratio`: a drag on each winding against the speed at which it leaves the straight line between \
+               the ends, where a spring without mass would lie. A coil that is carried along, or stretched evenly, feels none: no fluid around a moving coil",
             "none",
         ),
         optional(
             "stiffness_damping",
             "\"20 us\"",
-            "β of ζ_j = βω_j/2, a dashpot beside every segment, in place of `damping_ratio`",
+            "β of ζ_j = βω_j/2, in place of `damping_ratio`: a dashpot between neighbouring windings, which acts on the same deviation. A coil that \
+               is stretched evenly feels none, so end forces hold no kβ times the speed of the ends",
             "none",
         ),
     ],
