@@ -7,11 +7,12 @@ use anyhow::Context;
 use coilsense_lab::data_sheet::DataSheet;
 use coilsense_lab::report::{data_sheet_json, data_sheet_text};
 use coilsense_lab::spec::{self, Spec};
+use coilsense_lab::study;
 
 /// Options of `coilsense spring`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// The spec; of its tables, only [spring] and [mount] count
+    /// The spec; its [spring] and [mount] make the sheet, its conditions say how many masses its chain needs
     #[arg(value_name = "SPEC", required_unless_present = "materials")]
     spec: Option<PathBuf>,
     /// Print JSON
@@ -28,7 +29,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         spec::materials()?
     } else {
         let path = arguments.spec.as_ref().context("a SPEC is needed")?;
-        let sheet = DataSheet::of(&Spec::read(path)?)?;
+        let mut spec = Spec::read(path)?;
+        study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions)?;
+        let sheet = DataSheet::of(&spec)?;
         if arguments.json { data_sheet_json(&sheet)? } else { data_sheet_text(&sheet) }
     };
     // A reader that closes the pipe early has all it wants.

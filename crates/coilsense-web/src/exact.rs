@@ -24,13 +24,14 @@ impl Exact {
     /// One line: what the science says of the case.
     pub fn run(spec: &Spec, condition: usize, damping: usize) -> Result<Self, String> {
         let single = Single::run(spec, condition, damping).map_err(|error| error.to_string())?;
-        Ok(Self { single, facts: facts::of_spec(spec, condition, damping) })
+        let facts = facts::of_spec(&single.spec, condition, damping);
+        Ok(Self { single, facts })
     }
 
     /// Series: `time` and every channel from t = 0 on, `reading 0` … the force each sensor means, `frequency` and `spectrum F_i` … of the judged
     /// window.
     pub fn answer(self) -> Answer {
-        let Single { case, sensors, warnings, data_sheet } = self.single;
+        let Single { case, sensors, warnings, data_sheet, .. } = self.single;
         let mut meta = self.facts;
         meta["exact"] = json!(true);
         meta["clash"] = facts::of_clash(&case.clash);

@@ -54,7 +54,8 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
     let mut series = vec![("time".to_owned(), times)];
     series.extend(signals.channels().map(|(channel, values)| (channel.name().to_owned(), values.to_vec())));
     series.extend(judged.spectra);
-    Ok(Answer::new(&meta, series).with_positions(rows(&windings)))
+    let turns = windings.turns(spring.masses_per_winding()).map_err(science)?;
+    Ok(Answer::new(&meta, series).with_positions(rows(&turns)))
 }
 
 /// `samples` times from one to the other \[s\], both included.

@@ -192,24 +192,29 @@ fn untold(analysis: &Analysis) -> Option<String> {
     })
 }
 
+/// Most sensors that are named for the usual tolerance.
+const MOST_NAMED: usize = 3;
+
 /// What a spec that is silent on its stiffness takes for granted, and what would be so otherwise.
 fn exact_rate(analysis: &Analysis) -> Option<String> {
     let usual = analysis.if_usual.as_ref()?;
-    let percent = plainly(100.0 * super::USUAL_TOLERANCE);
-    let of = |sensor: usize| format!("{} ({})", analysis.sensors[sensor].name, force(analysis, usual.combined[sensor]));
-    let now = analysis.verdicts.first()?.sensor;
     let goal = analysis.spec.goal.error;
-    let judged = |sensor: usize| match goal {
-        Some(goal) if usual.combined[sensor] > goal => ", which misses the goal",
-        _ => "",
+    let of = |sensor: &usize| {
+        let combined = usual.combined[*sensor];
+        let judged = goal.map_or("", |goal| if combined > goal { ", misses" } else { ", meets" });
+        format!("{} {} N{judged}", analysis.sensors[*sensor].name, digits(combined))
     };
-    let then = match usual.best == now {
-        true => format!("{}{} would still be the best", of(now), judged(now)),
-        false => {
-            format!("{}{} would be the best, and not {}{}", of(usual.best), judged(usual.best), of(now), judged(now))
-        }
-    };
-    Some(format!("The spring's rate is taken as exact, for want of a stiffness_tolerance; at ±{percent} % {then}."))
+    let mut order: Vec<usize> = (0..usual.combined.len()).collect();
+    order.sort_by(|a, b| usual.combined[*a].total_cmp(&usual.combined[*b]));
+    let others = order.iter().zip(&analysis.verdicts).any(|(then, now)| *then != now.sensor);
+    let words = if others { "the order is another" } else { "the order is the same" };
+    let each: Vec<String> = order.iter().take(MOST_NAMED).map(of).collect();
+    let more = if order.len() > MOST_NAMED { ", …" } else { "" };
+    Some(format!(
+        "The spring's rate is taken as exact, for want of a stiffness_tolerance. At ±{} % {words}: {}{more}.",
+        plainly(100.0 * super::USUAL_TOLERANCE),
+        each.join("; ")
+    ))
 }
 
 /// Whether the figures still hang on how many masses stand for a winding.

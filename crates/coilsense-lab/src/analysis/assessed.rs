@@ -89,7 +89,7 @@ fn seen(
     };
     let ready: Vec<(Instrument, Vec<f64>, f64)> = each.iter().map(ready).collect::<Result<_, Error>>()?;
     let beside: Vec<f64> = ready.iter().map(|(_, _, beside)| *beside).collect();
-    let asked = Asked { spec, coil: judge.coil, condition, damping, sensors: &each, beside: &beside };
+    let asked = Asked { spec, coil: judge.coil, condition, damping, sensors: &each, beside: &beside, goal: None };
     let responses = Responses::of(&asked, &judge.springs.specimens)?;
     let of = |(number, (instrument, steady, _)): (usize, &(Instrument, Vec<f64>, f64))| {
         let over = Over { responses: &responses, sensor: number };

@@ -105,7 +105,12 @@ impl Case {
             spectra,
             clash,
             lengths: lengths(&signals)?,
-            frames: Frames::of(&windings, &times, judged.start, 1.0 / spring.surge_frequency()),
+            frames: Frames::of(
+                &windings.turns(spring.masses_per_winding())?,
+                &times,
+                judged.start,
+                1.0 / spring.surge_frequency(),
+            ),
             signals,
             judged,
         })

@@ -224,7 +224,10 @@ fn responses(
     let (condition, damping) = (case.condition, case.damping);
     let sensors: Vec<&SensorSpec> = sensors.iter().collect();
     let (spec, coil) = (judge.spec, judge.coil);
-    Responses::of(&Asked { spec, coil, condition, damping, sensors: &sensors, beside: &beside }, specimens)
+    Responses::of(
+        &Asked { spec, coil, condition, damping, sensors: &sensors, beside: &beside, goal: spec.goal.error },
+        specimens,
+    )
 }
 
 /// The answer within the usual tolerance.

@@ -17,12 +17,17 @@ pub(super) struct Refinement<'a> {
     pub ends: (f64, f64),
     /// Variances \[N²\] beside which an error need not be known better, one per sensor.
     pub beside: &'a [f64],
+    /// The goal \[N\], where the share of springs inside it is wanted.
+    pub goal: Option<f64>,
 }
 
 /// A place must not stand out from its neighbours' curve by more than this share of the whole mean square.
 const STANDS_OUT: f64 = 0.008;
+/// Near the goal an rms error must not stand out by more than this share of the goal, over more than this part of the range.
+const NEAR_GOAL: f64 = 0.05;
+const PART: f64 = 0.004;
 /// Most places.
-const MOST: usize = 72;
+const MOST: usize = 96;
 /// Places closer than this share of the range are one.
 const CLOSEST: f64 = 1e-4;
 
@@ -66,9 +71,22 @@ impl Refinement<'_> {
         (0..middle.len()).any(|sensor| {
             let [a, b] = [left, right].map(|sample| sample[sensor].square().max(f64::MIN_POSITIVE).ln());
             let expected = (a + share * (b - a)).exp();
+            if part > PART && self.crosses_goal(sensor, middle[sensor].square(), expected) {
+                return true;
+            }
             let off = (middle[sensor].square() - expected).abs() * part;
             off > STANDS_OUT * (self.beside[sensor] + mean_square(samples, sensor))
         })
+    }
+}
+
+impl Refinement<'_> {
+    /// Whether a mean square and what was expected of it say different things of the goal.
+    fn crosses_goal(&self, sensor: usize, found: f64, expected: f64) -> bool {
+        let Some(goal) = self.goal else { return false };
+        let [found, expected] = [found, expected].map(|square| (square + self.beside[sensor]).sqrt());
+        let near = found.min(expected) < 1.5 * goal && found.max(expected) > 0.6 * goal;
+        near && (found - expected).abs() > NEAR_GOAL * goal
     }
 }
 

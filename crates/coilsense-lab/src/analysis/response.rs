@@ -64,6 +64,8 @@ pub(super) struct Asked<'a> {
     pub sensors: &'a [&'a SensorSpec],
     /// Variances \[N²\] beside which an oscillation need not be known better, one per sensor.
     pub beside: &'a [f64],
+    /// The goal \[N\], where the share of springs inside it is wanted.
+    pub goal: Option<f64>,
 }
 
 impl Responses {
@@ -82,7 +84,7 @@ impl Responses {
                 run.moments(&changed(&spec.spring.spring, along.map(|part| part * x))?)
             };
             let places = places(spec, condition, mount, number, ends)?;
-            let samples = Refinement { places, ends, beside: asked.beside }.run(at)?;
+            let samples = Refinement { places, ends, beside: asked.beside, goal: asked.goal }.run(at)?;
             let curve = |sensor: usize| Curve::new(samples.iter().map(|(x, sample)| (*x, sample[sensor])).collect());
             axes.push(Axis { along, coordinate, curves: (0..asked.sensors.len()).map(curve).collect() });
         }

@@ -14,6 +14,8 @@ use crate::spec::{SensorSpec, Spec};
 /// A case of a spec, with what a reader must know of it. Its numbers are those of [`super::Analysis::run`], noise included.
 #[derive(Debug, Clone)]
 pub struct Single {
+    /// The spec, its spring with as many masses as its figures need.
+    pub spec: Spec,
     /// The case.
     pub case: Case,
     /// The sensors that were judged: the spec's, or perfect ones where it has none.
@@ -44,6 +46,6 @@ impl Single {
         let warnings =
             warnings::of(&Judge { spec, coil: &coil, cases: &cases, springs: &springs }, &sensors, &data_sheet)?;
         let [case] = cases;
-        Ok(Self { case, sensors, warnings, data_sheet })
+        Ok(Self { case, sensors, warnings, data_sheet, spec: prepared })
     }
 }

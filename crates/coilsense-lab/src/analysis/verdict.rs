@@ -285,8 +285,15 @@ impl Judge<'_> {
     ) -> Result<Responses, Error> {
         let beside = self.beside(sensor, instrument, case.scene(), steady)?;
         let (condition, damping) = (case.condition, case.damping);
-        let asked =
-            Asked { spec: self.spec, coil: self.coil, condition, damping, sensors: &[sensor], beside: &[beside] };
+        let asked = Asked {
+            spec: self.spec,
+            coil: self.coil,
+            condition,
+            damping,
+            sensors: &[sensor],
+            beside: &[beside],
+            goal: None,
+        };
         Responses::of(&asked, &self.springs.specimens)
     }
 

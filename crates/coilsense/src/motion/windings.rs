@@ -3,7 +3,7 @@
 //! Next door: how they got there (the parent), whether they touch (`measures`), what they do to a coil (`inductance`).
 
 use super::modal_block::WIDTH;
-use crate::error::{Error, all_finite};
+use crate::error::{Error, all_finite, check};
 
 /// Positions of both ends and of all windings over time \[m\].
 #[derive(Debug, Clone, PartialEq)]
@@ -48,6 +48,18 @@ impl Windings {
                 *position = displaced[column] + (first + (index as f64 + 0.5) * spacing);
             }
         }
+    }
+
+    /// The centres of whole windings of `masses` masses each: that of the middle mass, or half way between the two in the middle.
+    ///
+    /// # Errors
+    /// [`Error::Value`] where the masses of a sample are no whole number of such windings.
+    pub fn turns(&self, masses: usize) -> Result<Self, Error> {
+        let allowed = format!("at least 1, and a divisor of the {} masses", self.count);
+        check(masses > 0 && self.count.is_multiple_of(masses), "masses per winding", masses as f64, "", allowed)?;
+        let centre = |winding: &[f64]| 0.5 * (winding[(masses - 1) / 2] + winding[masses / 2]);
+        let positions = self.positions.chunks_exact(masses).map(centre).collect();
+        Ok(Self { count: self.count / masses, ends: self.ends.clone(), positions })
     }
 
     /// N: windings per sample.
