@@ -112,7 +112,7 @@ const FAULTS: [Fault; 36] = [
     (
         "time [N],F_o [N]\n0,1\n1,2\n",
         &[],
-        "run.csv: column 1 \"time [N]\": \"N\" is not a unit of a time; time may have s, ms, us, µs",
+        "run.csv: column 1 \"time [N]\": \"N\" is not a unit of a time; time may have s, ms, us, µs, ns",
     ),
     (
         "time [s],LC [V]\n0,1\n1,2\n",
