@@ -9,6 +9,7 @@ use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_analysis, analysis_text};
 use coilsense_lab::spec::Spec;
 
+use crate::date;
 use crate::progress::Watch;
 
 /// Options of `coilsense analyze`.
@@ -21,7 +22,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "out/analysis")]
     out: PathBuf,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE")]
+    #[arg(long, value_name = "DATE", value_parser = date::parse)]
     date: Option<String>,
 }
 
@@ -33,7 +34,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let watch = Watch::begin("simulating")?;
     let mut output = Output::begin(&arguments.out)?;
     let analysis = Analysis::run(spec, &|done, of| watch.tell(done, of))?;
-    let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+    let date = date::or_today(arguments.date.as_ref());
     add_analysis(&analysis, &date, &mut output)?;
     watch.end();
     if watch.is_stopped() {

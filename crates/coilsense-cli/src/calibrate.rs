@@ -13,6 +13,7 @@ use coilsense_lab::quantity::Dimension;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
 use coilsense_lab::spec::SpringSpec;
 
+use crate::date;
 use crate::log::LogArguments;
 
 /// Options of `coilsense calibrate`. Lengths and the like come with their unit, as in `--wire "2.82 mm"`.
@@ -61,7 +62,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE")]
+    #[arg(long, value_name = "DATE", value_parser = date::parse)]
     date: Option<String>,
 }
 
@@ -90,7 +91,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut output = arguments.out.as_deref().map(Output::begin).transpose()?;
     let outcome = Outcome::new(measured, plan)?;
     if let Some(output) = &mut output {
-        let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+        let date = date::or_today(arguments.date.as_ref());
         add_calibration(&outcome, &date, output)?;
     }
     let text = match arguments.json {

@@ -8,6 +8,7 @@ use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 
+use crate::date;
 use crate::repairs::RepairArguments;
 
 /// Options of `coilsense experiment`.
@@ -25,7 +26,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "out/experiment")]
     out: PathBuf,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE")]
+    #[arg(long, value_name = "DATE", value_parser = date::parse)]
     date: Option<String>,
 }
 
@@ -35,7 +36,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let experiment = Experiment::read(&arguments.folder, &arguments.repairs.repairs())?;
     let findings = Findings::of(&experiment);
     let mut output = Output::begin(&arguments.out)?;
-    let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+    let date = date::or_today(arguments.date.as_ref());
     add_experiment(&experiment, &findings, &date, &mut output)?;
     let text = match arguments.json {
         true => experiment_json(&experiment, &findings, arguments.date.as_deref())?,

@@ -6,6 +6,7 @@
 mod analyze;
 mod app;
 mod calibrate;
+mod date;
 mod experiment;
 mod identify;
 mod import;
@@ -25,6 +26,7 @@ mod sweep;
 
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{Parser, Subcommand};
 use coilsense_lab::analysis::AnalysisError;
 
@@ -78,7 +80,15 @@ const BAD_INPUT: u8 = 2;
 const INTERRUPTED: u8 = 130;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.kind() == ErrorKind::ValueValidation => {
+            // What is wrong with a value is said in a line, as of a value in a file; the rest of clap's text points to the help.
+            anstream::eprintln!("{}", error.render().ansi().to_string().lines().next().unwrap_or_default());
+            return ExitCode::from(BAD_INPUT);
+        }
+        Err(error) => error.exit(),
+    };
     // A wrong COILSENSE_SIMD is bad input like any other.
     let simd = coilsense::simd::SimdPath::selected().map_err(anyhow::Error::from);
     let result = simd.and_then(|_| match arguments.command {

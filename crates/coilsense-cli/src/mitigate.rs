@@ -14,6 +14,8 @@ use coilsense_lab::recording::{Mapping, Recording, Repairs};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 
+use crate::date;
+
 /// Options of `coilsense mitigate`.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -51,7 +53,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE", requires = "out")]
+    #[arg(long, value_name = "DATE", requires = "out", value_parser = date::parse)]
     date: Option<String>,
     /// Numbers of the exported settings
     #[arg(long, value_enum, default_value = "single")]
@@ -120,7 +122,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             Numbers::Single => Precision::Single,
             Numbers::Double => Precision::Double,
         };
-        let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+        let date = date::or_today(arguments.date.as_ref());
         add_mitigation(&answer, &spec, &date, precision, output)?;
     }
     let files = output.map(Output::commit).transpose()?;

@@ -9,6 +9,8 @@ use coilsense_lab::pareto::{Question, Study};
 use coilsense_lab::report::{add_pareto, pareto_json, pareto_text};
 use coilsense_lab::sweep::Dataset;
 
+use crate::date;
+
 /// Options of `coilsense pareto`.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -34,7 +36,7 @@ pub struct Arguments {
     #[arg(long)]
     json: bool,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE", requires = "out")]
+    #[arg(long, value_name = "DATE", requires = "out", value_parser = date::parse)]
     date: Option<String>,
 }
 
@@ -50,7 +52,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let text = if arguments.json { pareto_json(&study)? } else { pareto_text(&study) };
     let mut specs = Vec::new();
     if let Some(output) = &mut output {
-        let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+        let date = date::or_today(arguments.date.as_ref());
         add_pareto(&study, &dataset, &date, output)?;
         specs = add_specs(&arguments.spec_row, &study, &dataset, output)?;
     }

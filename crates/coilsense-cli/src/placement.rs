@@ -8,6 +8,8 @@ use coilsense_lab::placement::Placement;
 use coilsense_lab::report::{add_placement, placement_json, placement_text};
 use coilsense_lab::spec::Spec;
 
+use crate::date;
+
 /// Options of `coilsense placement`.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -21,7 +23,7 @@ pub struct Arguments {
     #[arg(long)]
     json: bool,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE", requires = "out")]
+    #[arg(long, value_name = "DATE", requires = "out", value_parser = date::parse)]
     date: Option<String>,
 }
 
@@ -32,7 +34,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let placement = Placement::of(spec)?;
     let text = if arguments.json { placement_json(&placement)? } else { placement_text(&placement) };
     if let Some(output) = &mut output {
-        let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+        let date = date::or_today(arguments.date.as_ref());
         add_placement(&placement, &date, output)?;
     }
     let files = output.map(Output::commit).transpose()?;

@@ -8,6 +8,8 @@ use coilsense_lab::report::{add_sensitivity, sensitivity_json, sensitivity_text}
 use coilsense_lab::sensitivity::{Resampling, Study};
 use coilsense_lab::sweep::Dataset;
 
+use crate::date;
+
 /// Options of `coilsense sensitivity`.
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -27,7 +29,7 @@ pub struct Arguments {
     #[arg(long)]
     json: bool,
     /// Date that the report carries, such as 2026-11-21; without it, today's
-    #[arg(long, value_name = "DATE", requires = "out")]
+    #[arg(long, value_name = "DATE", requires = "out", value_parser = date::parse)]
     date: Option<String>,
 }
 
@@ -39,7 +41,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let study = Study::of(&dataset, &arguments.of, resampling)?;
     let text = if arguments.json { sensitivity_json(&study)? } else { sensitivity_text(&study) };
     if let Some(output) = &mut output {
-        let date = arguments.date.clone().unwrap_or_else(|| time::OffsetDateTime::now_utc().date().to_string());
+        let date = date::or_today(arguments.date.as_ref());
         add_sensitivity(&study, &dataset, &date, output)?;
     }
     let files = output.map(Output::commit).transpose()?;

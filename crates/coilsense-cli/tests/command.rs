@@ -131,7 +131,8 @@ fn a_science_error_is_one_line_and_says_things_once() {
     let folder = springs(|text| text.replace("windings = 52 ", "windings = 1.2 "));
     let message = refused(&["reproduce", "--springs", path(folder.path())]);
     assert!(message.contains("S_T.toml: windings = 1.2: must be from 1.5 to 1000"), "{message}");
-    let folder = springs(|text| text.replace("windings = 52 ", "windings = 20000 "));
+    let thin = |text: String| text.replace("windings = 52 ", "windings = 20000 ").replace("\"1 mm\"", "\"1 um\"");
+    let folder = springs(thin);
     let message = refused(&["reproduce", "--springs", path(folder.path())]);
     assert!(message.contains("S_T.toml: windings = 20000: must be from 1.5 to 1000"), "{message}");
 }

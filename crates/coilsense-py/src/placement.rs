@@ -37,7 +37,8 @@ impl PyPlacement {
         coilsense_lab::placement::answer(&self.0)
     }
 
-    /// The force to feed back: that of the fastest loop with a sensitivity of at most 2 at every damping.
+    /// The force to feed back: that of the fastest loop with a sensitivity of at most 2 at every damping in which neither end force rises
+    /// above 3 times its static answer.
     #[getter]
     fn feed_back(&self) -> &'static str {
         self.0.candidates[self.0.best].channel.name()
@@ -75,7 +76,7 @@ impl PyPlacement {
     }
 
     /// Margins of each force's loop as it is set, a dict per damping: stable, gain_limit [1], phase [rad], delay [s], modulus [1], and the
-    /// peak of F_o over the reference with its frequency [Hz].
+    /// peaks of F_i (drive) and F_o (load) over the reference with their frequencies [Hz]; None where the loop is unstable.
     #[getter]
     fn margins<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
@@ -156,8 +157,11 @@ fn margins<'py>(py: Python<'py>, judged: &Judged, damping: &str) -> PyResult<Bou
     dict.set_item("phase", judged.margins.phase)?;
     dict.set_item("delay", judged.margins.delay)?;
     dict.set_item("modulus", judged.margins.modulus)?;
-    dict.set_item("load_peak", judged.load_peak.0)?;
-    dict.set_item("load_peak_frequency", judged.load_peak.1)?;
+    let [drive, load] = [0, 1].map(|end| judged.peaks.map(|peaks| peaks[end]));
+    dict.set_item("drive_peak", drive.map(|peak| peak.size))?;
+    dict.set_item("drive_peak_frequency", drive.map(|peak| peak.at))?;
+    dict.set_item("load_peak", load.map(|peak| peak.size))?;
+    dict.set_item("load_peak_frequency", load.map(|peak| peak.at))?;
     Ok(dict)
 }
 

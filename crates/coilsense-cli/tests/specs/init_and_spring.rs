@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use super::{done, names, path, place, refused};
+use super::{QUICK, done, names, path, place, refused};
 
 #[test]
 fn init_writes_a_spec_that_the_other_commands_take() {
@@ -86,4 +86,25 @@ fn a_spring_that_is_not_there_is_refused() {
     let (_place, spec) = place("[mount]\nend2 = \"loose\"\n");
     let message = refused(&["spring", path(&spec)]);
     assert!(message.contains("spec.toml:15: end2 = \"loose\": must be one of"), "{message}");
+}
+
+#[test]
+fn a_day_that_is_none_is_refused_before_anything_is_done() {
+    let (place, spec) = place(QUICK);
+    let out = place.path().join("report");
+    for date in ["foo", "21.11.2026", "2026-02-30", "2026-1-1", "2026-11-21T00:00"] {
+        for command in ["analyze", "placement", "mitigate"] {
+            let message = refused(&[command, path(&spec), "--out", path(&out), "--date", date]);
+            assert!(message.ends_with("must be a day as YYYY-MM-DD, such as 2026-11-21\n"), "{message}");
+        }
+    }
+    assert!(!out.exists());
+}
+
+#[test]
+fn a_spring_of_a_single_winding_has_a_data_sheet() {
+    let (_place, spec) = place("");
+    let single = std::fs::read_to_string(&spec).unwrap().replace("windings = 52", "windings = 1");
+    std::fs::write(&spec, single).unwrap();
+    assert!(done(&["spring", path(&spec)]).contains("N, active windings"));
 }

@@ -122,3 +122,64 @@ fn what_cannot_be_is_refused_at_its_key() {
         assert!(found.contains(expected), "{tables}: {found}");
     }
 }
+
+/// The spring of the recipe: 4.5 mm of wire on 28 mm, pushed by a drive of its own inertia.
+const STIFF: &str = r#"
+[spring]
+name = "stiff"
+rest_length = "90 mm"
+min_length = "60 mm"
+max_length = "85 mm"
+windings = 8
+wire_diameter = "4.5 mm"
+coil_diameter = "28 mm"
+end_type = "closed-ground"
+[mount]
+end2 = "held"
+[control]
+drive = "velocity"
+drive_bandwidth = "80 Hz"
+"#;
+
+#[test]
+fn no_crossover_is_advised_at_which_either_end_rings() {
+    let place = tempfile::tempdir().unwrap();
+    let judge = |tables: &str| -> serde_json::Value {
+        let spec = place.path().join("spec.toml");
+        std::fs::write(&spec, tables).unwrap();
+        serde_json::from_str(&done(&["placement", path(&spec), "--json"])).expect("JSON")
+    };
+    let best = |result: &serde_json::Value| {
+        let candidates = result["candidates"].as_array().unwrap().clone();
+        candidates.into_iter().find(|force| force["force"] == result["feed_back"]).unwrap()
+    };
+    // A loop on F_i has a sensitivity of at most 2 at any gain; F_o, which nobody watches, rings.
+    let result = judge(STIFF);
+    let advised = result["crossover_hz"].as_f64().unwrap();
+    assert_eq!(result["feed_back"], "F_i");
+    assert!(best(&result)["robust_crossover_hz"].is_null());
+    assert_eq!(best(&result)["calm_crossover_hz"], result["crossover_hz"]);
+    for damping in best(&result)["dampings"].as_array().unwrap() {
+        for peak in ["drive_peak", "load_peak"] {
+            let size = damping["as_set"][peak].as_f64().unwrap();
+            // Of a velocity drive the static answer is the reference.
+            assert!(size <= 3.0 * (1.0 + 1e-6), "{peak} {size} at {advised} Hz");
+        }
+    }
+    let answer = result["answer"].to_string();
+    let calm = "up to there both ends stay within 3 times their static answer; at a crossover of";
+    assert!(answer.contains(calm), "{answer}");
+    // Half as fast again it rings, which is said where a person wants it so.
+    let answer = judge(&format!("{STIFF}crossover = \"{} Hz\"\n", 1.5 * advised))["answer"].to_string();
+    let loud = "more than the 3 that are within reason";
+    assert!(answer.contains("times its static answer at") && answer.contains(loud), "{answer}");
+    // A free mass takes no lasting force, so that the reference counts.
+    let free = judge(&STIFF.replace("drive = \"velocity\"", "drive = \"velocity\"\nload_mass = \"2 kg\""));
+    let none = best(&free)["calm_crossover_hz"] == 0.0;
+    assert_eq!(
+        none,
+        free["answer"].to_string().contains("no slower loop keeps both ends within"),
+        "{}",
+        free["answer"]
+    );
+}

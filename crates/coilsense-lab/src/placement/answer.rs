@@ -4,7 +4,7 @@
 
 use coilsense::Channel;
 
-use super::{Candidate, Placement, TOLERANCE};
+use super::{Candidate, MOST_PEAK, Peak, Placement, TOLERANCE};
 use crate::quantity::digits;
 
 /// What stands behind a force's name.
@@ -26,6 +26,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
         (robust, stable) => format!("{}, {}", upto("a sensitivity of at most 2", robust), upto("stability", stable)),
     };
     let mut lines = vec![format!("Feed back {name} ({words}): {reach}.")];
+    lines.extend(ringing_line(placement, best));
     lines.extend(
         placement
             .candidates
@@ -54,6 +55,27 @@ pub fn answer(placement: &Placement) -> Vec<String> {
         lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
     }
     lines
+}
+
+/// What rings at the fastest loop, and how much slower it must be.
+fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
+    let (fastest, rings) = best.rings?;
+    let (force, size, at) = (rings.force.name(), digits(rings.over_static), digits(rings.at));
+    let fastest = format!("a crossover of {} Hz", digits(fastest));
+    let limit = format!("{MOST_PEAK} times their static answer");
+    Some(match (best.calm_crossover, placement.control.crossover) {
+        (0.0, _) => format!(
+            "Yet at {fastest} {force} peaks at {size} times its static answer at {at} Hz; no slower loop keeps both ends within {limit}."
+        ),
+        (calm, None) => format!(
+            "Take a crossover of {} Hz: up to there both ends stay within {limit}; at {fastest} {force} peaks at {size} times at {at} Hz.",
+            digits(calm)
+        ),
+        (calm, Some(_)) => format!(
+            "Both ends stay within {limit} up to a crossover of {} Hz; at {fastest} {force} peaks at {size} times at {at} Hz.",
+            digits(calm)
+        ),
+    })
 }
 
 fn upto(what: &str, hertz: f64) -> String {
@@ -89,12 +111,24 @@ fn set_line(placement: &Placement, best: &Candidate) -> String {
         return format!("{how}, a crossover of {crossover} Hz: unstable even with {}.", best.channel.name());
     }
     let phase = best.judged.iter().map(|judged| judged.margins.phase).fold(f64::INFINITY, f64::min).to_degrees();
-    let peak = best.judged.iter().map(|judged| judged.load_peak).fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+    let peaks: Vec<Peak> = best.judged.iter().filter_map(|judged| judged.peaks).flatten().collect();
+    let largest = |peaks: &mut dyn Iterator<Item = &Peak>| peaks.max_by(|a, b| a.size.total_cmp(&b.size)).copied();
+    let peak = largest(&mut peaks.iter().filter(|peak| peak.force == Channel::OutputForce));
+    let (size, at) = peak.map_or((0.0, 0.0), |peak| (peak.size, peak.at));
+    let loud = peaks.iter().max_by(|a, b| a.over_static.total_cmp(&b.over_static));
+    let loud = loud.filter(|peak| given && peak.over_static > MOST_PEAK).map_or_else(String::new, |peak| {
+        format!(
+            "; {} peaks at {} times its static answer at {} Hz, more than the {MOST_PEAK} that are within reason",
+            peak.force.name(),
+            digits(peak.over_static),
+            digits(peak.at)
+        )
+    });
     let phase = if phase.is_finite() { format!("a phase margin of {phase:.0}° and ") } else { String::new() };
     format!(
-        "{how}, a crossover of {crossover} Hz: {phase}F_o following the reference with a peak of {} at {} Hz; unstable on {}.",
-        digits(peak.0),
-        digits(peak.1),
+        "{how}, a crossover of {crossover} Hz: {phase}F_o following the reference with a peak of {} at {} Hz{loud}; unstable on {}.",
+        digits(size),
+        digits(at),
         unstable(placement)
     )
 }

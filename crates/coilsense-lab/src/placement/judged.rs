@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use coilsense::control::{ForceLoop, Margins, Passivity};
 use coilsense::{Channel, Error};
 
+use super::calm::{self, Peak};
 use super::loops::UnitLoops;
 use crate::spec::DampingCase;
 
@@ -23,8 +24,8 @@ pub struct Judged {
     pub oscillates_at: f64,
     /// The loop as it is set.
     pub margins: Margins,
-    /// Largest |F_o/reference| as it is set, and where \[Hz\]: what rings at the load.
-    pub load_peak: (f64, f64),
+    /// Largest answers of F_i and F_o as it is set; `None` where it is unstable.
+    pub peaks: Option<[Peak; 2]>,
     /// The rendered impedance as it is set; `None` for F_L.
     pub passivity: Option<Passivity>,
 }
@@ -45,7 +46,7 @@ impl Judged {
             robust_crossover: crossover(margins.robust_gain)?,
             oscillates_at: margins.critical_frequency / TAU,
             margins,
-            load_peak: (0.0, 0.0),
+            peaks: None,
             passivity: None,
         })
     }
@@ -60,7 +61,10 @@ impl Judged {
     ) -> Result<(), Error> {
         let force_loop = unit.force_loop(damping, channel, gain)?;
         self.margins = margins(unit, &force_loop)?;
-        self.load_peak = load_peak(&force_loop)?;
+        self.peaks = match self.margins.stable {
+            true => Some(calm::peaks(&force_loop, &calm::watched(&force_loop)?)?),
+            false => None,
+        };
         self.passivity = unit.passivity(&force_loop)?;
         Ok(())
     }
@@ -71,21 +75,4 @@ fn margins(unit: &UnitLoops<'_>, force_loop: &ForceLoop) -> Result<Margins, Erro
         Some(sampled) => sampled.margins(),
         None => force_loop.margins(),
     }
-}
-
-/// max |F_o/r| over the trace's frequencies up to the fourth surge line: |T_fed · F_o/F_fed|.
-fn load_peak(force_loop: &ForceLoop) -> Result<(f64, f64), Error> {
-    let up_to = 4.0 * TAU * force_loop.plant().spring().surge_frequency();
-    let trace = force_loop.trace()?;
-    let mut peak = (0.0, 0.0);
-    for point in trace.points().iter().filter(|point| point.angular_frequency <= up_to) {
-        let omega = point.angular_frequency;
-        let plant = force_loop.plant().at(omega)?;
-        let ratio = plant.output / plant.of(force_loop.feedback())?;
-        let size = (force_loop.tracking(omega)? * ratio).norm();
-        if size > peak.0 {
-            peak = (size, omega / TAU);
-        }
-    }
-    Ok(peak)
 }

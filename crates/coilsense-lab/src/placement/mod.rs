@@ -3,6 +3,7 @@
 //! Next door: the loop itself (`coilsense::control`), the table `[control]` (`spec::ControlSpec`), how it is told (`report`).
 
 mod answer;
+mod calm;
 mod estimated;
 mod judged;
 mod loops;
@@ -12,6 +13,7 @@ use coilsense::control::{ForceLoop, Run};
 use coilsense::{Channel, Error};
 
 pub use answer::answer;
+pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
 pub use judged::Judged;
 use loops::UnitLoops;
@@ -42,6 +44,11 @@ pub struct Candidate {
     pub channel: Channel,
     /// One for each damping, as [`Placement::dampings`].
     pub judged: Vec<Judged>,
+    /// The largest crossover with a sensitivity of at most 2 at which both end forces stay within [`MOST_PEAK`] of their static answer at
+    /// every damping \[Hz\]; zero without one.
+    pub calm_crossover: f64,
+    /// What exceeds that at the largest crossover with a sensitivity of at most 2 \[Hz\], or the largest that is asked.
+    pub rings: Option<(f64, Peak)>,
 }
 
 /// All forces judged, and the gain at which they are compared.
@@ -59,7 +66,7 @@ pub struct Placement {
     pub candidates: Vec<Candidate>,
     /// The same behind estimators, where they can be had.
     pub estimates: Vec<Estimated>,
-    /// The one with the fastest loop of a sensitivity of at most 2 at every damping.
+    /// The one with the fastest loop of a sensitivity of at most 2 at every damping in which neither end rings; where all ring, without that.
     pub best: usize,
     /// The crossover of the loop as it is set, with a spring without mass \[Hz\].
     pub crossover: f64,
@@ -94,12 +101,20 @@ impl Placement {
         let shape = unit.gain_for(&dampings[0], control.crossover.unwrap_or(0.1 * unit.surge())).map_err(science)?;
         let judge = |channel| {
             let judged = dampings.iter().map(|damping| Judged::of(&unit, damping, channel, shape));
-            Ok(Candidate { channel, judged: judged.collect::<Result<_, Error>>()? })
+            let mut candidate =
+                Candidate { channel, judged: judged.collect::<Result<_, Error>>()?, calm_crossover: 0.0, rings: None };
+            let most = candidate.robust_crossover().min(unit.most());
+            let calm = calm::calm(&unit, &dampings, channel, most)?;
+            candidate.calm_crossover = calm.crossover;
+            candidate.rings = calm.rings.map(|peak| (most, peak));
+            Ok(candidate)
         };
         let mut candidates = Channel::FORCES.map(judge).into_iter().collect::<Result<Vec<_>, _>>().map_err(science)?;
-        let best = best(&candidates);
-        let robust = candidates[best].robust_crossover();
-        let crossover = control.crossover.unwrap_or(robust.min(unit.most()));
+        let best = best(&candidates, control.crossover);
+        let crossover = control.crossover.unwrap_or(match candidates[best].calm_crossover {
+            0.0 => candidates[best].robust_crossover().min(unit.most()),
+            calm => calm,
+        });
         let gain = unit.gain_for(&dampings[0], crossover).map_err(science)?;
         for candidate in &mut candidates {
             for (judged, damping) in candidate.judged.iter_mut().zip(&dampings) {
@@ -155,13 +170,19 @@ impl Candidate {
     }
 }
 
-/// The fastest; of equals the one that comes first but for F_L, which needs a calibration and a meter that is quick enough.
-fn best(candidates: &[Candidate]) -> usize {
-    let order = |index: &usize| (candidates[*index].robust_crossover(), usize::MAX - index);
+/// The fastest in which neither end rings; of equals the fastest, then the one that comes first but for F_L, which needs a calibration and a
+/// meter that is quick enough. Where a crossover is `wanted` \[Hz\], one with which nothing rings there, else a sensible one, else a stable one.
+fn best(candidates: &[Candidate], wanted: Option<f64>) -> usize {
+    let reaches = |candidate: &Candidate| {
+        let limits = [candidate.calm_crossover, candidate.robust_crossover(), candidate.stable_crossover()];
+        limits.into_iter().filter(|limit| wanted.is_some_and(|wanted| *limit >= wanted)).count()
+    };
     let mut indices: Vec<usize> = (0..candidates.len()).collect();
     indices.sort_by(|a, b| {
-        let (a, b) = (order(a), order(b));
-        b.0.total_cmp(&a.0).then(b.1.cmp(&a.1))
+        let (one, other) = (&candidates[*a], &candidates[*b]);
+        let reach = reaches(other).cmp(&reaches(one));
+        let calm = other.calm_crossover.total_cmp(&one.calm_crossover);
+        reach.then(calm).then(other.robust_crossover().total_cmp(&one.robust_crossover())).then(a.cmp(b))
     });
     indices.first().copied().unwrap_or(0)
 }

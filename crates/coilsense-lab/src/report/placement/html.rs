@@ -73,7 +73,7 @@ fn rows(placement: &Placement) -> Vec<Value> {
                 phase => when(margins.stable && margins.phase.is_finite(), format!("{:.0}", margins.phase.to_degrees())),
                 delay => when(margins.stable && margins.delay.is_finite(), digits(1e3 * margins.delay)),
                 sensitivity => when(margins.stable, digits(1.0 / margins.modulus)),
-                peak => when(margins.stable, format!("{} at {}", digits(judged.load_peak.0), digits(judged.load_peak.1))),
+                peak => judged.peaks.map_or_else(|| "–".to_owned(), |[_, load]| format!("{} at {}", digits(load.size), digits(load.at))),
                 passive => judged.passivity.as_ref().filter(|_| margins.stable).map(|passivity| {
                     passivity.active.first().map_or_else(|| format!("{} up", digits(passivity.up_to)), |band| digits(band[0]))
                 }),

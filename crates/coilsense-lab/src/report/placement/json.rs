@@ -4,7 +4,7 @@
 
 use serde_json::{Value, json};
 
-use crate::placement::{Judged, Placement, answer};
+use crate::placement::{Judged, MOST_PEAK, Placement, answer};
 use crate::spec::DampingCase;
 
 /// The placement as JSON; `null` stands for what is without bound.
@@ -18,6 +18,7 @@ pub fn placement_json(placement: &Placement) -> Result<String, serde_json::Error
             "force": candidate.channel.name(),
             "stable_crossover_hz": finite(candidate.stable_crossover()),
             "robust_crossover_hz": finite(candidate.robust_crossover()),
+            "calm_crossover_hz": candidate.calm_crossover,
             "stable_as_set": candidate.is_stable(),
             "dampings": judged.collect::<Value>(),
         })
@@ -28,6 +29,7 @@ pub fn placement_json(placement: &Placement) -> Result<String, serde_json::Error
         "answer": answer(placement),
         "feed_back": placement.candidates[placement.best].channel.name(),
         "crossover_hz": placement.crossover,
+        "most_peak": MOST_PEAK,
         "proportional_gain": placement.gain,
         "command_unit": placement.control.drive.command_unit(),
         "limit_confirmed_over_time": placement.confirmed,
@@ -43,6 +45,7 @@ pub fn placement_json(placement: &Placement) -> Result<String, serde_json::Error
 
 fn value(judged: &Judged, damping: &DampingCase) -> Value {
     let margins = &judged.margins;
+    let [drive, load] = [0, 1].map(|end| judged.peaks.map(|peaks| peaks[end]));
     json!({
         "damping": damping.label,
         "gain_limit": finite(judged.limit),
@@ -55,8 +58,10 @@ fn value(judged: &Judged, damping: &DampingCase) -> Value {
             "phase_margin_rad": finite(margins.phase),
             "delay_margin_s": finite(margins.delay),
             "modulus_margin": margins.modulus,
-            "load_peak": judged.load_peak.0,
-            "load_peak_hz": judged.load_peak.1,
+            "drive_peak": drive.map(|peak| peak.size),
+            "drive_peak_hz": drive.map(|peak| peak.at),
+            "load_peak": load.map(|peak| peak.size),
+            "load_peak_hz": load.map(|peak| peak.at),
             "active_bands_hz": judged.passivity.as_ref().map(|passivity| passivity.active.clone()),
         },
     })

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::Style;
 
 use super::bounded;
-use crate::placement::{Placement, answer};
+use crate::placement::{Judged, Placement, answer};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -21,15 +21,24 @@ pub fn placement_text(placement: &Placement) -> String {
     }
     let _ = writeln!(
         text,
-        "\n{BOLD}{:5}  {:12}  {:>14}  {:>14}  {:>12}  {:>8}  {:>9}  {:>14}{BOLD:#}",
-        "fed", "damping", "stable to [Hz]", "sens. 2 [Hz]", "rings at [Hz]", "as set", "phase [°]", "peak of F_o [1]"
+        "\n{BOLD}{:5}  {:12}  {:>14}  {:>14}  {:>12}  {:>8}  {:>9}  {:>14}  {:>15}  {:>15}{BOLD:#}",
+        "fed",
+        "damping",
+        "stable to [Hz]",
+        "sens. 2 [Hz]",
+        "rings at [Hz]",
+        "as set",
+        "phase [°]",
+        "both calm [Hz]",
+        "peak of F_i [1]",
+        "peak of F_o [1]"
     );
     for candidate in &placement.candidates {
         for (judged, damping) in candidate.judged.iter().zip(&placement.dampings) {
             let margins = &judged.margins;
             let _ = writeln!(
                 text,
-                "{:5}  {:12}  {:>14}  {:>14}  {:>13}  {:>8}  {:>9}  {:>15}",
+                "{:5}  {:12}  {:>14}  {:>14}  {:>13}  {:>8}  {:>9}  {:>14}  {:>15}  {:>15}",
                 candidate.channel.name(),
                 damping.label,
                 bounded(judged.stable_crossover, digits),
@@ -41,7 +50,9 @@ pub fn placement_text(placement: &Placement) -> String {
                 } else {
                     "–".to_owned()
                 },
-                if margins.stable { digits(judged.load_peak.0) } else { "–".to_owned() },
+                if candidate.calm_crossover > 0.0 { digits(candidate.calm_crossover) } else { "–".to_owned() },
+                peak(judged, 0),
+                peak(judged, 1),
             );
         }
     }
@@ -53,6 +64,11 @@ pub fn placement_text(placement: &Placement) -> String {
         significant(placement.gain),
     );
     text
+}
+
+/// How large the force of an end becomes; a dash where the loop is unstable.
+fn peak(judged: &Judged, end: usize) -> String {
+    judged.peaks.map_or_else(|| "–".to_owned(), |peaks| digits(peaks[end].size))
 }
 
 /// Four significant digits, also of a small number.
