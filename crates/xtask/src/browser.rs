@@ -7,8 +7,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context, bail};
 
-use crate::commands;
-use crate::root;
+use crate::{commands, root, typed};
 
 /// Names under which the browser is installed.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
@@ -24,13 +23,7 @@ pub fn find() -> Option<PathBuf> {
 
 /// Installs the browser from the system's packages; whether it is there then.
 pub fn install() -> bool {
-    let run = |line: &str| {
-        let mut words = line.split(' ');
-        let program = words.next().unwrap_or_default();
-        println!("{line}");
-        Command::new(program).args(words).stdin(Stdio::null()).status().is_ok_and(|status| status.success())
-    };
-    run("apt-get update") && run(INSTALL) && find().is_some()
+    typed("apt-get update") && typed(INSTALL) && find().is_some()
 }
 
 /// Opens the report of an example; whether it draws what it should, without an error.

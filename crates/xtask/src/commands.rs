@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{cargo, root};
+use crate::{cargo, root, target_folder};
 
 /// How the README calls the command from a checkout.
 const PREFIX: &str = "cargo run --release -- ";
@@ -18,8 +18,7 @@ pub fn executable() -> anyhow::Result<PathBuf> {
     if !cargo(&["build", "--release", "--package", "coilsense-cli"]).status()?.success() {
         bail!("the release build failed");
     }
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-    Ok(target.join("release/coilsense"))
+    Ok(target_folder().join("release/coilsense"))
 }
 
 /// Every example's spec.

@@ -12,6 +12,7 @@ mod python;
 mod robot;
 mod sweep;
 mod test;
+mod toolchain;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -70,4 +71,18 @@ fn cargo(arguments: &[&str]) -> std::process::Command {
     let mut command = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
     command
+}
+
+/// The folder that cargo builds into.
+fn target_folder() -> PathBuf {
+    root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
+/// Prints a line and types it, without a question being answered; whether it succeeds.
+fn typed(line: &str) -> bool {
+    println!("{line}");
+    let mut words = line.split(' ');
+    let mut command = std::process::Command::new(words.next().unwrap_or_default());
+    command.args(words).current_dir(root()).stdin(std::process::Stdio::null());
+    command.status().is_ok_and(|status| status.success())
 }

@@ -1,30 +1,31 @@
 //! The page (`web/`): its engine built from source for the browser, its JavaScript, and its tests in the system's Chromium.
 //!
-//! Next door: the other checks (`test`), the browser (`browser`), the command that the page is held against (`commands`).
+//! Next door: the other checks (`test`), what compiles the engine (`toolchain`), the browser (`browser`), the command that the page
+//! is held against (`commands`).
 
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands, root};
+use crate::toolchain::{Build, Target};
+use crate::{browser, cargo, commands, root, target_folder, typed};
 
-const TARGET: &str = "wasm32-unknown-unknown";
-/// What gets the standard library for it.
-const ADD_TARGET: &str = "rustup target add wasm32-unknown-unknown";
+/// A browser; every one of the last years works on two numbers at a time.
+const TARGET: Target = Target {
+    name: "wasm32-unknown-unknown",
+    libraries: "std,panic_abort",
+    linker: ["wasm-ld-22", "wasm-ld"],
+    flags: &["-Ctarget-feature=+simd128"],
+};
 /// What installs Node on Debian.
 const INSTALL_NODE: &str = "apt-get install --yes --no-install-recommends nodejs npm";
 /// The oldest Node that the page's tools run on.
 const OLDEST_NODE: u32 = 20;
-/// Two numbers at a time, which every browser of the last years has.
-const FLAGS: &str = "-C target-feature=+simd128";
 
 /// What is missing to build the page and how to get it, after installing what may be installed.
 pub fn missing(may_install: bool) -> Option<String> {
-    if !(has_target() || may_install && typed(ADD_TARGET) && has_target()) {
-        return Some(format!(
-            "no standard library for {TARGET}; install it with: {ADD_TARGET} (a compiler without rustup must bring its own)"
-        ));
+    if let Some(compiler) = TARGET.missing(may_install) {
+        return Some(compiler);
     }
     if !(has_node() || may_install && typed("apt-get update") && typed(INSTALL_NODE) && has_node()) {
         return Some(format!(
@@ -70,20 +71,15 @@ pub fn check() -> anyhow::Result<bool> {
 
 /// An engine as wasm, and the JavaScript beside it, in `web/src/<name>`.
 fn engine(name: &str, features: &[&str]) -> anyhow::Result<bool> {
-    let folder = target();
-    let mut compile = cargo(&["build", "--package", "coilsense-web", "--profile", "web", "--target", TARGET]);
-    compile.args(features).arg("--target-dir").arg(folder.join("web")).env("RUSTFLAGS", FLAGS);
+    let Build { command: mut compile, made } = TARGET.build("web")?;
+    compile.args(["--package", "coilsense-web", "--profile", "web"]).args(features);
     if !compile.status()?.success() {
         return Ok(false);
     }
-    let wasm = folder.join("web").join(TARGET).join("web/coilsense_web.wasm");
-    let mut bind = cargo(&["run", "--quiet", "--locked"]);
-    bind.arg("--target-dir").arg(folder.join("bindgen")).arg("--").arg(wasm).arg(root().join("web/src").join(name));
+    let wasm = made.join("web/coilsense_web.wasm");
+    let mut bind = cargo(&["run", "--quiet", "--locked", "--target-dir"]);
+    bind.arg(target_folder().join("bindgen")).arg("--").arg(wasm).arg(root().join("web/src").join(name));
     Ok(bind.current_dir(root().join("crates/coilsense-web/bindgen")).status()?.success())
-}
-
-fn target() -> PathBuf {
-    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 
 /// Whether the installed packages are older than the list of those wanted.
@@ -102,24 +98,6 @@ fn in_web(program: &str, arguments: &[&str]) -> Command {
     command.args(arguments).current_dir(root().join("web")).stdin(Stdio::null());
     command.env("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1");
     command
-}
-
-fn typed(line: &str) -> bool {
-    println!("{line}");
-    let mut words = line.split(' ');
-    let program = words.next().unwrap_or_default();
-    let mut command = Command::new(program);
-    command.args(words).current_dir(root()).stdin(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
-}
-
-fn has_target() -> bool {
-    let asked =
-        Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]).current_dir(root()).output();
-    asked.is_ok_and(|output| {
-        let path = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-        output.status.success() && Path::new(&path).read_dir().is_ok_and(|mut files| files.next().is_some())
-    })
 }
 
 fn has_node() -> bool {

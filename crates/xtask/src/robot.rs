@@ -1,6 +1,6 @@
 //! `coilsense-rt` on a Cortex-M4F: built for the bare metal, run under QEMU, counted in instructions.
 //!
-//! Next door: the other checks (`test`), what runs there (`crates/coilsense-rt/robot`).
+//! Next door: the other checks (`test`), what compiles it (`toolchain`), what runs there (`crates/coilsense-rt/robot`).
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
 
-use crate::{cargo, root};
+use crate::toolchain::{Build, Target};
+use crate::{root, typed};
 
-/// A Cortex-M4F without an operating system.
-const TARGET: &str = "thumbv7em-none-eabihf";
-/// What gets the core library for it.
-const ADD_TARGET: &str = "rustup target add thumbv7em-none-eabihf";
+/// A Cortex-M4F without an operating system. The map of its memory is an argument in the firmware's own `.cargo/config.toml`.
+const TARGET: Target =
+    Target { name: "thumbv7em-none-eabihf", libraries: "core", linker: ["ld.lld-22", "ld.lld"], flags: &[] };
 /// What installs the machine on Debian.
 const INSTALL: &str = "apt-get install --yes --no-install-recommends qemu-system-arm";
 const MACHINE: &str = "qemu-system-arm";
@@ -22,9 +22,8 @@ const PATIENCE: Duration = Duration::from_secs(120);
 
 /// What is missing and how to get it, after installing what may be installed.
 pub fn missing(may_install: bool) -> Option<String> {
-    let target = has_target() || may_install && typed(ADD_TARGET) && has_target();
-    if !target {
-        return Some(format!("no core library for {TARGET}; install it with: {ADD_TARGET}"));
+    if let Some(compiler) = TARGET.missing(may_install) {
+        return Some(compiler);
     }
     let machine = has_machine() || may_install && typed("apt-get update") && typed(INSTALL) && has_machine();
     if !machine {
@@ -33,42 +32,18 @@ pub fn missing(may_install: bool) -> Option<String> {
     None
 }
 
-fn typed(line: &str) -> bool {
-    let mut words = line.split(' ');
-    println!("{line}");
-    let program = words.next().unwrap_or_default();
-    Command::new(program)
-        .args(words)
-        .current_dir(root())
-        .stdin(Stdio::null())
-        .status()
-        .is_ok_and(|status| status.success())
-}
-
-/// Whether the compiler of this workspace has a core library for the target.
-fn has_target() -> bool {
-    let asked =
-        Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]).current_dir(root()).output();
-    asked.is_ok_and(|output| {
-        let path = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-        output.status.success() && std::fs::read_dir(path).is_ok_and(|mut files| files.next().is_some())
-    })
-}
-
 fn has_machine() -> bool {
     Command::new(MACHINE).arg("--version").output().is_ok_and(|output| output.status.success())
 }
 
 /// Builds the firmware, looks for code that could panic, runs it; whether all of it went well.
 pub fn steps() -> anyhow::Result<bool> {
-    let folder = root().join("crates/coilsense-rt/robot");
-    let target = root().join("target/robot");
-    let mut build = cargo(&["build", "--release", "--locked", "--quiet"]);
-    build.arg("--target-dir").arg(&target).current_dir(&folder);
-    if !build.status()?.success() {
+    let Build { mut command, made } = TARGET.build("robot")?;
+    command.args(["--release", "--locked", "--quiet"]).current_dir(root().join("crates/coilsense-rt/robot"));
+    if !command.status()?.success() {
         return Ok(false);
     }
-    let firmware = target.join(TARGET).join("release/coilsense-robot");
+    let firmware = made.join("release/coilsense-robot");
     Ok(cannot_panic(&firmware)? && run(&firmware)?)
 }
 
