@@ -17,6 +17,7 @@ mod paper;
 mod readings;
 mod runs;
 mod small;
+mod specimens;
 mod verdicts;
 mod warnings;
 
