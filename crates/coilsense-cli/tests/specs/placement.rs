@@ -183,3 +183,13 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
         free["answer"]
     );
 }
+
+#[test]
+fn a_crossover_that_is_wanted_is_left_to_a_force_that_reaches_it() {
+    // With the band of dampings F_i is calm to the highest crossover of all four, yet in samples stable to 0.7 Hz only.
+    let result =
+        json("[control]\ndrive = \"velocity\"\ncrossover = \"2 Hz\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\n");
+    let candidates = result["candidates"].as_array().unwrap();
+    let best = candidates.iter().find(|force| force["force"] == result["feed_back"]).unwrap();
+    assert_eq!((result["feed_back"].as_str(), &best["stable_as_set"]), (Some("F_x"), &serde_json::Value::Bool(true)));
+}
