@@ -274,6 +274,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::NoLimit, "the rms of a step has no limit"),
         (Subject::Clash, "windings touch"),
         (Subject::Length, "a length leaves the range in use"),
+        (Subject::Lift, "an end that only pushes would have to pull"),
         (Subject::Doubt, "values of the spring do not fit together"),
         (Subject::Alias, "sampling folds surge lines down"),
         (Subject::Range, "a load cell is overloaded"),

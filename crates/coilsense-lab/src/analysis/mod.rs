@@ -291,10 +291,15 @@ fn perfect_sensors(spec: &Spec) -> Vec<SensorSpec> {
     let load_cell = |end, name| SensorSpec::perfect(name, Quantity::Force(end), nominal);
     let coil = Quantity::Inductance { uncalibrated: false, form: 0.0 };
     let (shortest, longest) = spec.spring.spring.operating_range();
-    vec![
+    let mut sensors = vec![
         load_cell(coilsense::End::One, "perfect load cell, end 1"),
         load_cell(coilsense::End::Two, "perfect load cell, end 2"),
         SensorSpec::perfect("perfect deflection sensor", Quantity::Deflection, longest - shortest),
-        SensorSpec::perfect("perfect inductance meter", coil, 1.0),
-    ]
+    ];
+    // The inductance of a single winding does not tell its length.
+    let sum = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    if spec.spring.coil_force(&sum, spec.spring.spring.mid_length()).is_some() {
+        sensors.push(SensorSpec::perfect("perfect inductance meter", coil, 1.0));
+    }
+    sensors
 }

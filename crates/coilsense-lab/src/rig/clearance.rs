@@ -39,7 +39,7 @@ impl Rig {
         let (key, value) = self.size_of(run);
         // Of the chain, which may carry dead windings, to active windings, which touch at the wire's diameter.
         let wire = self.spring.wire_diameter();
-        let gap = (closest - self.contact_pitch) * self.spring.chain_masses() as f64 / self.spring.windings();
+        let gap = (closest - self.contact_pitch) * self.spring.whole_windings() as f64 / self.spring.windings();
         Err(self.refused(format!(
             "[rig] {key} = {} mm closes the coil in {}: windings come within {:.4} mm and touch at {:.4} mm; lower it, or raise preload or damping",
             short(1e3 * value),

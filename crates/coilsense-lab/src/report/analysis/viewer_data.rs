@@ -116,7 +116,7 @@ fn windings(analysis: &Analysis, case: &Case) -> Value {
         // What the viewer draws is the chain, whose masses stand for windings that touch at this distance, …
         "contact_pitch_m": case.clash.contact_pitch,
         // … and which are so many gaps of the wire to a pitch of the chain.
-        "gaps_per_pitch": spring.chain_masses() as f64 / spring.windings(),
+        "gaps_per_pitch": spring.whole_windings() as f64 / spring.windings(),
         "wire_diameter_m": spring.wire_diameter(),
         "coil_radius_m": spring.coil_radius(),
         "metres_per_unit": unit,
