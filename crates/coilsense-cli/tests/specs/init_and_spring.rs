@@ -85,7 +85,7 @@ fn a_spring_that_is_not_there_is_refused() {
     assert!(refused(&["spring", "none.toml"]).starts_with("error: none.toml: cannot be read: "));
     let (_place, spec) = place("[mount]\nend2 = \"loose\"\n");
     let message = refused(&["spring", path(&spec)]);
-    assert!(message.contains("spec.toml:15: end2 = \"loose\": must be one of"), "{message}");
+    assert!(message.contains("spec.toml:16: end2 = \"loose\": must be one of"), "{message}");
 }
 
 #[test]

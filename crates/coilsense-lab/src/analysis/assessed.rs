@@ -9,9 +9,9 @@ use coilsense::signals::sampled_window;
 
 use super::case::judged;
 use super::instrument::Instrument;
-use super::response::{Asked, Responses, needs_coil};
+use super::response::{Asked, Moments, Responses, needs_coil};
 use super::specimen::SOME;
-use super::verdict::{Judge, Over, Scene, Springs};
+use super::verdict::{Counted, Judge, Over, Scene, Springs};
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
 use crate::study::{self, Coil, Method, Setup};
@@ -83,18 +83,20 @@ fn seen(
     let scene = Scene { condition, signals: &signals, judged: &judged };
     let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;
-        let steady = instrument.forces(&instrument.steady_readings(&signals)?);
-        let beside = judge.beside(sensor, &instrument, scene, &steady)?;
-        Ok((instrument, steady, beside))
+        let counted = judge.counted(scene, &instrument.forces(&instrument.steady_readings(&signals)?))?;
+        let beside = judge.beside(sensor, &instrument, scene)?;
+        Ok((instrument, counted, beside))
     };
-    let ready: Vec<(Instrument, Vec<f64>, f64)> = each.iter().map(ready).collect::<Result<_, Error>>()?;
+    let ready: Vec<(Instrument, Counted, f64)> = each.iter().map(ready).collect::<Result<_, Error>>()?;
     let beside: Vec<f64> = ready.iter().map(|(_, _, beside)| *beside).collect();
-    let asked = Asked { spec, coil: judge.coil, condition, damping, sensors: &each, beside: &beside, goal: None };
+    let nominal: Vec<Moments> = ready.iter().map(|(_, counted, _)| Moments::of(&counted.errors)).collect();
+    let (sensors, coil) = (each.as_slice(), judge.coil);
+    let asked = Asked { spec, coil, condition, damping, sensors, beside: &beside, nominal: &nominal, goal: None };
     let responses = Responses::of(&asked, &judge.springs.specimens)?;
-    let of = |(number, (instrument, steady, _)): (usize, &(Instrument, Vec<f64>, f64))| {
+    let of = |(number, (instrument, counted, _)): (usize, (Instrument, Counted, f64))| {
         let over = Over { responses: &responses, sensor: number };
-        let assessment = judge.assessment(each[number], instrument, scene, steady, Some(over))?;
+        let assessment = judge.assessment(each[number], &instrument, scene, counted, Some(over))?;
         Ok((assessment.combined, assessment.raw))
     };
-    ready.iter().enumerate().map(of).collect()
+    ready.into_iter().enumerate().map(of).collect()
 }

@@ -54,7 +54,7 @@ use rayon::prelude::*;
 use crate::data_sheet::DataSheet;
 use crate::spec::{Quantity, SensorSpec, Spec, Tolerances};
 use crate::study::{self, Masses};
-use response::{Asked, Responses};
+use response::{Asked, Moments, Responses};
 use specimen::{MANY, SOME, Specimens};
 use verdict::Springs;
 
@@ -216,18 +216,19 @@ fn responses(
     specimens: &Specimens,
 ) -> Result<Responses, Error> {
     let case = &judge.cases[number];
-    let of = |(sensor, reading): (&SensorSpec, &Reading)| {
+    let of = |sensor: &SensorSpec| {
         let instrument = judge.instrument(sensor, case.condition)?;
-        judge.beside(sensor, &instrument, case.scene(), &reading.steady)
+        judge.beside(sensor, &instrument, case.scene())
     };
-    let beside: Vec<f64> = sensors.iter().zip(&case.readings).map(of).collect::<Result<_, Error>>()?;
+    let beside: Vec<f64> = sensors.iter().map(of).collect::<Result<_, Error>>()?;
+    let nominal = |reading: &Reading| Ok(Moments::of(&judge.counted(case.scene(), &reading.steady)?.errors));
+    let nominal: Vec<Moments> = case.readings.iter().map(nominal).collect::<Result<_, Error>>()?;
     let (condition, damping) = (case.condition, case.damping);
     let sensors: Vec<&SensorSpec> = sensors.iter().collect();
     let (spec, coil) = (judge.spec, judge.coil);
-    Responses::of(
-        &Asked { spec, coil, condition, damping, sensors: &sensors, beside: &beside, goal: spec.goal.error },
-        specimens,
-    )
+    let goal = spec.goal.error;
+    let asked = Asked { spec, coil, condition, damping, sensors: &sensors, beside: &beside, nominal: &nominal, goal };
+    Responses::of(&asked, specimens)
 }
 
 /// The answer within the usual tolerance.

@@ -64,6 +64,8 @@ pub(super) struct Asked<'a> {
     pub sensors: &'a [&'a SensorSpec],
     /// Variances \[N²\] beside which an oscillation need not be known better, one per sensor.
     pub beside: &'a [f64],
+    /// Errors on the nominal spring, one per sensor, by the whole run.
+    pub nominal: &'a [Moments],
     /// The goal \[N\], where the share of springs inside it is wanted.
     pub goal: Option<f64>,
 }
@@ -81,6 +83,10 @@ impl Responses {
             let ends =
                 specimens.each.iter().map(of).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
             let at = |x: f64| -> Result<Sample, Error> {
+                // By inductance only changes count: L is found to second order here.
+                if x == 0.0 && !needs_coil(spec, asked.sensors) {
+                    return Ok(asked.nominal.to_vec());
+                }
                 run.moments(&changed(&spec.spring.spring, along.map(|part| part * x))?)
             };
             let places = places(spec, condition, mount, number, ends)?;

@@ -25,7 +25,7 @@ pub(super) struct Specimens {
 /// How many are drawn for a verdict: a share of them is then known to about a percentage point.
 pub(super) const MANY: usize = 4096;
 /// How many are drawn for a column of a sweep, which needs their rms only.
-pub(super) const SOME: usize = 512;
+pub(super) const SOME: usize = 256;
 
 impl Specimen {
     /// How far its surge frequencies are shifted, as a factor.
@@ -41,7 +41,7 @@ impl Specimens {
     ///
     /// Source:   the generalised golden ratio, a Kronecker sequence; `[Niederreiter1992]` for its discrepancy.
     /// Valid:    up to some ten numbers.
-    /// Accuracy: mean squares of smooth responses to 0.1 % from 512 points.
+    /// Accuracy: mean squares of smooth responses to 0.1 % from 256 points.
     pub fn of(spring: &Spring, tolerances: &Tolerances, count: usize) -> Self {
         let (lowest, highest) = spring.first_frequency_band();
         let of_model = spring.chain_frequency();

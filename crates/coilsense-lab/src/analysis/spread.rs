@@ -26,21 +26,24 @@ impl Spread {
         Self { nominal, mean: nominal.mean, deviation: nominal.variance.sqrt(), chain: 0.0, each: vec![nominal] }
     }
 
-    /// Over `specimens`; `as_chains` are the same springs as if each were the chain that the model is.
+    /// Over `specimens`; `as_chains` are the same springs as if each were the chain that the model is, for who wants to know what that is worth.
     pub fn over(
         responses: &Responses,
         sensor: usize,
         nominal: Moments,
-        [specimens, as_chains]: [&Specimens; 2],
+        specimens: &Specimens,
+        as_chains: Option<&Specimens>,
     ) -> Self {
         let on = |specimens: &Specimens| -> Vec<Moments> {
             specimens.each.iter().map(|specimen| responses.on(sensor, specimen, nominal)).collect()
         };
         let each = on(specimens);
-        let chains = on(as_chains);
         let mean = mean_of(&each, |moments| moments.mean);
         let all = (mean_of(&each, Moments::square) - mean * mean).max(0.0);
-        let without = mean_of(&chains, Moments::square) - mean_of(&chains, |moments| moments.mean).powi(2);
+        let without = as_chains.map_or(all, |springs| {
+            let chains = on(springs);
+            mean_of(&chains, Moments::square) - mean_of(&chains, |moments| moments.mean).powi(2)
+        });
         // Where the nominal spring is at a peak the coil's own frequency takes from it: that is no line of its own.
         let chain = (all - without.max(0.0)).max(0.0);
         Self { nominal, mean, deviation: (all - chain).sqrt(), chain: chain.sqrt(), each }

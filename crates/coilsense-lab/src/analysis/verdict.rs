@@ -114,8 +114,8 @@ pub(super) struct Judge<'a> {
 pub(super) struct Springs {
     /// As tolerances allow them.
     pub specimens: Specimens,
-    /// The same as if each were the chain that the model is.
-    pub as_chains: Specimens,
+    /// The same as if each were the chain that the model is, where its line is wanted.
+    pub as_chains: Option<Specimens>,
     /// Whether shares and the worst of them are wanted.
     pub one_by_one: bool,
 }
@@ -124,12 +124,12 @@ impl Springs {
     /// Of a spec, within other tolerances than its own where they are given.
     pub fn of(spec: &Spec, tolerances: &Tolerances, count: usize) -> Self {
         let specimens = Specimens::of(&spec.spring.spring, tolerances, count);
-        Self { as_chains: specimens.as_chains(), specimens, one_by_one: false }
+        Self { as_chains: None, specimens, one_by_one: false }
     }
 
     /// The same, each of them looked at.
     pub fn one_by_one(self) -> Self {
-        Self { one_by_one: true, ..self }
+        Self { as_chains: Some(self.specimens.as_chains()), one_by_one: true, ..self }
     }
 }
 
@@ -187,7 +187,8 @@ impl Judge<'_> {
             let case = &self.cases[number];
             let instrument = self.instrument(sensor, case.condition)?;
             let over = Over { responses: &responses[number], sensor: index };
-            self.assessment(sensor, &instrument, case.scene(), &case.readings[index].steady, Some(over))
+            let counted = self.counted(case.scene(), &case.readings[index].steady)?;
+            self.assessment(sensor, &instrument, case.scene(), counted, Some(over))
         };
         (0..self.cases.len()).map(assess).collect()
     }
@@ -207,17 +208,16 @@ impl Judge<'_> {
         Ok(SensorModel { judge: self, sensor, instrument, scene, steady, over })
     }
 
-    /// A sensor in one case; `steady` is the force that it reads without noise and resolution, `over` how that changes from spring to
-    /// spring, without which the nominal one alone is judged.
+    /// A sensor in one case, by its errors there; `over` says how they change from spring to spring, without it the nominal one alone is
+    /// judged.
     pub fn assessment(
         &self,
         sensor: &SensorSpec,
         instrument: &Instrument,
         scene: Scene<'_>,
-        steady: &[f64],
+        Counted { errors, raw }: Counted,
         over: Option<Over<'_>>,
     ) -> Result<Assessment, Error> {
-        let (errors, raw) = self.errors(scene, steady)?;
         let model = self.model_of(sensor, instrument, scene, errors, over)?;
         let budget = model.budget()?;
         let of_spring = |name: &str| name.starts_with("tolerance of the ") || name == "oscillation" || name == CHAIN;
@@ -260,12 +260,13 @@ impl Judge<'_> {
             for case in self.cases {
                 let instrument = self.instrument(sensor, case.condition)?;
                 let steady = instrument.forces(&instrument.steady_readings(&case.signals)?);
+                let counted = self.counted(case.scene(), &steady)?;
                 let responses = match over_springs {
-                    true => Some(self.responses(case, sensor, &instrument, &steady)?),
+                    true => Some(self.responses(case, sensor, &instrument, Moments::of(&counted.errors))?),
                     false => None,
                 };
                 let over = responses.as_ref().map(|responses| Over { responses, sensor: 0 });
-                let assessment = self.assessment(sensor, &instrument, case.scene(), &steady, over)?;
+                let assessment = self.assessment(sensor, &instrument, case.scene(), counted, over)?;
                 if assessment.combined > goal {
                     return Ok(None);
                 }
@@ -281,9 +282,9 @@ impl Judge<'_> {
         case: &Case,
         sensor: &SensorSpec,
         instrument: &Instrument,
-        steady: &[f64],
+        nominal: Moments,
     ) -> Result<Responses, Error> {
-        let beside = self.beside(sensor, instrument, case.scene(), steady)?;
+        let beside = self.beside(sensor, instrument, case.scene())?;
         let (condition, damping) = (case.condition, case.damping);
         let asked = Asked {
             spec: self.spec,
@@ -292,21 +293,15 @@ impl Judge<'_> {
             damping,
             sensors: &[sensor],
             beside: &[beside],
+            nominal: &[nominal],
             goal: None,
         };
         Responses::of(&asked, &self.springs.specimens)
     }
 
     /// Variance of everything but the oscillation \[N²\].
-    pub fn beside(
-        &self,
-        sensor: &SensorSpec,
-        instrument: &Instrument,
-        scene: Scene<'_>,
-        steady: &[f64],
-    ) -> Result<f64, Error> {
-        let (errors, _) = self.errors(scene, steady)?;
-        let budget = self.model_of(sensor, instrument, scene, errors, None)?.budget()?;
+    pub fn beside(&self, sensor: &SensorSpec, instrument: &Instrument, scene: Scene<'_>) -> Result<f64, Error> {
+        let budget = self.model_of(sensor, instrument, scene, vec![0.0], None)?.budget()?;
         let each = budget.contributions().iter().filter(|line| line.name != "oscillation");
         Ok(each.map(|line| line.contribution * line.contribution).sum())
     }
@@ -317,12 +312,13 @@ impl Judge<'_> {
         Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
     }
 
-    /// Errors of a reading as far as they count \[N\], and their rms at every frequency.
-    fn errors(&self, scene: Scene<'_>, steady: &[f64]) -> Result<(Vec<f64>, f64), Error> {
+    /// Errors of the force \[N\] that a sensor reads without noise and resolution.
+    pub fn counted(&self, scene: Scene<'_>, steady: &[f64]) -> Result<Counted, Error> {
         let truth = scene.signals.channel(self.spec.goal.force)?;
         let errors: Vec<f64> = steady.iter().zip(truth).map(|(force, truth)| force - truth).collect();
         let raw = rms(&errors[scene.judged.clone()]);
-        Ok((band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?, raw))
+        let errors = band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?;
+        Ok(Counted { errors, raw })
     }
 
     fn model_of<'m>(
@@ -338,9 +334,11 @@ impl Judge<'_> {
         let largest = scene.judged.clone().max_by(by_size).unwrap_or(scene.judged.start);
         let quantity = instrument.quantity(scene.signals)?;
         let nominal = Moments::of(&errors);
-        let springs = [&self.springs.specimens, &self.springs.as_chains];
         let spread = match over {
-            Some(over) => Spread::over(over.responses, over.sensor, nominal, springs),
+            Some(over) => {
+                let as_chains = self.springs.as_chains.as_ref();
+                Spread::over(over.responses, over.sensor, nominal, &self.springs.specimens, as_chains)
+            }
             None => Spread::nominal(nominal),
         };
         Ok(Model {
@@ -381,6 +379,15 @@ impl Judge<'_> {
     }
 }
 
+/// Errors of a sensor in a case on the nominal spring.
+#[derive(Debug, Clone)]
+pub(super) struct Counted {
+    /// As far as they count, over the judged samples \[N\].
+    pub errors: Vec<f64>,
+    /// Their rms at every frequency \[N\].
+    pub raw: f64,
+}
+
 /// How a sensor's error changes from spring to spring in a case.
 #[derive(Clone, Copy)]
 pub(super) struct Over<'a> {
@@ -401,7 +408,7 @@ struct SensorModel<'a> {
 
 impl SensorModel<'_> {
     fn with_monte_carlo(&self) -> Result<SensorBudget, Error> {
-        let (errors, _) = self.judge.errors(self.scene, self.steady)?;
+        let Counted { errors, .. } = self.judge.counted(self.scene, self.steady)?;
         self.judge.model_of(self.sensor, &self.instrument, self.scene, errors, Some(self.over))?.with_monte_carlo()
     }
 }

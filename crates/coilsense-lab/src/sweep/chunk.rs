@@ -8,7 +8,8 @@ use super::SweepError;
 use super::design::{self, Result as Cell, Row, Status};
 use super::plan::Plan;
 use super::variable;
-use crate::spec::Draft;
+use crate::spec::{Draft, Files};
+use crate::study::enough_masses;
 
 /// Columns of one length, each under its title.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,15 +94,28 @@ impl Plan {
         let draft = self.draft()?.known();
         let files = |name: &str| self.file(name);
         let columns: Vec<_> = self.columns.iter().map(|(_, column)| column.clone()).collect();
+        let masses = self.masses(&draft, &files);
         let one = |draft: &mut Draft<'_>, row: u64| {
             if !go_on() {
                 return None;
             }
             let values = self.set(row, draft);
-            Some((values, design::judge(draft, &files, &columns, &self.needs)))
+            Some((values, design::judge(draft, &files, &columns, &self.needs, masses)))
         };
         let designs: Option<Vec<_>> = rows.clone().into_par_iter().map_init(|| draft.clone(), one).collect();
         Ok(designs.map(|designs| self.assembled(rows.start, designs)))
+    }
+
+    /// Masses per winding that are enough for the spec as it is written, and are taken for all designs; `None` where designs differ in their
+    /// windings, and each must find its own.
+    fn masses(&self, draft: &Draft<'_>, files: &Files<'_>) -> Option<usize> {
+        let winds = self.variables.iter().any(|variable| variable.target.key == "spring.windings");
+        if winds || self.catalogue.is_some() {
+            return None;
+        }
+        let core = draft.core(files).ok()?;
+        let masses = enough_masses(&core.spring, &core.mount, &core.conditions).ok()?;
+        Some(masses.per_winding)
     }
 
     fn assembled(&self, first: u64, designs: Vec<(Vec<variable::Cell>, Row)>) -> Chunk {

@@ -53,22 +53,38 @@ pub(super) struct Row {
 }
 
 /// Judges the design that a draft holds.
-pub(super) fn judge(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Needs) -> Row {
-    match judged(draft, files, columns, needs) {
+///
+/// - `masses`: for each winding, where the spec leaves that open and it was found for all designs
+pub(super) fn judge(
+    draft: &Draft<'_>,
+    files: &Files<'_>,
+    columns: &[Column],
+    needs: &Needs,
+    masses: Option<usize>,
+) -> Row {
+    match judged(draft, files, columns, needs, masses) {
         Ok(row) => row,
         Err(reason) => Row { status: Status::Refused, reason, results: Vec::new() },
     }
 }
 
-fn judged(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Needs) -> std::result::Result<Row, String> {
+fn judged(
+    draft: &Draft<'_>,
+    files: &Files<'_>,
+    columns: &[Column],
+    needs: &Needs,
+    masses: Option<usize>,
+) -> std::result::Result<Row, String> {
     let (core, assessed) = if !needs.sensors.is_empty() {
         let mut spec = draft.spec(files).map_err(|error| error.to_string())?;
+        spec.spring.masses_per_winding = spec.spring.masses_per_winding.or(masses);
         prepare(&mut spec.spring, &mut spec.mount, &spec.conditions).map_err(|error| error.to_string())?;
         let assessed = assess(&spec, &needs.sensors).map_err(|error| error.to_string())?;
         let (spring, mount, conditions, goal) = (spec.spring, spec.mount, spec.conditions, spec.goal);
         (Core { spring, mount, conditions, goal }, assessed)
     } else {
         let mut core = draft.core(files).map_err(|error| error.to_string())?;
+        core.spring.masses_per_winding = core.spring.masses_per_winding.or(masses);
         prepare(&mut core.spring, &mut core.mount, &core.conditions).map_err(|error| error.to_string())?;
         (core, Vec::new())
     };
