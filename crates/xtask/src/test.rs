@@ -15,6 +15,17 @@ pub struct Arguments {
     /// Run only this part, by its name in the table; may be given several times
     #[arg(long, value_name = "PART")]
     only: Vec<String>,
+    /// Run the part long, too: the statistical tests that take minutes
+    #[arg(long)]
+    long: bool,
+}
+
+impl Arguments {
+    /// Whether the part of this name is to run.
+    fn want(&self, name: &str) -> bool {
+        let is_named = self.only.iter().any(|only| only == name);
+        is_named || if name == LONG { self.long } else { self.only.is_empty() }
+    }
 }
 
 /// How a part went.
@@ -31,7 +42,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 12] = [
+const PARTS: [Part; 13] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -44,7 +55,13 @@ const PARTS: [Part; 12] = [
     Part { name: "report page", run: report_page },
     Part { name: "Python", run: python },
     Part { name: "page", run: page },
+    Part { name: LONG, run: long },
 ];
+
+/// The part that only runs where it is asked for.
+const LONG: &str = "long";
+/// What is marked to be ignored and is no check: the one writes files, the other is a benchmark.
+const NO_CHECKS: [&str; 2] = ["write_the_settings_of_the_firmware", "a_million_points"];
 
 /// Runs every part, also after one has failed.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -55,8 +72,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if let Some(name) = unknown {
         bail!("--only {name}: must be one of {}", PARTS.map(|part| part.name).join(", "));
     }
-    let wanted = |part: &Part| arguments.only.is_empty() || arguments.only.iter().any(|name| name == part.name);
-    for part in PARTS.into_iter().filter(wanted) {
+    for part in PARTS.into_iter().filter(|part| arguments.want(part.name)) {
         println!("== {}", part.name);
         let begun = Instant::now();
         let outcome = (part.run)(arguments).with_context(|| format!("part {}", part.name))?;
@@ -205,6 +221,13 @@ fn page(arguments: &Arguments) -> anyhow::Result<Outcome> {
         Some(missing) => Ok(Outcome::Missing(missing)),
         None => passed(page::check()?),
     }
+}
+
+/// The tests that are ignored because they take minutes. They are built as a release is, and none needs data that is not here.
+fn long(_: &Arguments) -> anyhow::Result<Outcome> {
+    let mut command = cargo(&["test", "--release", "--workspace", "--tests", "--", "--ignored"]);
+    command.args(NO_CHECKS.iter().flat_map(|name| ["--skip", name]));
+    outcome(command)
 }
 
 fn passed(success: bool) -> anyhow::Result<Outcome> {
