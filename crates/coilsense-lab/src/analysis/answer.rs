@@ -160,7 +160,7 @@ fn cause(verdict: &Verdict) -> String {
     }
 }
 
-/// From so many times the nominal error on, the worst specimen's says that the error cannot be told from the spec.
+/// From so many times the nominal oscillation on, that of the loudest spring says that the error cannot be told from the spec.
 const UNTOLD: f64 = 2.0;
 
 /// Where how far a sensor is off hangs on a frequency that the spec does not say well enough, and what would tell it.
@@ -168,7 +168,7 @@ fn untold(analysis: &Analysis) -> Option<String> {
     let cannot = |verdict: &&Verdict| {
         let worst = verdict.at_worst();
         let by_surge = worst.over_specimens > 0.5 * worst.combined;
-        by_surge && worst.worst > UNTOLD * worst.nominal.min(worst.combined)
+        by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
     };
     let each: Vec<String> = analysis
         .verdicts

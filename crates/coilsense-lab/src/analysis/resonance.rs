@@ -94,7 +94,7 @@ fn by_response(
     for number in (0..judge.cases.len()).filter(of_condition) {
         for verdict in verdicts {
             let assessment = &verdict.assessments[number];
-            let grows = assessment.worst / assessment.nominal.max(f64::MIN_POSITIVE);
+            let grows = assessment.loudest / assessment.oscillation.max(f64::MIN_POSITIVE);
             let counts = assessment.over_specimens > 0.5 * assessment.combined;
             if counts && grows > GROWS && loudest.is_none_or(|(most, ..)| grows > most) {
                 loudest = Some((grows, number, verdict.sensor));
@@ -107,14 +107,14 @@ fn by_response(
     let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
     let first = modes.frequencies().first()? / TAU;
     Some(format!(
-        "{}, {}: what the input does to the surge differs from specimen to specimen: {} is off by {} N on the nominal spring (first mode {} Hz) \
-         and by up to {} N on others, most near {} Hz. Measure that frequency (hit the spring, `coilsense identify`).",
+        "{}, {}: how much the spring rings differs from specimen to specimen: the oscillation alone puts {} off by {} N on the nominal spring \
+         (first mode {} Hz) and by up to {} N on others, most near {} Hz. Measure that frequency (hit the spring, `coilsense identify`).",
         spec.conditions[condition].name,
         spec.mount.cases[judge.cases[number].damping].label,
         sensors[sensor].name,
-        digits(assessment.nominal),
+        digits(assessment.oscillation),
         digits(first),
-        digits(assessment.worst),
+        digits(assessment.loudest),
         digits(factor * first),
     ))
 }

@@ -54,6 +54,11 @@ impl Spread {
         self.mean.hypot(self.deviation).hypot(self.chain)
     }
 
+    /// Rms over time of the specimen on which it is largest \[N\].
+    pub fn loudest(&self) -> f64 {
+        self.each.iter().map(Moments::square).fold(0.0, f64::max).sqrt()
+    }
+
     /// Errors as likely as they are over specimens and time, `count` of them, from those of the nominal spring over time \[N\].
     pub fn values(&self, errors: &[f64], count: usize) -> Vec<f64> {
         let spread = self.nominal.variance.sqrt();

@@ -14,8 +14,8 @@ use super::refinement::Sample;
 use super::response::{Asked, Moments, needs_coil};
 use crate::study::{self, Coil, Method, Setup};
 
-/// Filters have forgotten all but a thousandth of what was before so many of their times.
-const FORGOTTEN: f64 = 7.0;
+/// Filters have forgotten all but 6e-6 of what was before so many of their times: an error may be a thousandth of what is filtered.
+const FORGOTTEN: f64 = 12.0;
 /// L to second order is good enough for how an error changes.
 const ANY: f64 = 1.0;
 

@@ -51,6 +51,8 @@ pub struct Assessment {
     pub oscillation: f64,
     /// The same over the springs that the tolerances allow \[N\].
     pub over_specimens: f64,
+    /// The same on the spring on which it is largest \[N\].
+    pub loudest: f64,
     /// Combined standard uncertainty over them, with the bias that stays uncorrected \[N\].
     pub combined: f64,
     /// Of the nominal spring: its oscillation and the instrument's own errors \[N\].
@@ -238,6 +240,7 @@ impl Judge<'_> {
         Ok(Assessment {
             oscillation,
             over_specimens: model.spread.rms(),
+            loudest: model.spread.loudest(),
             combined: with_bias(&budget),
             nominal: oscillation.hypot(instrument_only.sqrt()),
             raw: raw.hypot(instrument_only.sqrt()),

@@ -27,6 +27,8 @@ pub const ENOUGH: f64 = 0.005;
 const MOST: usize = 32;
 /// Most masses in all: positions of more take seconds.
 const MOST_IN_ALL: usize = 2000;
+/// Most positions of masses over all samples of all cases: what a run of a few seconds takes.
+const MOST_POSITIONS: f64 = 1e8;
 /// An rms below this share of F_nom is not looked at.
 const LEAST: f64 = 1e-5;
 
@@ -43,16 +45,18 @@ pub fn enough_masses(spring: &SpringSpec, mount: &MountSpec, conditions: &[Condi
     let judged: Vec<&ConditionSpec> = conditions.iter().filter(|condition| !jumps(condition)).collect();
     let rms_of = |masses| rms(spring, mount, &judged, masses);
     let mut masses = Masses { per_winding: 1, is_given: false, change: None, without_limit };
-    if judged.is_empty() {
+    if judged.is_empty() || 2 * spring.spring.whole_windings() > MOST_IN_ALL {
         return Ok(masses);
     }
+    let samples: f64 = judged.iter().map(|condition| condition.duration * condition.sample_rate).sum();
+    let most = (MOST_POSITIONS / (samples * mount.cases.len() as f64)).min(MOST_IN_ALL as f64) as usize;
     let mut coarse = rms_of(1)?;
     loop {
         let fine = rms_of(2 * masses.per_winding)?;
         let change = largest_change(&coarse, &fine, LEAST * spring.spring.nominal_force());
         masses.change = Some(change);
-        let last =
-            2 * masses.per_winding > MOST || 2 * masses.per_winding * spring.spring.whole_windings() > MOST_IN_ALL;
+        let twice = 2 * masses.per_winding;
+        let last = twice > MOST || twice * spring.spring.whole_windings() > most;
         if change <= ENOUGH || last {
             return Ok(masses);
         }

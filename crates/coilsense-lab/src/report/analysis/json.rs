@@ -133,6 +133,7 @@ fn case_value(analysis: &Analysis, case: &Case) -> Value {
             "deviation": deviation_value(&reading.deviation, nominal),
             "oscillation_in_band_n": assessment.map(|assessment| assessment.oscillation),
             "oscillation_over_specimens_n": assessment.map(|assessment| assessment.over_specimens),
+            "oscillation_of_loudest_specimen_n": assessment.map(|assessment| assessment.loudest),
             "combined_n": assessment.map(|assessment| assessment.combined),
             "nominal_n": assessment.map(|assessment| assessment.nominal),
             "every_frequency_n": assessment.map(|assessment| assessment.raw),
