@@ -24,6 +24,7 @@ mass = "65 g"
 stiffness = "760 N/m"
 min_length = "196 mm"
 max_length = "264 mm"
+masses_per_winding = 1
 
 [mount]
 damping_ratio = 0
