@@ -89,7 +89,7 @@ impl Joined {
             Some(([mine, theirs], found)) => format!(
                 "  its clock is off by {:.9} s ± {} (95 %), by its {theirs} against {mine} (correlation {:.3})",
                 self.offset,
-                seconds(found.half_width),
+                half_width(found.half_width),
                 found.correlation
             ),
         });
@@ -111,6 +111,11 @@ fn listed(names: &[String]) -> String {
     const MOST: usize = 8;
     let shown = names.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
     if names.len() > MOST { format!("{shown} and {} more", names.len() - MOST) } else { shown }
+}
+
+/// An uncertainty of an offset that is printed to the nanosecond: below that it is rounding.
+fn half_width(value: f64) -> String {
+    if value < 1e-9 { "less than 1 ns".to_owned() } else { seconds(value) }
 }
 
 /// A time as people write it.
