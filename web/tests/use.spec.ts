@@ -193,7 +193,7 @@ test('every kind of condition can be added', async ({ page }) => {
 
 test('windings that touch are said, marked and drawn', async ({ page }) => {
   await open(page, '#S_A&@condition=4');
-  await expect(page.locator('[data-subject=clash]')).toContainText('windings touch from t = 0.529 s');
+  await expect(page.locator('[data-subject=clash]')).toContainText('windings touch from t = 0.523 s');
   await expect(page.getByRole('img', { name: /The spring S_A with its 25 windings/ }).first()).toBeVisible();
   await expect(page.locator('#sentence')).toContainText('Windings touch');
 });
