@@ -10,7 +10,7 @@ use coilsense::signals::sampled_window;
 use super::case::judged;
 use super::instrument::Instrument;
 use super::response::{Asked, Moments, Responses, needs_coil};
-use super::specimen::SOME;
+use super::specimen::MANY;
 use super::verdict::{Counted, Judge, Over, Scene, Springs};
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
@@ -36,7 +36,7 @@ pub(crate) fn assess(spec: &Spec, wanted: &[usize]) -> Result<Vec<(usize, Assess
         return Err(AnalysisError::NoCondition(spec.file.clone()));
     }
     let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
-    let springs = Springs::of(spec, &spec.spring.tolerances, SOME);
+    let springs = Springs::of(spec, &spec.spring.tolerances, MANY);
     let judge = Judge { spec, coil: &coil, cases: &[], springs: &springs };
     let sensors: Vec<(usize, &SensorSpec)> =
         wanted.iter().filter_map(|&index| Some((index, spec.sensors.get(index)?))).collect();
@@ -91,7 +91,8 @@ fn seen(
     let beside: Vec<f64> = ready.iter().map(|(_, _, beside)| *beside).collect();
     let nominal: Vec<Moments> = ready.iter().map(|(_, counted, _)| Moments::of(&counted.errors)).collect();
     let (sensors, coil) = (each.as_slice(), judge.coil);
-    let asked = Asked { spec, coil, condition, damping, sensors, beside: &beside, nominal: &nominal, goal: None };
+    let goal = spec.goal.error;
+    let asked = Asked { spec, coil, condition, damping, sensors, beside: &beside, nominal: &nominal, goal };
     let responses = Responses::of(&asked, &judge.springs.specimens)?;
     let of = |(number, (instrument, counted, _)): (usize, (Instrument, Counted, f64))| {
         let over = Over { responses: &responses, sensor: number };

@@ -112,7 +112,15 @@ impl Instrument {
     /// # Errors
     /// As [`Self::quantity`].
     pub fn steady_readings(&self, signals: &Signals) -> Result<Vec<f64>, Error> {
-        self.readout.ideal_series(signals.time(), &self.quantity(signals)?)
+        self.steady_readings_of(signals.time(), &self.quantity(signals)?)
+    }
+
+    /// The same of the quantity that it watches, shape `times`.
+    ///
+    /// # Errors
+    /// Those of [`Readout::ideal_series`].
+    pub fn steady_readings_of(&self, times: &[f64], quantity: &[f64]) -> Result<Vec<f64>, Error> {
+        self.readout.ideal_series(times, quantity)
     }
 
     /// The length that the calibration reads from an inductance \[m\], and α, β; `None` for other sensors.

@@ -254,23 +254,23 @@ impl Analysis {
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
         let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
         let usual = usual(&spec);
-        let widest = usual.as_ref().unwrap_or(&springs);
         let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases, springs: &springs };
         let go_on = || match progress(cases.len(), cases.len()) {
             true => Ok(()),
             false => Err(AnalysisError::Interrupted),
         };
-        let responses: Vec<Responses> = (0..cases.len())
-            .into_par_iter()
-            .map(|number| go_on().and_then(|()| Ok(responses(&judge, &sensors, number, &widest.specimens)?)))
-            .collect::<Result<_, AnalysisError>>()?;
+        let over = |springs: &Springs| -> Result<Vec<Responses>, AnalysisError> {
+            let one = |number| go_on().and_then(|()| Ok(responses(&judge, &sensors, number, &springs.specimens)?));
+            (0..cases.len()).into_par_iter().map(one).collect()
+        };
+        let responses = over(&springs)?;
         let mut verdicts: Vec<Verdict> = (0..sensors.len())
             .into_par_iter()
             .map(|index| go_on().and_then(|()| Ok(judge.verdict(index, &sensors[index], &responses)?)))
             .collect::<Result<_, AnalysisError>>()?;
         verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
         let if_usual = match &usual {
-            Some(springs) => Some(if_usual(&verdict::Judge { springs, ..judge }, &sensors, &responses)?),
+            Some(usual) => Some(if_usual(&verdict::Judge { springs: usual, ..judge }, &sensors, &over(usual)?)?),
             None => None,
         };
         let data_sheet = DataSheet::of(&spec)?;

@@ -6,17 +6,14 @@ use coilsense::Error;
 
 use super::response::Moments;
 
-/// Moments of the errors of all sensors at a place.
-pub(super) type Sample = Vec<Moments>;
-
-/// A search for places enough.
+/// A search for places enough for one sensor: which others are asked for makes no difference.
 pub(super) struct Refinement<'a> {
     /// Where to look first, in any order; zero, the nominal spring, is added.
-    pub places: Vec<f64>,
+    pub places: &'a [f64],
     /// From where to where \[ln of a factor\].
     pub ends: (f64, f64),
-    /// Variances \[N²\] beside which an error need not be known better, one per sensor.
-    pub beside: &'a [f64],
+    /// Variance \[N²\] beside which an error need not be known better.
+    pub beside: f64,
     /// The goal \[N\], where the share of springs inside it is wanted.
     pub goal: Option<f64>,
 }
@@ -33,17 +30,17 @@ const CLOSEST: f64 = 1e-4;
 
 impl Refinement<'_> {
     /// Looks until nothing stands out; samples in order of their places.
-    pub fn run(self, at: impl Fn(f64) -> Result<Sample, Error>) -> Result<Vec<(f64, Sample)>, Error> {
+    pub fn run(self, at: impl Fn(f64) -> Result<Moments, Error>) -> Result<Vec<(f64, Moments)>, Error> {
         let range = self.ends.1 - self.ends.0;
-        let mut samples: Vec<(f64, Sample)> = vec![(0.0, at(0.0)?)];
+        let mut samples: Vec<(f64, Moments)> = vec![(0.0, at(0.0)?)];
         if range <= 1e-9 {
             return Ok(samples);
         }
-        let mut wanted = self.places.clone();
+        let mut wanted = self.places.to_vec();
         loop {
             let mut grown = false;
             for place in std::mem::take(&mut wanted) {
-                let apart = |known: &(f64, Sample)| (known.0 - place).abs() > CLOSEST * range;
+                let apart = |known: &(f64, Moments)| (known.0 - place).abs() > CLOSEST * range;
                 if samples.len() < MOST && samples.iter().all(apart) {
                     let index = samples.partition_point(|known| known.0 < place);
                     samples.insert(index, (place, at(place)?));
@@ -63,38 +60,32 @@ impl Refinement<'_> {
     }
 
     /// Whether a sample lies off the line (in ln) between its neighbours by what counts.
-    fn stands_out(&self, samples: &[(f64, Sample)], index: usize) -> bool {
+    fn stands_out(&self, samples: &[(f64, Moments)], index: usize) -> bool {
         let ((before, left), (here, middle), (after, right)) =
             (&samples[index - 1], &samples[index], &samples[index + 1]);
         let share = (here - before) / (after - before);
         let part = 0.5 * (after - before) / (self.ends.1 - self.ends.0);
-        (0..middle.len()).any(|sensor| {
-            let [a, b] = [left, right].map(|sample| sample[sensor].square().max(f64::MIN_POSITIVE).ln());
-            let expected = (a + share * (b - a)).exp();
-            if part > PART && self.crosses_goal(sensor, middle[sensor].square(), expected) {
-                return true;
-            }
-            let off = (middle[sensor].square() - expected).abs() * part;
-            off > STANDS_OUT * (self.beside[sensor] + mean_square(samples, sensor))
-        })
+        let [a, b] = [left, right].map(|sample| sample.square().max(f64::MIN_POSITIVE).ln());
+        let expected = (a + share * (b - a)).exp();
+        if part > PART && self.crosses_goal(middle.square(), expected) {
+            return true;
+        }
+        let off = (middle.square() - expected).abs() * part;
+        off > STANDS_OUT * (self.beside + mean_square(samples))
     }
-}
 
-impl Refinement<'_> {
     /// Whether a mean square and what was expected of it say different things of the goal.
-    fn crosses_goal(&self, sensor: usize, found: f64, expected: f64) -> bool {
+    fn crosses_goal(&self, found: f64, expected: f64) -> bool {
         let Some(goal) = self.goal else { return false };
-        let [found, expected] = [found, expected].map(|square| (square + self.beside[sensor]).sqrt());
+        let [found, expected] = [found, expected].map(|square| (square + self.beside).sqrt());
         let near = found.min(expected) < 1.5 * goal && found.max(expected) > 0.6 * goal;
         near && (found - expected).abs() > NEAR_GOAL * goal
     }
 }
 
-/// Mean square of a sensor's error over the range, by trapezes.
-fn mean_square(samples: &[(f64, Sample)], sensor: usize) -> f64 {
+/// Mean square of an error over the range, by trapezes.
+fn mean_square(samples: &[(f64, Moments)]) -> f64 {
     let range = samples[samples.len() - 1].0 - samples[0].0;
-    let each = samples
-        .windows(2)
-        .map(|pair| (pair[1].0 - pair[0].0) * 0.5 * (pair[0].1[sensor].square() + pair[1].1[sensor].square()));
+    let each = samples.windows(2).map(|pair| (pair[1].0 - pair[0].0) * 0.5 * (pair[0].1.square() + pair[1].1.square()));
     each.sum::<f64>() / range
 }

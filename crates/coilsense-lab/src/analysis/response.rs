@@ -2,11 +2,13 @@
 //!
 //! Next door: the springs that the tolerances allow (`specimen`), what they make of a verdict (`spread`), one curve (`curve`).
 
+use std::cell::RefCell;
+
 use coilsense::modes::ChainModes;
 use coilsense::{Channel, End, EndInput, Error, FarEnd, Mount, Spring, SpringParameters};
 
 use super::curve::Curve;
-use super::refinement::{Refinement, Sample};
+use super::refinement::Refinement;
 use super::specimen::{Specimen, Specimens};
 use super::trial_run::TrialRun;
 use crate::spec::{SensorSpec, Spec};
@@ -70,6 +72,34 @@ pub(super) struct Asked<'a> {
     pub goal: Option<f64>,
 }
 
+/// Runs along an axis, each made once for all sensors.
+struct Runs<'a> {
+    run: &'a TrialRun<'a>,
+    along: Change,
+    /// Coordinates, and the moments of every sensor's errors there.
+    done: RefCell<Vec<(f64, Vec<Moments>)>>,
+}
+
+impl Runs<'_> {
+    /// Moments of a sensor's errors at a coordinate.
+    fn moments(&self, x: f64, sensor: usize) -> Result<Moments, Error> {
+        let asked = self.run.asked;
+        // By inductance only changes count: L is found to second order here.
+        if x == 0.0 && !needs_coil(asked.spec, &asked.sensors[sensor..=sensor]) {
+            return Ok(asked.nominal[sensor]);
+        }
+        let known =
+            |done: &Vec<(f64, Vec<Moments>)>| done.iter().find(|(at, _)| *at == x).map(|(_, each)| each[sensor]);
+        if let Some(moments) = known(&self.done.borrow()) {
+            return Ok(moments);
+        }
+        let each = self.run.moments(&changed(&asked.spec.spring.spring, self.along.map(|part| part * x))?)?;
+        let moments = each[sensor];
+        self.done.borrow_mut().push((x, each));
+        Ok(moments)
+    }
+}
+
 impl Responses {
     /// Of sensors in a case, as far as `specimens` reach.
     pub fn of(asked: &Asked<'_>, specimens: &Specimens) -> Result<Self, Error> {
@@ -82,17 +112,15 @@ impl Responses {
             let of = |specimen: &Specimen| dot(coordinate, change(specimen));
             let ends =
                 specimens.each.iter().map(of).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-            let at = |x: f64| -> Result<Sample, Error> {
-                // By inductance only changes count: L is found to second order here.
-                if x == 0.0 && !needs_coil(spec, asked.sensors) {
-                    return Ok(asked.nominal.to_vec());
-                }
-                run.moments(&changed(&spec.spring.spring, along.map(|part| part * x))?)
-            };
             let places = places(spec, condition, mount, number, ends)?;
-            let samples = Refinement { places, ends, beside: asked.beside, goal: asked.goal }.run(at)?;
-            let curve = |sensor: usize| Curve::new(samples.iter().map(|(x, sample)| (*x, sample[sensor])).collect());
-            axes.push(Axis { along, coordinate, curves: (0..asked.sensors.len()).map(curve).collect() });
+            let runs = Runs { run: &run, along, done: RefCell::default() };
+            let curve = |sensor: usize| {
+                let (beside, goal) = (asked.beside[sensor], asked.goal);
+                let samples = Refinement { places: &places, ends, beside, goal }.run(|x| runs.moments(x, sensor))?;
+                Ok(Curve::new(samples))
+            };
+            let curves = (0..asked.sensors.len()).map(curve).collect::<Result<_, Error>>()?;
+            axes.push(Axis { along, coordinate, curves });
         }
         let held = |end| matches!(condition.excitation.input(end), EndInput::Held);
         let in_proportion = match mount.far_end() {

@@ -10,7 +10,6 @@ use coilsense::{Calibration, Error, Spring};
 
 use super::band;
 use super::instrument::Instrument;
-use super::refinement::Sample;
 use super::response::{Asked, Moments, needs_coil};
 use crate::study::{self, Coil, Method, Setup};
 
@@ -21,9 +20,11 @@ const ANY: f64 = 1.0;
 
 /// A case, ready to be run on other springs.
 pub(super) struct TrialRun<'a> {
-    asked: &'a Asked<'a>,
+    pub asked: &'a Asked<'a>,
     times: Vec<f64>,
     judged: Range<usize>,
+    /// From which sample on each sensor watches: what the others remember makes no difference to it.
+    begins: Vec<usize>,
     by_coil: bool,
 }
 
@@ -31,18 +32,20 @@ impl<'a> TrialRun<'a> {
     pub fn new(asked: &'a Asked<'a>) -> Result<Self, Error> {
         let condition = &asked.spec.conditions[asked.condition];
         let rate = condition.sample_rate;
-        let each = asked.sensors.iter().map(|sensor| memory(&sensor.readout));
         let bandwidth = asked.spec.goal.bandwidth.map_or(0.0, band::memory);
-        let before = each.fold(bandwidth, f64::max);
         // On the grid of the condition's own samples.
-        let from = ((condition.window.0 - before).max(0.0) * rate).floor() / rate;
-        let times = sampled_window(rate, from, condition.window.1)?;
+        let from = |before: f64| ((condition.window.0 - before).max(0.0) * rate).floor();
+        let each = asked.sensors.iter().map(|sensor| from(memory(&sensor.readout).max(bandwidth)));
+        let each: Vec<f64> = each.collect();
+        let first = each.iter().copied().fold(f64::INFINITY, f64::min);
+        let times = sampled_window(rate, first / rate, condition.window.1)?;
         let judged = super::case::judged(&times, condition.window);
-        Ok(Self { asked, times, judged, by_coil: needs_coil(asked.spec, asked.sensors) })
+        let begins = each.iter().map(|begin| (begin - first) as usize).collect();
+        Ok(Self { asked, times, judged, begins, by_coil: needs_coil(asked.spec, asked.sensors) })
     }
 
     /// Errors of every sensor on a spring, as far as they count: an instrument knows the stiffness of the spring that it is on.
-    pub fn moments(&self, spring: &Spring) -> Result<Sample, Error> {
+    pub fn moments(&self, spring: &Spring) -> Result<Vec<Moments>, Error> {
         let asked = self.asked;
         let condition = &asked.spec.conditions[asked.condition];
         let mean_length = condition.excitation.mean_length();
@@ -57,14 +60,17 @@ impl<'a> TrialRun<'a> {
         let setup = Setup { spring, mount, excitation: &condition.excitation, coil, positions: false };
         let signals = study::simulate(&setup, &self.times)?.signals;
         let truth = signals.channel(asked.spec.goal.force)?;
-        let of = |sensor: &&crate::spec::SensorSpec| {
+        let of = |(sensor, &begin): (&&crate::spec::SensorSpec, &usize)| {
             let instrument = Instrument::new(sensor, spring, asked.coil, mean_length)?;
-            let forces = instrument.forces(&instrument.steady_readings(&signals)?);
-            let errors: Vec<f64> = forces.iter().zip(truth).map(|(force, truth)| force - truth).collect();
-            let counted = band::within(&errors, &self.times, &self.judged, asked.spec.goal.bandwidth)?;
+            let times = &self.times[begin..];
+            let readings = instrument.steady_readings_of(times, &instrument.quantity(&signals)?[begin..])?;
+            let forces = instrument.forces(&readings);
+            let errors: Vec<f64> = forces.iter().zip(&truth[begin..]).map(|(force, truth)| force - truth).collect();
+            let judged = self.judged.start - begin..self.judged.end - begin;
+            let counted = band::within(&errors, times, &judged, asked.spec.goal.bandwidth)?;
             Ok(Moments::of(&counted))
         };
-        asked.sensors.iter().map(of).collect()
+        asked.sensors.iter().zip(&self.begins).map(of).collect()
     }
 }
 

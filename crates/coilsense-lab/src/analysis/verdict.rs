@@ -260,6 +260,7 @@ impl Judge<'_> {
         }
         let (mut combined, mut raw) = (0.0_f64, 0.0_f64);
         for over_springs in [false, true] {
+            (combined, raw) = (0.0, 0.0);
             for case in self.cases {
                 let instrument = self.instrument(sensor, case.condition)?;
                 let steady = instrument.forces(&instrument.steady_readings(&case.signals)?);
@@ -297,7 +298,7 @@ impl Judge<'_> {
             sensors: &[sensor],
             beside: &[beside],
             nominal: &[nominal],
-            goal: None,
+            goal: self.spec.goal.error,
         };
         Responses::of(&asked, &self.springs.specimens)
     }

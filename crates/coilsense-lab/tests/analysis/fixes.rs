@@ -171,9 +171,8 @@ fn a_fix_written_into_the_spec_meets_the_goal() {
             let fixed = parts.with(&fix.change).run();
             let after = verdict(&fixed, "s");
             assert_eq!(after.meets_always(), Some(true), "{}: {} N", fix.change, after.combined());
-            // The same change by another door: what is named is what was tried. Errors over the springs are drawn out between
-            // samples, which lie elsewhere where tolerances changed: 3e-3.
-            close(after.combined(), fix.combined, 3e-3);
+            // The same change by another door: what is named is what was tried.
+            close(after.combined(), fix.combined, 1e-9);
             close(after.lag, fix.lag, 1e-9);
         }
     }

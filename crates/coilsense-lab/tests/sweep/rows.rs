@@ -54,9 +54,7 @@ fn a_row_holds_the_numbers_that_analyze_gives_for_its_design() {
         ];
         for (title, value) in expected {
             let found = numbers(chunk, title)[row];
-            // Of a sensor a sweep draws 256 springs, the analysis 4096.
-            let same = if title.ends_with("combined [%]") { 5e-3 * value } else { SAME };
-            assert!((found - value).abs() <= same, "{title}: {found} and {value}");
+            assert!((found - value).abs() <= SAME, "{title}: {found} and {value}");
         }
         assert_eq!(texts(chunk, "worst")[row], "resonance");
         assert_eq!(texts(chunk, "status")[row], "ok");
