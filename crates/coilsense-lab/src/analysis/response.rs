@@ -109,7 +109,7 @@ impl Responses {
         let run = TrialRun::new(asked)?;
         let mut axes = Vec::new();
         for (number, (along, coordinate)) in directions(&spec.spring.spring, mount.far_end()).into_iter().enumerate() {
-            let of = |specimen: &Specimen| dot(coordinate, change(specimen));
+            let of = |specimen: &Specimen| dot(coordinate, specimen.change);
             let ends =
                 specimens.each.iter().map(of).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
             let places = places(spec, condition, mount, number, ends)?;
@@ -133,11 +133,10 @@ impl Responses {
 
     /// What a sensor's error is on a specimen; `nominal` is it on the spec's own spring, as well as it is known.
     pub fn on(&self, sensor: usize, specimen: &Specimen, nominal: Moments) -> Moments {
-        let change = change(specimen);
         let mut moments = nominal;
         for axis in &self.axes {
             let curve = &axis.curves[sensor];
-            let at = curve.at(dot(axis.coordinate, change));
+            let at = curve.at(dot(axis.coordinate, specimen.change));
             moments.mean += at.mean - curve.nominal().mean;
             // Of one axis whose nominal error is nothing there is no ratio.
             moments.variance = match curve.nominal().variance {
@@ -154,10 +153,6 @@ impl Responses {
         let each = self.axes.iter().map(|axis| (axis.along[1] * axis.curves[sensor].loudest()).exp());
         each.fold(1.0, |far, factor| if (factor - 1.0_f64).abs() > (far - 1.0_f64).abs() { factor } else { far })
     }
-}
-
-fn change(specimen: &Specimen) -> Change {
-    [specimen.departure.stiffness.ln(), specimen.frequency().ln()]
 }
 
 fn dot(a: Change, b: Change) -> f64 {

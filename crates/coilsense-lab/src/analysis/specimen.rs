@@ -5,6 +5,7 @@
 
 use coilsense::Spring;
 
+use super::response::Change;
 use crate::spec::{Departure, TOLERANCE_DIMENSIONS, Tolerances};
 
 /// A spring that the tolerances allow.
@@ -14,6 +15,8 @@ pub(super) struct Specimen {
     pub departure: Departure,
     /// Its first surge frequency over that of a chain with its stiffness and mass \[1\]: how far a chain is a coil.
     pub coil: f64,
+    /// How its stiffness and its surge frequencies differ: ln of the factors.
+    pub change: Change,
 }
 
 /// Many of them, each as likely as any other; the first is the middle of the box.
@@ -22,12 +25,17 @@ pub(super) struct Specimens {
     pub each: Vec<Specimen>,
 }
 
-/// How many are drawn for a verdict: a share of them is then known to about a percentage point.
-pub(super) const MANY: usize = 4096;
-/// How many are drawn for a column of a sweep, which needs their rms only.
+/// How many are drawn for a verdict, and for a column of a sweep: a share of them is then known to about a percentage point.
+pub(super) const MANY: usize = 2048;
+/// How many are drawn for what would be so within the usual tolerance, where only the rms is wanted.
 pub(super) const SOME: usize = 256;
 
 impl Specimen {
+    fn new(departure: Departure, coil: f64) -> Self {
+        let specimen = Self { departure, coil, change: [0.0; 2] };
+        Self { change: [departure.stiffness.ln(), specimen.frequency().ln()], ..specimen }
+    }
+
     /// How far its surge frequencies are shifted, as a factor.
     pub fn frequency(&self) -> f64 {
         (self.departure.stiffness / self.departure.mass).sqrt() * self.coil
@@ -52,14 +60,14 @@ impl Specimens {
             let mut units = [0.0; TOLERANCE_DIMENSIONS];
             varied.iter().zip(&steps[1..]).for_each(|(dimension, step)| units[*dimension] = unit(*step));
             let first = lowest + 0.5 * (1.0 + unit(steps[0])) * (highest - lowest);
-            Specimen { departure: tolerances.at(&units), coil: first / of_model }
+            Specimen::new(tolerances.at(&units), first / of_model)
         };
         Self { each: (0..count).map(specimen).collect() }
     }
 
     /// The same springs as if each were the chain that the model is.
     pub fn as_chains(&self) -> Self {
-        Self { each: self.each.iter().map(|specimen| Specimen { coil: 1.0, ..*specimen }).collect() }
+        Self { each: self.each.iter().map(|specimen| Specimen::new(specimen.departure, 1.0)).collect() }
     }
 }
 

@@ -111,7 +111,9 @@ impl Tolerances {
     pub fn at(&self, units: &[f64; DIMENSIONS]) -> Departure {
         let by_geometry = |of: usize| -> f64 {
             let each = exponents()[of].into_iter().zip(self.geometry).zip(&units[2..7]);
-            each.map(|((exponent, tolerance), unit)| (1.0 + tolerance * unit).powf(exponent)).product()
+            each.filter(|((_, tolerance), _)| *tolerance > 0.0)
+                .map(|((exponent, tolerance), unit)| (1.0 + tolerance * unit).powf(exponent))
+                .product()
         };
         Departure {
             stiffness: self.stiffness.map_or_else(|| by_geometry(0), |tolerance| 1.0 + tolerance * units[0]),
