@@ -72,9 +72,14 @@ impl PyMotion {
         Ok(dict)
     }
 
+    /// All modes of its chain.
+    fn chain(&self) -> ChainModes {
+        ChainModes::mounted(self.0.spring(), self.0.mount().far_end())
+    }
+
     /// How many modes a truncated motion has.
     fn kept_modes(&self) -> Option<usize> {
-        let all = ChainModes::mounted(self.0.spring(), self.0.mount().far_end()).count();
+        let all = self.chain().count();
         Some(self.0.modes().count()).filter(|count| *count < all)
     }
 }
@@ -114,7 +119,7 @@ impl PyMotion {
     /// Its modes.
     #[getter]
     fn modes(&self) -> PyChainModes {
-        PyChainModes(self.0.modes().clone())
+        PyChainModes(self.chain().first(self.0.modes().count()))
     }
 
     /// Forces at both ends, tension positive.

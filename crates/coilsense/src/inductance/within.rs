@@ -62,7 +62,7 @@ impl MaxwellSum {
     /// Accuracy: its bounds, beyond the motion's own (1e-12 of the windings' displacements).
     ///
     /// # Errors
-    /// As [`Self::series_within`] and [`Motion::windings`].
+    /// As [`Self::series_within`] and [`Motion::windings`]; [`Error::Value`] for a motion whose masses are not alike.
     ///
     /// ```
     /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
@@ -77,8 +77,11 @@ impl MaxwellSum {
     pub fn along(&self, motion: &Motion, times: &[f64], tolerance: f64) -> Result<BoundedSeries, Error> {
         let allowed = tolerance.is_finite() && tolerance >= 0.0;
         check(allowed, "tolerance", tolerance, "", "finite and not below zero")?;
+        let modes = motion.modes();
+        let allowed = "modes of a chain of equal masses, whose windings are evenly wound";
+        check(modes.is_even(), "modes", modes.count() as f64, "", allowed)?;
         let lengths = motion.lengths(times)?;
-        let carry = self.carry(motion.modes().masses());
+        let carry = self.carry(modes.masses());
         let carriers: Vec<_> = (0..self.places().len()).map(|turn| carry.of_turn(turn)).collect();
         let (mut evaluation, mut block) = (Evaluation::new(self), TurnBlock::new(carriers.len()));
         let mut samples = vec![BoundedInductance { inductance: 0.0, bound: 0.0 }; times.len()];

@@ -4,6 +4,7 @@
 
 mod continuous;
 mod end_mass;
+mod model;
 
 use std::f64::consts::PI;
 
@@ -13,6 +14,7 @@ use crate::spring::Spring;
 pub(crate) use continuous::end_mass_root;
 pub use continuous::{continuous_frequencies, third_rule_error, third_rule_frequency};
 use end_mass::Angle;
+pub use model::{ModalModel, ModalParameters};
 
 /// Surge frequency of mode `mode` of the continuous coil with both ends held \[rad/s\].
 ///
@@ -58,12 +60,10 @@ pub fn continuous_frequency(transit_time: f64, mode: usize) -> f64 {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChainModes {
-    masses: usize,
-    far_end: FarEnd,
+    shapes: ChainShapes,
     /// Mass of end 2 in winding masses, MN/m; zero but for an end mass.
     relative_end_mass: f64,
     frequencies: Vec<f64>,
-    angles: Angles,
     norms: Vec<f64>,
     input_weights: Vec<f64>,
     output_weights: Vec<f64>,
@@ -73,6 +73,14 @@ pub struct ChainModes {
     second: Vec<f64>,
     /// c1_j, c2_j.
     participations: [Vec<f64>; 2],
+}
+
+/// How the masses move in each mode.
+#[derive(Debug, Clone, PartialEq)]
+struct ChainShapes {
+    masses: usize,
+    far_end: FarEnd,
+    angles: Angles,
 }
 
 /// The angles of the modes, in the form that gives shapes without rounding where there is one.
@@ -103,11 +111,9 @@ impl ChainModes {
         };
         let count = masses + usize::from(relative_end_mass > 0.0);
         let mut modes = Self {
-            masses,
-            far_end,
+            shapes: ChainShapes { masses, far_end, angles },
             relative_end_mass,
             frequencies: Vec::with_capacity(count),
-            angles,
             norms: Vec::with_capacity(count),
             input_weights: Vec::with_capacity(count),
             output_weights: Vec::with_capacity(count),
@@ -124,8 +130,8 @@ impl ChainModes {
 
     /// Finds all there is to know of one mode and appends it.
     fn push(&mut self, mode: usize, transit_time: f64, stiffness: f64) {
-        let count = self.masses as f64;
-        let root = match &self.angles {
+        let count = self.shapes.masses as f64;
+        let root = match &self.shapes.angles {
             Angles::Steps(_) => None,
             Angles::Roots(roots) => Some(roots[mode - 1]),
         };
@@ -137,11 +143,11 @@ impl ChainModes {
         };
         let norm = self.norm(mode, root);
         let (end, output) = self.end_two(mode, root);
-        let second = match self.far_end {
+        let second = match self.shapes.far_end {
             FarEnd::Position => 0.5 * end_sign(mode) / (norm * half),
             _ => end / (4.0 * count * half * half * norm),
         };
-        let rigid = match self.far_end {
+        let rigid = match self.shapes.far_end {
             FarEnd::Position => 0.5 * (1.0 + end_sign(mode)) / (norm * half),
             _ => 0.5 * first / (norm * half * half),
         };
@@ -153,15 +159,15 @@ impl ChainModes {
         self.rigid.push(rigid);
         self.second.push(second);
         // What u1 carries along: where end 2 is free to follow, all of the straight line.
-        self.participations[0].push(if self.far_end == FarEnd::Position { rigid - second } else { rigid });
-        self.participations[1].push(if self.far_end == FarEnd::Position { second } else { second / stiffness });
+        self.participations[0].push(if self.shapes.far_end == FarEnd::Position { rigid - second } else { rigid });
+        self.participations[1].push(if self.shapes.far_end == FarEnd::Position { second } else { second / stiffness });
     }
 
     /// n_j = Σ_i φ_j(i)² + (MN/m) ψ_j².
     fn norm(&self, mode: usize, root: Option<Angle>) -> f64 {
-        let count = self.masses as f64;
+        let count = self.shapes.masses as f64;
         match root {
-            None if self.far_end == FarEnd::Position && mode == self.masses => count,
+            None if self.shapes.far_end == FarEnd::Position && mode == self.shapes.masses => count,
             None => 0.5 * count,
             Some(Angle::Wave { theta, sine, cosine }) => {
                 let end = self.end_two(mode, root).0;
@@ -179,11 +185,11 @@ impl ChainModes {
 
     /// ψ_j, how far end 2 moves in the mode, and its weight in F_o, both in units of the shape.
     fn end_two(&self, mode: usize, root: Option<Angle>) -> (f64, f64) {
-        let count = self.masses as f64;
-        let sign = if self.masses.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let count = self.shapes.masses as f64;
+        let sign = if self.shapes.masses.is_multiple_of(2) { 1.0 } else { -1.0 };
         match root {
-            None if self.far_end == FarEnd::Position => (0.0, -self.shape_at(mode, self.masses)),
-            None => (self.shape_at(mode, self.masses), 0.0),
+            None if self.shapes.far_end == FarEnd::Position => (0.0, -self.shape_at(mode, self.shapes.masses)),
+            None => (self.shape_at(mode, self.shapes.masses), 0.0),
             Some(Angle::Wave { theta, sine, cosine }) => {
                 let (half_sin, half_cos) = (0.5 * theta).sin_cos();
                 (sine * half_cos, cosine * half_sin)
@@ -194,23 +200,15 @@ impl ChainModes {
         }
     }
 
-    /// The first `count` of these modes.
-    pub(crate) fn first(&self, count: usize) -> Self {
+    /// The first `count` of these modes, or all where there are no more.
+    #[must_use]
+    pub fn first(&self, count: usize) -> Self {
         let mut modes = self.clone();
-        let [first, second] = &mut modes.participations;
-        for series in [
-            &mut modes.frequencies,
-            &mut modes.norms,
-            &mut modes.input_weights,
-            &mut modes.output_weights,
-            &mut modes.end_shapes,
-            &mut modes.rigid,
-            &mut modes.second,
-            first,
-            second,
-        ] {
-            series.truncate(count);
-        }
+        let Self {
+            frequencies, norms, input_weights, output_weights, end_shapes, rigid, second, participations, ..
+        } = &mut modes;
+        let series = [frequencies, norms, input_weights, output_weights, end_shapes, rigid, second];
+        series.into_iter().chain(participations).for_each(|series| series.truncate(count));
         modes
     }
 
@@ -221,12 +219,12 @@ impl ChainModes {
 
     /// N: how many winding masses there are.
     pub fn masses(&self) -> usize {
-        self.masses
+        self.shapes.masses
     }
 
     /// What end 2 is tied to.
     pub fn far_end(&self) -> FarEnd {
-        self.far_end
+        self.shapes.far_end
     }
 
     /// ω_j \[rad/s\], shape `count`, mode 1 first.
@@ -239,7 +237,7 @@ impl ChainModes {
     /// # Errors
     /// [`Error::Value`] where the mode or the winding is not there.
     pub fn shape(&self, mode: usize, winding: usize) -> Result<f64, Error> {
-        for (quantity, number, last) in [("mode", mode, self.count()), ("winding", winding, self.masses)] {
+        for (quantity, number, last) in [("mode", mode, self.count()), ("winding", winding, self.masses())] {
             let holds = (1..=last).contains(&number);
             check(holds, quantity, number as f64, "", format!("from 1 to {last}"))?;
         }
@@ -253,6 +251,28 @@ impl ChainModes {
 
     /// As [`Self::shape`], numbers trusted.
     pub(crate) fn shape_at(&self, mode: usize, winding: usize) -> f64 {
+        self.shapes.at(mode, winding)
+    }
+
+    /// Weight of each mode in F_i: `F_i = F_static + 2Nk Σ_j a_j q_j`; shape `count`.
+    pub(crate) fn input_weights(&self) -> &[f64] {
+        &self.input_weights
+    }
+
+    /// Weight of each mode in F_o; shape `count`. Where end 2's position is prescribed it is `−σ_j a_j`.
+    pub(crate) fn output_weights(&self) -> &[f64] {
+        &self.output_weights
+    }
+
+    /// c1_j \[1\] and c2_j (\[1\], or \[m/N\] for a force at end 2): how strongly each input drives each mode; shape `count` each.
+    pub(crate) fn participations(&self) -> [&[f64]; 2] {
+        [&self.participations[0], &self.participations[1]]
+    }
+}
+
+impl ChainShapes {
+    /// φ_j(i); numbers are trusted.
+    fn at(&self, mode: usize, winding: usize) -> f64 {
         let place = winding as f64 - 0.5;
         match &self.angles {
             Angles::Steps(sines) => {
@@ -270,39 +290,6 @@ impl ChainModes {
                 }
             },
         }
-    }
-
-    /// Weight of each mode in F_i: `F_i = F_static + 2Nk Σ_j a_j q_j`; shape `count`.
-    pub(crate) fn input_weights(&self) -> &[f64] {
-        &self.input_weights
-    }
-
-    /// Weight of each mode in F_o; shape `count`. Where end 2's position is prescribed it is `−σ_j a_j`.
-    pub(crate) fn output_weights(&self) -> &[f64] {
-        &self.output_weights
-    }
-
-    /// c1_j \[1\] and c2_j (\[1\], or \[m/N\] for a force at end 2): how strongly each input drives each mode; shape `count` each.
-    pub(crate) fn participations(&self) -> [&[f64]; 2] {
-        [&self.participations[0], &self.participations[1]]
-    }
-
-    /// Modal coordinates of the straight line with the values `line` at ends 1 and 2, in closed form; shape `count`.
-    pub(crate) fn project_line(&self, line: [f64; 2]) -> Vec<f64> {
-        let each = self.rigid.iter().zip(&self.second);
-        each.map(|(rigid, second)| line[0] * rigid + (line[1] - line[0]) * second).collect()
-    }
-
-    /// Modal coordinates of a winding pattern and of end 2: (Σ_i φ_j(i) v_i + (MN/m) ψ_j v_end) / n_j; shape `N` to shape `count`.
-    pub(crate) fn project(&self, pattern: &[f64], end: f64) -> Vec<f64> {
-        let each = self.norms.iter().zip(&self.end_shapes);
-        each.enumerate()
-            .map(|(index, (norm, end_shape))| {
-                let windings = pattern.iter().enumerate();
-                let sum: f64 = windings.map(|(winding, value)| self.shape_at(index + 1, winding + 1) * value).sum();
-                (sum + self.relative_end_mass * end_shape * end) / norm
-            })
-            .collect()
     }
 }
 

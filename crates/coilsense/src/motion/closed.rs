@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use super::oscillator::{Oscillator, Roots, divided_exponential, exponential};
 use super::phasor_sum::{Function, Term};
 use crate::excitation::{EndInput, Kick, Sine};
-use crate::modes::ChainModes;
+use crate::modes::ModalModel;
 
 /// Modes closer than this share of their frequency to a sine take [`divided_exponential`]; the rest share one sine per drive and
 /// lose at most its inverse, a factor 20, of rounding.
@@ -76,7 +76,7 @@ pub(super) struct Near {
 
 impl Closed {
     /// The closed solution, or `None` where there is none worth having: a chirp, very many jumps, a mode damped just critically.
-    pub(super) fn new(modes: &ChainModes, ratios: &[f64], start: ModalState, inputs: [&EndInput; 2]) -> Option<Self> {
+    pub(super) fn new(modes: &ModalModel, ratios: &[f64], start: ModalState, inputs: [&EndInput; 2]) -> Option<Self> {
         let jumps: usize = inputs.iter().map(|input| input.most_kicks()).sum();
         if jumps > MOST_JUMPS || inputs.iter().any(|input| input.is_chirp()) {
             return None;

@@ -116,7 +116,7 @@ impl Motion {
 
     fn sums(&self, coordinates: &[f64], rates: &[f64]) -> Sums {
         let dot = |values: &[f64], weights: &[f64]| values.iter().zip(weights).map(|(v, w)| v * w).sum();
-        let (input, output) = (self.modes.input_weights(), self.modes.output_weights());
+        let [input, output] = self.modes.weights();
         Sums {
             coordinates: [dot(coordinates, input), dot(coordinates, output)],
             rates: [dot(rates, input), dot(rates, output)],
@@ -133,9 +133,9 @@ impl Motion {
         [forces.input[sample], forces.output[sample]] = self.surge_forces(sums);
     }
 
-    /// 2Nk: stiffness of an end segment \[N/m\].
+    /// Force \[N\] that a mode's weight stands for, by its coordinate; of the chain 2Nk, the stiffness of an end segment \[N/m\].
     pub(super) fn force_scale(&self) -> f64 {
-        2.0 * self.modes.masses() as f64 * self.spring.stiffness()
+        self.modes.segment()
     }
 
     /// All equidistant times together, jump by jump.
@@ -160,10 +160,11 @@ impl Motion {
     /// over even modes give both ends at the price of one.
     fn add_segment(&self, closed: &Closed, segment: usize, grid: Grid, [input, output]: [&mut [f64]; 2]) {
         let terms = |weights: &[f64], share| self.terms(closed, segment, weights, share);
-        let weights = self.modes.input_weights();
-        if self.mount.far_end() != FarEnd::Position {
+        let [weights, output_weights] = self.modes.weights();
+        if !self.modes.is_mirrored() {
+            // F_s is in the first line of each: the share of the straight part that both ends have.
             add(&terms(weights, [1.0, 0.0]), grid, &mut [Target { values: input, sign: 1.0 }]);
-            add(&terms(self.modes.output_weights(), [0.0, 1.0]), grid, &mut [Target { values: output, sign: 1.0 }]);
+            add(&terms(output_weights, [0.0, 1.0]), grid, &mut [Target { values: output, sign: 1.0 }]);
             return;
         }
         // Odd modes pull both ends' windings the same way: F_i up, F_o down; even ones both up.

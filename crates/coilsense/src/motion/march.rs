@@ -6,7 +6,7 @@ use super::closed::ModalState;
 use super::oscillator::Oscillator;
 use super::stride::{Stride, Sums};
 use crate::excitation::{EndInput, Kick};
-use crate::modes::ChainModes;
+use crate::modes::ModalModel;
 use crate::quadrature::GAUSS_12;
 use crate::simd::dispatch;
 
@@ -50,7 +50,7 @@ struct Node {
 
 impl March {
     pub(super) fn new(
-        modes: &ChainModes,
+        modes: &ModalModel,
         ratios: &[f64],
         start: ModalState,
         inputs: [&EndInput; 2],

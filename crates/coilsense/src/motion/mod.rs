@@ -31,9 +31,10 @@ pub use windings::Windings;
 
 pub use forces::EndForces;
 
+use crate::damping::Damping;
 use crate::error::{Error, at_least_one, check};
 use crate::excitation::{End, EndInput, Excitation};
-use crate::modes::ChainModes;
+use crate::modes::ModalModel;
 use crate::mount::{FarEnd, Mount};
 use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
@@ -50,7 +51,7 @@ const LARGEST_RATIO: f64 = 1e3;
 /// Motion of the paper's chain under one excitation.
 ///
 /// Winding i sits at `x_i = u1 + s_i (û2 − u1) + Σ_j q_j φ_j(i)`, `s_i = (i−½)/N`, where û2 is u2 if its position is prescribed and
-/// otherwise where a spring without mass would end; `q̈_j + 2ζ_jω_j q̇_j + ω_j² q_j = −(c1_j ẅ1 + c2_j ẅ2)` (see [`ChainModes`]).
+/// otherwise where a spring without mass would end; `q̈_j + 2ζ_jω_j q̇_j + ω_j² q_j = −(c1_j ẅ1 + c2_j ẅ2)` (see [`ModalModel`], of which the chain's closed form is one).
 /// Where an input jumps by h, q_j jumps by −c_j h and, as damping acts on it, q̇_j by 2ζ_jω_j c_j h: a step is the limit of short ramps.
 /// Sums of sines, steps, ramps, half sines and short recordings have a closed solution. A chirp and a long recording are followed from
 /// time to time, exactly: a recording by its kicks under first-order hold, a chirp by Gauss's rule to 1e-16 a step.
@@ -74,7 +75,7 @@ pub struct Motion {
     spring: Spring,
     mount: Mount,
     excitation: Excitation,
-    modes: ChainModes,
+    modes: ModalModel,
     ratios: Vec<f64>,
     start: ModalState,
     closed: Option<Closed>,
@@ -95,7 +96,24 @@ impl Motion {
     /// # Errors
     /// As [`Self::new`], those of [`crate::Damping::ratios`], and [`Error::Value`] for a mode with a damping ratio above 1000.
     pub fn mounted(spring: &Spring, mount: &Mount, excitation: &Excitation) -> Result<Self, Error> {
-        let modes = ChainModes::mounted(spring, mount.far_end());
+        Self::built(spring, mount.clone(), ModalModel::chain(spring, mount.far_end()), excitation)
+    }
+
+    /// Of a spring whose modes were found elsewhere. F_x, the mean force and where windings may touch are those of `spring`.
+    ///
+    /// # Errors
+    /// As [`Self::mounted`].
+    pub fn of_modes(
+        spring: &Spring,
+        modes: ModalModel,
+        damping: Damping,
+        excitation: &Excitation,
+    ) -> Result<Self, Error> {
+        let mount = Mount::new(modes.far_end(), damping)?;
+        Self::built(spring, mount, modes, excitation)
+    }
+
+    fn built(spring: &Spring, mount: Mount, modes: ModalModel, excitation: &Excitation) -> Result<Self, Error> {
         let ratios = mount.damping().ratios(modes.frequencies())?;
         if let Some(mode) = ratios.iter().position(|ratio| *ratio > LARGEST_RATIO) {
             let quantity = format!("damping ratio of mode {}", mode + 1);
@@ -103,7 +121,7 @@ impl Motion {
         }
         let mut motion = Self {
             spring: spring.clone(),
-            mount: mount.clone(),
+            mount,
             excitation: excitation.clone(),
             modes,
             ratios,
@@ -132,7 +150,7 @@ impl Motion {
     }
 
     /// Its modes.
-    pub fn modes(&self) -> &ChainModes {
+    pub fn modes(&self) -> &ModalModel {
         &self.modes
     }
 
@@ -178,12 +196,12 @@ impl Motion {
         let masses = self.placeable()?;
         let mut windings = Windings::zero(self.end_positions(times)?, masses);
         let lines = self.lines(times);
-        let mirrored = self.mount.far_end() == FarEnd::Position;
         let shape = |mode: usize, place: usize| self.modes.shape_at(mode + 1, place + 1);
-        let mut placing = Placing::new(masses, self.modes.count(), mirrored, shape);
+        let mut placing = Placing::new(masses, self.modes.count(), self.modes.is_mirrored(), shape);
+        let places: Vec<f64> = (1..=masses).map(|mass| self.modes.place_at(mass)).collect();
         self.for_each_block(times, |block| {
             let displacements = placing.displace(&block);
-            windings.place(block.samples, displacements, &lines);
+            windings.place(block.samples, displacements, &places, &lines);
         })?;
         Ok(windings)
     }
@@ -194,25 +212,14 @@ impl Motion {
     /// [`Error::Value`] for a time that is not finite or below zero.
     pub fn velocities(&self, time: f64) -> Result<Vec<f64>, Error> {
         check_times(&[time])?;
-        let state = match &self.closed {
-            Some(closed) => {
-                let mut state = ModalState::zero(self.modes.count());
-                closed.state_into(time, &mut state);
-                state
-            }
-            None => {
-                let mut march = self.march(time);
-                march.advance_to(time);
-                march.state()
-            }
-        };
+        let state = self.modal_state(time);
         let masses = self.placeable()?;
         let mut row = vec![0.0; masses];
         let [first, last] = self.line_velocity(time);
         for (index, velocity) in row.iter_mut().enumerate() {
             let modes = state.rates.iter().enumerate();
             let surge: f64 = modes.map(|(mode, rate)| self.modes.shape_at(mode + 1, index + 1) * rate).sum();
-            *velocity = first + (index as f64 + 0.5) * (last - first) / masses as f64 + surge;
+            *velocity = first + self.modes.place_at(index + 1) * (last - first) + surge;
         }
         Ok(row)
     }
@@ -236,27 +243,44 @@ impl Motion {
         Ok(signals)
     }
 
-    /// The chain's mechanical energy at time `time` \[s\], in \[J\]: kinetic plus elastic (counted from the rest length), without an end mass.
+    /// The masses' mechanical energy at time `time` \[s\], in \[J\]: kinetic plus elastic (counted from the rest length), without an end mass.
     ///
-    /// E = ½ (m/N) Σ ẋ_i² + ½ Nk (2 S_0² + Σ S_i² + 2 S_N²), S of eq. (4) less its rest value
+    /// E = ½ Σ m_i ẋ_i² + ½ k (û2 − u1 − l0)² + k (û2 − u1 − l0) Σ ψ_j q_j + ½ Σ κ_j q_j², κ_j a mode's stiffness
     ///
-    /// Source:   `[Weijde2017]` eqs. 4–6.
+    /// Source:   `[Weijde2017]` eqs. 4–6 in modal coordinates, in which the straight line and the modes share no energy but end 2's work.
     /// Valid:    as [`Motion`]; constant while both ends are held and nothing is damped.
     /// Accuracy: 1e-12 relative over 1 s for the paper's springs (test).
     ///
     /// # Errors
     /// [`Error::Value`] for a time that is not finite or below zero.
     pub fn energy(&self, time: f64) -> Result<f64, Error> {
-        let windings = self.windings(&[time])?;
-        let masses = self.modes.masses() as f64;
-        let segment = self.spring.rest_length() / masses;
-        let ([u1, u2], row) = (windings.ends(0), windings.row(0));
-        let inner: f64 = row.windows(2).map(|pair| (pair[1] - pair[0] - segment).powi(2)).sum();
-        let first = row[0] - u1 - 0.5 * segment;
-        let last = u2 - row[row.len() - 1] - 0.5 * segment;
-        let elastic = masses * self.spring.stiffness() * (2.0 * (first * first + last * last) + inner);
-        let kinetic: f64 = self.velocities(time)?.iter().map(|v| v * v).sum();
-        Ok(0.5 * (elastic + self.spring.mass() / masses * kinetic))
+        let velocities = self.velocities(time)?;
+        let each = velocities.iter().enumerate();
+        let kinetic: f64 = each.map(|(index, velocity)| self.modes.mass(index + 1) * velocity * velocity).sum();
+        let [first, last] = self.line(time);
+        let (k, stretch) = (self.spring.stiffness(), last - first - self.spring.rest_length());
+        let state = self.modal_state(time);
+        let of_mode = |(index, (q, shape)): (usize, (&f64, &f64))| {
+            2.0 * k * stretch * shape * q + self.modes.modal_stiffness(index + 1) * q * q
+        };
+        let each = state.coordinates.iter().zip(self.modes.end_shapes()).enumerate();
+        Ok(0.5 * (kinetic + k * stretch * stretch + each.map(of_mode).sum::<f64>()))
+    }
+
+    /// Modal coordinates at a time that is trusted.
+    fn modal_state(&self, time: f64) -> ModalState {
+        match &self.closed {
+            Some(closed) => {
+                let mut state = ModalState::zero(self.modes.count());
+                closed.state_into(time, &mut state);
+                state
+            }
+            None => {
+                let mut march = self.march(time);
+                march.advance_to(time);
+                march.state()
+            }
+        }
     }
 
     /// N, where there are not too many windings to place them all.

@@ -43,7 +43,7 @@ impl Motion {
         if turns < 2 {
             return f64::INFINITY;
         }
-        let per_turn = 1.0 / turns as f64;
+        let apart = self.modes.masses() / turns;
         let pushes = self.inputs().map(|input| Push::of(input, until));
         let mut swings = 0.0;
         for (mode, (&natural, &ratio)) in self.modes.frequencies().iter().zip(&self.ratios).enumerate() {
@@ -52,10 +52,10 @@ impl Motion {
             for (push, participations) in pushes.iter().zip(self.modes.participations()) {
                 swing += participations[mode].abs() * push.swing(&oscillator, until);
             }
-            swings += swing * (natural * self.spring.transit_time() * per_turn).min(2.0);
+            swings += swing * self.modes.most_between(mode + 1, apart, self.spring.transit_time());
         }
-        let apart = self.shortest_line() * per_turn - swings * (1.0 + ROUNDING);
-        let least = apart - ROUNDING * self.excitation.mean_length();
+        let pitch = self.shortest_line() * self.modes.least_between(apart) - swings * (1.0 + ROUNDING);
+        let least = pitch - ROUNDING * self.excitation.mean_length();
         if least.is_nan() { f64::NEG_INFINITY } else { least }
     }
 

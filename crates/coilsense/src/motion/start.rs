@@ -39,8 +39,8 @@ impl Motion {
             Start::Windings { positions, velocities } => {
                 count("start positions", positions.len(), self.modes.masses())?;
                 ModalState {
-                    coordinates: self.modes.project(&less_line(positions, [u[0], mean + u[1]]), -u[1]),
-                    rates: self.modes.project(&less_line(velocities, v), -v[1]),
+                    coordinates: self.modes.project(&self.less_line(positions, [u[0], mean + u[1]]), -u[1]),
+                    rates: self.modes.project(&self.less_line(velocities, v), -v[1]),
                 }
             }
         };
@@ -99,11 +99,10 @@ impl Motion {
         }
         Ok(state)
     }
-}
 
-/// `values` less the straight line from `line[0]` at end 1 to `line[1]` at end 2.
-fn less_line(values: &[f64], line: [f64; 2]) -> Vec<f64> {
-    let spacing = (line[1] - line[0]) / values.len() as f64;
-    let each = values.iter().enumerate();
-    each.map(|(index, value)| value - (line[0] + (index as f64 + 0.5) * spacing)).collect()
+    /// `values` less the straight line from `line[0]` at end 1 to `line[1]` at end 2.
+    fn less_line(&self, values: &[f64], line: [f64; 2]) -> Vec<f64> {
+        let each = values.iter().enumerate();
+        each.map(|(index, value)| value - (line[0] + self.modes.place_at(index + 1) * (line[1] - line[0]))).collect()
+    }
 }

@@ -6,7 +6,7 @@ use aligned_vec::AVec;
 use pulp::{Simd, WithSimd};
 
 use super::closed::ModalState;
-use crate::modes::ChainModes;
+use crate::modes::ModalModel;
 
 /// Modes are padded with modes that do nothing to a multiple of this, the widest vector.
 const LANES: usize = 8;
@@ -40,14 +40,14 @@ pub(super) struct Sums {
 }
 
 impl Stride {
-    pub(super) fn new(modes: &ChainModes, start: ModalState) -> Self {
+    pub(super) fn new(modes: &ModalModel, start: ModalState) -> Self {
         // Aligned to cache lines: a vector that straddles two costs as much as two.
         let padded = |values: &[f64]| {
             let mut padded = AVec::from_slice(aligned_vec::CACHELINE_ALIGN, values);
             padded.resize(values.len().next_multiple_of(LANES), 0.0);
             padded
         };
-        let weights = [modes.input_weights(), modes.output_weights()];
+        let weights = modes.weights();
         let still = padded(&vec![0.0; modes.count()]);
         Self {
             count: modes.count(),

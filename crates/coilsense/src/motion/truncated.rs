@@ -85,7 +85,7 @@ impl Motion {
         for (end, input) in self.inputs().into_iter().enumerate() {
             ringing += self.modes.participations()[end][mode].abs() * ringing_under(input, &oscillator, dashpot);
         }
-        for (end, weights) in [self.modes.input_weights(), self.modes.output_weights()].into_iter().enumerate() {
+        for (end, weights) in self.modes.weights().into_iter().enumerate() {
             for (input, participations) in self.modes.participations().into_iter().enumerate() {
                 let follows = scale * weights[mode] * participations[mode] / (natural * natural);
                 remainder.per_acceleration[end][input] -= follows;

@@ -5,7 +5,6 @@
 use super::Motion;
 use super::placing::Placing;
 use crate::error::Error;
-use crate::mount::FarEnd;
 
 impl Motion {
     /// Calls `visit` with all samples, in blocks: their numbers, and how far each turn is from where uniform turns between the ends would be
@@ -34,8 +33,7 @@ impl Motion {
             let carried = carriers[turn].iter().filter(|(_, weight)| *weight != 0.0);
             carried.map(|&(node, weight)| weight * of_node(mode, node)).sum::<f64>() - places[turn] * ends[mode]
         };
-        let mirrored = self.mount.far_end() == FarEnd::Position;
-        let mut placing = Placing::new(places.len(), self.modes.count(), mirrored, shape);
+        let mut placing = Placing::new(places.len(), self.modes.count(), self.modes.is_mirrored(), shape);
         self.for_each_block(times, |block| visit(block.samples, placing.displace(&block)))
     }
 

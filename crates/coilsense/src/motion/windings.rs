@@ -37,15 +37,15 @@ impl Windings {
         Self { count, positions: vec![0.0; ends.len() * count], ends }
     }
 
-    /// Sets the positions of some samples: the straight lines between `lines` plus displacements, shape `N × WIDTH`.
-    pub(super) fn place(&mut self, samples: &[usize], displacements: &[f64], lines: &[Vec<f64>; 2]) {
+    /// Sets the positions of some samples: `places` on the straight lines between `lines`, plus displacements, shape `N × WIDTH`.
+    pub(super) fn place(&mut self, samples: &[usize], displacements: &[f64], places: &[f64], lines: &[Vec<f64>; 2]) {
         let count = self.count;
         for (column, &sample) in samples.iter().enumerate() {
             let (first, last) = (lines[0][sample], lines[1][sample]);
-            let spacing = (last - first) / count as f64;
-            let row = self.positions[sample * count..][..count].iter_mut();
-            for (index, (position, displaced)) in row.zip(displacements.chunks_exact(WIDTH)).enumerate() {
-                *position = displaced[column] + (first + (index as f64 + 0.5) * spacing);
+            let length = last - first;
+            let row = self.positions[sample * count..][..count].iter_mut().zip(places);
+            for ((position, place), displaced) in row.zip(displacements.chunks_exact(WIDTH)) {
+                *position = displaced[column] + (first + place * length);
             }
         }
     }
