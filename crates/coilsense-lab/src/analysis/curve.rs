@@ -54,9 +54,18 @@ impl Curve {
 
     /// Where the mean square is largest among the samples.
     pub fn loudest(&self) -> f64 {
+        self.largest().0
+    }
+
+    /// The largest mean square among the samples.
+    pub fn peak(&self) -> f64 {
+        self.largest().1
+    }
+
+    fn largest(&self) -> (f64, f64) {
         let size = |index: usize| self.variances.values[index].exp() + self.means.values[index].powi(2);
-        let largest = (0..self.places.len()).max_by(|a, b| size(*a).total_cmp(&size(*b)));
-        largest.map_or(0.0, |index| self.places[index])
+        let each = self.places.iter().enumerate().map(|(index, place)| (*place, size(index)));
+        each.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, 0.0))
     }
 }
 

@@ -33,6 +33,7 @@ mod tighter;
 mod trial_run;
 mod verdict;
 mod warnings;
+mod ways;
 
 pub use answer::answer;
 pub(crate) use assessed::{Assessed, assess};

@@ -20,11 +20,11 @@ pub(super) struct Refinement<'a> {
 
 /// A place must not stand out from its neighbours' curve by more than this share of the whole mean square.
 const STANDS_OUT: f64 = 0.008;
-/// Near the goal an rms error must not stand out by more than this share of the goal, over more than this part of the range.
-const NEAR_GOAL: f64 = 0.05;
+/// An rms error is near the goal within so many times what it stands out by; then its neighbours must be within this part of the range.
+const NEAR_GOAL: f64 = 2.0;
 const PART: f64 = 0.004;
 /// Most places.
-const MOST: usize = 96;
+const MOST: usize = 160;
 /// Places closer than this share of the range are one.
 const CLOSEST: f64 = 1e-4;
 
@@ -74,12 +74,11 @@ impl Refinement<'_> {
         off > STANDS_OUT * (self.beside + mean_square(samples))
     }
 
-    /// Whether a mean square and what was expected of it say different things of the goal.
+    /// Whether the goal lies so close to a mean square that what is not known of it may decide which side it is on.
     fn crosses_goal(&self, found: f64, expected: f64) -> bool {
         let Some(goal) = self.goal else { return false };
         let [found, expected] = [found, expected].map(|square| (square + self.beside).sqrt());
-        let near = found.min(expected) < 1.5 * goal && found.max(expected) > 0.6 * goal;
-        near && (found - expected).abs() > NEAR_GOAL * goal
+        (found - goal).abs() < NEAR_GOAL * (found - expected).abs()
     }
 }
 

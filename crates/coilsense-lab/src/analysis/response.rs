@@ -5,34 +5,32 @@
 use std::cell::RefCell;
 
 use coilsense::modes::ChainModes;
-use coilsense::{Channel, End, EndInput, Error, FarEnd, Mount, Spring, SpringParameters};
+use coilsense::{Channel, End, EndInput, Error, FarEnd, Mount};
 
 use super::curve::Curve;
 use super::refinement::Refinement;
 use super::specimen::{Specimen, Specimens};
 use super::trial_run::TrialRun;
-use crate::spec::{SensorSpec, Spec};
-
-/// A change of stiffness at the same surge frequencies, and of surge frequencies at the same stiffness: ln κ and ln s.
-pub(super) type Change = [f64; 2];
+use super::ways::{Way, changed, ways};
+use crate::spec::{ConditionSpec, SensorSpec, Spec};
 
 /// How far the sensors of a case are off over the springs that tolerances allow.
 #[derive(Debug, Clone)]
 pub(super) struct Responses {
     axes: Vec<Axis>,
+    beside: Vec<f64>,
     /// Whether all errors are in proportion to the stiffness at the same frequencies.
     in_proportion: bool,
 }
 
-/// A way in which frequencies move, and how far each sensor is off along it.
+/// How far each sensor is off along a way.
 #[derive(Debug, Clone)]
 struct Axis {
-    /// Change of stiffness and of surge frequencies per unit of the coordinate.
-    along: Change,
-    /// The coordinate of a change.
-    coordinate: Change,
+    way: Way,
     /// One per sensor.
     curves: Vec<Curve>,
+    /// The factor of the surge frequencies where each is largest.
+    loudest: Vec<f64>,
 }
 
 /// Mean and spread of an error over time.
@@ -72,10 +70,11 @@ pub(super) struct Asked<'a> {
     pub goal: Option<f64>,
 }
 
-/// Runs along an axis, each made once for all sensors.
+/// Runs along a way, each made once for all sensors.
 struct Runs<'a> {
     run: &'a TrialRun<'a>,
-    along: Change,
+    way: &'a Way,
+    far_end: FarEnd,
     /// Coordinates, and the moments of every sensor's errors there.
     done: RefCell<Vec<(f64, Vec<Moments>)>>,
 }
@@ -93,7 +92,8 @@ impl Runs<'_> {
         if let Some(moments) = known(&self.done.borrow()) {
             return Ok(moments);
         }
-        let each = self.run.moments(&changed(&asked.spec.spring.spring, self.along.map(|part| part * x))?)?;
+        let spring = &asked.spec.spring.spring;
+        let each = self.run.moments(&changed(spring, self.way.change_at(spring, self.far_end, x))?)?;
         let moments = each[sensor];
         self.done.borrow_mut().push((x, each));
         Ok(moments)
@@ -108,19 +108,22 @@ impl Responses {
         let condition = &spec.conditions[asked.condition];
         let run = TrialRun::new(asked)?;
         let mut axes = Vec::new();
-        for (number, (along, coordinate)) in directions(&spec.spring.spring, mount.far_end()).into_iter().enumerate() {
-            let of = |specimen: &Specimen| dot(coordinate, specimen.change);
-            let ends =
-                specimens.each.iter().map(of).fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-            let places = places(spec, condition, mount, number, ends)?;
-            let runs = Runs { run: &run, along, done: RefCell::default() };
+        let (spring, far_end) = (&spec.spring.spring, mount.far_end());
+        let corners = specimens.corners();
+        for way in ways(spring, far_end, specimens) {
+            let of = |specimen: &Specimen| way.coordinate(specimen.change);
+            let all = specimens.each.iter().chain(&corners).map(of);
+            let ends = all.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+            let places = places(spec, condition, mount, &way, ends)?;
+            let runs = Runs { run: &run, way: &way, far_end, done: RefCell::default() };
             let curve = |sensor: usize| {
                 let (beside, goal) = (asked.beside[sensor], asked.goal);
                 let samples = Refinement { places: &places, ends, beside, goal }.run(|x| runs.moments(x, sensor))?;
                 Ok(Curve::new(samples))
             };
-            let curves = (0..asked.sensors.len()).map(curve).collect::<Result<_, Error>>()?;
-            axes.push(Axis { along, coordinate, curves });
+            let curves: Vec<Curve> = (0..asked.sensors.len()).map(curve).collect::<Result<_, Error>>()?;
+            let loudest = |curve: &Curve| way.change_at(spring, far_end, curve.loudest())[1].exp();
+            axes.push(Axis { loudest: curves.iter().map(loudest).collect(), curves, way });
         }
         let held = |end| matches!(condition.excitation.input(end), EndInput::Held);
         let in_proportion = match mount.far_end() {
@@ -128,7 +131,7 @@ impl Responses {
             FarEnd::Force => held(End::Two),
             FarEnd::Mass(_) => false,
         };
-        Ok(Self { axes, in_proportion })
+        Ok(Self { axes, beside: asked.beside.to_vec(), in_proportion })
     }
 
     /// What a sensor's error is on a specimen; `nominal` is it on the spec's own spring, as well as it is known.
@@ -136,7 +139,7 @@ impl Responses {
         let mut moments = nominal;
         for axis in &self.axes {
             let curve = &axis.curves[sensor];
-            let at = curve.at(dot(axis.coordinate, specimen.change));
+            let at = curve.at(axis.way.coordinate(specimen.change));
             moments.mean += at.mean - curve.nominal().mean;
             // Of one axis whose nominal error is nothing there is no ratio.
             moments.variance = match curve.nominal().variance {
@@ -148,72 +151,43 @@ impl Responses {
         Moments { mean: factor * moments.mean, variance: factor * factor * moments.variance }
     }
 
+    /// Variance \[N²\] of a sensor beside which its oscillation counts.
+    pub fn beside(&self, sensor: usize) -> f64 {
+        self.beside[sensor]
+    }
+
+    /// The mean square of a sensor's error that no specimen exceeds, as far as it was looked at \[N²\].
+    pub fn peak(&self, sensor: usize, nominal: Moments) -> f64 {
+        let ratio = |curve: &Curve| curve.peak() / curve.nominal().square().max(f64::MIN_POSITIVE);
+        self.axes.iter().map(|axis| ratio(&axis.curves[sensor])).product::<f64>() * nominal.square()
+    }
+
     /// How far from the spec's own spring a sensor's error is largest: the factor of the surge frequencies there.
     pub fn loudest(&self, sensor: usize) -> f64 {
-        let each = self.axes.iter().map(|axis| (axis.along[1] * axis.curves[sensor].loudest()).exp());
+        let each = self.axes.iter().map(|axis| axis.loudest[sensor]);
         each.fold(1.0, |far, factor| if (factor - 1.0_f64).abs() > (far - 1.0_f64).abs() { factor } else { far })
     }
-}
-
-fn dot(a: Change, b: Change) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-/// The spring with another stiffness and other surge frequencies; its mass follows.
-fn changed(spring: &Spring, [stiffness, frequencies]: Change) -> Result<Spring, Error> {
-    let parameters = spring.parameters();
-    let stiffer = stiffness.exp();
-    Spring::new(SpringParameters {
-        stiffness: stiffer * parameters.stiffness,
-        mass: stiffer * parameters.mass * (-2.0 * frequencies).exp(),
-        nominal_force: Some(spring.nominal_force()),
-        ..parameters.clone()
-    })?
-    .with_masses_per_winding(spring.masses_per_winding())
-}
-
-/// Ways in which a mounted spring's frequencies move, each with its coordinate.
-///
-/// With a prescribed position or force at end 2 all move together, ∝ √(k/m). With an end mass the first, the swing of the mass, moves by
-/// itself: the axes are then one along which only it moves, and one along which it alone stays.
-fn directions(spring: &Spring, far_end: FarEnd) -> Vec<(Change, Change)> {
-    let FarEnd::Mass(_) = far_end else { return vec![([0.0, 1.0], [0.0, 1.0])] };
-    const STEP: f64 = 1e-3;
-    let first_two = |change: Change| -> Option<[f64; 2]> {
-        let modes = ChainModes::mounted(&changed(spring, change).ok()?, far_end);
-        let [first, second, ..] = *modes.frequencies() else { return None };
-        Some([first.ln(), second.ln()])
-    };
-    let slope = |change: Change| -> Option<[f64; 2]> {
-        let (up, down) = (first_two(change)?, first_two(change.map(|part| -part))?);
-        Some([0, 1].map(|mode| (up[mode] - down[mode]) / (2.0 * STEP)))
-    };
-    let (Some(by_stiffness), Some(by_frequency)) = (slope([STEP, 0.0]), slope([0.0, STEP])) else {
-        return vec![([0.0, 1.0], [0.0, 1.0])];
-    };
-    let rows = [[by_stiffness[0], by_frequency[0]], [by_stiffness[1], by_frequency[1]]];
-    let determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
-    let inverse = [[rows[1][1], -rows[0][1]], [-rows[1][0], rows[0][0]]].map(|row| row.map(|part| part / determinant));
-    vec![([inverse[0][0], inverse[1][0]], rows[0]), ([inverse[0][1], inverse[1][1]], rows[1])]
 }
 
 /// Where to look first: both ends, the spec's own spring, and close together where a line of the input meets a mode.
 fn places(
     spec: &Spec,
-    condition: &crate::spec::ConditionSpec,
+    condition: &ConditionSpec,
     mount: &Mount,
-    axis: usize,
+    way: &Way,
     (low, high): (f64, f64),
 ) -> Result<Vec<f64>, Error> {
     let mut places = vec![low, 0.0, high];
-    let modes = ChainModes::mounted(&spec.spring.spring, mount.far_end());
+    let (spring, far_end) = (&spec.spring.spring, mount.far_end());
+    let modes = ChainModes::mounted(spring, far_end);
     let ratios = mount.damping().ratios(modes.frequencies())?;
-    let swings_alone = matches!(mount.far_end(), FarEnd::Mass(_));
-    let of_axis = |mode: usize| !swings_alone || (axis == 0) == (mode == 0);
     let mut lines = Vec::new();
     for end in [End::One, End::Two] {
         match condition.excitation.input(end) {
-            EndInput::Harmonics(sines) => lines.extend(sines.iter().map(|sine| std::f64::consts::TAU * sine.frequency)),
+            EndInput::Harmonics(sines) => {
+                lines.extend(sines.iter().map(|sine| std::f64::consts::TAU * sine.frequency));
+                places.extend(over_beats(modes.frequencies()[0], ratios[0], condition, (low, high)));
+            }
             EndInput::Held => {}
             // Whatever line there is, it is no narrower than damping and duration make it.
             _ => {
@@ -223,12 +197,18 @@ fn places(
             }
         }
     }
-    let each = modes.frequencies().iter().zip(&ratios).enumerate().filter(|(mode, _)| of_axis(*mode));
-    for (_, (frequency, ratio)) in each {
+    for (mode, (frequency, ratio)) in modes.frequencies().iter().zip(&ratios).enumerate() {
         let width = width(*ratio, *frequency, condition.duration);
         for line in &lines {
-            let meets = (line / frequency).ln();
-            if (low - 3.0 * width..=high + 3.0 * width).contains(&meets) {
+            let apart = (line / frequency).ln();
+            if !(low - NEARLY..=high + NEARLY).contains(&apart) && matches!(far_end, FarEnd::Mass(_)) {
+                continue;
+            }
+            let meets = match far_end {
+                FarEnd::Mass(_) => way.meets(spring, far_end, mode, *line),
+                _ => Some(apart),
+            };
+            if let Some(meets) = meets.filter(|meets| (low - 3.0 * width..=high + 3.0 * width).contains(meets)) {
                 places.extend(AROUND.iter().flat_map(|far| [meets + far * width, meets - far * width]));
             }
         }
@@ -237,8 +217,31 @@ fn places(
     Ok(places)
 }
 
+/// Where the free motion of a mode still beats with what drives it, its error goes up and down with its frequency: a few places a beat.
+fn over_beats(
+    angular: f64,
+    ratio: f64,
+    condition: &ConditionSpec,
+    (low, high): (f64, f64),
+) -> impl Iterator<Item = f64> {
+    let left = (-ratio * angular * condition.window.0).exp();
+    let beats = (high - low) * angular * condition.window.1 / std::f64::consts::TAU;
+    let count = if left > FAINT { (A_BEAT * beats).min(MOST_BEATS) as usize } else { 0 };
+    // Not evenly, so that they do not keep step with the beats.
+    let golden = 0.618_033_988_749_894_9;
+    let place = move |index: usize| (index as f64 + (index as f64 * golden).fract()) / count as f64;
+    (0..count).map(move |index| low + (high - low) * place(index))
+}
+
+/// Free motion that has decayed to this share is not looked for.
+const FAINT: f64 = 0.02;
+/// Places a beat, and most of them.
+const A_BEAT: f64 = 4.0;
+const MOST_BEATS: f64 = 80.0;
 /// Distances from a resonance at which to look first, in its half widths.
 const AROUND: [f64; 6] = [0.0, 0.6, 1.4, 3.0, 6.0, 12.0];
+/// A mode further off than this [ln of a factor] beyond the range is not looked for.
+const NEARLY: f64 = 0.2;
 /// Most places spread evenly.
 const MOST_EVEN: f64 = 16.0;
 

@@ -5,7 +5,7 @@
 
 use coilsense::Spring;
 
-use super::response::Change;
+use super::ways::Change;
 use crate::spec::{Departure, TOLERANCE_DIMENSIONS, Tolerances};
 
 /// A spring that the tolerances allow.
@@ -23,8 +23,22 @@ pub(super) struct Specimen {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Specimens {
     pub each: Vec<Specimen>,
+    recipe: Option<Recipe>,
 }
 
+/// How they are drawn.
+#[derive(Debug, Clone, PartialEq)]
+struct Recipe {
+    tolerances: Tolerances,
+    /// Numbers of a departure that vary.
+    varied: Vec<usize>,
+    steps: Vec<f64>,
+    /// First surge frequency over that of the model, from and to.
+    coil: [f64; 2],
+}
+
+/// The first so many numbers of a departure move frequencies: not those of rest length and initial tension.
+const MOVING: usize = 7;
 /// How many are drawn for a verdict, and for a column of a sweep: a share of them is then known to about a percentage point.
 pub(super) const MANY: usize = 2048;
 /// How many are drawn for what would be so within the usual tolerance, where only the rms is wanted.
@@ -55,19 +69,51 @@ impl Specimens {
         let of_model = spring.chain_frequency();
         let varied = varied(tolerances);
         let steps = steps(varied.len() + 1);
-        let specimen = |index: usize| {
-            let unit = |step: f64| 2.0 * (0.5 + index as f64 * step).fract() - 1.0;
-            let mut units = [0.0; TOLERANCE_DIMENSIONS];
-            varied.iter().zip(&steps[1..]).for_each(|(dimension, step)| units[*dimension] = unit(*step));
-            let first = lowest + 0.5 * (1.0 + unit(steps[0])) * (highest - lowest);
-            Specimen::new(tolerances.at(&units), first / of_model)
-        };
-        Self { each: (0..count).map(specimen).collect() }
+        let coil = [lowest / of_model, highest / of_model];
+        let recipe = Recipe { tolerances: tolerances.clone(), varied, steps, coil };
+        Self { each: (0..count).map(|index| recipe.specimen(index)).collect(), recipe: Some(recipe) }
+    }
+
+    /// Those that come after the ones at hand, until there are `count`.
+    pub fn more(&self, count: usize) -> impl Iterator<Item = Specimen> {
+        let recipe = self.recipe.as_ref();
+        (self.each.len()..count).filter_map(move |index| Some(recipe?.specimen(index)))
+    }
+
+    /// Those in the corners of the box, as far as they move frequencies: no specimen lies further out.
+    pub fn corners(&self) -> Vec<Specimen> {
+        self.recipe.as_ref().map_or_else(Vec::new, Recipe::corners)
     }
 
     /// The same springs as if each were the chain that the model is.
     pub fn as_chains(&self) -> Self {
-        Self { each: self.each.iter().map(|specimen| Specimen::new(specimen.departure, 1.0)).collect() }
+        let each = self.each.iter().map(|specimen| Specimen::new(specimen.departure, 1.0)).collect();
+        let recipe = self.recipe.clone().map(|recipe| Recipe { coil: [1.0; 2], ..recipe });
+        Self { each, recipe }
+    }
+}
+
+impl Recipe {
+    fn corners(&self) -> Vec<Specimen> {
+        let moving: Vec<usize> = self.varied.iter().copied().filter(|dimension| *dimension < MOVING).collect();
+        let corner = |number: usize| {
+            let mut units = [0.0; TOLERANCE_DIMENSIONS];
+            let side = |bit: usize| if number >> bit & 1 == 0 { -1.0 } else { 1.0 };
+            moving.iter().enumerate().for_each(|(bit, dimension)| units[*dimension] = side(bit));
+            let coil = self.coil[number >> moving.len() & 1];
+            Specimen::new(self.tolerances.at(&units), coil)
+        };
+        (0..2 << moving.len()).map(corner).collect()
+    }
+
+    fn specimen(&self, index: usize) -> Specimen {
+        let unit = |step: f64| 2.0 * (0.5 + index as f64 * step).fract() - 1.0;
+        let mut units = [0.0; TOLERANCE_DIMENSIONS];
+        let each = self.varied.iter().zip(&self.steps[1..]);
+        each.for_each(|(dimension, step)| units[*dimension] = unit(*step));
+        let [lowest, highest] = self.coil;
+        let coil = lowest + 0.5 * (1.0 + unit(self.steps[0])) * (highest - lowest);
+        Specimen::new(self.tolerances.at(&units), coil)
     }
 }
 
@@ -91,6 +137,23 @@ fn steps(dimensions: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_longer_series_goes_on_as_it_began() {
+        let recipe = Recipe {
+            tolerances: Tolerances { stiffness: Some(0.1), ..Tolerances::default() },
+            varied: vec![0],
+            steps: steps(2),
+            coil: [0.9, 1.0],
+        };
+        let of = |count: usize| Specimens {
+            each: (0..count).map(|index| recipe.specimen(index)).collect(),
+            recipe: Some(recipe.clone()),
+        };
+        let all: Vec<Specimen> = of(5).each.iter().copied().chain(of(5).more(9)).collect();
+        assert_eq!(all, of(9).each);
+        assert!(of(5).as_chains().more(9).all(|specimen| specimen.coil == 1.0));
+    }
 
     #[test]
     fn the_recurrence_fills_every_interval_alike() {

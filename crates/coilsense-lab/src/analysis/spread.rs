@@ -3,7 +3,7 @@
 //! Next door: the springs (`specimen`), the error on each (`response`), the budget that it goes into (`budget`).
 
 use super::response::{Moments, Responses};
-use super::specimen::Specimens;
+use super::specimen::{Specimen, Specimens};
 
 /// The error over time of a sensor in a case, over all specimens.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,15 +18,70 @@ pub(super) struct Spread {
     pub chain: f64,
     /// On each specimen.
     pub each: Vec<Moments>,
+    loudest: f64,
+}
+
+/// A single spring must not decide more than this share of a mean square.
+const OF_ONE: f64 = 0.02;
+/// Most springs that are drawn for it.
+const MOST: f64 = 65_536.0;
+
+/// Sums over springs.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    count: f64,
+    means: f64,
+    squares: f64,
+    /// Largest mean square.
+    loudest: f64,
+}
+
+impl Sums {
+    fn of(each: impl Iterator<Item = Moments>) -> Self {
+        each.fold(Self::default(), |sums, moments| Self {
+            count: sums.count + 1.0,
+            means: sums.means + moments.mean,
+            squares: sums.squares + moments.square(),
+            loudest: sums.loudest.max(moments.square()),
+        })
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            count: self.count + other.count,
+            means: self.means + other.means,
+            squares: self.squares + other.squares,
+            loudest: self.loudest.max(other.loudest),
+        }
+    }
+
+    fn mean(&self) -> f64 {
+        self.means / self.count.max(1.0)
+    }
+
+    fn mean_square(&self) -> f64 {
+        self.squares / self.count.max(1.0)
+    }
+
+    fn variance(&self) -> f64 {
+        (self.mean_square() - self.mean() * self.mean()).max(0.0)
+    }
 }
 
 impl Spread {
     /// Of the nominal spring alone.
     pub fn nominal(nominal: Moments) -> Self {
-        Self { nominal, mean: nominal.mean, deviation: nominal.variance.sqrt(), chain: 0.0, each: vec![nominal] }
+        Self {
+            nominal,
+            mean: nominal.mean,
+            deviation: nominal.variance.sqrt(),
+            chain: 0.0,
+            each: vec![nominal],
+            loudest: nominal.square().sqrt(),
+        }
     }
 
-    /// Over `specimens`; `as_chains` are the same springs as if each were the chain that the model is, for who wants to know what that is worth.
+    /// Over `specimens`, with as many more as it takes; `as_chains` are the same springs as if each were the chain that the model is, for who wants to know what that is worth.
     pub fn over(
         responses: &Responses,
         sensor: usize,
@@ -34,19 +89,21 @@ impl Spread {
         specimens: &Specimens,
         as_chains: Option<&Specimens>,
     ) -> Self {
-        let on = |specimens: &Specimens| -> Vec<Moments> {
-            specimens.each.iter().map(|specimen| responses.on(sensor, specimen, nominal)).collect()
-        };
-        let each = on(specimens);
-        let mean = mean_of(&each, |moments| moments.mean);
-        let all = (mean_of(&each, Moments::square) - mean * mean).max(0.0);
+        let on = |specimen: &Specimen| responses.on(sensor, specimen, nominal);
+        let each: Vec<Moments> = specimens.each.iter().map(on).collect();
+        let few = Sums::of(each.iter().copied());
+        // Where a few springs at a resonance decide, there must be enough of them.
+        let wanted = responses.peak(sensor, nominal) / (OF_ONE * (few.mean_square() + responses.beside(sensor)));
+        let count = (wanted.min(MOST) as usize).max(each.len());
+        let sums = few.and(Sums::of(specimens.more(count).map(|specimen| on(&specimen))));
+        let (mean, all) = (sums.mean(), sums.variance());
         let without = as_chains.map_or(all, |springs| {
-            let chains = on(springs);
-            mean_of(&chains, Moments::square) - mean_of(&chains, |moments| moments.mean).powi(2)
+            Sums::of(springs.each.iter().copied().chain(springs.more(count)).map(|specimen| on(&specimen))).variance()
         });
         // Where the nominal spring is at a peak the coil's own frequency takes from it: that is no line of its own.
-        let chain = (all - without.max(0.0)).max(0.0);
-        Self { nominal, mean, deviation: (all - chain).sqrt(), chain: chain.sqrt(), each }
+        let chain = (all - without).max(0.0);
+        let loudest = sums.loudest.sqrt();
+        Self { nominal, mean, deviation: (all - chain).sqrt(), chain: chain.sqrt(), each, loudest }
     }
 
     /// Root of the mean square over specimens and time \[N\].
@@ -56,7 +113,7 @@ impl Spread {
 
     /// Rms over time of the specimen on which it is largest \[N\].
     pub fn loudest(&self) -> f64 {
-        self.each.iter().map(Moments::square).fold(0.0, f64::max).sqrt()
+        self.loudest
     }
 
     /// Errors as likely as they are over specimens and time, `count` of them, from those of the nominal spring over time \[N\].
@@ -79,8 +136,4 @@ impl Spread {
         let factor = if drawn.variance > 0.0 { total / drawn.variance.sqrt() } else { 0.0 };
         values.iter().map(|value| self.mean + factor * (value - drawn.mean)).collect()
     }
-}
-
-fn mean_of(each: &[Moments], value: impl Fn(&Moments) -> f64) -> f64 {
-    each.iter().map(value).sum::<f64>() / each.len().max(1) as f64
 }
