@@ -9,9 +9,9 @@ use coilsense::signals::sampled_window;
 
 use super::case::judged;
 use super::instrument::Instrument;
+use super::judge::{Counted, Judge, Over, Scene};
 use super::response::{Asked, Moments, Responses, needs_coil};
-use super::specimen::MANY;
-use super::verdict::{Counted, Judge, Over, Scene, Springs};
+use super::specimen::{MANY, Springs};
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
 use crate::study::{self, Coil, Method, Setup};

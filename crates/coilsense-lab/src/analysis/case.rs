@@ -11,8 +11,8 @@ use coilsense::{Channel, Clash, Deviation, Error, Signals};
 
 use super::frames::Frames;
 use super::instrument::Instrument;
+use super::judge::Scene;
 use super::response::needs_coil;
-use super::verdict::Scene;
 use crate::series::{Column, Run};
 use crate::spec::{SensorSpec, Spec};
 use crate::study::{self, Coil, Method, Setup, Simulation};

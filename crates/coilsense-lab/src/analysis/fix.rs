@@ -5,9 +5,10 @@
 use coilsense::sensors::ReadoutParameters;
 use coilsense::{End, Error};
 
-use super::specimen::MANY;
+use super::judge::Judge;
+use super::specimen::{MANY, Springs};
 use super::tighter;
-use super::verdict::{Judge, Springs, Verdict};
+use super::verdict::Verdict;
 use crate::quantity::Dimension;
 use crate::quantity::digits;
 use crate::spec::{Quantity, SensorSpec, Spec};

@@ -23,6 +23,7 @@ mod curve;
 mod fix;
 mod frames;
 mod instrument;
+mod judge;
 mod refinement;
 mod resonance;
 mod response;
@@ -30,6 +31,7 @@ mod single;
 mod specimen;
 mod spread;
 mod tighter;
+mod trial;
 mod trial_run;
 mod verdict;
 mod warnings;
@@ -56,8 +58,7 @@ use crate::data_sheet::DataSheet;
 use crate::spec::{Quantity, SensorSpec, Spec, Tolerances};
 use crate::study::{self, Masses};
 use response::{Asked, Moments, Responses};
-use specimen::{MANY, SOME, Specimens};
-use verdict::Springs;
+use specimen::{MANY, SOME, Specimens, Springs};
 
 /// Why an analysis did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -211,7 +212,7 @@ fn usual(spec: &Spec) -> Option<Springs> {
 
 /// How the errors of all sensors in a case change from spring to spring.
 fn responses(
-    judge: &verdict::Judge<'_>,
+    judge: &judge::Judge<'_>,
     sensors: &[SensorSpec],
     number: usize,
     specimens: &Specimens,
@@ -233,10 +234,10 @@ fn responses(
 }
 
 /// The answer within the usual tolerance.
-fn if_usual(judge: &verdict::Judge<'_>, sensors: &[SensorSpec], responses: &[Responses]) -> Result<IfUsual, Error> {
+fn if_usual(judge: &judge::Judge<'_>, sensors: &[SensorSpec], responses: &[Responses]) -> Result<IfUsual, Error> {
     let mut spec = judge.spec.clone();
     spec.spring.tolerances.stiffness = Some(USUAL_TOLERANCE);
-    let judge = verdict::Judge { spec: &spec, ..*judge };
+    let judge = judge::Judge { spec: &spec, ..*judge };
     let each = (0..sensors.len()).into_par_iter().map(|index| judge.combined(index, &sensors[index], responses));
     let combined: Vec<f64> = each.collect::<Result<_, Error>>()?;
     let best = (0..combined.len()).min_by(|a, b| combined[*a].total_cmp(&combined[*b])).unwrap_or(0);
@@ -255,7 +256,7 @@ impl Analysis {
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
         let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
         let usual = usual(&spec);
-        let judge = verdict::Judge { spec: &spec, coil: &coil, cases: &cases, springs: &springs };
+        let judge = judge::Judge { spec: &spec, coil: &coil, cases: &cases, springs: &springs };
         let go_on = || match progress(cases.len(), cases.len()) {
             true => Ok(()),
             false => Err(AnalysisError::Interrupted),
@@ -271,7 +272,7 @@ impl Analysis {
             .collect::<Result<_, AnalysisError>>()?;
         verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
         let if_usual = match &usual {
-            Some(usual) => Some(if_usual(&verdict::Judge { springs: usual, ..judge }, &sensors, &over(usual)?)?),
+            Some(usual) => Some(if_usual(&judge::Judge { springs: usual, ..judge }, &sensors, &over(usual)?)?),
             None => None,
         };
         let data_sheet = DataSheet::of(&spec)?;
@@ -300,7 +301,8 @@ fn perfect_sensors(spec: &Spec) -> Vec<SensorSpec> {
     ];
     // The inductance of a single winding does not tell its length.
     let sum = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
-    if spec.spring.coil_force(&sum, spec.spring.spring.mid_length()).is_some() {
+    let length = spec.spring.spring.mid_length();
+    if study::Coil::of(&spec.spring.spring, &sum, length, study::Method::Exact).is_ok() {
         sensors.push(SensorSpec::perfect("perfect inductance meter", coil, 1.0));
     }
     sensors

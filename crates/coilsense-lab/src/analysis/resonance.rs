@@ -7,8 +7,9 @@ use std::f64::consts::TAU;
 use coilsense::modes::ChainModes;
 use coilsense::{End, EndInput, Error};
 
+use super::judge::Judge;
 use super::response::Responses;
-use super::verdict::{Judge, Verdict};
+use super::verdict::Verdict;
 use super::warnings::{Subject, Warning};
 use crate::quantity::digits;
 use crate::spec::SensorSpec;

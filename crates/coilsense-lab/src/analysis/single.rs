@@ -5,7 +5,8 @@
 use coilsense::inductance::MaxwellSum;
 
 use super::case::Case;
-use super::verdict::{Judge, Springs};
+use super::judge::Judge;
+use super::specimen::Springs;
 use super::warnings::{self, Warning};
 use super::{AnalysisError, judged_sensors};
 use crate::data_sheet::DataSheet;

@@ -6,7 +6,7 @@
 use coilsense::Spring;
 
 use super::ways::Change;
-use crate::spec::{Departure, TOLERANCE_DIMENSIONS, Tolerances};
+use crate::spec::{Departure, Spec, TOLERANCE_DIMENSIONS, Tolerances};
 
 /// A spring that the tolerances allow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,6 +114,30 @@ impl Recipe {
         let [lowest, highest] = self.coil;
         let coil = lowest + 0.5 * (1.0 + unit(self.steps[0])) * (highest - lowest);
         Specimen::new(self.tolerances.at(&units), coil)
+    }
+}
+
+/// The springs over which sensors are judged.
+#[derive(Debug, Clone)]
+pub(super) struct Springs {
+    /// As tolerances allow them.
+    pub specimens: Specimens,
+    /// The same as if each were the chain that the model is, where its line is wanted.
+    pub as_chains: Option<Specimens>,
+    /// Whether shares and the worst of them are wanted.
+    pub one_by_one: bool,
+}
+
+impl Springs {
+    /// Of a spec, within other tolerances than its own where they are given.
+    pub fn of(spec: &Spec, tolerances: &Tolerances, count: usize) -> Self {
+        let specimens = Specimens::of(&spec.spring.spring, tolerances, count);
+        Self { as_chains: None, specimens, one_by_one: false }
+    }
+
+    /// The same, each of them looked at.
+    pub fn one_by_one(self) -> Self {
+        Self { as_chains: Some(self.specimens.as_chains()), one_by_one: true, ..self }
     }
 }
 

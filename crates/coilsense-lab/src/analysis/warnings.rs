@@ -8,7 +8,7 @@ use coilsense::sensors::{Readout, ReadoutParameters};
 use coilsense::{Channel, End, Error};
 
 use super::case::Case;
-use super::verdict::Judge;
+use super::judge::Judge;
 use crate::data_sheet::DataSheet;
 use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec};

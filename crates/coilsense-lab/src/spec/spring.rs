@@ -5,8 +5,8 @@
 use std::path::Path;
 
 use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material};
-use coilsense::inductance::{MaxwellSum, SelfDistance};
-use coilsense::{Calibration, InductanceSensor, Spring, SpringParameters};
+use coilsense::inductance::SelfDistance;
+use coilsense::{Spring, SpringParameters};
 
 use super::document::Document;
 use super::material::material;
@@ -120,13 +120,6 @@ impl SpringSpec {
     /// at the wire's diameter.
     pub fn winding_pitch(&self, pitch: f64) -> f64 {
         self.spring.wire_diameter() + self.gap(pitch)
-    }
-
-    /// The coil as a sensor of force in a condition with that mean length \[m\], by eq. (13) fitted to its own theory; `None` where its
-    /// inductance does not tell its length: that of a single winding.
-    pub fn coil_force(&self, coil: &MaxwellSum, mean_length: f64) -> Option<InductanceSensor> {
-        let calibration = Calibration::theoretical(&self.spring, coil, mean_length).ok()?;
-        Some(InductanceSensor::new(&self.spring, calibration))
     }
 
     /// Reads the table `[spring]`.

@@ -1,0 +1,268 @@
+//! Each sensor judged over all cases: its combined uncertainty, whether it meets the goal, and what breaks it.
+//!
+//! Next door: what is said of it (`verdict`), what makes a force uncertain (`budget`), sensors tried out (`trial`), the judgement by itself
+//! (`assessed`).
+
+use std::ops::Range;
+
+use coilsense::inductance::MaxwellSum;
+use coilsense::sensors::{MAX_ORDER, Readout};
+use coilsense::{Error, Signals};
+
+use super::band;
+use super::budget::{CHAIN, Model, SensorBudget, with_bias};
+use super::case::Case;
+use super::fix;
+use super::instrument::Instrument;
+use super::response::{Moments, Responses};
+use super::specimen::Springs;
+use super::spread::Spread;
+use super::verdict::{Assessment, GoalFilter, Verdict};
+use crate::spec::{SensorSpec, Spec};
+
+/// What sensors are judged by.
+#[derive(Clone, Copy)]
+pub(super) struct Judge<'a> {
+    pub spec: &'a Spec,
+    pub coil: &'a MaxwellSum,
+    pub cases: &'a [Case],
+    pub springs: &'a Springs,
+}
+
+/// What of a case a sensor is judged by.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    /// Number of the condition in the spec.
+    pub condition: usize,
+    pub signals: &'a Signals,
+    pub judged: &'a Range<usize>,
+}
+
+impl Judge<'_> {
+    /// The verdict on a sensor of the analysis; `responses` are those of all its sensors in each case.
+    pub fn verdict(&self, index: usize, sensor: &SensorSpec, responses: &[Responses]) -> Result<Verdict, Error> {
+        let assessments = self.assessments(index, sensor, responses)?;
+        let worst = worst(&assessments);
+        let budget = self.model(index, sensor, worst, responses)?.with_monte_carlo()?;
+        let readout = Readout::new(sensor.readout.clone())?;
+        let bandwidth = readout.bandwidth_3db();
+        let wanted = self.spec.goal.bandwidth;
+        let filter = self.filter(&assessments);
+        let mut verdict = Verdict {
+            sensor: index,
+            meets: self.meets(&assessments),
+            assessments,
+            worst,
+            budget,
+            bandwidth,
+            lag: readout.lag(wanted.unwrap_or(0.0)) + filter.map_or(0.0, |filter| filter.lag),
+            filter,
+            too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
+            fixes: Vec::new(),
+        };
+        if verdict.meets_always() == Some(false) {
+            verdict.fixes = fix::of(self, sensor, &verdict)?;
+        }
+        Ok(verdict)
+    }
+
+    /// The combined uncertainty of the worst case \[N\], and whether every case meets the goal.
+    pub fn combined(&self, index: usize, sensor: &SensorSpec, responses: &[Responses]) -> Result<f64, Error> {
+        let assessments = self.assessments(index, sensor, responses)?;
+        Ok(assessments[worst(&assessments)].combined)
+    }
+
+    /// A sensor in every case.
+    fn assessments(
+        &self,
+        index: usize,
+        sensor: &SensorSpec,
+        responses: &[Responses],
+    ) -> Result<Vec<Assessment>, Error> {
+        let assess = |number: usize| {
+            let case = &self.cases[number];
+            let instrument = self.instrument(sensor, case.condition)?;
+            let over = Over { responses: &responses[number], sensor: index };
+            let counted = self.counted(case.scene(), &case.readings[index].steady)?;
+            self.assessment(sensor, &instrument, case.scene(), counted, Some(over))
+        };
+        (0..self.cases.len()).map(assess).collect()
+    }
+
+    fn model<'m>(
+        &'m self,
+        index: usize,
+        sensor: &'m SensorSpec,
+        number: usize,
+        responses: &'m [Responses],
+    ) -> Result<SensorModel<'m>, Error> {
+        let case = &self.cases[number];
+        let instrument = self.instrument(sensor, case.condition)?;
+        let over = Over { responses: &responses[number], sensor: index };
+        let scene = case.scene();
+        let steady = &case.readings[index].steady;
+        Ok(SensorModel { judge: self, sensor, instrument, scene, steady, over })
+    }
+
+    /// A sensor in one case, by its errors there; `over` says how they change from spring to spring, without it the nominal one alone is
+    /// judged.
+    pub fn assessment(
+        &self,
+        sensor: &SensorSpec,
+        instrument: &Instrument,
+        scene: Scene<'_>,
+        Counted { errors, raw }: Counted,
+        over: Option<Over<'_>>,
+    ) -> Result<Assessment, Error> {
+        let model = self.model_of(sensor, instrument, scene, errors, over)?;
+        let budget = model.budget()?;
+        let of_spring = |name: &str| name.starts_with("tolerance of the ") || name == "oscillation" || name == CHAIN;
+        let instrument_only: f64 = budget
+            .contributions()
+            .iter()
+            .filter(|line| !of_spring(&line.name))
+            .map(|line| line.contribution * line.contribution)
+            .sum();
+        let (mut inside, mut worst) = (None, f64::NAN);
+        if self.springs.one_by_one && over.is_some() {
+            let each = model.of_specimens(&self.springs.specimens)?;
+            let met = |goal: f64| each.iter().filter(|error| **error <= goal).count() as f64 / each.len() as f64;
+            inside = self.spec.goal.error.map(met);
+            worst = each.iter().fold(0.0, |worst: f64, error| worst.max(*error));
+        }
+        let oscillation = model.spread.nominal.square().sqrt();
+        Ok(Assessment {
+            oscillation,
+            over_specimens: model.spread.rms(),
+            loudest: model.spread.loudest(),
+            combined: with_bias(&budget),
+            nominal: oscillation.hypot(instrument_only.sqrt()),
+            raw: raw.hypot(instrument_only.sqrt()),
+            inside,
+            worst,
+        })
+    }
+
+    /// Variance of everything but the oscillation \[N²\].
+    pub fn beside(&self, sensor: &SensorSpec, instrument: &Instrument, scene: Scene<'_>) -> Result<f64, Error> {
+        let budget = self.model_of(sensor, instrument, scene, vec![0.0], None)?.budget()?;
+        let each = budget.contributions().iter().filter(|line| line.name != "oscillation");
+        Ok(each.map(|line| line.contribution * line.contribution).sum())
+    }
+
+    /// A sensor as it is set up for a condition.
+    pub fn instrument(&self, sensor: &SensorSpec, condition: usize) -> Result<Instrument, Error> {
+        let mean_length = self.mean_length(condition);
+        Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
+    }
+
+    /// Errors of the force \[N\] that a sensor reads without noise and resolution.
+    pub fn counted(&self, scene: Scene<'_>, steady: &[f64]) -> Result<Counted, Error> {
+        let truth = scene.signals.channel(self.spec.goal.force)?;
+        let errors: Vec<f64> = steady.iter().zip(truth).map(|(force, truth)| force - truth).collect();
+        let raw = rms(&errors[scene.judged.clone()]);
+        let errors = band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?;
+        Ok(Counted { errors, raw })
+    }
+
+    fn model_of<'m>(
+        &'m self,
+        sensor: &'m SensorSpec,
+        instrument: &'m Instrument,
+        scene: Scene<'_>,
+        errors: Vec<f64>,
+        over: Option<Over<'_>>,
+    ) -> Result<Model<'m>, Error> {
+        let truth = scene.signals.channel(self.spec.goal.force)?;
+        let by_size = |a: &usize, b: &usize| truth[*a].abs().total_cmp(&truth[*b].abs());
+        let largest = scene.judged.clone().max_by(by_size).unwrap_or(scene.judged.start);
+        let quantity = instrument.quantity(scene.signals)?;
+        let nominal = Moments::of(&errors);
+        let spread = match over {
+            Some(over) => {
+                let as_chains = self.springs.as_chains.as_ref();
+                Spread::over(over.responses, over.sensor, nominal, &self.springs.specimens, as_chains)
+            }
+            None => Spread::nominal(nominal),
+        };
+        Ok(Model {
+            spec: self.spec,
+            coil: self.coil,
+            sensor,
+            instrument,
+            reading: quantity[largest],
+            errors,
+            spread,
+            sample_rate: self.spec.conditions[scene.condition].sample_rate,
+            mean_force: self.spec.spring.spring.static_force(self.mean_length(scene.condition)),
+        })
+    }
+
+    /// The low-pass that a goal with a bandwidth needs where errors of every frequency exceed it.
+    fn filter(&self, assessments: &[Assessment]) -> Option<GoalFilter> {
+        let (goal, bandwidth) = (self.spec.goal.error?, self.spec.goal.bandwidth?);
+        let each = assessments.iter().enumerate();
+        let (case, largest) = each.max_by(|a, b| a.1.raw.total_cmp(&b.1.raw))?;
+        let needed =
+            GoalFilter { bandwidth, order: MAX_ORDER, lag: band::lag(Some(bandwidth)), raw: largest.raw, case };
+        Some(needed).filter(|filter| filter.raw > goal)
+    }
+
+    fn mean_length(&self, condition: usize) -> f64 {
+        self.spec.conditions[condition].excitation.mean_length()
+    }
+
+    fn meets(&self, assessments: &[Assessment]) -> Vec<bool> {
+        let Some(goal) = self.spec.goal.error else { return Vec::new() };
+        let dampings = self.spec.mount.cases.len();
+        let all = |damping: usize| {
+            let of_damping = self.cases.iter().zip(assessments).filter(|(case, _)| case.damping == damping);
+            of_damping.map(|(_, assessment)| assessment.combined).all(|combined| combined <= goal)
+        };
+        (0..dampings).map(all).collect()
+    }
+}
+
+/// Errors of a sensor in a case on the nominal spring.
+#[derive(Debug, Clone)]
+pub(super) struct Counted {
+    /// As far as they count, over the judged samples \[N\].
+    pub errors: Vec<f64>,
+    /// Their rms at every frequency \[N\].
+    pub raw: f64,
+}
+
+/// How a sensor's error changes from spring to spring in a case.
+#[derive(Clone, Copy)]
+pub(super) struct Over<'a> {
+    pub responses: &'a Responses,
+    /// Its number among the sensors of the responses.
+    pub sensor: usize,
+}
+
+/// What the budget of a sensor in a case is made from.
+struct SensorModel<'a> {
+    judge: &'a Judge<'a>,
+    sensor: &'a SensorSpec,
+    instrument: Instrument,
+    scene: Scene<'a>,
+    steady: &'a [f64],
+    over: Over<'a>,
+}
+
+impl SensorModel<'_> {
+    fn with_monte_carlo(&self) -> Result<SensorBudget, Error> {
+        let Counted { errors, .. } = self.judge.counted(self.scene, self.steady)?;
+        self.judge.model_of(self.sensor, &self.instrument, self.scene, errors, Some(self.over))?.with_monte_carlo()
+    }
+}
+
+/// Number of the case with the largest uncertainty; of cases that are alike, the first.
+fn worst(assessments: &[Assessment]) -> usize {
+    let by_size = |a: &usize, b: &usize| assessments[*a].combined.total_cmp(&assessments[*b].combined);
+    (0..assessments.len()).rev().max_by(by_size).unwrap_or(0)
+}
+
+fn rms(errors: &[f64]) -> f64 {
+    (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt()
+}

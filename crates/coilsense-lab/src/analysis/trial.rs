@@ -1,0 +1,77 @@
+//! Sensors that the spec does not have, tried on all springs.
+//!
+//! Next door: which are tried (`fix`), how a sensor is judged (`judge`).
+
+use coilsense::Error;
+use coilsense::sensors::Readout;
+
+use super::band;
+use super::case::Case;
+use super::instrument::Instrument;
+use super::judge::{Judge, Over};
+use super::response::{Asked, Moments, Responses};
+use crate::spec::SensorSpec;
+
+/// A sensor tried out, which meets the goal.
+pub(super) struct Trial {
+    /// The largest combined uncertainty \[N\].
+    pub combined: f64,
+    /// How much later the force comes \[s\].
+    pub lag: f64,
+}
+
+impl Judge<'_> {
+    /// Sensors that the analysis does not have, tried on all springs: the largest combined uncertainty of each, and whether it reaches the
+    /// wanted bandwidth; `None` for those that the nominal spring rules out.
+    pub fn trial(&self, sensor: &SensorSpec) -> Result<Option<Trial>, Error> {
+        let Some(goal) = self.spec.goal.error else { return Ok(None) };
+        let readout = Readout::new(sensor.readout.clone())?;
+        let wanted = self.spec.goal.bandwidth;
+        if wanted.is_some_and(|wanted| readout.bandwidth_3db() < wanted) {
+            return Ok(None);
+        }
+        let (mut combined, mut raw) = (0.0_f64, 0.0_f64);
+        for over_springs in [false, true] {
+            (combined, raw) = (0.0, 0.0);
+            for case in self.cases {
+                let instrument = self.instrument(sensor, case.condition)?;
+                let steady = instrument.forces(&instrument.steady_readings(&case.signals)?);
+                let counted = self.counted(case.scene(), &steady)?;
+                let responses = match over_springs {
+                    true => Some(self.responses(case, sensor, &instrument, Moments::of(&counted.errors))?),
+                    false => None,
+                };
+                let over = responses.as_ref().map(|responses| Over { responses, sensor: 0 });
+                let assessment = self.assessment(sensor, &instrument, case.scene(), counted, over)?;
+                if assessment.combined > goal {
+                    return Ok(None);
+                }
+                (combined, raw) = (combined.max(assessment.combined), raw.max(assessment.raw));
+            }
+        }
+        let behind = if raw > goal { band::lag(wanted) } else { 0.0 };
+        Ok(Some(Trial { combined, lag: readout.lag(wanted.unwrap_or(0.0)) + behind }))
+    }
+
+    fn responses(
+        &self,
+        case: &Case,
+        sensor: &SensorSpec,
+        instrument: &Instrument,
+        nominal: Moments,
+    ) -> Result<Responses, Error> {
+        let beside = self.beside(sensor, instrument, case.scene())?;
+        let (condition, damping) = (case.condition, case.damping);
+        let asked = Asked {
+            spec: self.spec,
+            coil: self.coil,
+            condition,
+            damping,
+            sensors: &[sensor],
+            beside: &[beside],
+            nominal: &[nominal],
+            goal: self.spec.goal.error,
+        };
+        Responses::of(&asked, &self.springs.specimens)
+    }
+}
