@@ -70,7 +70,7 @@ impl Specimens {
         let varied = varied(tolerances);
         let steps = steps(varied.len() + 1);
         let coil = [lowest / of_model, highest / of_model];
-        let recipe = Recipe { tolerances: tolerances.clone(), varied, steps, coil };
+        let recipe = Recipe { tolerances: *tolerances, varied, steps, coil };
         Self { each: (0..count).map(|index| recipe.specimen(index)).collect(), recipe: Some(recipe) }
     }
 
