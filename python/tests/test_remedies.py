@@ -29,8 +29,8 @@ def test_the_ranking_is_that_of_the_report(remedies: coilsense.Mitigation, tmp_p
         worst = [remedy.worst_rms_error for remedy in remedies.remedies if remedy.against == against]
         assert worst and worst == sorted(worst)
     for remedy, row in zip(remedies.remedies, remedies.ranking):
-        assert (remedy.name, remedy.worst_rms_error) == (row["name"], row["worst rms error [N]"])
-        assert math.degrees(remedy.lag) == pytest.approx(row["lag at bandwidth [deg]"])
+        assert (remedy.name, remedy.worst_rms_error) == (row["name"], row["worst_rms_error_n"])
+        assert remedy.lag == row["lag_at_bandwidth_rad"]
     best = remedies.best_filter
     assert best is not None and best.lag <= math.radians(30) and best.name in repr(remedies)
     assert remedies[0].name == remedies.remedies[0].name and remedies[-1].name == remedies.remedies[-1].name

@@ -55,11 +55,11 @@ test('where u1 moves, shaped commands are told with what they leave and cost', a
   await judge(page);
   const card = page.getByRole('region', { name: 'Shape the command instead' });
   await expect(card).toContainText('half resonance, resonance');
-  const { 'command shaping': told } = JSON.parse(await saved(page, 'Everything (JSON)')) as Ranking;
+  const { command_shaping: told } = JSON.parse(await saved(page, 'Everything (JSON)')) as Ranking;
   for (const one of told!.shapers) {
     const cells = card.locator(`[data-shaper="${one.name}"] td`);
-    await expect(cells.nth(1)).toHaveText(`${(100 * one['mode 1 left, worst']).toFixed(1)} %`);
-    await expect(cells.nth(3)).toHaveText(`${(1e3 * one['mean delay [s]']).toFixed(1)} ms`);
+    await expect(cells.nth(1)).toHaveText(`${(100 * one.mode_1_left_worst).toFixed(1)} %`);
+    await expect(cells.nth(3)).toHaveText(`${(1e3 * one.mean_delay_s).toFixed(1)} ms`);
   }
   // Two impulses half a period of 54.07 Hz apart: late by a quarter of it, 4.6 ms.
   await expect(card.locator('[data-shaper^="ZV,"] td').nth(3)).toHaveText('4.6 ms');

@@ -13,6 +13,7 @@ mod import;
 mod init;
 mod log;
 mod mitigate;
+mod options;
 mod pareto;
 mod placement;
 mod progress;

@@ -4,17 +4,15 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::Context;
-use coilsense::mitigation::ToleranceBox;
+use anyhow::{Context, anyhow};
 use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::mitigation::{Asked, Study};
+use coilsense_lab::mitigation::{Asked, OPTIONS, Study};
 use coilsense_lab::output::Output;
-use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::{Mapping, Recording, Repairs};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 
-use crate::date;
+use crate::{date, options};
 
 /// Options of `coilsense mitigate`.
 #[derive(clap::Args)]
@@ -28,27 +26,8 @@ pub struct Arguments {
     /// Judge on a log in place of the spec's conditions: F_i, u1, u2 and, for estimators, F_o, as `coilsense import` writes them
     #[arg(long, value_name = "LOG", conflicts_with_all = ["stated", "rate", "seeds"])]
     log: Option<PathBuf>,
-    /// How often the controller samples
-    #[arg(long, value_name = "FREQUENCY", default_value = "2.5 kHz", value_parser = frequency, allow_hyphen_values = true)]
-    rate: f64,
-    /// White noise of the force at end 1, rms per sample; without it, 0.2 % of the nominal force
-    #[arg(long, value_name = "FORCE", value_parser = force, allow_hyphen_values = true)]
-    noise: Option<f64>,
-    /// Up to which frequency the force moves by itself; without it, the goal's bandwidth, or f1/20
-    #[arg(long, value_name = "FREQUENCY", value_parser = frequency, allow_hyphen_values = true)]
-    bandwidth: Option<f64>,
-    /// By how much the stiffness may be off, either way
-    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share, allow_hyphen_values = true)]
-    stiffness_tolerance: f64,
-    /// By how much the mass may be off, either way
-    #[arg(long, value_name = "SHARE", default_value = "10 %", value_parser = share, allow_hyphen_values = true)]
-    mass_tolerance: f64,
-    /// Most lag at the bandwidth that what is advised may have
-    #[arg(long, value_name = "ANGLE", default_value = "30 deg", value_parser = angle, allow_hyphen_values = true)]
-    most_lag: f64,
-    /// Series of noise, 1 to 1000
-    #[arg(long, value_name = "COUNT", default_value_t = 5, value_parser = clap::value_parser!(u64).range(1..=1000))]
-    seeds: u64,
+    #[command(flatten)]
+    options: Options,
     /// Folder for report.html, results.json, the trade-off as a figure, and settings as JSON, C header and Rust constant; its other files are left alone
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -72,24 +51,28 @@ enum Numbers {
     Double,
 }
 
-fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
-    dimension.parse(text).ok_or_else(|| dimension.refusal(text))
+/// The options of the verb's table.
+struct Options([Option<f64>; OPTIONS.len()]);
+
+impl clap::Args for Options {
+    fn augment_args(command: clap::Command) -> clap::Command {
+        options::added(command, &OPTIONS)
+    }
+
+    fn augment_args_for_update(command: clap::Command) -> clap::Command {
+        options::added(command, &OPTIONS)
+    }
 }
 
-fn frequency(text: &str) -> Result<f64, String> {
-    quantity(text, Dimension::Frequency)
-}
+impl clap::FromArgMatches for Options {
+    fn from_arg_matches(matches: &clap::ArgMatches) -> Result<Self, clap::Error> {
+        Ok(Self(options::values(&OPTIONS, matches)))
+    }
 
-fn force(text: &str) -> Result<f64, String> {
-    quantity(text, Dimension::Force)
-}
-
-fn angle(text: &str) -> Result<f64, String> {
-    quantity(text, Dimension::Angle)
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    quantity(text, Dimension::Share)
+    fn update_from_arg_matches(&mut self, matches: &clap::ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
 /// Runs the command.
@@ -100,14 +83,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let study = if arguments.stated {
         Study::stated(&spec.spring.spring)?
     } else {
-        let asked = Asked {
-            rate: arguments.rate,
-            noise: arguments.noise,
-            bandwidth: arguments.bandwidth,
-            tolerances: ToleranceBox::new(arguments.stiffness_tolerance, arguments.mass_tolerance)?,
-            most_lag: arguments.most_lag.to_degrees(),
-            seeds: arguments.seeds,
-        };
+        let asked = Asked::of_values(arguments.options.0).map_err(|wrong| anyhow!("--{wrong}"))?;
         match &arguments.log {
             Some(log) => Study::on(&spec, &asked, &Recording::read(log, &Mapping::default(), &Repairs::default())?)?,
             None => Study::of(&spec, &asked)?,

@@ -76,10 +76,12 @@ fn bad_input_is_one_line_and_leaves_nothing_behind() {
             ["--rate", "100 Hz"],
             "my.toml: sampling rate must be above twice the first surge frequency of 54.065 Hz, got 100 Hz",
         ),
-        (["--bandwidth", "0 Hz"], "bandwidth must be above zero and below the first surge frequency, got 0 Hz"),
-        (["--mass-tolerance", "100 %"], "mass tolerance must be from 0 to below 1, got 1"),
+        (["--bandwidth", "0 Hz"], "invalid value '0 Hz' for '--bandwidth <FREQUENCY>': must be above zero"),
+        (["--bandwidth", "60 Hz"], "bandwidth must be above zero and below the first surge frequency, got 60 Hz"),
+        (["--mass-tolerance", "100 %"], "'--mass-tolerance <SHARE>': must be from 0 % to below 100 %"),
         (["--noise", "0.2"], "must be a force with its unit"),
-        (["--noise", "-0.2 N"], "noise of the force must be above zero and finite, got -0.2 N"),
+        (["--noise", "-0.2 N"], "invalid value '-0.2 N' for '--noise <FORCE>': must be above zero"),
+        (["--seeds", "0"], "'--seeds <COUNT>': must be from 1 to 1000"),
     ] {
         let done = mitigate(folder.path(), &[&arguments[..], &["--out", "out"]].concat());
         let text = String::from_utf8(done.stderr).unwrap();

@@ -11,6 +11,8 @@
 mod likeness;
 pub mod quantity;
 
+pub mod request;
+
 pub mod spec;
 
 pub mod condition;

@@ -125,6 +125,24 @@ impl Dimension {
         }
     }
 
+    /// What stands for it in a line of help.
+    pub fn placeholder(self) -> &'static str {
+        match self {
+            Self::Length => "LENGTH",
+            Self::Mass => "MASS",
+            Self::Stiffness => "STIFFNESS",
+            Self::Force => "FORCE",
+            Self::Time => "TIME",
+            Self::Frequency | Self::SurgeMultiple => "FREQUENCY",
+            Self::Velocity => "VELOCITY",
+            Self::Angle => "ANGLE",
+            Self::Share => "SHARE",
+            Self::Inductance => "INDUCTANCE",
+            Self::Temperature => "TEMPERATURE",
+            _ => "QUANTITY",
+        }
+    }
+
     /// The units it may be written in, the SI unit first.
     fn units(self) -> &'static [Unit] {
         match self {

@@ -105,7 +105,7 @@ duration = "0.5 s"
 
 fn asked() -> Asked {
     let tolerances = ToleranceBox::new(0.05, 0.05).unwrap();
-    Asked { rate: 2000.0, noise: None, bandwidth: None, tolerances, most_lag: 30.0, seeds: 1 }
+    Asked { rate: 2000.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 }
 }
 
 fn spec(condition: &str) -> Spec {

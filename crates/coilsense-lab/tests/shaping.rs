@@ -104,7 +104,8 @@ fn a_spec_whose_end_1_moves_is_told_to_shape_the_command_and_no_other() {
     let text = include_str!("../../../examples/sea-ankle.toml");
     let spec = Spec::parse("spec", text, &|_| Err("no files".to_owned())).unwrap();
     let tolerances = ToleranceBox::new(0.1, 0.1).unwrap();
-    let asked = Asked { rate: 2500.0, noise: None, bandwidth: None, tolerances, most_lag: 30.0, seeds: 1 };
+    let asked =
+        Asked { rate: 2500.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 };
     let study = Study::of(&spec, &asked).unwrap();
     let hit = Study { conditions: study.conditions[..1].to_vec(), ..study.clone() };
     let answer = Study { conditions: study.conditions[3..].to_vec(), ..study }.run().unwrap();
@@ -117,7 +118,7 @@ fn a_spec_whose_end_1_moves_is_told_to_shape_the_command_and_no_other() {
     assert_eq!(shaping.best().unwrap().name, ramp.name);
     assert!(mitigation_text(&answer).contains("Shape the command instead"));
     let told: serde_json::Value = serde_json::from_str(&mitigation_json(&answer).unwrap()).unwrap();
-    assert_eq!(told["command shaping"]["shapers"].as_array().unwrap().len(), 4);
+    assert_eq!(told["command_shaping"]["shapers"].as_array().unwrap().len(), 4);
     let hit = hit.run().unwrap();
     assert!(hit.shaping.is_none() && !mitigation_text(&hit).contains("Shape the command"));
 }

@@ -7,7 +7,6 @@ mod remedy;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use coilsense::mitigation::ToleranceBox;
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
 use coilsense_lab::quantity::Dimension;
@@ -245,17 +244,17 @@ fn mitigate(
     if stated && record.is_some() {
         return Err(Error::new_err("record and stated are two things to judge on; give one of them"));
     }
-    if !(1..=1000).contains(&seeds) {
-        return Err(Error::new_err(format!("seeds must be from 1 to 1000, got {seeds}")));
-    }
-    let asked = Asked {
-        rate: crate::quantity::rate(rate.as_ref(), "rate")?.unwrap_or(2500.0),
-        noise: positive(noise.as_ref(), "noise", Dimension::Force)?,
-        bandwidth: positive(bandwidth.as_ref(), "bandwidth", Dimension::Frequency)?,
-        tolerances: ToleranceBox::new(stiffness_tolerance, mass_tolerance).python()?,
-        most_lag: finite(most_lag.as_ref(), "most_lag", Dimension::Angle)?.map_or(30.0, f64::to_degrees),
-        seeds,
-    };
+    let values = [
+        crate::quantity::rate(rate.as_ref(), "rate")?,
+        positive(noise.as_ref(), "noise", Dimension::Force)?,
+        positive(bandwidth.as_ref(), "bandwidth", Dimension::Frequency)?,
+        Some(stiffness_tolerance),
+        Some(mass_tolerance),
+        finite(most_lag.as_ref(), "most_lag", Dimension::Angle)?,
+        Some(seeds as f64),
+    ];
+    let asked =
+        Asked::of_values(values).map_err(|wrong| Error::new_err(format!("{} {}", wrong.option, wrong.reason)))?;
     let study = match (stated, record) {
         (true, _) => Study::stated(&spec.spring.spring).python()?,
         (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,

@@ -67,7 +67,7 @@ export class Found {
   }
 
   private leftOut(): HTMLElement | string {
-    const { 'left out': each } = this.judged.ranking;
+    const { left_out: each } = this.judged.ranking;
     if (each.length === 0) return '';
     const items = each.map(({ name, reason }) => make('li', {}, `${name}: ${reason}`));
     return make(

@@ -24,7 +24,7 @@ export class Picked {
     const { ranking, answer } = this.judged;
     const one = ranking.candidates[number];
     if (!one) return;
-    const numbers = `${percent(this.judged, one['worst rms error [N]'])} of F_nom at worst (${one['worst run']}), ${percent(this.judged, one['rms error [N]'])} on the nominal spring, ${degrees(lag(one))} late.`;
+    const numbers = `${percent(this.judged, one.worst_rms_error_n)} of F_nom at worst (${one.worst_run}), ${percent(this.judged, one.rms_error_n)} on the nominal spring, ${degrees(lag(one))} late.`;
     const head = make('div', { class: 'head' }, make('h2', {}, one.name));
     this.element.replaceChildren(head, make('p', { class: 'hint' }, rich(numbers)));
     if (answer.facts.run) {

@@ -10,26 +10,27 @@ export interface Candidate {
   name: string;
   origin: string;
   against: string;
-  'rms error [N]': number;
-  'worst rms error [N]': number;
-  'worst run': string;
-  'lag at bandwidth [deg]': number;
-  'noise gain': number;
+  rms_error_n: number;
+  worst_rms_error_n: number;
+  worst_run: string;
+  lag_at_bandwidth_rad: number;
+  noise_gain: number;
 }
 
 /** What `coilsense mitigate --json` prints, as far as it is shown. */
 export interface Ranking {
   advice: string[];
-  'F_nom [N]': number;
-  'sampling rate [Hz]': number;
-  'noise [N rms]': number;
-  'bandwidth [Hz]': number;
+  nominal_force_n: number;
+  sampling_rate_hz: number;
+  noise_n: number;
+  bandwidth_hz: number;
+  most_lag_rad: number;
   log: string | null;
   seeds: number;
   candidates: Candidate[];
-  'left out': { name: string; reason: string }[];
+  left_out: { name: string; reason: string }[];
   /** Where a condition moves u1. */
-  'command shaping': Shaping | null;
+  command_shaping: Shaping | null;
 }
 
 /** Settings in one precision: the name they have, and the files by their endings. */
@@ -42,7 +43,6 @@ export interface Export {
 
 export interface Facts {
   json: string;
-  mostLag: number;
   best: (number | null)[];
   run: string | null;
   exports: ({ single: Export; double: Export } | null)[];
@@ -59,8 +59,11 @@ export const GROUPS = [
   ['F_o', 'Estimators, held against F_o'],
 ] as const;
 
-export const lag = (one: Candidate): number => one['lag at bandwidth [deg]'];
-export const share = ({ ranking }: Judged, force: number): number => (100 * force) / ranking['F_nom [N]'];
+const IN_DEGREES = 180 / Math.PI;
+/** In degrees, as are all angles that are shown. */
+export const lag = (one: Candidate): number => IN_DEGREES * one.lag_at_bandwidth_rad;
+export const mostLag = ({ ranking }: Judged): number => IN_DEGREES * ranking.most_lag_rad;
+export const share = ({ ranking }: Judged, force: number): number => (100 * force) / ranking.nominal_force_n;
 export const percent = (judged: Judged, force: number): string => `${fixed(share(judged, force), 3)} %`;
 /** A lag without a sign before a zero. */
 export const degrees = (angle: number): string => `${fixed(Math.round(10 * angle) / 10 + 0, 1)}°`;
@@ -71,14 +74,14 @@ export const those = ({ ranking }: Judged, truth: string): { one: Candidate; num
 
 /** A candidate in one line. */
 export const told = (judged: Judged, one: Candidate): string =>
-  `${one.name}: ${percent(judged, one['worst rms error [N]'])} at worst, ${percent(judged, one['rms error [N]'])} on the nominal spring, ${degrees(lag(one))} late`;
+  `${one.name}: ${percent(judged, one.worst_rms_error_n)} at worst, ${percent(judged, one.rms_error_n)} on the nominal spring, ${degrees(lag(one))} late`;
 
 /** On what they were judged. */
 export function conditions({ ranking }: Judged): string {
   const [rate, noise, bandwidth] = [
-    ranking['sampling rate [Hz]'],
-    ranking['noise [N rms]'],
-    ranking['bandwidth [Hz]'],
+    ranking.sampling_rate_hz,
+    ranking.noise_n,
+    ranking.bandwidth_hz,
   ].map((value) => digits(value));
   const series = ranking.seeds === 1 ? 'one series' : `${ranking.seeds} series`;
   return ranking.log === null

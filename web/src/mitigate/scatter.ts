@@ -5,7 +5,7 @@
 import { digits } from '../dom';
 import { curves, type Curves } from '../plots/curves';
 import { Points } from '../plots/points';
-import { lag, share, those, told, type Judged } from './ranking';
+import { lag, mostLag, share, those, told, type Judged } from './ranking';
 
 /** In whose look candidates of an origin are drawn. */
 const LOOKS = [
@@ -23,14 +23,14 @@ export class Scatter {
     const { facts } = judged.answer;
     const each = those(judged, truth).sort((a, b) => lag(a.one) - lag(b.one));
     const best = each.find(({ number }) => facts.best.includes(number));
-    const error = (index: number) => share(judged, each[index]?.one['worst rms error [N]'] ?? NaN);
+    const error = (index: number) => share(judged, each[index]?.one.worst_rms_error_n ?? NaN);
     this.numbers = each.map(({ number }) => number);
     const places = each.map(({ one }, index) => ({ x: lag(one), y: error(index), label: told(judged, one) }));
     this.points = new Points(places, (index) => picked(this.numbers[index] ?? 0));
     this.drawing = {
       title: `${title}: error against lag`,
       x: {
-        label: `Lag at ${digits(judged.ranking['bandwidth [Hz]'])} Hz [°]`,
+        label: `Lag at ${digits(judged.ranking.bandwidth_hz)} Hz [°]`,
         values: Float64Array.from(each, ({ one }) => lag(one)),
       },
       y: { label: 'Worst error [% of F_nom]', logarithmic: true },
@@ -40,7 +40,7 @@ export class Scatter {
         dots,
         values: each.map(({ one }, index) => (one.origin === origin ? error(index) : null)),
       })),
-      marks: [{ x: facts.mostLag, label: 'most lag' }, ...(best ? [{ x: lag(best.one), label: best.one.name }] : [])],
+      marks: [{ x: mostLag(judged), label: 'most lag' }, ...(best ? [{ x: lag(best.one), label: best.one.name }] : [])],
     };
     curves(host, this.drawing, this.points.plugin);
   }

@@ -7,18 +7,18 @@ import type { Ranking } from './ranking';
 
 export interface Shaper {
   name: string;
-  'mode 1 left': number;
-  'mode 1 left, worst': number;
-  'worst case': string;
-  'modes 2 to 5 left, worst': number;
-  'mean delay [s]': number;
-  'length [s]': number;
+  mode_1_left: number;
+  mode_1_left_worst: number;
+  worst_case: string;
+  modes_2_to_5_left_worst: number;
+  mean_delay_s: number;
+  length_s: number;
 }
 
 export interface Shaping {
   advice: string;
   shapers: Shaper[];
-  'left out': { name: string; reason: string }[];
+  left_out: { name: string; reason: string }[];
 }
 
 const HEADS = ['Left of ringing', 'Mode 1', 'At worst', 'Modes 2 to 5', 'Late', 'Length'];
@@ -26,12 +26,12 @@ const percent = (share: number) => `${fixed(100 * share, 1)} %`;
 const milliseconds = (time: number) => `${fixed(1e3 * time, 1)} ms`;
 
 /** Nothing where no condition moves u1. */
-export function shaped({ 'command shaping': shaping }: Ranking): HTMLElement | string {
+export function shaped({ command_shaping: shaping }: Ranking): HTMLElement | string {
   if (!shaping) return '';
   const title = 'Shape the command instead';
   const row = (one: Shaper) => {
-    const shares = [one['mode 1 left'], one['mode 1 left, worst'], one['modes 2 to 5 left, worst']].map(percent);
-    const times = [one['mean delay [s]'], one['length [s]']].map(milliseconds);
+    const shares = [one.mode_1_left, one.mode_1_left_worst, one.modes_2_to_5_left_worst].map(percent);
+    const times = [one.mean_delay_s, one.length_s].map(milliseconds);
     const cells = [...shares, ...times].map((text) => make('td', {}, text));
     return make('tr', { 'data-shaper': one.name }, make('th', { scope: 'row' }, one.name), ...cells);
   };
@@ -52,6 +52,6 @@ export function shaped({ 'command shaping': shaping }: Ranking): HTMLElement | s
     make('div', { class: 'head' }, make('h2', {}, title)),
     make('p', { class: 'hint' }, rich(shaping.advice)),
     make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Shaped commands' }, table),
-    ...shaping['left out'].map(({ name, reason }) => make('p', { class: 'hint' }, `Left out: ${name}: ${reason}`)),
+    ...shaping.left_out.map(({ name, reason }) => make('p', { class: 'hint' }, `Left out: ${name}: ${reason}`)),
   );
 }

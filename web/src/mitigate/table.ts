@@ -3,7 +3,7 @@
 // Next door: the same as points (`scatter`).
 
 import { make, rich } from '../dom';
-import { degrees, lag, percent, those, type Candidate, type Judged } from './ranking';
+import { type Candidate, degrees, type Judged, lag, mostLag, percent, those } from './ranking';
 
 export class Table {
   readonly element: HTMLElement;
@@ -44,7 +44,7 @@ export class Table {
 
   private row(one: Candidate, number: number): HTMLElement {
     const { facts } = this.judged.answer;
-    const late = lag(one) > facts.mostLag;
+    const late = lag(one) > mostLag(this.judged);
     const button = make(
       'button',
       { type: 'button', class: 'line', 'aria-pressed': 'false', onclick: () => this.picked(number) },
@@ -56,10 +56,10 @@ export class Table {
       'tr',
       { 'data-candidate': one.name },
       make('th', { scope: 'row' }, button, advised),
-      make('td', {}, percent(this.judged, one['worst rms error [N]'])),
-      make('td', {}, percent(this.judged, one['rms error [N]'])),
+      make('td', {}, percent(this.judged, one.worst_rms_error_n)),
+      make('td', {}, percent(this.judged, one.rms_error_n)),
       make('td', { class: late ? 'above' : '' }, `${degrees(lag(one))}${late ? ' ✗ late' : ''}`),
-      make('td', {}, one['noise gain'].toFixed(2)),
+      make('td', {}, one.noise_gain.toFixed(2)),
       make('td', {}, one.origin),
     );
   }

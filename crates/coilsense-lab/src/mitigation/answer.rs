@@ -2,20 +2,11 @@
 //!
 //! Next door: the study (`study`), the answer as text and JSON (`report`).
 
-use super::candidate::{Candidate, Origin, Truth};
+use super::candidate::{Candidate, LeftOut, Origin, Truth};
 use super::judge::Judgement;
 use super::shaping::Shaping;
 use super::shown::Shown;
 use super::study::Study;
-
-/// A candidate that cannot be.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LeftOut {
-    /// In words.
-    pub name: String,
-    /// Why.
-    pub reason: String,
-}
 
 /// Every candidate judged, best first; filters of F_i, then estimators of F_o.
 pub struct Answer {

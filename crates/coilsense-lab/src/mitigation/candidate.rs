@@ -7,6 +7,15 @@ use coilsense_rt::Measured;
 use super::export::Settings;
 use super::start::Start;
 
+/// A candidate that cannot be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// In words.
+    pub name: String,
+    /// Why.
+    pub reason: String,
+}
+
 /// What a candidate's force is to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Truth {

@@ -9,8 +9,7 @@ use coilsense::mitigation::{
 };
 use coilsense_rt::{Biquad, Cascade, ModalKalman};
 
-use super::answer::LeftOut;
-use super::candidate::{Candidate, Origin, Truth};
+use super::candidate::{Candidate, LeftOut, Origin, Truth};
 use super::start::{Deflection, Plain, RING};
 
 /// What designs are fitted to.

@@ -16,7 +16,7 @@ pub struct Judgement {
     pub aligned: f64,
     /// That delay \[s\].
     pub delay: f64,
-    /// Lag at the bandwidth asked for \[degrees\]; below zero it leads.
+    /// Lag at the bandwidth asked for \[rad\]; below zero it leads.
     pub lag: f64,
     /// Noise that comes out over noise that goes in, rms \[1\].
     pub noise_gain: f64,
@@ -126,7 +126,7 @@ impl Trial {
         let from = truth.len() / 2;
         let (a, b) = (self.phase(&truth[from..]), self.phase(&out[from..]));
         let turns = (a - b) / std::f64::consts::TAU;
-        360.0 * (turns - turns.round())
+        std::f64::consts::TAU * (turns - turns.round())
     }
 
     fn phase(&self, series: &[f64]) -> f64 {

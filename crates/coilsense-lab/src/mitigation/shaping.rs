@@ -7,7 +7,7 @@ use coilsense::excitation::{End, EndInput};
 use coilsense::mitigation::{SampledSpring, ToleranceBox, surge_mean, zero_vibration, zero_vibration_derivative};
 use coilsense::modes::ChainModes;
 
-use super::answer::LeftOut;
+use super::candidate::LeftOut;
 use super::export::Settings;
 use super::residual::{last, residual_vibration};
 use super::start::RING;

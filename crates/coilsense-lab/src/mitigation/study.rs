@@ -1,23 +1,15 @@
-//! A study: conditions, noise, tolerances; every candidate on all of them.
+//! A study: conditions, noise, tolerances.
 //!
-//! Next door: what comes of it (`answer`), the candidates (`candidates`), how they are judged (`judge`), the answer as text and JSON (`report`).
-
-use std::sync::atomic::{AtomicUsize, Ordering};
+//! Next door: what may be asked (`request`), how it is run (`run`), what comes of it (`answer`), the answer as text and JSON (`report`).
 
 use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
 use coilsense::{Channel, Damping, Error, Excitation, FarEnd, Spring};
 use coilsense_rt::Measured;
-use rand_distr::Normal;
-use rayon::prelude::*;
 
-use super::answer::Answer;
-use super::candidate::{Candidate, Truth};
-use super::candidates::{Brief, Candidates};
-use super::judge::{Judgement, Trial, order};
-use super::runs;
-use super::shaping::Shaping;
+use super::request::{Asked, BANDWIDTH, NOISE, RATE, Refused, SEEDS};
 use crate::recording::{Recording, RecordingError};
+use crate::request::Row;
 use crate::spec::Spec;
 
 /// What candidates are to be good at.
@@ -43,7 +35,7 @@ pub struct Study {
     pub noise: f64,
     /// Up to which frequency the force moves by itself \[Hz\].
     pub bandwidth: f64,
-    /// Most lag at the bandwidth that a recommendation may have \[degrees\].
+    /// Most lag at the bandwidth that a recommendation may have \[rad\].
     pub most_lag: f64,
     /// How many series of noise.
     pub seeds: u64,
@@ -60,23 +52,6 @@ pub struct Recorded {
     pub measured: Vec<Measured<f64>>,
     /// F_o \[N\], where it was recorded; without it there is nothing to hold estimators against.
     pub output: Option<Vec<f64>>,
-}
-
-/// What the command line adds to a spec.
-#[derive(Debug, Clone, Copy)]
-pub struct Asked {
-    /// Sampling rate \[Hz\].
-    pub rate: f64,
-    /// Noise \[N rms\].
-    pub noise: Option<f64>,
-    /// Bandwidth \[Hz\].
-    pub bandwidth: Option<f64>,
-    /// Tolerances of k and m.
-    pub tolerances: ToleranceBox,
-    /// Most lag at the bandwidth \[degrees\].
-    pub most_lag: f64,
-    /// Series of noise.
-    pub seeds: u64,
 }
 
 /// Why there is no answer.
@@ -116,7 +91,7 @@ impl Study {
             rate: 2500.0,
             noise: 0.24,
             bandwidth: 1.5,
-            most_lag: 30.0,
+            most_lag: 30_f64.to_radians(),
             seeds: 50,
             seed: 1,
         })
@@ -172,113 +147,46 @@ impl Study {
         }
     }
 
-    /// Designs and judges every candidate.
-    ///
-    /// # Errors
-    /// Those of the science; a candidate that cannot be is no error but left out.
-    pub fn run(self) -> Result<Answer, Error> {
-        self.run_watched(&|_, _| ())
-    }
-
-    /// The same; `told` hears how many candidates are judged, and of how many.
-    ///
-    /// # Errors
-    /// As [`Self::run`].
-    pub fn run_watched(self, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, Error> {
-        self.check()?;
-        let sampled = SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
-        let nominal = runs::nominal(&self)?;
-        let largest = |of: fn(&runs::Run) -> f64| nominal.iter().map(of).fold(0.0, f64::max);
-        // An impact at v rings by Z v; without any ringing a hundredth of the noise stands for it.
-        let impact = largest(runs::Run::ringing).max(0.01 * self.noise) / self.spring.wave_impedance();
-        let brief = Brief {
-            spring: &sampled,
-            tolerances: self.tolerances,
-            noise: self.noise,
-            impact,
-            interval: self.longest().min(60.0),
-            bandwidth: self.bandwidth,
-            // A force that stays where it is in these conditions is wanted up to the bandwidth all the same.
-            motion: largest(runs::Run::motion).max(0.01 * self.spring.nominal_force()),
-        };
-        let mut candidates = Candidates::of(&brief);
-        if self.recorded.as_ref().is_some_and(|recorded| recorded.output.is_none()) {
-            candidates.all.retain(|candidate| candidate.truth == Truth::Static);
-        }
-        let shaping = Shaping::of(&self, &sampled)?;
-        let trial = self.trial(&sampled, nominal, impact)?;
-        let (done, of) = (AtomicUsize::new(0), candidates.all.len());
-        told(0, of);
-        let mut judged: Vec<(Candidate, Judgement)> = candidates
-            .all
-            .into_par_iter()
-            .map(|candidate| {
-                let judgement = trial.judge(&candidate);
-                told(done.fetch_add(1, Ordering::Relaxed) + 1, of);
-                (candidate, judgement)
-            })
-            .collect();
-        judged.sort_by(order);
-        let runs = trial.over_the_box.len();
-        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None, shaping };
-        let all: Vec<&Candidate> = answer.judged.iter().map(|(candidate, _)| candidate).collect();
-        answer.shown = trial.shown(&all, sampled.surge_period());
-        Ok(answer)
-    }
-
     /// Whether what is asked for can be: the sampling rate, the bandwidth, the noise, the series; [`Self::run`] asks first.
     ///
     /// # Errors
-    /// [`Error::Value`] for the first that cannot.
-    pub fn check(&self) -> Result<(), Error> {
+    /// [`Refused`] for the first that cannot, with the option that it is about.
+    pub fn check(&self) -> Result<(), Refused> {
+        let of = |row: &'static Row| move |error| Refused::of(row, error);
+        SampledSpring::check_rate(&self.spring, self.rate).map_err(of(&RATE))?;
         SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
         if !(self.bandwidth > 0.0 && self.bandwidth < self.spring.surge_frequency()) {
-            return Err(unfit("bandwidth", self.bandwidth, "Hz", "above zero and below the first surge frequency"));
+            let allowed = "above zero and below the first surge frequency";
+            return Err(of(&BANDWIDTH)(unfit("bandwidth", self.bandwidth, "Hz", allowed)));
         }
         if !(self.noise > 0.0 && self.noise.is_finite()) {
-            return Err(unfit("noise of the force", self.noise, "N", POSITIVE));
+            return Err(of(&NOISE)(unfit("noise of the force", self.noise, "N", POSITIVE)));
         }
         if self.seeds == 0 {
-            return Err(unfit("seeds", 0.0, "", "at least 1"));
+            return Err(of(&SEEDS)(unfit("seeds", 0.0, "", "at least 1")));
         }
         let most = MOST_SAMPLES / self.longest();
         if self.rate > most {
             let allowed = format!("at most {most:.0} Hz, two million samples of the longest run").into();
-            return Err(Error::Value { quantity: "rate".into(), value: self.rate, unit: "Hz", allowed });
+            let error = Error::Value { quantity: "sampling rate".into(), value: self.rate, unit: "Hz", allowed };
+            return Err(of(&RATE)(error));
         }
         Ok(())
     }
 
     /// How long the longest run takes \[s\].
-    fn longest(&self) -> f64 {
+    pub(super) fn longest(&self) -> f64 {
         match &self.recorded {
             Some(recorded) => recorded.measured.len() as f64 / self.rate,
             None => self.conditions.iter().map(|condition| condition.2).fold(0.0, f64::max),
         }
     }
-
-    fn trial(&self, sampled: &SampledSpring, nominal: Vec<runs::Run>, impact: f64) -> Result<Trial, Error> {
-        let noise = Normal::new(0.0, self.noise).map_err(|_| unfit("noise of the force", self.noise, "N", POSITIVE))?;
-        Ok(Trial {
-            nominal,
-            over_the_box: runs::over_the_box(self)?,
-            impact: runs::impact(self, impact)?,
-            swing: runs::swing(self, self.bandwidth)?,
-            bandwidth: self.bandwidth,
-            rate: self.rate,
-            noise,
-            adds_noise: self.recorded.is_none(),
-            seeds: self.seeds,
-            seed: self.seed,
-            longest_delay: (2.0 * sampled.surge_period()) as usize,
-        })
-    }
 }
 
 /// Every candidate runs over every spring of the box so often: minutes on one core.
 const MOST_SAMPLES: f64 = 2e6;
-const POSITIVE: &str = "above zero and finite";
+pub(super) const POSITIVE: &str = "above zero and finite";
 
-fn unfit(quantity: &'static str, value: f64, unit: &'static str, allowed: &'static str) -> Error {
+pub(super) fn unfit(quantity: &'static str, value: f64, unit: &'static str, allowed: &'static str) -> Error {
     Error::Value { quantity: quantity.into(), value, unit, allowed: allowed.into() }
 }

@@ -24,7 +24,9 @@ pub use calibration::{add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{data_sheet_json, data_sheet_text};
 pub use experiment::{add_experiment, experiment_json, experiment_text};
 pub use identification::{add_identification, identification_json, identification_text};
-pub use mitigation::{add_mitigation, mitigation_json, mitigation_text};
+#[cfg(feature = "reference")]
+pub use mitigation::mitigation_schema;
+pub use mitigation::{MitigationOutcome, add_mitigation, mitigation_json, mitigation_text};
 #[cfg(feature = "parquet")]
 pub use pareto::{add_pareto, pareto_json, pareto_text};
 pub use placement::{add_placement, placement_json, placement_text};

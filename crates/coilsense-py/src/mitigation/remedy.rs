@@ -116,7 +116,7 @@ impl PyRemedy {
     /// Lag at the bandwidth [rad]; below zero it leads.
     #[getter]
     fn lag(&self) -> f64 {
-        self.judgement().lag.to_radians()
+        self.judgement().lag
     }
 
     /// Noise that comes out over noise that goes in, rms [1].

@@ -42,8 +42,8 @@ pub fn run_on(
 }
 
 fn answer(study: Study, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, String> {
-    let (most_lag, rate) = (study.most_lag, study.rate);
-    let answer = study.run_watched(told).map_err(|error| question::placed(&error))?;
+    let rate = study.rate;
+    let answer = study.run_watched(told).map_err(|refused| refused.placed())?;
     let exports = answer.judged.iter().map(|(candidate, _)| exports(candidate, rate));
     let exports: Vec<Value> = exports.collect::<Result<_, _>>()?;
     let best = [Truth::Static, Truth::Output].map(|truth| answer.place_of_best(truth));
@@ -58,7 +58,6 @@ fn answer(study: Study, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, 
     }
     let meta = json!({
         "json": mitigation_json(&answer).map_err(|error| error.to_string())?,
-        "mostLag": most_lag,
         "best": best,
         "run": answer.shown.as_ref().map(|shown| &shown.label),
         "exports": exports,

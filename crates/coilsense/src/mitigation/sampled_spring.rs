@@ -34,10 +34,7 @@ impl SampledSpring {
     /// [`Error::Value`] for a rate that is not above twice the first surge frequency, a damping ratio of 1 or more, or a loss factor;
     /// [`Error::Count`] where damping for each mode is given for another number of modes.
     pub fn new(spring: &Spring, damping: &Damping, rate: f64) -> Result<Self, Error> {
-        above_zero("sampling rate", rate, "Hz")?;
-        let first = spring.surge_frequency();
-        let allowed = format!("above twice the first surge frequency of {first:.3} Hz");
-        check(rate > 2.0 * first, "sampling rate", rate, "Hz", allowed)?;
+        Self::check_rate(spring, rate)?;
         let modes = ChainModes::of(spring);
         let ratios = damping.clone().checked()?.ratios(modes.frequencies())?;
         if let Some(mode) = ratios.iter().position(|ratio| *ratio >= 1.0) {
@@ -47,6 +44,17 @@ impl SampledSpring {
             check(!few, quantity, ratios[mode], "", "below 1, for there is no ringing to mitigate")?;
         }
         Ok(Self { spring: spring.clone(), modes, ratios, rate })
+    }
+
+    /// Whether a spring can be sampled at `rate` \[Hz\].
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a rate that is not above twice the first surge frequency.
+    pub fn check_rate(spring: &Spring, rate: f64) -> Result<(), Error> {
+        above_zero("sampling rate", rate, "Hz")?;
+        let first = spring.surge_frequency();
+        let allowed = format!("above twice the first surge frequency of {first:.3} Hz");
+        check(rate > 2.0 * first, "sampling rate", rate, "Hz", allowed).map(|_| ())
     }
 
     /// The spring.

@@ -100,7 +100,7 @@ impl<'a> Export<'a> {
         json!({
             "name": self.name,
             "kind": self.settings.kind(),
-            "sampling rate [Hz]": self.rate,
+            "sampling_rate_hz": self.rate,
             "ring": self.settings.ring(),
             "settings": self.settings.numbers(),
         })

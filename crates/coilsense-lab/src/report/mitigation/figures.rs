@@ -10,13 +10,13 @@ use crate::plot::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scal
 pub(super) fn trade_off(answer: &Answer) -> Figure {
     let points = |truth, origin, label: &str, colour, marker| {
         let those = answer.judged.iter().filter(|(c, _)| c.truth == truth && c.origin == origin);
-        let (x, y) = those.map(|(_, j)| (j.lag, percent(answer, j.worst))).unzip();
+        let (x, y) = those.map(|(_, j)| (j.lag.to_degrees(), percent(answer, j.worst))).unzip();
         Points { label: label.to_owned(), x, y, errors: Vec::new(), colour, marker }
     };
     let axis = |label: String, range, scale| Axis { label, range, scale };
     // No point stands on the frame.
     let around = |truth| {
-        let lags = answer.judged.iter().filter(|(c, _)| c.truth == truth).map(|(_, j)| j.lag);
+        let lags = answer.judged.iter().filter(|(c, _)| c.truth == truth).map(|(_, j)| j.lag.to_degrees());
         let (least, most) = lags.fold((0.0_f64, 0.0_f64), |(least, most), lag| (least.min(lag), most.max(lag)));
         let room = 0.05 * (most - least).max(1.0);
         Some((least - room, most + room))

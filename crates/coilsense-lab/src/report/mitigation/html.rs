@@ -64,7 +64,7 @@ fn group(answer: &Answer, truth: Truth) -> Value {
             worst_run => &judgement.worst_run,
             aligned => format!("{:.3}", percent(answer, judgement.aligned)),
             delay => format!("{:.1}", 1e3 * judgement.delay),
-            lag => format!("{:.1}", (10.0 * judgement.lag).round() / 10.0 + 0.0),
+            lag => format!("{:.1}", (10.0 * judgement.lag.to_degrees()).round() / 10.0 + 0.0),
             late => judgement.lag > answer.study.most_lag,
             noise => format!("{:.3}", judgement.noise_gain),
             settling => format!("{:.1}", 1e3 * judgement.settling),

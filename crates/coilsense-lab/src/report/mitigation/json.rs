@@ -1,78 +1,203 @@
-//! What to do about ringing as `results.json`.
+//! What to do about ringing as `results.json`, and as `coilsense mitigate --json`, Python and the page have it.
 //!
 //! Next door: the same as text (`text`).
 
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::Value;
 
 use super::shaping::shaping_advice;
 use super::text::advice;
-use crate::mitigation::{Answer, Shaping};
+use crate::mitigation::{Answer, Candidate, Judgement, LeftOut, Shaped, Shaping};
 use crate::report::ReportError;
 
-/// Everything as JSON; errors in N.
+/// The name of this form.
+pub const SCHEMA: &str = "coilsense/mitigation/2";
+
+/// Every candidate judged, best first: filters of F_i, then estimators of F_o. A part that was not run is null.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct MitigationOutcome {
+    /// "coilsense/mitigation/2".
+    schema: &'static str,
+    /// The version of coilsense that wrote it.
+    version: &'static str,
+    /// What to do, a sentence each.
+    advice: Vec<String>,
+    /// F_nom.
+    nominal_force_n: f64,
+    /// How often the controller samples.
+    sampling_rate_hz: f64,
+    /// White noise of F_i, rms per sample.
+    noise_n: f64,
+    /// Up to which frequency the force moves by itself.
+    bandwidth_hz: f64,
+    /// Most lag at the bandwidth that what is advised may have.
+    most_lag_rad: f64,
+    /// The log that it was judged on; null for conditions.
+    log: Option<String>,
+    /// How many series of noise.
+    seeds: u64,
+    /// The first one's seed.
+    first_seed: u64,
+    /// By how much k may be off, as a share.
+    stiffness_tolerance: f64,
+    /// By how much m may be off, as a share.
+    mass_tolerance: f64,
+    candidates: Vec<CandidateRow>,
+    left_out: Vec<LeftOutRow>,
+    /// What shaping the command would do; null where no condition moves u1.
+    command_shaping: Option<ShapingPart>,
+}
+
+/// A filter or an estimator, and how it did. Errors are rms over all samples, conditions and series of noise.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct CandidateRow {
+    name: String,
+    /// "raw", "first try" or "fitted".
+    origin: &'static str,
+    /// The true force that it is held against: "k·Δl" or "F_o".
+    against: &'static str,
+    /// On the nominal spring.
+    rms_error_n: f64,
+    /// The largest of a run over the tolerances.
+    worst_rms_error_n: f64,
+    worst_run: String,
+    /// On the nominal spring, the truth shifted by the delay at which it fits best.
+    aligned_rms_error_n: f64,
+    /// That delay.
+    best_fit_delay_s: f64,
+    /// Below zero it leads.
+    lag_at_bandwidth_rad: f64,
+    /// Noise that comes out over noise that goes in, rms.
+    noise_gain: f64,
+    /// How long after an impact the error stays above a tenth of what the impact makes.
+    settling_s: f64,
+    /// What a controller takes; null for what is measured as it is.
+    settings: Option<Value>,
+}
+
+/// A candidate that cannot be, and why.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct LeftOutRow {
+    name: String,
+    reason: String,
+}
+
+/// Shaped commands.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct ShapingPart {
+    /// Conditions that move u1.
+    conditions: Vec<String>,
+    advice: String,
+    shapers: Vec<ShaperRow>,
+    left_out: Vec<LeftOutRow>,
+}
+
+/// What a shaper leaves of ringing, as shares of what the plain command leaves.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct ShaperRow {
+    name: &'static str,
+    mode_1_left: f64,
+    mode_1_left_worst: f64,
+    /// On which spring that is.
+    worst_case: String,
+    modes_2_to_5_left_worst: f64,
+    mean_delay_s: f64,
+    length_s: f64,
+    /// What a controller takes; null for the command as it is.
+    settings: Option<Value>,
+}
+
+impl MitigationOutcome {
+    /// Of a study that was run.
+    pub fn of(answer: &Answer) -> Self {
+        let study = &answer.study;
+        Self {
+            schema: SCHEMA,
+            version: env!("CARGO_PKG_VERSION"),
+            advice: advice(answer).lines().map(str::to_owned).collect(),
+            nominal_force_n: study.spring.nominal_force(),
+            sampling_rate_hz: study.rate,
+            noise_n: study.noise,
+            bandwidth_hz: study.bandwidth,
+            most_lag_rad: study.most_lag,
+            log: study.recorded.as_ref().map(|recorded| recorded.name.clone()),
+            seeds: study.seeds,
+            first_seed: study.seed,
+            stiffness_tolerance: study.tolerances.stiffness(),
+            mass_tolerance: study.tolerances.mass(),
+            candidates: answer.judged.iter().map(CandidateRow::of).collect(),
+            left_out: answer.left_out.iter().map(LeftOutRow::of).collect(),
+            command_shaping: answer.shaping.as_ref().map(ShapingPart::of),
+        }
+    }
+}
+
+impl CandidateRow {
+    fn of((candidate, judgement): &(Candidate, Judgement)) -> Self {
+        Self {
+            name: candidate.name.clone(),
+            origin: candidate.origin.name(),
+            against: candidate.truth.name(),
+            rms_error_n: judgement.nominal,
+            worst_rms_error_n: judgement.worst,
+            worst_run: judgement.worst_run.clone(),
+            aligned_rms_error_n: judgement.aligned,
+            best_fit_delay_s: judgement.delay,
+            lag_at_bandwidth_rad: judgement.lag,
+            noise_gain: judgement.noise_gain,
+            settling_s: judgement.settling,
+            settings: candidate.settings().map(|settings| settings.numbers()),
+        }
+    }
+}
+
+impl LeftOutRow {
+    fn of(left_out: &LeftOut) -> Self {
+        Self { name: left_out.name.clone(), reason: left_out.reason.clone() }
+    }
+}
+
+impl ShapingPart {
+    fn of(shaping: &Shaping) -> Self {
+        Self {
+            conditions: shaping.conditions.clone(),
+            advice: shaping_advice(shaping),
+            shapers: shaping.shapers.iter().map(ShaperRow::of).collect(),
+            left_out: shaping.left_out.iter().map(LeftOutRow::of).collect(),
+        }
+    }
+}
+
+impl ShaperRow {
+    fn of(shaped: &Shaped) -> Self {
+        Self {
+            name: shaped.name,
+            mode_1_left: shaped.first,
+            mode_1_left_worst: shaped.first_worst,
+            worst_case: shaped.worst_case.clone(),
+            modes_2_to_5_left_worst: shaped.higher_worst,
+            mean_delay_s: shaped.delay,
+            length_s: shaped.length,
+            settings: shaped.settings().map(|settings| settings.numbers()),
+        }
+    }
+}
+
+/// The JSON Schema of that form.
+#[cfg(feature = "reference")]
+pub fn mitigation_schema() -> Value {
+    schemars::schema_for!(MitigationOutcome).to_value()
+}
+
+/// Everything as JSON, in SI units.
 ///
 /// # Errors
 /// [`ReportError::Json`].
 pub fn mitigation_json(answer: &Answer) -> Result<String, ReportError> {
-    let candidates: Vec<Value> = answer
-        .judged
-        .iter()
-        .map(|(candidate, judgement)| {
-            json!({
-                "name": candidate.name,
-                "origin": candidate.origin.name(),
-                "against": candidate.truth.name(),
-                "rms error [N]": judgement.nominal,
-                "worst rms error [N]": judgement.worst,
-                "worst run": judgement.worst_run,
-                "aligned rms error [N]": judgement.aligned,
-                "delay of best fit [s]": judgement.delay,
-                "lag at bandwidth [deg]": judgement.lag,
-                "noise gain": judgement.noise_gain,
-                "settling after an impact [s]": judgement.settling,
-                "settings": candidate.settings().map(|settings| settings.numbers()),
-            })
-        })
-        .collect();
-    let left_out = answer.left_out.iter().map(|it| json!({ "name": it.name, "reason": it.reason }));
-    let study = &answer.study;
-    let whole = json!({
-        "advice": advice(answer).lines().collect::<Vec<_>>(),
-        "F_nom [N]": study.spring.nominal_force(),
-        "sampling rate [Hz]": study.rate,
-        "noise [N rms]": study.noise,
-        "bandwidth [Hz]": study.bandwidth,
-        "log": study.recorded.as_ref().map(|recorded| recorded.name.as_str()),
-        "seeds": study.seeds,
-        "first seed": study.seed,
-        "stiffness tolerance": study.tolerances.stiffness(),
-        "mass tolerance": study.tolerances.mass(),
-        "candidates": candidates,
-        "left out": left_out.collect::<Vec<_>>(),
-        "command shaping": answer.shaping.as_ref().map(shaping),
-    });
-    Ok(serde_json::to_string_pretty(&whole)? + "\n")
-}
-
-/// What is left of ringing by shaped commands; shares of what the plain command leaves.
-fn shaping(shaping: &Shaping) -> Value {
-    let shapers = shaping.shapers.iter().map(|shaped| {
-        json!({
-            "name": shaped.name,
-            "mode 1 left": shaped.first,
-            "mode 1 left, worst": shaped.first_worst,
-            "worst case": shaped.worst_case,
-            "modes 2 to 5 left, worst": shaped.higher_worst,
-            "mean delay [s]": shaped.delay,
-            "length [s]": shaped.length,
-            "settings": shaped.settings().map(|settings| settings.numbers()),
-        })
-    });
-    let left_out = shaping.left_out.iter().map(|it| json!({ "name": it.name, "reason": it.reason }));
-    json!({
-        "conditions that move u1": shaping.conditions,
-        "advice": shaping_advice(shaping),
-        "shapers": shapers.collect::<Vec<_>>(),
-        "left out": left_out.collect::<Vec<_>>(),
-    })
+    Ok(serde_json::to_string_pretty(&MitigationOutcome::of(answer))? + "\n")
 }

@@ -8,7 +8,9 @@ mod json;
 mod shaping;
 mod text;
 
-pub use json::mitigation_json;
+#[cfg(feature = "reference")]
+pub use json::mitigation_schema;
+pub use json::{MitigationOutcome, mitigation_json};
 pub use text::mitigation_text;
 
 use super::{ReportError, draw};

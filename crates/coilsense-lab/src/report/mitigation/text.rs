@@ -61,14 +61,15 @@ pub(super) fn conditions(answer: &Answer) -> String {
     )
 }
 
-/// A lag in degrees without a sign before a zero.
+/// A lag \[rad\] in degrees without a sign before a zero.
 pub(super) fn upright(lag: f64) -> f64 {
+    let lag = lag.to_degrees();
     if lag.abs() < 0.005 { 0.0 } else { lag }
 }
 
-/// An angle without what its way from degrees over radians back leaves behind the ninth decimal.
+/// An angle \[rad\] in degrees, without what its way there and back leaves behind the ninth decimal.
 fn degrees(angle: f64) -> f64 {
-    (1e9 * angle).round() / 1e9
+    (1e9 * angle.to_degrees()).round() / 1e9
 }
 
 /// A force in % of F_nom.
