@@ -78,11 +78,9 @@ export const told = (judged: Judged, one: Candidate): string =>
 
 /** On what they were judged. */
 export function conditions({ ranking }: Judged): string {
-  const [rate, noise, bandwidth] = [
-    ranking.sampling_rate_hz,
-    ranking.noise_n,
-    ranking.bandwidth_hz,
-  ].map((value) => digits(value));
+  const [rate, noise, bandwidth] = [ranking.sampling_rate_hz, ranking.noise_n, ranking.bandwidth_hz].map((value) =>
+    digits(value),
+  );
   const series = ranking.seeds === 1 ? 'one series' : `${ranking.seeds} series`;
   return ranking.log === null
     ? `Sampled at ${rate} Hz with ${noise} N rms of noise, ${series}; lag at ${bandwidth} Hz.`
