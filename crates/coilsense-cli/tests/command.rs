@@ -29,9 +29,10 @@ fn path(path: &Path) -> &str {
 /// The built-in springs in a folder, S_T's file changed.
 fn springs(change: impl Fn(String) -> String) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let s_t = change(include_str!("../../../data/springs/S_T.toml").to_owned());
+    let s_t = change(include_str!("../../coilsense-lab/data/springs/S_T.toml").to_owned());
     fs::write(folder.path().join("S_T.toml"), s_t).expect("written");
-    fs::write(folder.path().join("S_A.toml"), include_str!("../../../data/springs/S_A.toml")).expect("written");
+    fs::write(folder.path().join("S_A.toml"), include_str!("../../coilsense-lab/data/springs/S_A.toml"))
+        .expect("written");
     folder
 }
 

@@ -3,7 +3,7 @@
 use coilsense_lab::spec::SpringSpec;
 use proptest::prelude::*;
 
-const GOOD: &str = include_str!("../../../data/springs/S_T.toml");
+const GOOD: &str = include_str!("../data/springs/S_T.toml");
 
 /// The good file with one line replaced.
 fn with(key: &str, line: &str) -> String {

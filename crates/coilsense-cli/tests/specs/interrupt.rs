@@ -23,7 +23,7 @@ const SLOW_RIG: &str = "[mount]\ndamping_ratio = 0.01\n[rig]\ntaps = 300\n";
 fn ctrl_c_leaves_the_folder_as_it_was() {
     let (place, spec) = place(&slow());
     let rig = place.path().join("rig.toml");
-    fs::write(&rig, format!("{}{SLOW_RIG}", include_str!("../../../../data/springs/S_T.toml"))).unwrap();
+    fs::write(&rig, format!("{}{SLOW_RIG}", include_str!("../../../coilsense-lab/data/springs/S_T.toml"))).unwrap();
     let out = place.path().join("out");
     fs::create_dir(&out).unwrap();
     fs::write(out.join("results.json"), "mine").unwrap();

@@ -91,7 +91,8 @@ fn path(path: &Path) -> &str {
 fn place(tables: &str) -> (TempDir, PathBuf) {
     let place = tempfile::tempdir().expect("a temporary folder");
     let spec = place.path().join("spec.toml");
-    fs::write(&spec, format!("{}{tables}", include_str!("../../../../data/springs/S_T.toml"))).expect("written");
+    fs::write(&spec, format!("{}{tables}", include_str!("../../../coilsense-lab/data/springs/S_T.toml")))
+        .expect("written");
     (place, spec)
 }
 

@@ -19,8 +19,11 @@ fn json(tables: &str) -> serde_json::Value {
 #[test]
 fn the_placement_rule_is_what_the_command_answers() {
     let result = json(CONTINUOUS);
-    let spring =
-        coilsense_lab::spec::Spec::parse("S_T", include_str!("../../../../data/springs/S_T.toml"), &|_| unreachable!());
+    let spring = coilsense_lab::spec::Spec::parse(
+        "S_T",
+        include_str!("../../../coilsense-lab/data/springs/S_T.toml"),
+        &|_| unreachable!(),
+    );
     let surge = ChainModes::of(&spring.unwrap().spring.spring).frequencies()[0] / std::f64::consts::TAU;
     let force = |name: &str| {
         let candidates = result["candidates"].as_array().unwrap();

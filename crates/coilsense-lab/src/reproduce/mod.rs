@@ -63,8 +63,8 @@ impl PaperSprings {
     /// [`ReproduceError::Spec`] where the compiled-in files are damaged.
     pub fn built_in() -> Result<Self, ReproduceError> {
         let read = |file, text| SpringSpec::parse(file, text).map(|named| named.spring);
-        let s_t = read("data/springs/S_T.toml", include_str!("../../../../data/springs/S_T.toml"))?;
-        let s_a = read("data/springs/S_A.toml", include_str!("../../../../data/springs/S_A.toml"))?;
+        let s_t = read("data/springs/S_T.toml", include_str!("../../data/springs/S_T.toml"))?;
+        let s_a = read("data/springs/S_A.toml", include_str!("../../data/springs/S_A.toml"))?;
         Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)] })
     }
 

@@ -18,8 +18,8 @@ use crate::quantity::Dimension;
 /// The material of a spec that names none.
 pub const USUAL_MATERIAL: &str = "steel EN 10270-1";
 
-const MATERIALS: &str = include_str!("../../../../data/materials.toml");
-const SENSORS: &str = include_str!("../../../../data/sensors.toml");
+const MATERIALS: &str = include_str!("../../data/materials.toml");
+const SENSORS: &str = include_str!("../../data/sensors.toml");
 
 /// A material or a class of sensors: its keys and their values, as the table writes them.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,10 +5,8 @@
 use super::SpecError;
 
 /// Springs of the paper.
-const SPRINGS: [(&str, &str); 2] = [
-    ("S_T", include_str!("../../../../data/springs/S_T.toml")),
-    ("S_A", include_str!("../../../../data/springs/S_A.toml")),
-];
+const SPRINGS: [(&str, &str); 2] =
+    [("S_T", include_str!("../../data/springs/S_T.toml")), ("S_A", include_str!("../../data/springs/S_A.toml"))];
 
 /// A spring by geometry, as a beginning of one's own.
 const OWN: &str = r#"# A spec of coilsense. Every key is described in docs/spec.md. Change what differs, delete what you do not need, then run

@@ -24,8 +24,8 @@ mod warnings;
 use coilsense_lab::analysis::{Analysis, Verdict};
 use coilsense_lab::spec::Spec;
 
-const S_T: &str = include_str!("../../../../data/springs/S_T.toml");
-const S_A: &str = include_str!("../../../../data/springs/S_A.toml");
+const S_T: &str = include_str!("../../data/springs/S_T.toml");
+const S_A: &str = include_str!("../../data/springs/S_A.toml");
 
 /// Undamped, and a Monte Carlo that is long enough where nobody looks at it.
 const UNDAMPED: &str = "[mount]\ndamping_ratio = 0\n[uncertainty]\ntrials = 1000\n";

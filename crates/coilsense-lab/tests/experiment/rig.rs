@@ -10,7 +10,7 @@ use coilsense_lab::spec::Spec;
 /// Fig. 6's findings on the files of a rig; `settings` change those of the paper.
 fn shows_what_figure_6_shows(settings: &str, seed: u64) {
     let place = tempfile::tempdir().unwrap();
-    let spring = include_str!("../../../../data/springs/S_T.toml");
+    let spring = include_str!("../../data/springs/S_T.toml");
     let text = format!("{spring}\n[mount]\ndamping_ratio = 0.005\n[rig]\ntaps = 0\n{settings}");
     let spec = Spec::parse("rig.toml", &text, &|name| Err(name.to_owned())).unwrap();
     let mut output = Output::begin(place.path()).unwrap();

@@ -19,7 +19,7 @@ mod perfect;
 use coilsense_lab::rig::{Kind, Log, Rig};
 use coilsense_lab::spec::Spec;
 
-const S_T: &str = include_str!("../../../../data/springs/S_T.toml");
+const S_T: &str = include_str!("../../data/springs/S_T.toml");
 
 /// ζ of the tests.
 const RATIO: f64 = 0.005;
