@@ -1,4 +1,4 @@
-// The picture of the page in README: `npm --prefix web run picture` writes docs/page.png from the built page. Motion is not wanted, so that the
+// The picture of the page in README and book: `npm --prefix web run picture` writes book/src/images/page.png from the built page. Motion is not wanted, so that the
 // picture is the same every time; COILSENSE_CHROMIUM says where the browser is.
 import { spawn } from 'node:child_process';
 import { chromium } from '@playwright/test';
@@ -23,7 +23,7 @@ try {
   await page.waitForFunction(() => document.body.dataset['exact'] === 'true');
   await page.getByRole('slider', { name: 'Time', exact: true }).fill('210');
   await page.evaluate(() => document.activeElement?.blur());
-  await page.screenshot({ path: '../docs/page.png' });
+  await page.screenshot({ path: '../book/src/images/page.png' });
 } finally {
   await browser.close();
   server.kill();

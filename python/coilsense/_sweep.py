@@ -81,7 +81,7 @@ def sweep(
 
     Notes
     -----
-    Source: the same words and the same rows as the command ``coilsense sweep``; see docs/sweep.md.
+    Source: the same words and the same rows as the command ``coilsense sweep``; see book/src/guide/sweep.md.
     """
     if out is None:
         raise TypeError("sweep() needs out, the folder of the rows")

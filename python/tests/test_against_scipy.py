@@ -1,4 +1,4 @@
-"""SciPy computes the same; docs/python.md has the table of all comparisons, which is compared here, so that it cannot go stale."""
+"""SciPy computes the same; book/src/guide/python.md has the table of all comparisons, which is compared here, so that it cannot go stale."""
 
 import pathlib
 from collections.abc import Callable
@@ -6,7 +6,7 @@ from collections.abc import Callable
 import against_scipy
 import pytest
 
-DOCUMENT = pathlib.Path(__file__).parents[2] / "docs" / "python.md"
+DOCUMENT = pathlib.Path(__file__).parents[2] / "book" / "src" / "guide" / "python.md"
 
 
 def table() -> str:
@@ -29,4 +29,4 @@ def test_it_differs_from_scipy_by_no_more_than_the_table_says(compare: Callable[
 
 def test_the_table_of_the_document_is_this_one() -> None:
     text = DOCUMENT.read_text()
-    assert table() in text, "docs/python.md must hold this table:\n" + table()
+    assert table() in text, "book/src/guide/python.md must hold this table:\n" + table()

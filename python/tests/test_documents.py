@@ -1,4 +1,4 @@
-"""The Python code of docs/python.md, run block after block as a reader would, and the example scripts."""
+"""The Python code of book/src/guide/python.md, run block after block as a reader would, and the example scripts."""
 
 import os
 import pathlib
@@ -21,10 +21,10 @@ def test_the_code_of_the_document_runs(tmp_path: pathlib.Path, monkeypatch: pyte
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
-    found = blocks((ROOT / "docs" / "python.md").read_text())
+    found = blocks((ROOT / "book" / "src" / "guide" / "python.md").read_text())
     assert len(found) >= 5
     for number, block in enumerate(found, 1):
-        exec(compile(block, f"docs/python.md, block {number}", "exec"), names)
+        exec(compile(block, f"book/src/guide/python.md, block {number}", "exec"), names)
 
 
 @pytest.mark.parametrize("script", EXAMPLES, ids=lambda path: path.stem)

@@ -127,7 +127,7 @@ test('a preview is the exact curve but for F_L, which is good to what its second
     compared++;
     expect(Math.abs(preview['F_i']![index]! - full['F_i']![same]!)).toBeLessThan(1e-6);
     expect(Math.abs(preview['F_o']![index]! - full['F_o']![same]!)).toBeLessThan(1e-6);
-    // 1e-7 of L (findings of the science) is 1e-5 of F_nom.
+    // 1e-7 of L (book: theory, section 1) is 1e-5 of F_nom.
     expect(Math.abs(preview['F_L']![index]! - full['F_L']![same]!)).toBeLessThan(2e-3);
   });
   expect(compared).toBeGreaterThan(500);

@@ -14,7 +14,7 @@ use crate::repairs::RepairArguments;
 /// Options of `coilsense experiment`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Folder with experiment.toml, which lists the logs: see docs/experiment.md
+    /// Folder with experiment.toml, which lists the logs: see book/src/guide/experiment.md
     #[arg(value_name = "DIR")]
     folder: PathBuf,
     #[command(flatten)]

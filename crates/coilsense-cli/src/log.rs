@@ -18,7 +18,7 @@ pub struct LogArguments {
     /// channel's name need none
     #[arg(long = "column", value_name = "NAME=\"TITLE [UNIT]\"", help_heading = LAYOUT)]
     columns: Vec<String>,
-    /// The same, and how the text is written, as a TOML file: see docs/logs.md
+    /// The same, and how the text is written, as a TOML file: see book/src/guide/logs.md
     #[arg(long, value_name = "FILE", conflicts_with = "preset", help_heading = LAYOUT)]
     mapping: Option<PathBuf>,
     /// A known layout: lab-data

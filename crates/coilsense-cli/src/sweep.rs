@@ -33,7 +33,7 @@ pub struct Arguments {
     /// Of all randomness: row k is a function of this seed and k alone
     #[arg(long, value_name = "NUMBER", default_value_t = 0)]
     seed: u64,
-    /// What is recorded, with commas between: mass, F_o.rmsd, F_o.max[heel strike], F_L.bias, worst, clearance, laser.combined; see docs/sweep.md
+    /// What is recorded, with commas between: mass, F_o.rmsd, F_o.max[heel strike], F_L.bias, worst, clearance, laser.combined; see book/src/guide/sweep.md
     #[arg(long, value_name = "WORDS")]
     columns: Option<String>,
     /// Rows of a file; without it by how long a row takes

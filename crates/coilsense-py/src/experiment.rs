@@ -213,7 +213,7 @@ fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) 
 /// Parameters
 /// ----------
 /// folder : str or os.PathLike
-///     With experiment.toml; see docs/experiment.md.
+///     With experiment.toml; see book/src/guide/experiment.md.
 /// drop_incomplete, sort, merge_repeated, fill_gaps, resample
 ///     What may be mended in each of its logs, as `open_log` takes it; by default nothing.
 ///

@@ -220,7 +220,7 @@ impl PyRecording {
 /// units : dict of str to str, optional
 ///     Units by channel, where titles carry none, as in ``{"F_o": "mN"}``.
 /// mapping : str or os.PathLike, optional
-///     The same as a TOML file, which can say more: gains, offsets, means of several columns; see docs/logs.md.
+///     The same as a TOML file, which can say more: gains, offsets, means of several columns; see book/src/guide/logs.md.
 /// preset : {"lab-data"}, optional
 ///     A known layout.
 /// sample_rate : float or str, optional

@@ -107,3 +107,8 @@ pub use spring::{Spring, SpringParameters};
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+/// The book's Rust code, run as a doctest.
+#[cfg(doctest)]
+#[doc = include_str!("../../../book/src/guide/rust.md")]
+struct Book;

@@ -1,4 +1,4 @@
-//! Checks of the whole command: what the README says to type, and every example.
+//! Checks of the whole command: what README and book say to type, and every example.
 //!
 //! Next door: the other checks (`test`), how long commands take (`bench`).
 
@@ -10,7 +10,7 @@ use anyhow::{Context, bail};
 
 use crate::{cargo, root, target_folder};
 
-/// How the README calls the command from a checkout.
+/// How README and book call the command from a checkout.
 const PREFIX: &str = "cargo run --release -- ";
 
 /// The release build of the command.
@@ -39,23 +39,52 @@ pub fn is_rig(spec: &Path) -> anyhow::Result<bool> {
     Ok(std::fs::read_to_string(spec)?.lines().any(|line| line == "[rig]"))
 }
 
-/// Types the README's commands in a folder of their own that has the examples; whether all of them succeed.
+/// README and every page of the book, README first.
+pub fn documents() -> anyhow::Result<Vec<PathBuf>> {
+    let mut folders = vec![root().join("book/src")];
+    let mut pages = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for file in std::fs::read_dir(&folder).with_context(|| format!("{} cannot be read", folder.display()))? {
+            let path = file?.path();
+            match path.is_dir() {
+                true => folders.push(path),
+                false if path.extension().is_some_and(|e| e == "md") => pages.push(path),
+                false => {}
+            }
+        }
+    }
+    pages.sort();
+    if pages.is_empty() {
+        bail!("the book has no page");
+    }
+    pages.insert(0, root().join("README.md"));
+    Ok(pages)
+}
+
+/// Types the commands of README and book, each page's in a folder of its own that has the examples; whether all of them succeed and no page holds
+/// Rust that nothing compiles.
 pub fn readme() -> anyhow::Result<bool> {
     let executable = executable()?;
-    let place = tempfile::tempdir()?;
-    copy_examples(&place.path().join("examples"))?;
-    let text = std::fs::read_to_string(root().join("README.md")).context("README.md cannot be read")?;
-    let lines = text.lines().filter_map(|line| line.strip_prefix(PREFIX));
+    let doctests = std::fs::read_to_string(root().join("crates/coilsense/src/lib.rs"))?;
     let mut typed = 0;
-    for line in lines {
-        let words = line.split('#').next().unwrap_or_default().split_whitespace();
-        println!("coilsense {}", line.trim_end());
-        if !Command::new(&executable).args(words).current_dir(place.path()).status()?.success() {
-            return Ok(false);
+    for page in documents()? {
+        let name = page.strip_prefix(root()).unwrap_or(&page).display().to_string();
+        let text = std::fs::read_to_string(&page).with_context(|| format!("{name} cannot be read"))?;
+        if text.contains("```rust") && !doctests.contains(&name) {
+            bail!("{name} holds Rust that no doctest compiles: include it in crates/coilsense/src/lib.rs");
         }
-        typed += 1;
+        let place = tempfile::tempdir()?;
+        copy_examples(&place.path().join("examples"))?;
+        for line in text.lines().filter_map(|line| line.strip_prefix(PREFIX)) {
+            let words = line.split('#').next().unwrap_or_default().split_whitespace();
+            println!("{name}: coilsense {}", line.trim_end());
+            if !Command::new(&executable).args(words).current_dir(place.path()).status()?.success() {
+                return Ok(false);
+            }
+            typed += 1;
+        }
     }
-    println!("{typed} commands of the README");
+    println!("{typed} commands of README and book");
     Ok(typed > 0)
 }
 

@@ -1,4 +1,4 @@
-//! Checks of the Python package: its wheel, its tests, its types, what the README and the examples say to run.
+//! Checks of the Python package: its wheel, its tests, its types, what README, book and the examples say to run.
 //!
 //! Next door: environments (`python`), the other checks (`test`).
 
@@ -15,6 +15,9 @@ const LARGEST_WHEEL: u64 = 10_000_000;
 
 /// What the tests run with.
 const REQUIREMENTS: &str = "python/requirements-test.txt";
+
+/// The page whose blocks hang together and use every extra: the package's own tests run it.
+const TOUR: &str = "book/src/guide/python.md";
 
 /// What is missing to run them, and what installs it.
 pub fn missing() -> Option<String> {
@@ -74,16 +77,27 @@ fn examples(environment: &Environment) -> anyhow::Result<bool> {
     })
 }
 
-/// The README's Python code, in an environment that has nothing but what `pip install .` brings.
+/// The Python code of README and book, each block by itself, in an environment that has nothing but what `pip install .` brings.
 fn readme() -> anyhow::Result<bool> {
     let plain = python::fresh("target/python-plain")?;
     if !succeeds(plain.pip().arg("."))? {
         return Ok(false);
     }
-    let text = std::fs::read_to_string(root().join("README.md")).context("README.md cannot be read")?;
-    let blocks: Vec<&str> = text.split("```python\n").skip(1).filter_map(|rest| rest.split("\n```").next()).collect();
-    println!("{} Python examples of the README", blocks.len());
-    Ok(!blocks.is_empty() && every(&blocks, |block| in_a_place(plain.python().args(["-c", block])))?)
+    let mut run = 0;
+    for page in crate::commands::documents()? {
+        if page.ends_with(TOUR) {
+            continue;
+        }
+        let text = std::fs::read_to_string(&page).with_context(|| format!("{} cannot be read", page.display()))?;
+        let parts = text.split("```python\n").skip(1);
+        let blocks: Vec<&str> = parts.filter_map(|rest| rest.split("\n```").next()).collect();
+        run += blocks.len();
+        if !every(&blocks, |block| in_a_place(plain.python().args(["-c", block])))? {
+            return Ok(false);
+        }
+    }
+    println!("{run} Python examples of README and book");
+    Ok(run > 0)
 }
 
 /// Runs Python in a temporary folder with the examples' specs, without a screen.

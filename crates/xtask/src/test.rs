@@ -129,7 +129,7 @@ fn clippy(_: &Arguments) -> anyhow::Result<Outcome> {
     outcome(cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "-D", "warnings"]))
 }
 
-/// Unit, integration and property tests, the examples' build, and every code block of documentation and README.
+/// Unit, integration and property tests, the examples' build, and every Rust block of documentation, README and book.
 fn tests(_: &Arguments) -> anyhow::Result<Outcome> {
     outcome(cargo(&["test", "--workspace", "--all-features"]))
 }

@@ -1,4 +1,4 @@
-// What a tab is. To add one: a file here that exports `open`, and a line in `all.ts`; see DESIGN.md.
+// What a tab is. To add one: a file here that exports `open`, and a line in `all.ts`; see book/src/guide/page.md.
 //
 // Next door: the list of tabs (`all`), the page around them (`main`).
 

@@ -47,7 +47,7 @@ const fn key(name: &'static str, example: &'static str, meaning: &'static str, d
     Key { name, example, meaning, default: Some(default), kinds: &[] }
 }
 
-/// The keys as Markdown, for `docs/logs.md`.
+/// The keys as Markdown, for `book/src/guide/logs.md`.
 pub fn keys_markdown() -> String {
     let table = |keys: &[Key]| -> String {
         let row = |key: &Key| {
@@ -66,7 +66,7 @@ pub fn keys_markdown() -> String {
 const MOST_WRITTEN: u64 = 1 << 20;
 
 impl Mapping {
-    /// Reads a TOML file with the tables `[log]` and `[columns]`; `docs/logs.md` lists their keys.
+    /// Reads a TOML file with the tables `[log]` and `[columns]`; `book/src/guide/logs.md` lists their keys.
     ///
     /// # Errors
     /// [`RecordingError`] where it cannot be read, is no TOML, or has a key or value that it may not have.

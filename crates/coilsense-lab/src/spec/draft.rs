@@ -179,5 +179,5 @@ fn unknown(path: &str) -> String {
         true => format!("did you mean {}.NAME.{key}? ", table.name),
         false => format!("did you mean {}.{key}? ", table.name),
     });
-    format!("{path}: no key of a spec; {meant}docs/spec.md lists all")
+    format!("{path}: no key of a spec; {meant}book/src/guide/spec.md lists all")
 }

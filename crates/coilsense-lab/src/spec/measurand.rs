@@ -36,10 +36,10 @@ pub enum Quantity {
     },
 }
 
-/// Departure of measured springs from eq. (13)'s form, share of the travel: findings of measured runs, 0.3–2 %.
+/// Departure of measured springs from eq. (13)'s form, share of the travel: 0.3–2 % in measured runs (book: theory, section 5).
 const FITTED_FORM: f64 = 0.013;
-/// The same of a Maxwell sum without calibration: measured extension springs, uncalibrated Maxwell sum: 27, 33, 28 and 8 % of travel. Most
-/// spring wire is magnetic, stainless wire too once it is drawn.
+/// The same of a Maxwell sum without calibration: measured extension springs, uncalibrated Maxwell sum: 27, 33, 28 and 8 % of travel
+/// (book: theory, section 5). Most spring wire is magnetic, stainless wire too once it is drawn.
 const THEORY_FORM: f64 = 0.30;
 /// The same of a wire that is known not to be magnetic, which the sum's air coil is: the upper end of 1–14 %.
 const THEORY_FORM_IN_AIR: f64 = 0.14;

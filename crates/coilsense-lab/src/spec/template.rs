@@ -9,7 +9,7 @@ const SPRINGS: [(&str, &str); 2] =
     [("S_T", include_str!("../../data/springs/S_T.toml")), ("S_A", include_str!("../../data/springs/S_A.toml"))];
 
 /// A spring by geometry, as a beginning of one's own.
-const OWN: &str = r#"# A spec of coilsense. Every key is described in docs/spec.md. Change what differs, delete what you do not need, then run
+const OWN: &str = r#"# A spec of coilsense. Every key is described in book/src/guide/spec.md. Change what differs, delete what you do not need, then run
 #   coilsense spring FILE       the spring's data sheet
 #   coilsense analyze FILE --out DIR
 

@@ -121,7 +121,7 @@ fn noise_counts_as_far_as_the_band_holds_it() {
 
 #[test]
 fn eq_13_itself_is_the_least_that_a_calibration_can_be_off() {
-    // Findings: over the range eq. (13) misfits by at most 0.32 % F_nom (S_T) and 0.44 % (S_A); a budget takes its rms, which for a curve
+    // Book: theory, section 3: over the range eq. (13) misfits by at most 0.32 % F_nom (S_T) and 0.44 % (S_A); a budget takes its rms, which for a curve
     // with two zeros is 0.3 to 0.5 of the largest.
     for (spring, largest) in [(S_T, 0.32), (S_A, 0.44)] {
         let text = format!("{STILL}[[sensor]]\n{NO_FORM}\nname = \"s\"\n");

@@ -1,4 +1,4 @@
-//! The data sheet of S_T against numbers by hand and findings.
+//! The data sheet of S_T against numbers by hand and the book (theory).
 
 use coilsense_lab::data_sheet::DataSheet;
 
@@ -25,10 +25,10 @@ fn single_numbers_of_s_t() {
         ("clash_speed_at_max_m_per_s", 0.160 / transit, 1e-9),
         ("solid_length_m", 0.104, 1e-12),
         ("gap_at_min_length_m", 0.196 / 52.0 - 0.002, 1e-9),
-        // Findings, to their digits: 54.065 Hz; √(2ρG) = 35.8 MPa per m/s.
+        // Book: theory, sections 1 and 4, to their digits: 54.065 Hz; √(2ρG) = 35.8 MPa per m/s.
         ("surge_frequency_hz", 54.065, 1e-5),
         ("impact_stress_pa_per_m_per_s", (2.0_f64 * 7850.0 * 81.5e9).sqrt(), 1e-9),
-        // The mass that 52 turns of this steel have; findings: 64.5 g.
+        // The mass that 52 turns of this steel have; book: theory, section 3: 64.5 g.
         ("mass_by_geometry_kg", 0.0645, 1e-3),
     ] {
         close(value(key), expected, tolerance);
@@ -42,7 +42,7 @@ fn the_third_of_the_mass_is_a_good_rule_for_heavy_ends_only() {
         let of_mount = sheet.surge.iter().find(|other| other.mount.starts_with(mount));
         of_mount.unwrap_or_else(|| panic!("no {mount}")).third_rule_error
     };
-    // Findings, section 4: +0.1 % at m/M = ⅓, +10.3 % without a mass.
+    // Book: theory, section 4: +0.1 % at m/M = ⅓, +10.3 % without a mass.
     assert_eq!(error("both ends held"), None);
     assert!((error("end mass three times").unwrap() - 0.001).abs() < 5e-4);
     assert!((error("end 2 free").unwrap() - 0.103).abs() < 5e-4);
@@ -64,7 +64,7 @@ fn neighbours_of_s_t_lie_around_its_surge() {
         let neighbour = sheet.neighbours.iter().find(|n| n.name == name && n.place.contains(place)).unwrap();
         neighbour.frequency_hz.unwrap()
     };
-    // Findings, section 3, "near": lateral 40 Hz at 230 mm, torsional 60 Hz; estimates, good to a tenth.
+    // Book: theory, section 3: lateral 40 Hz at 230 mm, torsional 60 Hz; estimates, good to a tenth.
     assert!((of("lateral", "230.0") / 40.0 - 1.0).abs() < 0.1, "{}", of("lateral", "230.0"));
     assert!((of("torsional", "") / 60.0 - 1.0).abs() < 0.1, "{}", of("torsional", ""));
 }

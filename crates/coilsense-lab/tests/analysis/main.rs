@@ -6,7 +6,7 @@
 //! | readings of perfect and filtering sensors | the channels themselves, the detuning of the modes (`readings`) |
 //! | lines of a budget | their closed forms; the Monte Carlo (`budget`) |
 //! | what would fix a sensor | the same change written into the spec (`fixes`) |
-//! | warnings, data sheet | findings on S_T and S_A (`warnings`, `data_sheet`) |
+//! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
 //! | the whole run | itself on other threads, and when stopped (`runs`) |
 
 mod band;

@@ -21,7 +21,7 @@ fn template_undamped(spring: &str) -> String {
 fn the_templates_give_table_ii_undamped() {
     let reproduction = reproduce(PaperSprings::built_in().unwrap(), &[Protocol::Tables]).unwrap();
     let mut seen = 0;
-    // Eq. (14) gives S_A's F_nom; the printed table has it larger by one factor (findings, c).
+    // Eq. (14) gives S_A's F_nom; the printed table has it larger by one factor (book: theory, section 2, row c).
     for (spring, factor) in [("S_T", 1.0), ("S_A", PAPER_NOMINAL_FORCE_FACTOR)] {
         let analysis = run(&template_undamped(spring));
         let nominal = analysis.spec.spring.spring.nominal_force();

@@ -54,7 +54,7 @@ fn s_a_clashes_at_resonance_and_s_t_does_not() {
     };
     let analysis = undamped_template("S_A");
     let [clash] = of(&analysis, Subject::Clash)[..] else { panic!("{:?}", analysis.warnings) };
-    // Findings, section 3: from t = 0.53 s on, down to 2.44 mm of a wire of 3.2 mm.
+    // Book: theory, section 3: from t = 0.53 s on, down to 2.44 mm of a wire of 3.2 mm.
     assert!(clash.contains("resonance, ζ = 0: windings touch from t = 0.529 s on"), "{clash}");
     assert!(clash.contains("they would overlap by 0.76 mm"), "{clash}");
     assert!(of(&undamped_template("S_T"), Subject::Clash).is_empty());

@@ -116,18 +116,18 @@ fn a_log_says_itself_that_it_is_simulated() {
 
 #[test]
 fn the_reference_of_a_mappings_keys_is_up_to_date() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/logs.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/guide/logs.md");
     let written = std::fs::read_to_string(path).unwrap();
     let (before, rest) = written.split_once("<!-- keys -->\n").expect("its beginning");
     let (_, after) = rest.split_once("<!-- end of keys -->").expect("its end");
     let expected = format!("{before}<!-- keys -->\n{}<!-- end of keys -->{after}", keys_markdown());
     if std::env::var_os("COILSENSE_WRITE_DOCS").is_some() {
-        std::fs::write(path, &expected).expect("docs/logs.md can be written");
+        std::fs::write(path, &expected).expect("book/src/guide/logs.md can be written");
     }
     let refresh = "COILSENSE_WRITE_DOCS=1 cargo test -p coilsense-lab --test recording";
     assert!(
         std::fs::read_to_string(path).unwrap() == expected,
-        "docs/logs.md is not what the reader says; refresh it: {refresh}"
+        "book/src/guide/logs.md is not what the reader says; refresh it: {refresh}"
     );
 }
 

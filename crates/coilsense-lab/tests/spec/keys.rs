@@ -115,13 +115,16 @@ fn a_key_that_must_be_there_is_missed() {
 
 #[test]
 fn the_reference_of_all_keys_is_up_to_date() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/spec.md");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/guide/spec.md");
     if std::env::var_os("COILSENSE_WRITE_DOCS").is_some() {
-        std::fs::write(path, markdown()).expect("docs/spec.md can be written");
+        std::fs::write(path, markdown()).expect("book/src/guide/spec.md can be written");
     }
     let written = std::fs::read_to_string(path).unwrap_or_default();
     let refresh = "COILSENSE_WRITE_DOCS=1 cargo test -p coilsense-lab --test spec";
-    assert!(written == markdown(), "docs/spec.md is not what the reader's own table says; refresh it: {refresh}");
+    assert!(
+        written == markdown(),
+        "book/src/guide/spec.md is not what the reader's own table says; refresh it: {refresh}"
+    );
 }
 
 #[test]

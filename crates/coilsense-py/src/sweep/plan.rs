@@ -45,7 +45,7 @@ use crate::spec::{PySpec, beside};
 ///
 /// Notes
 /// -----
-/// Source: the same words as those of the command ``coilsense sweep``; see docs/sweep.md.
+/// Source: the same words as those of the command ``coilsense sweep``; see book/src/guide/sweep.md.
 ///
 /// Examples
 /// --------

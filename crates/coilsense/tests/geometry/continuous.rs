@@ -33,7 +33,7 @@ fn end_masses_lie_between_a_free_and_a_held_end() {
     let tau = spring.transit_time();
     let free = continuous_frequencies(&spring, FarEnd::Force, 3).unwrap();
     let held = continuous_frequencies(&spring, FarEnd::Position, 3).unwrap();
-    // Findings, section 1: 27.03, 81.10, 135.16 Hz, and eq. (3): 54.065 Hz; half of the last digit.
+    // Book: theory, section 1: 27.03, 81.10, 135.16 Hz, and eq. (3): 54.065 Hz; half of the last digit.
     for (omega, hertz) in free.iter().zip([27.03, 81.10, 135.16]) {
         assert!((omega / TAU - hertz).abs() < 0.005);
     }
@@ -62,7 +62,7 @@ fn end_masses_lie_between_a_free_and_a_held_end() {
 fn a_third_of_the_mass_is_a_good_rule_for_heavy_ends_only() {
     let spring = s_t();
     let m = spring.mass();
-    // Findings, section 4: +0.1 % at m/M = ⅓, +10.3 % at M = 0; half of the last digit.
+    // Book: theory, section 4: +0.1 % at m/M = ⅓, +10.3 % at M = 0; half of the last digit.
     assert!((third_rule_error(&spring, 3.0 * m).unwrap() - 0.001).abs() < 0.0005);
     assert!((third_rule_error(&spring, 0.0).unwrap() - 0.103).abs() < 0.0005);
     // Without a mass: √3 against π/2.
@@ -88,7 +88,7 @@ fn the_chain_becomes_the_continuous_coil_as_one_over_n_squared() {
                 chain / continuous_frequencies(&spring, far_end, 1).unwrap()[0] - 1.0
             })
             .collect();
-        // At N = 52 θ²/24 = 3.8e-5 for θ = β/N at β = π/2, and 1.5e-4 with both ends held (findings, section 1).
+        // At N = 52 θ²/24 = 3.8e-5 for θ = β/N at β = π/2, and 1.5e-4 with both ends held (book: theory, section 1).
         let most = if far_end == FarEnd::Position { 1.6e-4 } else { 4e-5 };
         assert!(misses[0].abs() < most, "{far_end:?} {misses:?}");
         if matches!(far_end, FarEnd::Mass(_)) {

@@ -13,7 +13,7 @@ fn s_t_has_neighbours_around_its_surge() {
     let force = spring.static_force(0.230);
     let lateral = lateral_frequency(&geometry, spring.mass(), 0.230, force).unwrap();
     let torsional = torsional_frequency(&geometry, spring.mass()).unwrap();
-    // Findings, section 3: near 40 and near 60 Hz; they are estimates to about 1 Hz.
+    // Book: theory, section 3: near 40 and near 60 Hz; they are estimates to about 1 Hz.
     assert!((lateral - 40.0).abs() < 1.0, "{lateral}");
     assert!((torsional - 60.0).abs() < 1.5, "{torsional}");
     assert!(lateral < spring.surge_frequency() && spring.surge_frequency() < torsional);

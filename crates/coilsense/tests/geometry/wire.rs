@@ -9,7 +9,7 @@ use crate::{of, relative, steel, with};
 
 #[test]
 fn steel_wire_weighs_what_table_i_says() {
-    // Findings, section 3: 64.5 and 79.3 g; half of the last digit.
+    // Book: theory, section 3: 64.5 and 79.3 g; half of the last digit.
     assert!((of(&s_t()).active_mass() - 64.5e-3).abs() < 0.05e-3);
     assert!((of(&s_a()).active_mass() - 79.3e-3).abs() < 0.05e-3);
     // Table I prints whole grams (S_T) and tens of grams or whole ones (S_A): within 1 %.
@@ -55,7 +55,7 @@ fn an_impact_strains_every_spring_of_a_material_alike() {
         // A dozen roundings.
         assert!(relative(stress, geometry.shear_stress(wave_force)) < 1e-14);
     }
-    // Findings, section 4: 35 MPa per m/s; 35.8 with G = 81.5 GPa.
+    // Book: theory, section 4: 35 MPa per m/s; 35.8 with G = 81.5 GPa.
     assert!((steel().impact_stress(1.0) - 35.8e6).abs() < 0.05e6);
 }
 

@@ -49,7 +49,7 @@ const EXPERIMENT: Table = Table {
         optional(
             "fast_mapping",
             "\"daq.toml\"",
-            "which column of the `fast` files is which channel, as [docs/logs.md](logs.md) says",
+            "which column of the `fast` files is which channel, as [Logs](logs.md) says",
             "columns carry the channels' names",
         ),
         optional("slow_mapping", "\"lcr.toml\"", "the same of the `slow` files", "columns carry the channels' names"),
@@ -98,7 +98,7 @@ const RUN: Table = Table {
     ],
 };
 
-/// The reference of all keys, as Markdown: `docs/experiment.md`.
+/// The reference of all keys, as Markdown: `book/src/guide/experiment.md`.
 #[cfg(feature = "reference")]
 pub fn experiment_markdown() -> String {
     sections(INTRODUCTION, &EXPERIMENT_TABLES)
@@ -133,6 +133,6 @@ slow = \"sine-27-slow.csv\"
 ```
 
 Positions grow from end 1 to end 2: with u1 or u2 alone, the spring is longer by u2 or by −u1 than where they read zero. Force is tension-positive.
-Quantities are texts of a number and a unit; the logs themselves are described in [docs/logs.md](logs.md). This page is made from the table that the
+Quantities are texts of a number and a unit; the logs themselves are described in [Logs](logs.md). This page is made from the table that the
 reader itself uses (`crates/coilsense-lab/src/spec/keys/experiment.rs`); a test keeps the two equal.
 ";

@@ -1,4 +1,4 @@
-//! Every key that a spec may hold, with its meaning: what the reader accepts, `coilsense init` writes and `docs/spec.md` lists.
+//! Every key that a spec may hold, with its meaning: what the reader accepts, `coilsense init` writes and `book/src/guide/spec.md` lists.
 //!
 //! Next door: reading them (`section` and one file per table), the commented template (`template`).
 
@@ -98,7 +98,7 @@ impl Table {
     }
 }
 
-/// The reference of all keys, as Markdown: `docs/spec.md`.
+/// The reference of all keys, as Markdown: `book/src/guide/spec.md`.
 #[cfg(feature = "reference")]
 pub fn markdown() -> String {
     sections(INTRODUCTION, &TABLES)
