@@ -33,6 +33,9 @@ pub struct Arguments {
     /// Only a sweep on Dask: how much faster two workers are than one, over a minute of work
     #[arg(long)]
     dask: bool,
+    /// End with an error where a goal that was measured is missed
+    #[arg(long, conflicts_with_all = ["logs", "sweep", "python", "dask"])]
+    check: bool,
 }
 
 /// How often the whole command is run; the median counts.
@@ -92,11 +95,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let rows = with_ratios(measurements);
     print(&rows);
-    crate::goals::print(&rows);
+    let all_met = crate::goals::print(&rows);
     let path = root().join("target/bench.json");
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
         .with_context(|| format!("{} cannot be written", path.display()))?;
     println!("\n{} rows in target/bench.json", rows.len());
+    if arguments.check && !all_met {
+        bail!("a goal is missed");
+    }
     Ok(())
 }
 

@@ -50,45 +50,48 @@ const fn goal(
 /// Largest error over the peak that coilsense may have on the jobs of S_T.
 const LARGEST_ERROR: f64 = 1e-12;
 
-/// Prints each goal as met or missed.
-pub fn print(rows: &[Row]) {
+/// Prints each goal as met or missed; whether all that were measured are met.
+#[must_use]
+pub fn print(rows: &[Row]) -> bool {
+    let mut all = true;
+    let mut judge = |met: bool, what: &str| {
+        println!("  {}  {what}", if met { "met   " } else { "MISSED" });
+        all &= met;
+    };
     println!("\ngoals");
     for goal in &GOALS {
         let of_goal = |row: &&Row| (&*row.job, &*row.system, &*row.setting) == (goal.job, goal.system, goal.setting);
         let Some(ratio) = rows.iter().find(of_goal).and_then(|row| row.ratio) else {
             continue; // not measured in this run
         };
-        let what = format!("{}: {:.1}× {} {}", goal.job, ratio, goal.system, goal.setting);
-        if ratio >= goal.factor {
-            println!("  met     {what} (goal {}×)", goal.factor);
-        } else {
-            println!("  MISSED  {what} (goal {}×): {}", goal.factor, goal.limit);
-        }
+        let what = format!("{}: {ratio:.1}× {} {} (goal {}×)", goal.job, goal.system, goal.setting, goal.factor);
+        let met = ratio >= goal.factor;
+        judge(met, &if met || goal.limit.is_empty() { what } else { format!("{what}: {}", goal.limit) });
     }
     for job in ["impact", "end-stop", "resonance", "recorded"] {
         let errors =
             rows.iter().filter(|row| row.job == job && row.system == "coilsense").filter_map(|row| row.max_rel_error);
         let worst = errors.fold(0.0, f64::max);
-        let verdict = if worst <= LARGEST_ERROR { "met   " } else { "MISSED" };
-        println!("  {verdict}  {job}: error {worst:.1e} of the peak (goal {LARGEST_ERROR:e})");
+        judge(worst <= LARGEST_ERROR, &format!("{job}: error {worst:.1e} of the peak (goal {LARGEST_ERROR:e})"));
     }
-    print_growth(rows);
-    print_analyses(rows);
+    growth(rows, &mut judge);
+    analyses(rows, &mut judge);
+    all
 }
 
 /// Time that the analysis of an example may take \[ms\].
 const LONGEST_ANALYSIS: f64 = 2000.0;
 
-fn print_analyses(rows: &[Row]) {
+fn analyses(rows: &[Row], judge: &mut impl FnMut(bool, &str)) {
     for row in rows.iter().filter(|row| row.job.starts_with(ANALYZE)) {
         let Some(median) = row.median_ms else { continue };
-        let verdict = if median <= LONGEST_ANALYSIS { "met   " } else { "MISSED" };
-        println!("  {verdict}  {}: {:.2} s (goal {} s)", row.job, 1e-3 * median, 1e-3 * LONGEST_ANALYSIS);
+        let what = format!("{}: {:.2} s (goal {} s)", row.job, 1e-3 * median, 1e-3 * LONGEST_ANALYSIS);
+        judge(median <= LONGEST_ANALYSIS, &what);
     }
 }
 
 /// Time must not grow faster than windings times samples.
-fn print_growth(rows: &[Row]) {
+fn growth(rows: &[Row], judge: &mut impl FnMut(bool, &str)) {
     let median = |job: &str| rows.iter().find(|row| row.job == job && row.system == "coilsense")?.median_ms;
     let Some(few) = median("impact") else {
         return;
@@ -98,7 +101,7 @@ fn print_growth(rows: &[Row]) {
             continue;
         };
         let (time, windings) = (many / few, windings / 52.0);
-        let verdict = if time <= windings { "met   " } else { "MISSED" };
-        println!("  {verdict}  {job}: {windings:.0} times the windings of impact take {time:.0} times the time");
+        let what = format!("{job}: {windings:.0} times the windings of impact take {time:.0} times the time");
+        judge(time <= windings, &what);
     }
 }

@@ -7,6 +7,7 @@ mod from_python;
 mod goals;
 mod logs;
 mod package;
+mod packed;
 mod page;
 mod python;
 mod robot;

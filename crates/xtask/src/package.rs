@@ -37,7 +37,9 @@ pub fn steps() -> anyhow::Result<bool> {
         &["-m", "mypy", "python/coilsense", "python/tests", "python/examples"],
         &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
     ];
-    Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments)))? && examples(&tests)? && readme()?)
+    Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments)))?
+        && examples(&tests)?
+        && readme(&packed(&tests)?)?)
 }
 
 /// The tests' environment with the wheel of this source in it.
@@ -77,10 +79,22 @@ fn examples(environment: &Environment) -> anyhow::Result<bool> {
     })
 }
 
-/// The Python code of README and book, each block by itself, in an environment that has nothing but what `pip install .` brings.
-fn readme() -> anyhow::Result<bool> {
+/// What is published beside wheels: the source, packed.
+fn packed(environment: &Environment) -> anyhow::Result<PathBuf> {
+    let folder = root().join("target/wheels");
+    let mut pack = environment.python();
+    pack.args(["-m", "maturin", "sdist", "--quiet", "--out"]).arg(&folder);
+    if !succeeds(&mut pack)? {
+        bail!("the source cannot be packed");
+    }
+    files(&folder, "gz")?.pop().context("maturin left no packed source")
+}
+
+/// The Python code of README and book, each block by itself, in an environment that has nothing but what the packed source brings: pip
+/// unpacks it elsewhere and builds a wheel there.
+fn readme(source: &Path) -> anyhow::Result<bool> {
     let plain = python::fresh("target/python-plain")?;
-    if !succeeds(plain.pip().arg("."))? {
+    if !succeeds(plain.pip().arg(source).env("CARGO_TARGET_DIR", crate::target_folder()))? {
         return Ok(false);
     }
     let mut run = 0;

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands, package, page, robot};
+use crate::{browser, cargo, commands, package, packed, page, robot};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -42,7 +42,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 13] = [
+const PARTS: [Part; 14] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -52,6 +52,7 @@ const PARTS: [Part; 13] = [
     Part { name: "no_std", run: no_std },
     Part { name: "README", run: readme },
     Part { name: "examples", run: examples },
+    Part { name: "packed crates", run: packed_crates },
     Part { name: "report page", run: report_page },
     Part { name: "Python", run: python },
     Part { name: "page", run: page },
@@ -195,6 +196,11 @@ fn readme(_: &Arguments) -> anyhow::Result<Outcome> {
 
 fn examples(_: &Arguments) -> anyhow::Result<Outcome> {
     passed(commands::every_example()?)
+}
+
+/// The crates as they would be published, built in an empty folder.
+fn packed_crates(_: &Arguments) -> anyhow::Result<Outcome> {
+    passed(packed::steps()?)
 }
 
 /// A report in a real browser, which is installed where that is asked for.
