@@ -39,8 +39,6 @@ pub mod placement;
 pub mod experiment;
 pub mod mitigation;
 
-pub mod plot;
-
 pub mod rig;
 
 pub mod report;

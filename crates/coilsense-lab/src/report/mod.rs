@@ -35,8 +35,9 @@ pub use sensitivity::{add_sensitivity, sensitivity_json, sensitivity_text};
 #[cfg(feature = "parquet")]
 pub(crate) use units::Shown;
 
+use coilsense_figure::{Figure, PlotError, Theme};
+
 use crate::output::OutputError;
-use crate::plot::{Figure, PlotError, Theme};
 
 /// What can go wrong while a report is made.
 #[derive(Debug, thiserror::Error)]

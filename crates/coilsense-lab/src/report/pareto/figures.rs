@@ -1,9 +1,10 @@
 //! The figure of a front: the cloud, the front, its knee and its ends, for every two objectives.
 //!
-//! Next door: how figures are drawn (`plot`), the page that holds it (`html`).
+//! Next door: how figures are drawn (`coilsense_figure`), the page that holds it (`html`).
+
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 use crate::pareto::{Aim, Study};
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 use crate::report::Shown;
 use crate::report::prose::plain;
 
