@@ -5,7 +5,7 @@
 use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 use crate::pareto::{Aim, Study};
-use crate::report::Shown;
+use crate::quantity::Shown;
 use crate::report::prose::plain;
 
 /// Width and height of a panel \[px\].
@@ -23,7 +23,7 @@ const DECADES: f64 = 50.0;
 /// A panel for every two objectives; none for a single one.
 pub(super) fn front(study: &Study) -> Option<Figure> {
     let count = study.question.objectives.len();
-    let units = Shown::of_objectives(study);
+    let units = study.shown();
     let pairs = (0..count).flat_map(|x| (x + 1..count).map(move |y| [x, y]));
     let pairs: Vec<[usize; 2]> = pairs.collect();
     // Many small panels together show no more points than two large ones.

@@ -1,9 +1,9 @@
-//! SI numbers in the units in which people think of them: grams, millimetres, megapascals.
+//! SI numbers of a column in the units in which people think of them (grams, millimetres, megapascals), and the column's title, which holds
+//! the SI unit: `stiffness [N/m]`.
 //!
-//! Next door: quantities as people write them (`crate::quantity`).
+//! Next door: quantities as people write them (`super`), the columns themselves (`crate::sweep`).
 
-use crate::quantity::digits;
-use crate::sweep::{unit_of, without_unit};
+use super::digits;
 
 /// How the numbers of a column are shown.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,16 +41,6 @@ impl Shown {
         Self::new(title, finite.fold(0.0, |most, value| most.max(value.abs())))
     }
 
-    /// Of each objective of a front.
-    pub fn of_objectives(study: &crate::pareto::Study) -> Vec<Self> {
-        let width = study.question.objectives.len();
-        let objectives = study.question.objectives.iter().enumerate();
-        let of = |(place, objective): (usize, &crate::pareto::Objective)| {
-            Self::of(&objective.title, study.values.iter().skip(place).step_by(width).copied())
-        };
-        objectives.map(of).collect()
-    }
-
     /// The unit that it is shown in.
     pub fn unit(&self) -> &str {
         if self.unit.is_empty() { &self.own } else { self.unit }
@@ -84,4 +74,18 @@ impl Shown {
         let unit = if self.unit().is_empty() { "1" } else { self.unit() };
         format!("{} [{unit}]", self.name)
     }
+}
+
+/// A title without its unit.
+pub(crate) fn without_unit(title: &str) -> &str {
+    match title.strip_suffix(']').and_then(|rest| rest.rsplit_once(" [")) {
+        Some((name, _)) => name,
+        None => title,
+    }
+}
+
+/// The unit of a title; that of a plain number is empty.
+pub(crate) fn unit_of(title: &str) -> &str {
+    let unit = title.strip_suffix(']').and_then(|rest| rest.rsplit_once(" [")).map_or("", |(_, unit)| unit);
+    if unit == "1" { "" } else { unit }
 }

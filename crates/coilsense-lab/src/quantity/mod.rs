@@ -1,9 +1,15 @@
 //! Numbers with units as people write them, `"104 mm"`, and their SI values: the one place where units are converted; and numbers as people read
 //! them.
 //!
-//! Next door: the files that hold such strings (`spec`).
+//! Next door: the numbers of a column in the units in which people think of them (`shown`), the files that hold such strings (`spec`).
+
+#[cfg(feature = "parquet")]
+mod shown;
 
 use std::f64::consts::PI;
+
+#[cfg(feature = "parquet")]
+pub(crate) use shown::{Shown, unit_of, without_unit};
 
 /// A physical dimension and the units in which people may write it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
