@@ -1,4 +1,4 @@
-//! An area between two curves, such as what a range of damping leaves open.
+//! Draws an area between two curves, such as what a range of damping leaves open.
 //!
 //! The lines themselves are `trace`'s matter, from which the thinning comes.
 
@@ -6,7 +6,7 @@ use crate::drawing::{Frame, Point, Shape};
 use crate::ruler::Ruler;
 use crate::scene::Scene;
 use crate::trace::{straightened, within_reach};
-use crate::{Colour, Scale, Theme};
+use crate::{Band, Scale, Theme};
 
 /// Opacity of a band: curves and grid show through. Dark ground swallows more.
 pub(crate) fn opacity(theme: Theme) -> f64 {
@@ -14,22 +14,6 @@ pub(crate) fn opacity(theme: Theme) -> f64 {
         Theme::Light => 0.25,
         Theme::Dark => 0.4,
     }
-}
-
-/// A filled area between a lower and an upper curve.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Band {
-    /// Its name in the legend; an empty label makes no entry.
-    pub label: String,
-    /// Abscissae, in the unit of the x axis.
-    pub x: Vec<f64>,
-    /// One edge, as many values as `x`; a value that is not finite breaks the band. On a
-    /// logarithmic axis, what is zero or below reaches the foot of the axes.
-    pub lower: Vec<f64>,
-    /// The other edge, likewise.
-    pub upper: Vec<f64>,
-    /// Colour by name, drawn translucent.
-    pub colour: Colour,
 }
 
 /// A share of an axis from which nothing is seen.

@@ -1,4 +1,4 @@
-//! Horizontal bars with names, such as an uncertainty budget or a ranking of sensors.
+//! The room of horizontal bars with names, such as an uncertainty budget or a ranking of sensors.
 //!
 //! Bars stand on the panel's x axis and take the place of its y axis: this file says how much
 //! room they need, `bar_shapes` how they are drawn.
@@ -7,7 +7,7 @@ use crate::beside::RIGHT;
 use crate::lettering::{width, wrapped};
 use crate::ruler::Ruler;
 use crate::sheet::{EDGE, LINE, SMALL};
-use crate::{Axis, Colour, Figure, Panel, PlotError, Scale};
+use crate::{Axis, Bar, Bars, Figure, Panel, PlotError, Scale};
 
 /// Share of a panel's width that names may take before they are wrapped.
 const NAMES: f64 = 0.38;
@@ -21,34 +21,6 @@ const NAME_SPACE: f64 = 5.0;
 pub(crate) const TEXT_GAP: f64 = 5.0;
 /// Height of a bar's row where there is room for it \[px\].
 const ROW: f64 = 24.0;
-
-/// Bars in rows from the top, their names at the left.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Bars {
-    /// The bars, at least 1.
-    pub bars: Vec<Bar>,
-    /// What the second bars say, in the legend; an empty label makes no entry.
-    pub second: String,
-}
-
-/// One bar, from zero (on a logarithmic axis, from its lower end) to its value.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Bar {
-    /// Its name, wrapped where it is long.
-    pub name: String,
-    /// Where it ends, in the unit of the x axis; without a finite value there is no bar.
-    pub value: f64,
-    /// End of a thinner grey bar below it, such as the value with another setting.
-    pub second: Option<f64>,
-    /// Ends of a whisker, such as a coverage interval.
-    pub interval: Option<(f64, f64)>,
-    /// Written at its end, such as the value in digits; may be empty.
-    pub text: String,
-    /// What bars of its colour have in common, in the legend; an empty label makes no entry.
-    pub group: String,
-    /// Colour by name.
-    pub colour: Colour,
-}
 
 impl Bars {
     /// Height of a panel \[px\] of a width \[px\] in which all bars have their room, under a title

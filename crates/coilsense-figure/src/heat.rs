@@ -1,4 +1,4 @@
-//! A matrix in colour, such as how far each winding is displaced over time.
+//! Draws a matrix in colour, such as how far each winding is displaced over time.
 //!
 //! Next door: which cells make which dot (`resample`), the colours (`colour_map`), the colour
 //! bar (`beside`).
@@ -10,7 +10,7 @@ use crate::raster::PNG_SCALE;
 use crate::resample::{Reach, reaches};
 use crate::ruler::Ruler;
 use crate::scene::Scene;
-use crate::{Axis, Colour, PlotError, Scale, Theme};
+use crate::{Axis, Colour, HeatMap, PlotError, Scale, Theme};
 
 /// The most dots across and down: a picture of some 50 kB.
 const MOST_DOTS: [usize; 2] = [900, 400];
@@ -21,41 +21,6 @@ const SLIGHT: f64 = 0.01;
 const MISSING: u8 = LEVELS as u8;
 const MARKED: u8 = MISSING + 1;
 const OUTSIDE: u8 = MISSING + 2;
-
-/// A matrix of values, each a cell of colour, with a colour bar beside it.
-///
-/// Values of both signs are coloured from blue over the ground's shade, at zero, to orange;
-/// others from little to much. Where several cells share a dot, the one farthest from zero is
-/// shown. What is not finite is grey.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HeatMap {
-    /// Quantity and unit, written at the colour bar.
-    pub label: String,
-    /// Number of rows, at least 1.
-    pub rows: usize,
-    /// Values, `rows × columns`, row by row, the lowest row on the y axis first.
-    pub values: Vec<f64>,
-    /// Outer edges of the first and the last column, in the unit of the x axis.
-    pub x: (f64, f64),
-    /// Outer edges of the first and the last row, in the unit of the y axis.
-    pub y: (f64, f64),
-    /// Values at the ends of the colour bar; without it they fit the data. Where they differ in
-    /// sign, zero is put in the middle.
-    pub range: Option<(f64, f64)>,
-    /// Whether colours run from cell to cell instead of changing at their edges.
-    pub smooth: bool,
-    /// Cells to be marked, over their colour.
-    pub marked: Option<MarkedCells>,
-}
-
-/// Cells drawn in black (on dark ground white), such as those where windings touch.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MarkedCells {
-    /// Its name in the legend; an empty label makes no entry.
-    pub label: String,
-    /// For each value whether it is marked.
-    pub cells: Vec<bool>,
-}
 
 impl HeatMap {
     /// The ruler of the colour bar and how it is coloured.

@@ -39,19 +39,7 @@
 /// Colours, dashes and themes.
 mod stroke;
 
-/// An area between two curves.
-mod band;
-
-/// Points that are not joined, with error bars.
-mod points;
-
-/// A matrix in colour.
-mod heat;
-
-/// Horizontal bars with names.
-mod bars;
-
-/// The figure: panels, axes, curves, marks.
+/// The figure: panels, axes, curves, and what else fills a panel.
 mod figure;
 
 /// What must hold before it is drawn.
@@ -69,8 +57,11 @@ mod lettering;
 /// Sizes of letters, and the room around them.
 mod sheet;
 
-/// Rulers and labels to the places of the frames.
-mod grid;
+/// Dots of few colours to a picture file.
+mod picture;
+
+/// What both writers draw: lines, areas, pictures and letters.
+mod drawing;
 
 /// A panel with its place and its rulers.
 mod scene;
@@ -84,11 +75,14 @@ mod colour_map;
 /// Cells of a matrix to dots of a picture.
 mod resample;
 
-/// Dots of few colours to a picture file.
-mod picture;
+/// Two curves to the area between them.
+mod band;
 
-/// What both writers draw: lines, areas, pictures and letters.
-mod drawing;
+/// Points and error bars to markers and lines.
+mod points;
+
+/// A matrix to its picture.
+mod heat;
 
 /// Labels of all panels to one legend.
 mod legend;
@@ -98,6 +92,12 @@ mod head;
 
 /// What stands right of a frame.
 mod beside;
+
+/// Names and values to the room of bars.
+mod bars;
+
+/// Rulers and labels to the places of the frames.
+mod grid;
 
 /// Bars to shapes.
 mod bar_shapes;
@@ -132,11 +132,9 @@ mod error;
 #[cfg(test)]
 mod tests;
 
-pub use band::Band;
-pub use bars::{Bar, Bars};
 pub use error::PlotError;
-pub use figure::{Axis, Curve, Figure, HorizontalMark, Mark, Panel, Scale};
-pub use heat::{HeatMap, MarkedCells};
-pub use points::{Marker, Points};
+pub use figure::{
+    Axis, Band, Bar, Bars, Curve, Figure, HeatMap, HorizontalMark, Mark, MarkedCells, Marker, Panel, Points, Scale,
+};
 pub use raster::PNG_SCALE;
 pub use stroke::{Colour, Dash, Stroke, Theme};

@@ -1,9 +1,19 @@
-//! What every figure is made of: [`Figure`], [`Panel`], [`Axis`], [`Curve`], [`Mark`], [`HorizontalMark`].
+//! What every figure is made of: [`Figure`], [`Panel`], [`Axis`], [`Curve`], [`Mark`], [`HorizontalMark`], and what else fills a panel.
 //!
-//! Next door: what else fills a panel (`band`, `bars`, `heat`, `points`), what can be wrong with a figure (`check`, `error`), how it is
-//! drawn (`write`).
+//! All of it is data. Next door: how lines look (`stroke`), what can be wrong with a figure (`check`, `error`), how it is drawn (`write`
+//! and all that stands before it).
 
-use crate::{Band, Bars, HeatMap, Points, Stroke};
+mod band;
+mod bars;
+mod heat;
+mod points;
+
+pub use band::Band;
+pub use bars::{Bar, Bars};
+pub use heat::{HeatMap, MarkedCells};
+pub use points::{Marker, Points};
+
+use crate::Stroke;
 
 /// A figure: panels in rows of `columns`, and one legend above them all.
 #[derive(Debug, Clone, PartialEq)]
