@@ -239,7 +239,8 @@ fn modes_that_cannot_be_are_refused_in_one_line() {
         change(&mut parameters);
         ModalModel::new(1.0, parameters).unwrap_err().to_string()
     };
-    let cases: [(fn(&mut ModalParameters), &str); 8] = [
+    type Change = fn(&mut ModalParameters);
+    let cases: [(Change, &str); 8] = [
         (|p| p.masses.clear(), "masses"),
         (|p| p.masses[1] = -1.0, "mass must be finite and above zero"),
         (|p| p.places[1] = 1.5, "place must be above 0.25, below 1"),
