@@ -1,6 +1,6 @@
 //! A figure reduced to what both writers draw: lines, areas, pictures and letters, in pixels.
 //!
-//! `layout` fills a [`Drawing`]; `svg` and `raster` write it.
+//! `layout` fills a [`Drawing`](crate::drawing::Drawing); `svg` and `raster` write it.
 
 use crate::Theme;
 use crate::picture::Picture;
