@@ -8,46 +8,71 @@
     warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)
 )]
 
+/// A word that is not known to the known one that was probably meant.
 mod likeness;
+
+/// A number with a unit as people write it to its SI value, and back.
 pub mod quantity;
 
+/// What may be asked of a verb to checked values.
 pub mod request;
 
-pub mod spec;
-
+/// The names of the five conditions of the paper.
 pub mod condition;
 
+/// Tables II and III as printed.
 pub mod published;
 
-pub mod reproduce;
-
+/// Signals and readings to text and files.
 pub mod series;
 
-pub mod sweep;
-
-pub mod recording;
-
-pub mod study;
-
-pub mod analysis;
-
-pub mod data_sheet;
-
-pub mod calibration;
-
-pub mod identification;
-pub mod placement;
-
-pub mod experiment;
-pub mod mitigation;
-
-pub mod plot;
-
-pub mod rig;
-
-pub mod report;
-
+/// All files of a command to their places, or none.
 pub mod output;
 
+/// A TOML file to a checked input model.
+pub mod spec;
+
+/// A spring to what follows from it alone.
+pub mod data_sheet;
+
+/// A setup to its simulation.
+pub mod study;
+
+/// Springs and conditions to the paper's tables and figures.
+pub mod reproduce;
+
+/// A measured log to signals.
+pub mod recording;
+
+/// A spec to verdicts on its sensors.
+pub mod analysis;
+
+/// Lengths and inductances to a curve.
+pub mod calibration;
+
+/// A log to the spring that rings in it.
+pub mod identification;
+
+/// The logs of an experiment to the figures of a paper on it.
+pub mod experiment;
+
+/// A spring and a load to where the force sensor should sit.
+pub mod placement;
+
+/// Conditions to ranked candidates against the ringing, and their settings.
+pub mod mitigation;
+
+/// A spec whose values are varied to a dataset of designs.
+pub mod sweep;
+
+/// A dataset to the designs that none other beats.
 pub mod pareto;
+
+/// A dataset to the variables that matter.
 pub mod sensitivity;
+
+/// A spec to the files that a real rig would write.
+pub mod rig;
+
+/// Results to text, pages and JSON.
+pub mod report;

@@ -94,7 +94,7 @@ fn the_reasons_are_those_that_part_the_readings() {
 
 #[test]
 fn fig_4_draws_each_force_in_the_papers_style() {
-    use coilsense_lab::plot::{Colour, Dash};
+    use coilsense_figure::{Colour, Dash};
     let reproduction = reproduction();
     let figures = reproduction.figures();
     let names: Vec<&str> = figures.iter().map(|figure| figure.name.as_str()).collect();

@@ -46,50 +46,73 @@
     warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)
 )]
 
+/// Parameters to a checked spring.
 pub mod spring;
 
+/// Wire and coil to stiffness, mass, stress and lengths.
 pub mod geometry;
 
+/// A coil to the first frequencies of the motions that are left out.
 pub mod neighbours;
 
+/// What damps the windings to what each mode feels.
 pub mod damping;
 
+/// What holds end 2.
 pub mod mount;
 
+/// Time under load to lost force.
 pub mod relaxation;
 
+/// A mounted spring to its modes.
 pub mod modes;
 
+/// A spring to force out over force in.
 pub mod transmittance;
 
+/// A damped, loaded spring to its response over frequency.
 pub mod two_port;
 
+/// A drive, a spring and an environment to the limits of a force loop.
 pub mod control;
 
+/// What is done to the spring.
 pub mod excitation;
 
+/// Modes and an excitation to positions and forces over time.
 pub mod motion;
 
+/// Positions of the windings to the inductance.
 pub mod inductance;
 
+/// Measured inductances to the curve that a sensor is told.
 pub mod calibrate;
 
+/// Positions and inductance to estimates of force.
 pub mod sensors;
 
+/// Series over time, simulated or measured.
 pub mod signals;
 
+/// A signal and its reference to how far off it is.
 pub mod measures;
 
+/// Contributions to a combined uncertainty.
 pub mod uncertainty;
 
+/// A spring and its tolerances to the settings of filters and observers.
 pub mod mitigation;
 
+/// A log to stiffness, mass and damping.
 pub mod identify;
 
+/// What can be wrong with what a user sends.
 pub mod error;
 
+/// A function to its integral.
 mod quadrature;
 
+/// The processor to the vector instructions that are used.
 pub mod simd;
 
 pub use calibrate::Calibration;

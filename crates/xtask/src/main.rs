@@ -3,6 +3,8 @@
 mod bench;
 mod browser;
 mod commands;
+#[cfg(test)]
+mod floors;
 mod from_python;
 mod goals;
 mod logs;

@@ -5,7 +5,8 @@
 use std::cmp::Ordering;
 
 use crate::quantity::Dimension;
-use crate::sweep::{Data, Kind, Plan, SweepError, unit_of};
+use crate::quantity::unit_of;
+use crate::sweep::{Data, Kind, Plan, SweepError};
 
 /// A condition.
 #[derive(Debug, Clone, PartialEq)]

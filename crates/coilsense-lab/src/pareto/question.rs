@@ -3,7 +3,8 @@
 //! Next door: reading a condition (`condition`), what comes of it (`study`).
 
 use super::condition::Condition;
-use crate::sweep::{Plan, SweepError, without_unit};
+use crate::quantity::without_unit;
+use crate::sweep::{Plan, SweepError};
 
 /// What is wanted of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

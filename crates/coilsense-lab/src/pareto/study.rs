@@ -6,6 +6,7 @@ use super::counts::Counts;
 use super::pass::{NOWHERE, Pass, wider};
 use super::question::Question;
 use super::{extremes, knee};
+use crate::quantity::Shown;
 use crate::sweep::{Chunk, Data, Dataset, SweepError};
 
 /// Where a variable lies: among all that were compared, and on the front.
@@ -85,5 +86,13 @@ impl Study {
     pub fn objectives_of(&self, place: usize) -> &[f64] {
         let width = self.question.objectives.len();
         self.values.get(place * width..(place + 1) * width).unwrap_or(&[])
+    }
+
+    /// How the numbers of each objective are shown.
+    pub(crate) fn shown(&self) -> Vec<Shown> {
+        let width = self.question.objectives.len();
+        let objectives = self.question.objectives.iter().enumerate();
+        let values = |place: usize| self.values.iter().skip(place).step_by(width).copied();
+        objectives.map(|(place, objective)| Shown::of(&objective.title, values(place))).collect()
     }
 }

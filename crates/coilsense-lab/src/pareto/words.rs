@@ -1,13 +1,12 @@
 //! A front in a few sentences: how many are left, where the knee is, what the extremes cost.
 //!
-//! Next door: the front (`study`), numbers in units that people use (`crate::report`).
+//! Next door: the front (`study`), numbers in units that people use (`crate::quantity`).
 
 use super::Study;
-use crate::report::Shown;
 
 /// The answer, the most important line first.
 pub fn answer(study: &Study) -> Vec<String> {
-    let units = Shown::of_objectives(study);
+    let units = study.shown();
     let of = |place: usize| {
         let values = study.objectives_of(place).iter().zip(&study.question.objectives).zip(&units);
         let said =

@@ -16,8 +16,6 @@ mod prose;
 mod reproduction;
 #[cfg(feature = "parquet")]
 mod sensitivity;
-#[cfg(feature = "parquet")]
-mod units;
 
 pub use analysis::{add_analysis, analysis_json, analysis_text};
 pub use calibration::{add_calibration, calibration_json, calibration_text};
@@ -34,11 +32,10 @@ pub use reproduction::{add_reproduction, reproduction_text};
 
 #[cfg(feature = "parquet")]
 pub use sensitivity::{add_sensitivity, sensitivity_json, sensitivity_text};
-#[cfg(feature = "parquet")]
-pub(crate) use units::Shown;
+
+use coilsense_figure::{Figure, PlotError, Theme};
 
 use crate::output::OutputError;
-use crate::plot::{Figure, PlotError, Theme};
 
 /// What can go wrong while a report is made.
 #[derive(Debug, thiserror::Error)]

@@ -1,11 +1,11 @@
 //! The paper's Figs. 2 and 4, in its line styles.
 //!
-//! Next door: the simulations (`case`), the drawing (`crate::plot`).
+//! Next door: the simulations (`case`), the drawing (`coilsense_figure`).
 
 use coilsense::{Channel, Spring, transmittance};
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Mark, Panel, Scale, Stroke};
 
 use super::{CaseResult, Condition, Reproduction};
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, Mark, Panel, Scale, Stroke};
 
 /// A figure with its file name and what it shows.
 #[derive(Debug, Clone)]

@@ -1,6 +1,6 @@
 //! The paper's simulations, all of them: both springs, five conditions, two protocols, beside the printed numbers.
 //!
-//! Next door: the printed numbers (`published`), the figures' drawing (`plot`), the pages and files (`report`).
+//! Next door: the printed numbers (`published`), the figures' drawing (`coilsense_figure`), the pages and files (`report`).
 
 mod case;
 mod cell;

@@ -3,7 +3,8 @@
 //! Next door: the estimates (the parent), the layout (`crate::sweep::Sampling::Saltelli`), the answer in words (`words`).
 
 use super::{Indices, Resampling, SensitivityError, indices};
-use crate::sweep::{Data, Dataset, Sampling, SweepError, without_unit};
+use crate::quantity::without_unit;
+use crate::sweep::{Data, Dataset, Sampling, SweepError};
 
 /// What became of a sweep's rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

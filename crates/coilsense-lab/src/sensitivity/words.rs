@@ -4,7 +4,7 @@
 
 use super::study::{OfColumn, Study};
 use super::{Index, Indices};
-use crate::sweep::without_unit;
+use crate::quantity::without_unit;
 
 /// From this total index on, a variable is one on which a column hangs.
 const MATTERS: f64 = 0.05;

@@ -2,6 +2,8 @@
 //!
 //! A spec names a spring, its mount, conditions of use, sensors and a goal; [`Spec`] holds all of it checked, in SI, in the science's types.
 //! Next door: the units in its strings (`quantity`), what is computed from it (`analysis`).
+//!
+//! [`Spec`]: crate::spec::Spec
 
 mod catalogue;
 mod condition;

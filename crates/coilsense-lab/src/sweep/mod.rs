@@ -41,8 +41,6 @@ pub use column::column_words;
 pub use dataset::{Dataset, Tally};
 #[cfg(feature = "parquet")]
 pub(crate) use permutation::mixed;
-#[cfg(feature = "parquet")]
-pub(crate) use picked::{unit_of, without_unit};
 pub use plan::{Plan, PlanParameters};
 pub use sampling::Sampling;
 

@@ -8,6 +8,7 @@ use super::dataset::Dataset;
 use super::encoded;
 use super::plan::Plan;
 use crate::likeness::nearest;
+use crate::quantity::without_unit;
 
 impl Plan {
     /// Title and kind of a column by its title, with or without its unit.
@@ -46,20 +47,6 @@ impl Plan {
         };
         [of(&all[..status]), of(&all[status..])]
     }
-}
-
-/// A title without its unit.
-pub(crate) fn without_unit(title: &str) -> &str {
-    match title.strip_suffix(']').and_then(|rest| rest.rsplit_once(" [")) {
-        Some((name, _)) => name,
-        None => title,
-    }
-}
-
-/// The unit of a title; that of a plain number is empty.
-pub(crate) fn unit_of(title: &str) -> &str {
-    let unit = title.strip_suffix(']').and_then(|rest| rest.rsplit_once(" [")).map_or("", |(_, unit)| unit);
-    if unit == "1" { "" } else { unit }
 }
 
 impl Dataset {

@@ -27,6 +27,9 @@
 //! ```
 //!
 //! Next door: the spring over frequency (`two_port`), its motion (`motion`).
+//!
+//! [`SampledLoop`]: crate::control::SampledLoop
+//! [`simulate()`]: crate::control::simulate
 
 mod coil;
 mod controller;

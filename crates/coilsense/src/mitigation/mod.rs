@@ -10,6 +10,22 @@
 //!
 //! [`Coefficients`] says whether a cascade is stable, and what it is once its coefficients are rounded; [`ringing_error_bound`] how wrong an
 //! observer can be on any spring of a box. Next door: which of them does best under given conditions (`coilsense-lab`), the steps themselves (`coilsense-rt`).
+//!
+//! [`low_pass`]: crate::mitigation::low_pass
+//! [`notch()`]: crate::mitigation::notch
+//! [`surge_notches`]: crate::mitigation::surge_notches
+//! [`surge_mean`]: crate::mitigation::surge_mean
+//! [`surge_comb`]: crate::mitigation::surge_comb
+//! [`surge_window`]: crate::mitigation::surge_window
+//! [`delay_line_observer`]: crate::mitigation::delay_line_observer
+//! [`modal_kalman`]: crate::mitigation::modal_kalman
+//! [`observer_bank`]: crate::mitigation::observer_bank
+//! [`inductance_fusion`]: crate::mitigation::inductance_fusion
+//! [`zero_vibration`]: crate::mitigation::zero_vibration
+//! [`zero_vibration_derivative`]: crate::mitigation::zero_vibration_derivative
+//! [`double_mean`]: crate::mitigation::double_mean
+//! [`Coefficients`]: crate::mitigation::Coefficients
+//! [`ringing_error_bound`]: crate::mitigation::ringing_error_bound
 
 mod bank;
 mod bound;

@@ -1,14 +1,14 @@
 //! The figures of an analysis: sensors ranked, spectra with surge lines, winding maps, budgets.
 //!
-//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+//! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
 
 use coilsense::Channel;
 use coilsense::modes::ChainModes;
-
-use crate::analysis::{Analysis, Case, Verdict};
-use crate::plot::{
+use coilsense_figure::{
     Axis, Band, Bar, Bars, Colour, Curve, Dash, Figure, HeatMap, Mark, MarkedCells, Panel, Scale, Stroke,
 };
+
+use crate::analysis::{Analysis, Case, Verdict};
 use crate::quantity::digits;
 use crate::report::prose::plain;
 

@@ -3,13 +3,13 @@
 //! Next door: its layout (`page.html`), its figures (`figures`), its interactive part (`viewer_data`, `report/viewer`).
 
 use coilsense::Channel;
+use coilsense_figure::{Figure, Theme};
 use minijinja::{AutoEscape, Environment, Value, context};
 use rayon::prelude::*;
 
 use super::figures;
 use super::viewer_data::viewer_json;
 use crate::analysis::{Analysis, Verdict, answer};
-use crate::plot::{Figure, Theme};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
 use crate::report::prose::{file_name, unbroken};

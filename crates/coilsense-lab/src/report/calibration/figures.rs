@@ -1,11 +1,11 @@
 //! The figures of a calibration: the curve with its theories, residuals, theories ranked.
 //!
-//! Next door: how figures are drawn (`crate::plot`).
+//! Next door: how figures are drawn (`coilsense_figure`).
 
 use coilsense::inductance::theories::Theory;
+use coilsense_figure::{Axis, Bar, Bars, Colour, Curve, Dash, Figure, HorizontalMark, Panel, Points, Stroke};
 
 use crate::calibration::{Outcome, THEORY_POINTS};
-use crate::plot::{Axis, Bar, Bars, Colour, Curve, Dash, Figure, HorizontalMark, Panel, Points, Stroke};
 use crate::quantity::digits;
 
 /// Width of a figure \[px\].

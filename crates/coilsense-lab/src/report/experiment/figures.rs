@@ -1,10 +1,11 @@
 //! The figures of an experiment: raw forces (Fig. 5 of the paper), deviations and means over frequency (Fig. 6), means as they followed.
 //!
-//! Next door: those of means and deviations (`means`), how figures are drawn (`crate::plot`).
+//! Next door: those of means and deviations (`means`), how figures are drawn (`coilsense_figure`).
+
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Panel, Stroke};
 
 use super::means;
 use crate::experiment::{Experiment, Findings, Run};
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, Panel, Stroke};
 use crate::quantity::digits;
 
 /// Names of all figures that there may be.

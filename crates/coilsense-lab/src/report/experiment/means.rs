@@ -3,10 +3,10 @@
 //! Next door: raw forces, captions and the mark of simulated data (`figures`).
 
 use coilsense::Channel;
+use coilsense_figure::{Axis, Colour, Figure, HorizontalMark, Marker, Panel, Points};
 
 use super::figures::{WIDTH, marked};
 use crate::experiment::{Experiment, FORCES, Run};
-use crate::plot::{Axis, Colour, Figure, HorizontalMark, Marker, Panel, Points};
 use crate::spec::RunKind;
 
 /// Look of a force's points, and by how much they are set aside \[1\].

@@ -1,11 +1,11 @@
 //! The figures of an identification: spectrum with its lines, a ring-down with its fit, force over length.
 //!
-//! Next door: how figures are drawn (`crate::plot`).
+//! Next door: how figures are drawn (`coilsense_figure`).
 
 use coilsense::identify::{Meaning, Part, RingDown, Stiffness, Welch};
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Mark, Panel, Points, Scale, Stroke};
 
 use crate::identification::Identified;
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, Mark, Panel, Points, Scale, Stroke};
 
 /// Width of a figure \[px\].
 const WIDTH: f64 = 760.0;

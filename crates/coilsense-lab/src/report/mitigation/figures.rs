@@ -1,10 +1,11 @@
 //! The figures of a mitigation: the trade-off of error against lag, and forces over time.
 //!
-//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+//! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
+
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 use super::text::percent;
 use crate::mitigation::{Answer, Made, Origin, Truth};
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 /// Worst-case error against lag.
 pub(super) fn trade_off(answer: &Answer) -> Figure {

@@ -2,13 +2,13 @@
 //!
 //! Next door: its layout (`page.html`), its figures (`figures`), the same as text (`text`).
 
+use coilsense_figure::{Figure, Theme};
 use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::shaping::{percent as share, shaping_advice};
 use super::text::{advice, conditions, percent};
 use super::{EXPORTS, figures};
 use crate::mitigation::{Answer, Shaping, Truth};
-use crate::plot::{Figure, Theme};
 use crate::quantity::digits;
 use crate::report::{Drawn, ReportError};
 use crate::spec::Spec;

@@ -1,10 +1,11 @@
 //! The figure of a front: the cloud, the front, its knee and its ends, for every two objectives.
 //!
-//! Next door: how figures are drawn (`plot`), the page that holds it (`html`).
+//! Next door: how figures are drawn (`coilsense_figure`), the page that holds it (`html`).
+
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 use crate::pareto::{Aim, Study};
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
-use crate::report::Shown;
+use crate::quantity::Shown;
 use crate::report::prose::plain;
 
 /// Width and height of a panel \[px\].
@@ -22,7 +23,7 @@ const DECADES: f64 = 50.0;
 /// A panel for every two objectives; none for a single one.
 pub(super) fn front(study: &Study) -> Option<Figure> {
     let count = study.question.objectives.len();
-    let units = Shown::of_objectives(study);
+    let units = study.shown();
     let pairs = (0..count).flat_map(|x| (x + 1..count).map(move |y| [x, y]));
     let pairs: Vec<[usize; 2]> = pairs.collect();
     // Many small panels together show no more points than two large ones.

@@ -6,8 +6,9 @@ use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::table::{columns, listed, role};
 use crate::pareto::{Aim, Study, answer};
+use crate::quantity::Shown;
 use crate::report::prose::{file_name, signed, unbroken};
-use crate::report::{Drawn, ReportError, Shown};
+use crate::report::{Drawn, ReportError};
 use crate::sweep::Dataset;
 
 /// Most designs on the page; the files hold all.

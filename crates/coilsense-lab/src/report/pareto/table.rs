@@ -4,8 +4,8 @@
 
 use super::csv::cell;
 use crate::pareto::Study;
-use crate::report::Shown;
-use crate::sweep::{Data, without_unit};
+use crate::quantity::{Shown, without_unit};
+use crate::sweep::Data;
 
 /// A column of the table: its title, its cells of the listed designs.
 pub(super) struct Listed {

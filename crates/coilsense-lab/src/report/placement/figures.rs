@@ -1,14 +1,14 @@
 //! The figures of a placement: Bode, Nyquist, the step over time, what the world feels.
 //!
-//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+//! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
 
 use std::f64::consts::TAU;
 
 use coilsense::control::{Point, rendered_stiffness};
 use coilsense::{Channel, Error};
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, HorizontalMark, Mark, Panel, Scale, Stroke};
 
 use crate::placement::Placement;
-use crate::plot::{Axis, Colour, Curve, Dash, Figure, HorizontalMark, Mark, Panel, Scale, Stroke};
 
 /// Width and height of a panel \[px\].
 const WIDTH: f64 = 760.0;

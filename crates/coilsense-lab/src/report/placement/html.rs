@@ -2,12 +2,12 @@
 //!
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
+use coilsense_figure::{Figure, Theme};
 use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::text::significant;
 use super::{bounded, figures};
 use crate::placement::{Placement, answer};
-use crate::plot::{Figure, Theme};
 use crate::quantity::digits;
 use crate::report::ReportError;
 

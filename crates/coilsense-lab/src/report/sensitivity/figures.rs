@@ -1,8 +1,9 @@
 //! Bars of total indices with their intervals, and of first-order ones below them.
 //!
-//! Next door: how figures are drawn (`plot`), the page that holds them (`html`).
+//! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
 
-use crate::plot::{Axis, Bar, Bars, Colour, Figure, Panel};
+use coilsense_figure::{Axis, Bar, Bars, Colour, Figure, Panel};
+
 use crate::report::prose::plain;
 use crate::sensitivity::{Indices, Study, ranked};
 

@@ -6,10 +6,11 @@ use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::figures;
 use super::text::cell;
+use crate::quantity::{Shown, without_unit};
 use crate::report::prose::{file_name, signed, unbroken};
-use crate::report::{ReportError, Shown, draw};
+use crate::report::{ReportError, draw};
 use crate::sensitivity::{OfColumn, Study, account, ranked, sentence};
-use crate::sweep::{Dataset, without_unit};
+use crate::sweep::Dataset;
 
 /// The page of a study.
 pub(super) fn page(study: &Study, dataset: &Dataset, date: &str) -> Result<String, ReportError> {

@@ -6,9 +6,8 @@ use std::fmt::Write;
 
 use anstyle::Style;
 
-use crate::report::Shown;
+use crate::quantity::{Shown, without_unit};
 use crate::sensitivity::{Estimate, Study, answer, ranked};
-use crate::sweep::without_unit;
 
 const BOLD: Style = Style::new().bold();
 
