@@ -45,7 +45,7 @@ fn assert_gain(answer: &Answer) {
         assert!(fitted.nominal < 0.95 * least(|j| j.nominal), "{}: {fitted:?}", ours.name);
         assert!(fitted.worst < 0.95 * least(|j| j.worst), "{}: {fitted:?}", ours.name);
         // First tries are at best 0.3° early and late at 1.5 Hz; a tenth of a degree is 0.2 ms.
-        assert!(fitted.lag < least(|j| j.lag.abs()) + 0.5, "{}: {fitted:?}", ours.name);
+        assert!(fitted.lag < least(|j| j.lag.abs()) + 0.5_f64.to_radians(), "{}: {fitted:?}", ours.name);
         // The bounds are what was reached, and a tenth.
         assert!(
             share(answer, fitted.nominal) < nominal_bound && share(answer, fitted.worst) < worst_bound,
@@ -61,10 +61,10 @@ fn fitted_designs_beat_first_tries_on_a_few_seeds_of_the_stated_scenario() {
     assert_eq!((answer.left_out.len(), answer.runs), (0, 27));
     // Nothing is done about what is measured: noise comes out as it goes in.
     let raw = answer.judged.iter().find(|(candidate, _)| candidate.name == "F_i as it is").unwrap();
-    assert!((raw.1.noise_gain - 1.0).abs() < 0.02 && raw.1.lag.abs() < 0.01, "{:?}", raw.1);
+    assert!((raw.1.noise_gain - 1.0).abs() < 0.02 && raw.1.lag.abs() < 0.01_f64.to_radians(), "{:?}", raw.1);
     // 2τ is 46.24 samples, and their mean late by half of one less: 9.05 ms, 4.886° at 1.5 Hz.
     let mean = answer.judged.iter().find(|(candidate, _)| candidate.name == "mean over 2τ").unwrap();
-    assert!((mean.1.lag - 4.886).abs() < 0.01, "{:?}", mean.1);
+    assert!((mean.1.lag.to_degrees() - 4.886).abs() < 0.01, "{:?}", mean.1);
     assert!((mean.1.noise_gain - (1.0_f64 / 46.24).sqrt()).abs() < 0.02, "{:?}", mean.1);
     // Late by τ, which is 23 samples, and aligned at that, but for what noise and ringing make of it.
     assert!((mean.1.delay - 9.25e-3).abs() < 1.5e-3 && mean.1.aligned < mean.1.nominal, "{:?}", mean.1);
@@ -173,14 +173,17 @@ fn a_log_without_what_is_needed_is_told_by_the_channel() {
 
 #[test]
 fn what_is_advised_is_not_later_than_is_allowed() {
-    let of = |most_lag| Study::of(&spec(CONDITION), &Asked { bandwidth: Some(20.0), most_lag, ..asked() });
+    let of = |most_lag: f64| {
+        let most_lag = most_lag.to_radians();
+        Study::of(&spec(CONDITION), &Asked { bandwidth: Some(20.0), most_lag, ..asked() })
+    };
     let strict = of(15.0).unwrap().run().unwrap();
     let (_, advised) = strict.best(Truth::Static).unwrap();
-    assert!(advised.lag <= 15.0, "{advised:?}");
+    assert!(advised.lag.to_degrees() <= 15.0, "{advised:?}");
     // A mean over 2τ is 64° late at 20 Hz; without a limit what is least at worst is taken, whatever its lag.
     let free = of(180.0).unwrap().run().unwrap();
     let (_, least) = free.best(Truth::Static).unwrap();
-    assert!(least.lag > 15.0 && least.worst < advised.worst, "{least:?} against {advised:?}");
+    assert!(least.lag.to_degrees() > 15.0 && least.worst < advised.worst, "{least:?} against {advised:?}");
 }
 
 #[test]
