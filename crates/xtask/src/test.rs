@@ -239,3 +239,20 @@ fn long(_: &Arguments) -> anyhow::Result<Outcome> {
 fn passed(success: bool) -> anyhow::Result<Outcome> {
     Ok(if success { Outcome::Passed } else { Outcome::Failed })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_part_is_in_one_job_of_the_workflow() {
+        let file = crate::root().join(".github/workflows/test.yml");
+        let workflow = std::fs::read_to_string(&file).expect("the workflow");
+        for part in PARTS {
+            let asked = [format!("--only {}", part.name), format!("--only \"{}\"", part.name)];
+            let words = workflow.replace(['\'', '\n', '}'], " ");
+            let times = asked.iter().map(|asked| words.matches(&format!("{asked} ")).count()).sum::<usize>();
+            assert_eq!(times, 1, "{}", part.name);
+        }
+    }
+}
