@@ -83,7 +83,7 @@ fn examples(environment: &Environment) -> anyhow::Result<bool> {
 fn packed(environment: &Environment) -> anyhow::Result<PathBuf> {
     let folder = root().join("target/wheels");
     let mut pack = environment.python();
-    pack.args(["-m", "maturin", "sdist", "--quiet", "--out"]).arg(&folder);
+    pack.args(["-m", "maturin", "sdist", "--out"]).arg(&folder);
     if !succeeds(&mut pack)? {
         bail!("the source cannot be packed");
     }
