@@ -82,7 +82,7 @@ mod tests {
             (r#"{"noise": "-1 N"}"#, r#"noise: must be above zero, got "-1 N""#),
             (r#"{"bandwidth": "60 Hz"}"#, "bandwidth: bandwidth must be above zero and below"),
             (r#"{"mass-tolerance": "100 %"}"#, r#"mass-tolerance: must be from 0 % to below 100 %, got "100 %""#),
-            (r#"{"rate": "1 GHz"}"#, "rate: sampling rate must be at most "),
+            (r#"{"rate": "1000 MHz"}"#, "rate: sampling rate must be at most "),
             (
                 r#"{"stiffness-tolerance": "0 %", "mass-tolerance": "0 %"}"#,
                 "stiffness-tolerance: stiffness tolerance plus mass tolerance",
