@@ -170,3 +170,12 @@ def test_a_call_costs_little() -> None:
         float(estimate)
     # A microsecond is usual; a busy machine may take ten times as long.
     assert (time.perf_counter() - begun) / 10_000 < 2e-5
+
+
+@pytest.mark.parametrize("name", ["run--torque-2.csv", "run--to.csv", "a--sort-b.csv", "--over.csv"])
+def test_the_name_of_a_file_is_told_as_it_is(tmp_path: pathlib.Path, name: str) -> None:
+    path = tmp_path / name
+    path.write_text("time [s],F_i [N]\n0,1\n0.1,x\n")
+    with pytest.raises(coilsense.LogError) as caught:
+        coilsense.Recording.read(path)
+    assert name in str(caught.value)

@@ -124,9 +124,25 @@ const OPTIONS: [(&str, &str); 20] = [
     ("--chunk", "chunk"),
 ];
 
+/// A text with an option replaced where it stands by itself: what only looks like it, as in the name of a file `run--torque.csv`, stays.
+fn replaced(text: &str, option: &str, argument: &str) -> String {
+    let of_a_word = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+    let (mut made, mut rest) = (String::with_capacity(text.len()), text);
+    while let Some(place) = rest.find(option) {
+        let (before, after) = (&rest[..place], &rest[place + option.len()..]);
+        // Before it may stand what was looked at already.
+        let begins = !before.chars().next_back().or_else(|| made.chars().next_back()).is_some_and(of_a_word);
+        let ends = option.ends_with(' ') || !after.starts_with(of_a_word);
+        made.push_str(before);
+        made.push_str(if begins && ends { argument } else { option });
+        rest = after;
+    }
+    made + rest
+}
+
 /// A message that names options of the command, with the arguments of Python in their place.
 pub fn in_python(message: &str) -> String {
-    let named = OPTIONS.iter().fold(message.to_owned(), |text, (option, argument)| text.replace(option, argument));
+    let named = OPTIONS.iter().fold(message.to_owned(), |text, (option, argument)| replaced(&text, option, argument));
     // `--column F_o="title [N]"` is an entry of a dict.
     match named.split_once("--column ") {
         Some((before, rest)) => match rest.split_once('=') {
