@@ -177,5 +177,5 @@ def test_the_name_of_a_file_is_told_as_it_is(tmp_path: pathlib.Path, name: str) 
     path = tmp_path / name
     path.write_text("time [s],F_i [N]\n0,1\n0.1,x\n")
     with pytest.raises(coilsense.LogError) as caught:
-        coilsense.Recording.read(path)
+        coilsense.open_log(path)
     assert name in str(caught.value)
