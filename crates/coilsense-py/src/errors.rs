@@ -126,13 +126,17 @@ const OPTIONS: [(&str, &str); 20] = [
 
 /// A text with an option replaced where it stands by itself: what only looks like it, as in the name of a file `run--torque.csv`, stays.
 fn replaced(text: &str, option: &str, argument: &str) -> String {
-    let of_a_word = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+    let of_a_word = |c: char| c.is_alphanumeric() || ['-', '_', '/', '\\'].contains(&c);
+    let goes_on = |after: &str| {
+        let after = after.strip_prefix('.').unwrap_or(after);
+        after.starts_with(of_a_word)
+    };
     let (mut made, mut rest) = (String::with_capacity(text.len()), text);
     while let Some(place) = rest.find(option) {
         let (before, after) = (&rest[..place], &rest[place + option.len()..]);
         // Before it may stand what was looked at already.
         let begins = !before.chars().next_back().or_else(|| made.chars().next_back()).is_some_and(of_a_word);
-        let ends = option.ends_with(' ') || !after.starts_with(of_a_word);
+        let ends = option.ends_with(' ') || !goes_on(after);
         made.push_str(before);
         made.push_str(if begins && ends { argument } else { option });
         rest = after;
