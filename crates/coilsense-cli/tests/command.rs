@@ -174,6 +174,23 @@ fn what_an_earlier_run_left_does_not_stand_beside_the_new_report() {
 }
 
 #[test]
+fn a_damaged_log_is_refused_in_one_line_whatever_its_decoder_does() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let log = place.path().join("run.parquet");
+    let good = include_bytes!("../../../reference/logs/motion.parquet");
+    let out = place.path().join("run.csv");
+    let decoder_panics = [3653, 3654, 3754, 3759, 3760];
+    for index in decoder_panics {
+        let mut bytes = good.to_vec();
+        bytes[index] ^= if index % 2 == 0 { 0x01 } else { 0x80 };
+        std::fs::write(&log, bytes).expect("written");
+        let message = refused(&["import", log.to_str().expect("a path"), "--out", out.to_str().expect("a path")]);
+        assert!(message.ends_with("run.parquet: is damaged and cannot be read\n"), "byte {index}: {message}");
+        assert!(!out.exists());
+    }
+}
+
+#[test]
 fn a_wrong_option_is_refused_with_a_hint() {
     let output = coilsense(&["reproduce", "--protocl", "text"]);
     assert_eq!(output.status.code(), Some(2));

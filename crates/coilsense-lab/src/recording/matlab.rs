@@ -10,6 +10,7 @@ use flate2::read::ZlibDecoder;
 use matfile::{Array, MatFile, NumericData};
 
 use super::error::RecordingError;
+use super::guarded::guarded;
 use super::selection::TIMES;
 use super::table::Table;
 use super::title::Title;
@@ -40,9 +41,7 @@ pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
     }
     let damaged = |message: &dyn std::fmt::Display| wrong(format!("is no MATLAB file that can be read: {message}"));
     let plain = unpacked(&bytes).map_err(|message| damaged(&message))?;
-    // The library is young: what it trips over is a damaged file, and no reason to fall.
-    let parsed = std::panic::catch_unwind(|| MatFile::parse(plain.as_slice()));
-    let parsed = parsed.map_err(|_| damaged(&"it is damaged"))?.map_err(|error| damaged(&error))?;
+    let parsed = guarded(path, || MatFile::parse(plain.as_slice()).map_err(|error| damaged(&error)))?;
     let variables: Vec<Variable<'_>> = parsed.arrays().iter().filter_map(variable).collect();
     let is_time = |variable: &&Variable<'_>| TIMES.contains(&variable.name.to_lowercase().as_str());
     let rows = match variables.iter().find(is_time) {

@@ -8,6 +8,7 @@ use falcon_mdf::blocks::{DataType, SyncType};
 use falcon_mdf::{ChannelGroup, Mf4Error, Mf4File};
 
 use super::error::{RecordingError, shortened};
+use super::guarded::guarded;
 use super::order::MOST_NUMBERS;
 use super::table::Table;
 use super::title::Title;
@@ -20,6 +21,10 @@ struct Group {
 
 /// Reads a file.
 pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
+    guarded(path, || decoded(path))
+}
+
+fn decoded(path: &Path) -> Result<Table, RecordingError> {
     let wrong = |error: Mf4Error| {
         RecordingError::of_file(path, format!("is no MDF 4 file that can be read: {}", shortened(&error.to_string())))
     };

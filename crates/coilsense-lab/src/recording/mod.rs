@@ -18,6 +18,8 @@ mod cell;
 mod complete;
 mod convert;
 mod error;
+#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+mod guarded;
 mod join;
 mod layout;
 mod mapping;

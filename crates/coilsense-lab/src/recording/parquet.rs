@@ -13,6 +13,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::ColumnDescriptor;
 
 use super::error::RecordingError;
+use super::guarded::guarded;
 use super::order::MOST_NUMBERS;
 use super::source::{Next, Source};
 use super::title::Title;
@@ -36,6 +37,10 @@ pub(super) struct ParquetRows {
 impl ParquetRows {
     /// Opens a file.
     pub fn open(path: &Path) -> Result<Self, RecordingError> {
+        guarded(path, || Self::opened(path))
+    }
+
+    fn opened(path: &Path) -> Result<Self, RecordingError> {
         let wrong = |error: &dyn std::fmt::Display| {
             RecordingError::of_file(path, format!("is no Parquet file that can be read: {}", one_line(error)))
         };
@@ -121,8 +126,11 @@ impl Source for ParquetRows {
     }
 
     fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {
-        if self.columns.first().is_none_or(|column| self.row >= column.len()) && !self.advance(wanted)? {
-            return Ok(Next::End);
+        if self.columns.first().is_none_or(|column| self.row >= column.len()) {
+            let file = self.path.clone();
+            if !guarded(&file, || self.advance(wanted))? {
+                return Ok(Next::End);
+            }
         }
         values.clear();
         values.extend(self.columns.iter().map(|column| column[self.row]));

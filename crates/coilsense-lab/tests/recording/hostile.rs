@@ -294,6 +294,22 @@ fn good() -> Vec<Vec<u8>> {
         .collect()
 }
 
+#[test]
+fn any_one_byte_of_a_binary_file_may_be_wrong() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let path = place.path().join("run");
+    for (which, good) in good().into_iter().enumerate().skip(2) {
+        for (index, wrong) in (0..good.len()).flat_map(|index| [(index, 0x80), (index, 0x0f)]) {
+            let mut bytes = good.clone();
+            bytes[index] ^= wrong;
+            std::fs::write(&path, bytes).expect("written");
+            if let Err(error) = Recording::read(&path, &Mapping::default(), &Repairs::default()) {
+                assert!(!error.to_string().contains('\n'), "file {which}, byte {index}: {error}");
+            }
+        }
+    }
+}
+
 /// How many of each kind; PROPTEST_CASES says more.
 fn cases() -> u32 {
     std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(96)
