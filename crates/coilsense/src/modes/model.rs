@@ -77,6 +77,43 @@ pub struct ModalParameters {
     pub end_shapes: Vec<f64>,
 }
 
+impl ModalParameters {
+    /// Lengths that go together, and numbers that a spring can have.
+    fn check(&self) -> Result<(), Error> {
+        let (masses, modes) = (self.masses.len(), self.frequencies.len());
+        at_least_one("masses", masses)?;
+        at_least_one("modes", modes)?;
+        count("places", self.places.len(), masses)?;
+        count("end shapes", self.end_shapes.len(), modes)?;
+        count("shapes", self.shapes.len(), modes * masses)?;
+        check_each("stiffness of an end segment", "N/m", &self.end_segments)?;
+        check_each("mass", "kg", &self.masses)?;
+        check_rising("frequency", "rad/s", &self.frequencies, f64::INFINITY)?;
+        check_rising("place", "", &self.places, 1.0)?;
+        all_bounded("shapes", &self.shapes, "")?;
+        all_bounded("end shapes", &self.end_shapes, "")
+    }
+}
+
+/// Lets through values that are finite and above zero.
+fn check_each(quantity: &'static str, unit: &'static str, values: &[f64]) -> Result<(), Error> {
+    let each = values.iter();
+    each.map(|value| check(value.is_finite() && *value > 0.0, quantity, *value, unit, "finite and above zero"))
+        .try_for_each(|checked| checked.map(|_| ()))
+}
+
+/// Lets through values that rise from above zero to below `top`.
+fn check_rising(quantity: &'static str, unit: &'static str, values: &[f64], top: f64) -> Result<(), Error> {
+    let mut before = 0.0;
+    for &value in values {
+        let allowed =
+            if top.is_finite() { format!("above {before}, below {top}") } else { format!("above {before} and finite") };
+        check(value > before && value < top, quantity, value, unit, allowed)?;
+        before = value;
+    }
+    Ok(())
+}
+
 impl ModalModel {
     /// The modes of a spring's chain with end 2 tied to `far_end`.
     pub fn chain(spring: &Spring, far_end: FarEnd) -> Self {
@@ -110,35 +147,10 @@ impl ModalModel {
     /// [`Error::Count`] for lengths that do not go together; [`Error::Value`] for masses, stiffnesses and frequencies that are not above zero,
     /// places that do not rise from above 0 to below 1, and numbers that are not finite.
     pub fn new(stiffness: f64, parameters: ModalParameters) -> Result<Self, Error> {
+        parameters.check()?;
+        check_each("stiffness", "N/m", &[stiffness])?;
         let ModalParameters { far_end, masses, places, end_segments, frequencies, shapes, end_shapes } = parameters;
         let (places_count, modes) = (masses.len(), frequencies.len());
-        at_least_one("masses", places_count)?;
-        at_least_one("modes", modes)?;
-        count("places", places.len(), places_count)?;
-        count("end shapes", end_shapes.len(), modes)?;
-        count("shapes", shapes.len(), modes * places_count)?;
-        for (quantity, unit, values) in [
-            ("stiffness", "N/m", [stiffness].as_slice()),
-            ("stiffness of an end segment", "N/m", &end_segments),
-            ("mass", "kg", &masses),
-            ("frequency", "rad/s", &frequencies),
-        ] {
-            for value in values {
-                check(value.is_finite() && *value > 0.0, quantity, *value, unit, "finite and above zero")?;
-            }
-        }
-        for (quantity, unit, values, top) in
-            [("frequency", "rad/s", &frequencies, f64::INFINITY), ("place", "", &places, 1.0)]
-        {
-            let mut before = 0.0;
-            for value in values {
-                check(*value > before && *value < top, quantity, *value, unit, format!("above {before}, below {top}"))?;
-                before = *value;
-            }
-        }
-        all_bounded("shapes", &shapes, "")?;
-        all_bounded("end shapes", &end_shapes, "")?;
-
         let end_mass = if let FarEnd::Mass(mass) = far_end { mass } else { 0.0 };
         let mean = masses.iter().sum::<f64>() / places_count as f64;
         let masses: Vec<f64> = masses.iter().map(|mass| mass / mean).collect();
