@@ -10,7 +10,7 @@ use coilsense::signals::sampled_window;
 use super::case::judged;
 use super::instrument::Instrument;
 use super::judge::{Counted, Judge, Over, Scene};
-use super::response::{Asked, Moments, Responses, needs_coil};
+use super::response::{Moments, needs_coil};
 use super::specimen::{MANY, Springs};
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
@@ -84,17 +84,13 @@ fn seen(
     let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;
         let counted = judge.counted(scene, &instrument.forces(&instrument.steady_readings(&signals)?))?;
-        let beside = judge.beside(sensor, &instrument, scene)?;
-        Ok((instrument, counted, beside))
+        let known = (judge.beside(sensor, &instrument, scene)?, Moments::of(&counted.errors));
+        Ok(((instrument, counted), known))
     };
-    let ready: Vec<(Instrument, Counted, f64)> = each.iter().map(ready).collect::<Result<_, Error>>()?;
-    let beside: Vec<f64> = ready.iter().map(|(_, _, beside)| *beside).collect();
-    let nominal: Vec<Moments> = ready.iter().map(|(_, counted, _)| Moments::of(&counted.errors)).collect();
-    let (sensors, coil) = (each.as_slice(), judge.coil);
-    let goal = spec.goal.error;
-    let asked = Asked { spec, coil, condition, damping, sensors, beside: &beside, nominal: &nominal, goal };
-    let responses = Responses::of(&asked, &judge.springs.specimens)?;
-    let of = |(number, (instrument, counted, _)): (usize, (Instrument, Counted, f64))| {
+    let ready = each.iter().map(ready).collect::<Result<Vec<_>, Error>>()?;
+    let (ready, known): (Vec<_>, Vec<_>) = ready.into_iter().unzip();
+    let responses = judge.responses((condition, damping), &each, &known, &judge.springs.specimens)?;
+    let of = |(number, (instrument, counted)): (usize, (Instrument, Counted))| {
         let over = Over { responses: &responses, sensor: number };
         let assessment = judge.assessment(each[number], &instrument, scene, counted, Some(over))?;
         Ok((assessment.combined, assessment.raw))

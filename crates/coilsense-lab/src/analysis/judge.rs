@@ -14,8 +14,8 @@ use super::budget::{CHAIN, Model, SensorBudget, with_bias};
 use super::case::Case;
 use super::fix;
 use super::instrument::Instrument;
-use super::response::{Moments, Responses};
-use super::specimen::Springs;
+use super::response::{Asked, Moments, Responses};
+use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
 use super::verdict::{Assessment, GoalFilter, Verdict};
 use crate::spec::{SensorSpec, Spec};
@@ -128,19 +128,33 @@ impl Judge<'_> {
             let each = model.of_specimens(&self.springs.specimens)?;
             let met = |goal: f64| each.iter().filter(|error| **error <= goal).count() as f64 / each.len() as f64;
             inside = self.spec.goal.error.map(met);
-            worst = each.iter().fold(0.0, |worst: f64, error| worst.max(*error));
+            // Of the further springs that a resonance takes, the oscillation alone is known.
+            worst = each.iter().fold(model.spread.loudest, |worst, error| worst.max(*error));
         }
         let oscillation = model.spread.nominal.square().sqrt();
         Ok(Assessment {
             oscillation,
             over_specimens: model.spread.rms(),
-            loudest: model.spread.loudest(),
+            loudest: model.spread.loudest,
             combined: with_bias(&budget),
             nominal: oscillation.hypot(instrument_only.sqrt()),
             raw: raw.hypot(instrument_only.sqrt()),
             inside,
             worst,
         })
+    }
+
+    /// How the errors of sensors in a condition under a damping change from spring to spring; `known` of each: the variance \[N²\] of all
+    /// that is not oscillation, and its errors on the nominal spring.
+    pub fn responses(
+        &self,
+        (condition, damping): (usize, usize),
+        sensors: &[&SensorSpec],
+        known: &[(f64, Moments)],
+        specimens: &Specimens,
+    ) -> Result<Responses, Error> {
+        let (spec, coil, goal) = (self.spec, self.coil, self.spec.goal.error);
+        Responses::of(&Asked { spec, coil, condition, damping, sensors, known, goal }, specimens)
     }
 
     /// Variance of everything but the oscillation \[N²\].

@@ -57,7 +57,7 @@ use rayon::prelude::*;
 use crate::data_sheet::DataSheet;
 use crate::spec::{Quantity, SensorSpec, Spec, Tolerances};
 use crate::study::{self, Masses};
-use response::{Asked, Moments, Responses};
+use response::{Moments, Responses};
 use specimen::{MANY, SOME, Specimens, Springs};
 
 /// Why an analysis did not come to its end.
@@ -218,19 +218,14 @@ fn responses(
     specimens: &Specimens,
 ) -> Result<Responses, Error> {
     let case = &judge.cases[number];
-    let of = |sensor: &SensorSpec| {
+    let of = |(sensor, reading): (&SensorSpec, &Reading)| {
         let instrument = judge.instrument(sensor, case.condition)?;
-        judge.beside(sensor, &instrument, case.scene())
+        let beside = judge.beside(sensor, &instrument, case.scene())?;
+        Ok((beside, Moments::of(&judge.counted(case.scene(), &reading.steady)?.errors)))
     };
-    let beside: Vec<f64> = sensors.iter().map(of).collect::<Result<_, Error>>()?;
-    let nominal = |reading: &Reading| Ok(Moments::of(&judge.counted(case.scene(), &reading.steady)?.errors));
-    let nominal: Vec<Moments> = case.readings.iter().map(nominal).collect::<Result<_, Error>>()?;
-    let (condition, damping) = (case.condition, case.damping);
+    let known: Vec<(f64, Moments)> = sensors.iter().zip(&case.readings).map(of).collect::<Result<_, Error>>()?;
     let sensors: Vec<&SensorSpec> = sensors.iter().collect();
-    let (spec, coil) = (judge.spec, judge.coil);
-    let goal = spec.goal.error;
-    let asked = Asked { spec, coil, condition, damping, sensors: &sensors, beside: &beside, nominal: &nominal, goal };
-    Responses::of(&asked, specimens)
+    judge.responses((case.condition, case.damping), &sensors, &known, specimens)
 }
 
 /// The answer within the usual tolerance.

@@ -62,10 +62,9 @@ pub(super) struct Asked<'a> {
     pub condition: usize,
     pub damping: usize,
     pub sensors: &'a [&'a SensorSpec],
-    /// Variances \[N²\] beside which an oscillation need not be known better, one per sensor.
-    pub beside: &'a [f64],
-    /// Errors on the nominal spring, one per sensor, by the whole run.
-    pub nominal: &'a [Moments],
+    /// One per sensor: the variance \[N²\] beside which its oscillation need not be known better, and its errors on the nominal spring by
+    /// the whole run.
+    pub known: &'a [(f64, Moments)],
     /// The goal \[N\], where the share of springs inside it is wanted.
     pub goal: Option<f64>,
 }
@@ -85,7 +84,7 @@ impl Runs<'_> {
         let asked = self.run.asked;
         // By inductance only changes count: L is found to second order here.
         if x == 0.0 && !needs_coil(asked.spec, &asked.sensors[sensor..=sensor]) {
-            return Ok(asked.nominal[sensor]);
+            return Ok(asked.known[sensor].1);
         }
         let known =
             |done: &Vec<(f64, Vec<Moments>)>| done.iter().find(|(at, _)| *at == x).map(|(_, each)| each[sensor]);
@@ -117,7 +116,7 @@ impl Responses {
             let places = places(spec, condition, mount, &way, ends)?;
             let runs = Runs { run: &run, way: &way, far_end, done: RefCell::default() };
             let curve = |sensor: usize| {
-                let (beside, goal) = (asked.beside[sensor], asked.goal);
+                let (beside, goal) = (asked.known[sensor].0, asked.goal);
                 let samples = Refinement { places: &places, ends, beside, goal }.run(|x| runs.moments(x, sensor))?;
                 Ok(Curve::new(samples))
             };
@@ -131,7 +130,8 @@ impl Responses {
             FarEnd::Force => held(End::Two),
             FarEnd::Mass(_) => false,
         };
-        Ok(Self { axes, beside: asked.beside.to_vec(), in_proportion })
+        let beside = asked.known.iter().map(|(beside, _)| *beside).collect();
+        Ok(Self { axes, beside, in_proportion })
     }
 
     /// What a sensor's error is on a specimen; `nominal` is it on the spec's own spring, as well as it is known.
@@ -200,14 +200,7 @@ fn places(
     for (mode, (frequency, ratio)) in modes.frequencies().iter().zip(&ratios).enumerate() {
         let width = width(*ratio, *frequency, condition.duration);
         for line in &lines {
-            let apart = (line / frequency).ln();
-            if !(low - NEARLY..=high + NEARLY).contains(&apart) && matches!(far_end, FarEnd::Mass(_)) {
-                continue;
-            }
-            let meets = match far_end {
-                FarEnd::Mass(_) => way.meets(spring, far_end, mode, *line),
-                _ => Some(apart),
-            };
+            let meets = way.meets(spring, far_end, (mode, *frequency), *line);
             if let Some(meets) = meets.filter(|meets| (low - 3.0 * width..=high + 3.0 * width).contains(meets)) {
                 places.extend(AROUND.iter().flat_map(|far| [meets + far * width, meets - far * width]));
             }
@@ -240,8 +233,6 @@ const A_BEAT: f64 = 4.0;
 const MOST_BEATS: f64 = 80.0;
 /// Distances from a resonance at which to look first, in its half widths.
 const AROUND: [f64; 6] = [0.0, 0.6, 1.4, 3.0, 6.0, 12.0];
-/// A mode further off than this [ln of a factor] beyond the range is not looked for.
-const NEARLY: f64 = 0.2;
 /// Most places spread evenly.
 const MOST_EVEN: f64 = 16.0;
 

@@ -18,7 +18,8 @@ pub(super) struct Spread {
     pub chain: f64,
     /// On each specimen.
     pub each: Vec<Moments>,
-    loudest: f64,
+    /// Rms over time of the specimen on which it is largest \[N\].
+    pub loudest: f64,
 }
 
 /// A single spring must not decide more than this share of a mean square.
@@ -81,7 +82,8 @@ impl Spread {
         }
     }
 
-    /// Over `specimens`, with as many more as it takes; `as_chains` are the same springs as if each were the chain that the model is, for who wants to know what that is worth.
+    /// Over `specimens`, with as many more as it takes; `as_chains` are the same springs as if each were the chain that the model is, for
+    /// who wants to know what that is worth.
     pub fn over(
         responses: &Responses,
         sensor: usize,
@@ -109,11 +111,6 @@ impl Spread {
     /// Root of the mean square over specimens and time \[N\].
     pub fn rms(&self) -> f64 {
         self.mean.hypot(self.deviation).hypot(self.chain)
-    }
-
-    /// Rms over time of the specimen on which it is largest \[N\].
-    pub fn loudest(&self) -> f64 {
-        self.loudest
     }
 
     /// Errors as likely as they are over specimens and time, `count` of them, from those of the nominal spring over time \[N\].

@@ -6,10 +6,8 @@ use coilsense::Error;
 use coilsense::sensors::Readout;
 
 use super::band;
-use super::case::Case;
-use super::instrument::Instrument;
 use super::judge::{Judge, Over};
-use super::response::{Asked, Moments, Responses};
+use super::response::Moments;
 use crate::spec::SensorSpec;
 
 /// A sensor tried out, which meets the goal.
@@ -38,7 +36,12 @@ impl Judge<'_> {
                 let steady = instrument.forces(&instrument.steady_readings(&case.signals)?);
                 let counted = self.counted(case.scene(), &steady)?;
                 let responses = match over_springs {
-                    true => Some(self.responses(case, sensor, &instrument, Moments::of(&counted.errors))?),
+                    true => {
+                        let beside = self.beside(sensor, &instrument, case.scene())?;
+                        let known = [(beside, Moments::of(&counted.errors))];
+                        let (of, specimens) = ((case.condition, case.damping), &self.springs.specimens);
+                        Some(self.responses(of, &[sensor], &known, specimens)?)
+                    }
                     false => None,
                 };
                 let over = responses.as_ref().map(|responses| Over { responses, sensor: 0 });
@@ -51,27 +54,5 @@ impl Judge<'_> {
         }
         let behind = if raw > goal { band::lag(wanted) } else { 0.0 };
         Ok(Some(Trial { combined, lag: readout.lag(wanted.unwrap_or(0.0)) + behind }))
-    }
-
-    fn responses(
-        &self,
-        case: &Case,
-        sensor: &SensorSpec,
-        instrument: &Instrument,
-        nominal: Moments,
-    ) -> Result<Responses, Error> {
-        let beside = self.beside(sensor, instrument, case.scene())?;
-        let (condition, damping) = (case.condition, case.damping);
-        let asked = Asked {
-            spec: self.spec,
-            coil: self.coil,
-            condition,
-            damping,
-            sensors: &[sensor],
-            beside: &[beside],
-            nominal: &[nominal],
-            goal: self.spec.goal.error,
-        };
-        Responses::of(&asked, &self.springs.specimens)
     }
 }

@@ -24,6 +24,8 @@ pub(super) struct Way {
 /// What counts as far on a way.
 #[derive(Debug, Clone)]
 enum Coordinate {
+    /// All frequencies together: ln of their factor.
+    Together,
     /// As far as a change goes along it: its product with this.
     Straight(Change),
     /// ln of a mode's frequency over the nominal one, to second order in the change: slope, and ½ f″ of both and of their product.
@@ -37,7 +39,7 @@ const ON_A_LINE: f64 = 1e-9;
 
 /// The ways on which `specimens` of a spring move.
 pub(super) fn ways(spring: &Spring, far_end: FarEnd, specimens: &Specimens) -> Vec<Way> {
-    let all_together = || vec![Way { along: [0.0, 1.0], coordinate: Coordinate::Straight([0.0, 1.0]) }];
+    let all_together = || vec![Way { along: [0.0, 1.0], coordinate: Coordinate::Together }];
     let FarEnd::Mass(_) = far_end else { return all_together() };
     if let Some(line) = line_of(specimens) {
         return vec![Way { along: line, coordinate: Coordinate::Straight(line) }];
@@ -93,6 +95,7 @@ impl Way {
     /// How far along it a change leads.
     pub fn coordinate(&self, change: Change) -> f64 {
         match &self.coordinate {
+            Coordinate::Together => change[1],
             Coordinate::Straight(of) => dot(*of, change),
             Coordinate::Frequency { slope, bend, .. } => {
                 let [k, s] = change;
@@ -114,8 +117,22 @@ impl Way {
         at(part)
     }
 
-    /// Where on the way a mode (from zero) has a frequency \[rad/s\]; `None` where it hardly moves there.
-    pub fn meets(&self, spring: &Spring, far_end: FarEnd, mode: usize, frequency: f64) -> Option<f64> {
+    /// Where on the way a mode (from zero; `natural` on the spec's own spring) has a frequency \[rad/s\]; `None` where it is too far off, or
+    /// hardly moves there.
+    pub fn meets(
+        &self,
+        spring: &Spring,
+        far_end: FarEnd,
+        (mode, natural): (usize, f64),
+        frequency: f64,
+    ) -> Option<f64> {
+        let apart = (frequency / natural).ln();
+        if matches!(self.coordinate, Coordinate::Together) {
+            return Some(apart);
+        }
+        if apart.abs() > FAR {
+            return None;
+        }
         let off = |x: f64| -> Option<f64> {
             let change = self.along.map(|along| along * x);
             Some(frequencies(spring, far_end, change)?.get(mode)?.ln() - frequency.ln())
@@ -128,16 +145,14 @@ impl Way {
         for _ in 0..4 {
             x -= off(x)? / slope;
         }
-        match &self.coordinate {
-            Coordinate::Straight(_) => Some(x),
-            Coordinate::Frequency { mode, nominal, .. } => {
-                let change = self.along.map(|along| along * x);
-                Some(frequencies(spring, far_end, change)?.get(*mode)?.ln() - nominal)
-            }
-        }
+        let Coordinate::Frequency { mode, nominal, .. } = &self.coordinate else { return Some(x) };
+        let change = self.along.map(|along| along * x);
+        Some(frequencies(spring, far_end, change)?.get(*mode)?.ln() - nominal)
     }
 }
 
+/// A line further from a mode than this, ln of a factor of two, is out of reach of any tolerance.
+const FAR: f64 = std::f64::consts::LN_2;
 /// A mode whose frequency follows a way by less than this share stays.
 const HARDLY: f64 = 0.2;
 
@@ -201,7 +216,7 @@ mod tests {
                 assert!((moved[1 - mode] / nominal[1 - mode]).ln().abs() < 0.5 * x * x + 1e-9, "mode {mode} at {x}");
             }
             let target = nominal[1] * 1.04;
-            let meets = way.meets(&spring(), far_end, 1, target);
+            let meets = way.meets(&spring(), far_end, (1, nominal[1]), target);
             assert_eq!(meets.is_some(), mode == 1);
             if let Some(x) = meets {
                 assert!((x - 1.04_f64.ln()).abs() < 1e-6, "{x}");
