@@ -14,7 +14,7 @@ pub struct Row {
     /// Which of these are allowed.
     pub allowed: Allowed,
     /// What holds where nothing is said.
-    pub default: Default,
+    pub if_absent: IfAbsent,
     /// What it is, in a line.
     pub meaning: &'static str,
 }
@@ -43,7 +43,7 @@ pub enum Allowed {
 
 /// What holds where nothing is said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Default {
+pub enum IfAbsent {
     /// This, as it would be written.
     Value(&'static str),
     /// What the spec or the science says, in words.
@@ -94,16 +94,24 @@ impl Row {
         match value.filter(|value| value.is_finite()) {
             None => Err(match self.takes {
                 Takes::Quantity(dimension) => dimension.refusal(text),
-                Takes::Count => format!("must be a whole number{}", self.range()),
+                Takes::Count => format!("must be a whole number{}", self.range_in_words()),
             }),
             Some(value) if self.allows(value) => Ok(value),
-            Some(_) => Err(format!("must be{}", self.range())),
+            Some(_) => Err(format!("must be{}", self.range_in_words())),
         }
     }
 
-    /// That a value in SI units is not allowed, without the option's name.
-    pub fn refusal(&self, value: f64) -> String {
-        format!("must be{}, got {value}", self.range())
+    /// A value that came in SI units, where it is allowed.
+    ///
+    /// # Errors
+    /// [`Wrong`], with the value.
+    pub fn checked(&self, value: f64) -> Result<f64, Wrong> {
+        let unit = match self.takes {
+            Takes::Quantity(dimension) if dimension != Dimension::Share => format!(" {}", dimension.si_unit()),
+            _ => String::new(),
+        };
+        let reason = || format!("must be{}, got {value}{unit}", self.range(|value| value.to_string()));
+        if self.allows(value) { Ok(value) } else { Err(self.wrong(reason())) }
     }
 
     /// Whether a value in SI units is allowed.
@@ -117,36 +125,40 @@ impl Row {
     }
 
     /// What is allowed, in words, a blank in front; empty where all is.
-    fn range(&self) -> String {
-        let written = |value: f64| match self.takes {
-            Takes::Quantity(Dimension::Share) => format!("{} %", 100.0 * value),
-            _ => value.to_string(),
-        };
+    fn range(&self, written: impl Fn(f64) -> String) -> String {
         match self.allowed {
-            Allowed::Any => String::new(),
+            Allowed::Any => " finite".to_owned(),
             Allowed::AboveZero => " above zero".to_owned(),
             Allowed::Below(from, to) => format!(" from {} to below {}", written(from), written(to)),
             Allowed::Within(from, to) => format!(" from {} to {}", written(from), written(to)),
         }
     }
 
+    /// The same as a person would write it.
+    fn range_in_words(&self) -> String {
+        self.range(|value| match self.takes {
+            Takes::Quantity(Dimension::Share) => format!("{} %", 100.0 * value),
+            _ => value.to_string(),
+        })
+    }
+
     /// A line of help: what it is, what is allowed and what holds without it.
     pub fn help(&self) -> String {
         let range = match self.allowed {
             Allowed::Any | Allowed::AboveZero => String::new(),
-            _ => format!(",{}", self.range()),
+            _ => format!(",{}", self.range_in_words()),
         };
-        match self.default {
-            Default::Value(_) => format!("{}{range}", self.meaning),
-            Default::Found(words) => format!("{}{range}; without it, {words}", self.meaning),
+        match self.if_absent {
+            IfAbsent::Value(_) => format!("{}{range}", self.meaning),
+            IfAbsent::Found(words) => format!("{}{range}; without it, {words}", self.meaning),
         }
     }
 
     /// The value that holds where nothing is said, in SI units; `None` where the spec or the science says it.
     pub fn default_value(&self) -> Option<f64> {
-        match self.default {
-            Default::Value(text) => self.read(text).ok(),
-            Default::Found(_) => None,
+        match self.if_absent {
+            IfAbsent::Value(text) => self.read(text).ok(),
+            IfAbsent::Found(_) => None,
         }
     }
 
@@ -187,15 +199,15 @@ mod tests {
         name: "mass_tolerance",
         takes: Takes::Quantity(Dimension::Share),
         allowed: Allowed::Below(0.0, 1.0),
-        default: Default::Value("10 %"),
-        meaning: "By how much the mass may be off, either way",
+        if_absent: IfAbsent::Value("10 %"),
+        meaning: "Tolerance of the mass, to either side",
     };
     const SEEDS: Row = Row {
         name: "seeds",
         takes: Takes::Count,
         allowed: Allowed::Within(1.0, 1000.0),
-        default: Default::Value("5"),
-        meaning: "Series of noise",
+        if_absent: IfAbsent::Value("5"),
+        meaning: "Number of noise realisations",
     };
 
     #[test]
@@ -223,6 +235,8 @@ mod tests {
         let wrong = values(&rows, |row| (row.name == "mass_tolerance").then(|| "2".to_owned())).unwrap_err();
         assert_eq!(wrong.option, "mass_tolerance");
         assert!(wrong.to_string().starts_with("mass-tolerance: must be "), "{wrong}");
-        assert_eq!(TOLERANCE.help(), "By how much the mass may be off, either way, from 0 % to below 100 %");
+        assert_eq!(SEEDS.checked(1001.0).unwrap_err().reason, "must be from 1 to 1000, got 1001");
+        assert_eq!(TOLERANCE.checked(1.0).unwrap_err().reason, "must be from 0 to below 1, got 1");
+        assert_eq!(TOLERANCE.help(), "Tolerance of the mass, to either side, from 0 % to below 100 %");
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use coilsense_lab::mitigation::{Asked, OPTIONS, Study};
 use coilsense_lab::report::{mitigation_json, mitigation_schema};
-use coilsense_lab::request::Default;
+use coilsense_lab::request::IfAbsent;
 use coilsense_lab::spec::Spec;
 use serde_json::Value;
 
@@ -64,7 +64,7 @@ fn the_pages_form_has_every_option_and_no_other() {
 #[test]
 fn defaults_that_the_table_writes_can_be_read() {
     for row in &OPTIONS {
-        assert_eq!(matches!(row.default, Default::Value(_)), row.default_value().is_some(), "{}", row.name);
+        assert_eq!(matches!(row.if_absent, IfAbsent::Value(_)), row.default_value().is_some(), "{}", row.name);
         assert!(!row.meaning.ends_with('.') && row.help().lines().count() == 1, "{}", row.name);
     }
 }

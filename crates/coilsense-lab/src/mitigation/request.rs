@@ -6,7 +6,7 @@ use coilsense::Error;
 use coilsense::mitigation::ToleranceBox;
 
 use crate::quantity::Dimension;
-use crate::request::{Allowed, Default, Row, Takes, Wrong, values};
+use crate::request::{Allowed, IfAbsent, Row, Takes, Wrong, values};
 
 /// The options, in the order in which they are told.
 pub const OPTIONS: [Row; 7] = [RATE, NOISE, BANDWIDTH, STIFFNESS_TOLERANCE, MASS_TOLERANCE, MOST_LAG, SEEDS];
@@ -16,15 +16,15 @@ pub(super) const RATE: Row = Row {
     name: "rate",
     takes: Takes::Quantity(Dimension::Frequency),
     allowed: Allowed::AboveZero,
-    default: Default::Value("2.5 kHz"),
-    meaning: "How often the controller samples",
+    if_absent: IfAbsent::Value("2.5 kHz"),
+    meaning: "Sampling rate of the controller",
 };
 /// White noise of F_i.
 pub(super) const NOISE: Row = Row {
     name: "noise",
     takes: Takes::Quantity(Dimension::Force),
     allowed: Allowed::AboveZero,
-    default: Default::Found("0.2 % of the nominal force"),
+    if_absent: IfAbsent::Found("0.2 % of the nominal force"),
     meaning: "White noise of the force at end 1, rms per sample",
 };
 /// Up to where the force is wanted.
@@ -32,37 +32,37 @@ pub(super) const BANDWIDTH: Row = Row {
     name: "bandwidth",
     takes: Takes::Quantity(Dimension::Frequency),
     allowed: Allowed::AboveZero,
-    default: Default::Found("the goal's bandwidth, or f1/20"),
-    meaning: "Up to which frequency the force moves by itself",
+    if_absent: IfAbsent::Found("the goal's bandwidth, or f1/20"),
+    meaning: "Highest frequency of the force itself, without ringing",
 };
 const STIFFNESS_TOLERANCE: Row = Row {
     name: "stiffness_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
-    default: Default::Value("10 %"),
-    meaning: "By how much the stiffness may be off, either way",
+    if_absent: IfAbsent::Value("10 %"),
+    meaning: "Tolerance of the stiffness, to either side",
 };
 const MASS_TOLERANCE: Row = Row {
     name: "mass_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
-    default: Default::Value("10 %"),
-    meaning: "By how much the mass may be off, either way",
+    if_absent: IfAbsent::Value("10 %"),
+    meaning: "Tolerance of the mass, to either side",
 };
 const MOST_LAG: Row = Row {
     name: "most_lag",
     takes: Takes::Quantity(Dimension::Angle),
     allowed: Allowed::Any,
-    default: Default::Value("30 deg"),
-    meaning: "Most lag at the bandwidth that what is advised may have",
+    if_absent: IfAbsent::Value("30 deg"),
+    meaning: "Largest lag at the bandwidth that a recommendation may have",
 };
 /// Series of noise.
 pub(super) const SEEDS: Row = Row {
     name: "seeds",
     takes: Takes::Count,
     allowed: Allowed::Within(1.0, 1000.0),
-    default: Default::Value("5"),
-    meaning: "Series of noise",
+    if_absent: IfAbsent::Value("5"),
+    meaning: "Number of noise realisations",
 };
 
 /// What is asked beside a spec.
@@ -97,15 +97,15 @@ impl Asked {
     /// [`Wrong`] for the first option that cannot be.
     pub fn of_values(mut given: [Option<f64>; OPTIONS.len()]) -> Result<Self, Wrong> {
         for (value, row) in given.iter_mut().zip(&OPTIONS) {
-            *value = value.or_else(|| row.default_value());
-            if let Some(value) = value.filter(|value| !row.allows(*value)) {
-                return Err(row.wrong(row.refusal(value)));
-            }
+            *value = value.or_else(|| row.default_value()).map(|value| row.checked(value)).transpose()?;
         }
         let [rate, noise, bandwidth, stiffness, mass, most_lag, seeds] = given;
         let [rate, stiffness, mass, most_lag, seeds] =
             [rate, stiffness, mass, most_lag, seeds].map(Option::unwrap_or_default);
-        let tolerances = ToleranceBox::new(stiffness, mass).map_err(|error| STIFFNESS_TOLERANCE.wrong(error))?;
+        let tolerances = ToleranceBox::new(stiffness, mass);
+        let tolerances = tolerances.map_err(|_| {
+            STIFFNESS_TOLERANCE.wrong("must be above zero where the mass has no tolerance either: the box is empty")
+        })?;
         Ok(Self { rate, noise, bandwidth, tolerances, most_lag, seeds: seeds as u64 })
     }
 }

@@ -4,7 +4,7 @@
 
 use coilsense_lab::mitigation::{Asked as Options, OPTIONS, Study};
 use coilsense_lab::quantity::plainly;
-use coilsense_lab::request::{Default, Row};
+use coilsense_lab::request::{IfAbsent, Row};
 use coilsense_lab::spec::Spec;
 use serde_json::{Map, Value, json};
 
@@ -36,11 +36,11 @@ pub fn asked(given: &Asked) -> Result<Options, String> {
 /// What the science says of the spec itself.
 pub fn usual(spec: &Spec, given: &Asked) -> Result<Answer, String> {
     let plain = Study::of(spec, &asked(&Asked::default())?).map_err(|error| error.to_string())?;
-    let found = |row: &Row| match (row.default, row.name) {
-        (Default::Value(text), _) => text.to_owned(),
+    let found = |row: &Row| match (row.if_absent, row.name) {
+        (IfAbsent::Value(text), _) => text.to_owned(),
         (_, "noise") => format!("{} N", plainly(plain.noise)),
         (_, "bandwidth") => format!("{} Hz", plainly(plain.bandwidth)),
-        (Default::Found(words), _) => words.to_owned(),
+        (IfAbsent::Found(words), _) => words.to_owned(),
     };
     let usual: Map<String, Value> = OPTIONS.iter().map(|row| (row.flag(), json!(found(row)))).collect();
     let refused = |row: &Row| row.value(given.text(&row.flag())?).err().map(|wrong| wrong.to_string());
@@ -85,7 +85,7 @@ mod tests {
             (r#"{"rate": "1000 MHz"}"#, "rate: sampling rate must be at most "),
             (
                 r#"{"stiffness-tolerance": "0 %", "mass-tolerance": "0 %"}"#,
-                "stiffness-tolerance: stiffness tolerance plus mass tolerance",
+                "stiffness-tolerance: must be above zero where the mass has no tolerance either: the box is empty",
             ),
             (r#"{"most-lag": "30"}"#, r#"most-lag: must be an angle with its unit (rad, deg), got "30""#),
             (r#"{"seeds": "0"}"#, r#"seeds: must be from 1 to 1000, got "0""#),
