@@ -11,7 +11,7 @@ use coilsense::mitigation::{
     inductance_fusion, low_pass, modal_kalman, observer_bank, surge_comb, surge_mean, surge_notches, surge_window,
     zero_vibration_derivative,
 };
-use coilsense::{Damping, Spring, SpringParameters};
+use coilsense::{Damping, Spring};
 use coilsense_lab::mitigation::export::{Export, ExportError, Precision, Settings};
 use coilsense_rt::{Biquad, Cascade, Measured, Window};
 use rand::RngExt;
@@ -20,18 +20,7 @@ const SAMPLES: usize = 100_000;
 const RATE: f64 = 2500.0;
 
 fn sampled() -> SampledSpring {
-    let spring = Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 52.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    });
+    let spring = Spring::new(coilsense::paper::S_T);
     SampledSpring::new(&spring.unwrap(), &Damping::Modal(0.005), RATE).unwrap()
 }
 

@@ -4,7 +4,7 @@
 
 use coilsense::mitigation::ToleranceBox;
 use coilsense::signals::sampled_window;
-use coilsense::{Damping, Excitation, FarEnd, Motion, Mount, Spring, SpringParameters};
+use coilsense::{Damping, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
 use coilsense_lab::output::Output;
@@ -13,19 +13,7 @@ use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 
 fn s_t() -> Spring {
-    Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 52.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    })
-    .unwrap()
+    coilsense::paper::s_t()
 }
 
 fn share(answer: &Answer, force: f64) -> f64 {

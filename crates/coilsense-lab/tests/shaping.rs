@@ -14,19 +14,7 @@ use std::f64::consts::PI;
 
 /// S_T with one mass between its ends: one mode.
 fn one_mass() -> Spring {
-    Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 1.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    })
-    .unwrap()
+    Spring::new(SpringParameters { windings: 1.0, ..coilsense::paper::S_T }).unwrap()
 }
 
 /// Half a period of the mode is so many samples.
@@ -94,9 +82,9 @@ fn the_exact_motion_rings_as_is_foretold() {
     // A line from sample to sample is exact for this drive; what is left are roundings of 100 N.
     assert!(ratio(&nominal) < 1e-9, "{}", ratio(&nominal));
     let other = ToleranceBox::changed(&nominal, [0.1, -0.1]).unwrap();
-    let foretold = named(&answer(), "ZV,").first_worst;
+    let predicted = named(&answer(), "ZV,").first_worst;
     // The peak lies between samples, at most half of one of 181 a period: (π/181)²/2.
-    assert!((ratio(&other) / foretold - 1.0).abs() < 3e-4, "{} and {foretold}", ratio(&other));
+    assert!((ratio(&other) / predicted - 1.0).abs() < 3e-4, "{} and {predicted}", ratio(&other));
 }
 
 #[test]

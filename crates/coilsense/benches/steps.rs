@@ -5,7 +5,7 @@
 use coilsense::mitigation::{
     BankDesign, KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, observer_bank, surge_mean, surge_notches,
 };
-use coilsense::{Damping, Spring, SpringParameters};
+use coilsense::{Damping, Spring};
 use coilsense_rt::{Cascade, Measured, Window};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 
@@ -14,18 +14,7 @@ const STEPS: u64 = 10_000;
 
 /// S_T at 2.5 kHz, ζ = 0.005.
 fn sampled() -> SampledSpring {
-    let spring = Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 52.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    });
+    let spring = Spring::new(coilsense::paper::S_T);
     SampledSpring::new(&spring.unwrap(), &Damping::Modal(0.005), 2500.0).unwrap()
 }
 

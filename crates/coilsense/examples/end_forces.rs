@@ -5,21 +5,10 @@
 use std::time::Instant;
 
 use coilsense::signals::sampled_window;
-use coilsense::{Excitation, Motion, Spring, SpringParameters};
+use coilsense::{Excitation, Motion};
 
 fn main() -> Result<(), coilsense::Error> {
-    let spring = Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 52.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    })?;
+    let spring = coilsense::paper::s_t();
     let motion = Motion::new(&spring, &Excitation::impact(spring.mid_length(), 0.25)?)?;
     let times = sampled_window(10_000.0, 0.0, 1.0)?;
     let mut spent = Vec::new();

@@ -16,13 +16,10 @@
 //!
 //! ```
 //! use coilsense::inductance::{MaxwellSum, SelfDistance};
-//! use coilsense::{Calibration, Channel, Deviation, Excitation, InductanceSensor, Motion, Spring, SpringParameters};
+//! use coilsense::{Calibration, Channel, Deviation, Excitation, InductanceSensor, Motion, paper};
 //!
 //! // S_T of the paper, hit at mid range: how far off is each force?
-//! let spring = Spring::new(SpringParameters {
-//!     rest_length: 0.104, windings: 52.0, coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0,
-//!     min_length: 0.196, max_length: 0.264, nominal_force: None, inductance_windings: None,
-//! })?;
+//! let spring = paper::s_t();
 //! let motion = Motion::new(&spring, &Excitation::impact(spring.mid_length(), 0.25)?)?;
 //! let times = coilsense::signals::sampled_window(10_000.0, 0.75, 1.0)?;
 //! let mut signals = motion.signals(&times)?;
@@ -48,6 +45,9 @@
 
 /// Parameters to a checked spring.
 pub mod spring;
+
+/// The paper's springs.
+pub mod paper;
 
 /// Wire and coil to stiffness, mass, stress and lengths.
 pub mod geometry;

@@ -111,9 +111,7 @@ impl Geometry {
     /// [`Error::Value`] as [`Geometry::new`].
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::geometry::{EndType, Geometry, Material, MaterialParameters};
     ///
     /// let steel = Material::new(MaterialParameters::elastic(81.5e9, 206e9, 7850.0))?;

@@ -23,9 +23,7 @@ impl MaxwellSum {
     /// coincides with another.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 2.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { windings: 2.0, ..coilsense::paper::S_T })?;
     /// use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductance_derivatives};
     /// let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
     /// let gradient = coil.gradient([0.0, 0.02], &[0.005, 0.015])?;
@@ -69,9 +67,7 @@ impl MaxwellSum {
     /// As [`Self::gradient`].
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 2.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { windings: 2.0, ..coilsense::paper::S_T })?;
     /// use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductance_derivatives};
     /// let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
     /// let hessian = coil.hessian([0.0, 0.02], &[0.005, 0.015])?; // 4 nodes: end 1, two masses, end 2
@@ -115,9 +111,7 @@ impl MaxwellSum {
     /// As [`Self::gradient`].
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 2.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { windings: 2.0, ..coilsense::paper::S_T })?;
     /// use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductance};
     /// let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
     /// let matrix = coil.matrix([0.0, 0.02], &[0.005, 0.015])?;

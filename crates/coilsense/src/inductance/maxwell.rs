@@ -25,9 +25,7 @@ use crate::spring::Spring;
 ///
 /// ```
 /// use coilsense::inductance::{MaxwellSum, SelfDistance};
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
 /// let microhenry = 1e6 * coil.at_length(0.23);
 /// assert!((3.0..4.0).contains(&microhenry));

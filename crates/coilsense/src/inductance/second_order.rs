@@ -27,9 +27,7 @@ pub(super) const ROUNDING: f64 = 1e-14;
 /// Accuracy: its own bound, which the tests hold against the exact sum.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::inductance::{MaxwellSum, SecondOrder, SelfDistance};
 /// let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
 /// let near = SecondOrder::about(&coil, 0.23)?.at_displacements(&[0.0; 52])?;

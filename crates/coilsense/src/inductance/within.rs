@@ -30,9 +30,7 @@ impl MaxwellSum {
     /// [`Error::Value`] for a tolerance that is not finite or below zero.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::inductance::{MaxwellSum, SelfDistance};
     /// let motion = coilsense::Motion::new(&spring, &coilsense::Excitation::impact(0.23, 0.25)?)?;
     /// let windings = motion.windings(&[0.0, 0.5, 1.0])?;
@@ -65,9 +63,7 @@ impl MaxwellSum {
     /// As [`Self::series_within`] and [`Motion::windings`]; [`Error::Value`] for a motion whose masses are not alike.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::inductance::{MaxwellSum, SelfDistance};
     /// let motion = coilsense::Motion::new(&spring, &coilsense::Excitation::impact(0.23, 0.25)?)?;
     /// let series = MaxwellSum::new(&spring, SelfDistance::AsPrinted).along(&motion, &[0.0, 0.5, 1.0], 1e-5)?;

@@ -24,9 +24,7 @@ use crate::error::{Error, check};
 /// [`Error::Value`] where a mode of the box lies beyond half of the sampling rate, or the filter forgets too slowly to tell.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{Damping, mitigation::{KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, ringing_error_bound}};
 /// let sampled = SampledSpring::new(&spring, &Damping::Modal(0.005), 2500.0)?;
 /// let filter = modal_kalman::<3>(&sampled, &KalmanNoise { force: 0.24, shock: 0.15, ringing: 2.0, drift: 0.5 })?;

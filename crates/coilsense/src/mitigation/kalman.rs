@@ -45,9 +45,7 @@ impl KalmanNoise {
 /// [`Error::Value`] for a number of modes that are not there or not below half of the sampling rate, and for noise that is not above zero.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{Damping, mitigation::{KalmanNoise, SampledSpring, modal_kalman}};
 /// let sampled = SampledSpring::new(&spring, &Damping::Modal(0.005), 2500.0)?;
 /// let noise = KalmanNoise { force: 0.24, shock: 0.1, ringing: 2.0, drift: 0.5 };

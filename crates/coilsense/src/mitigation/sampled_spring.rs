@@ -10,9 +10,7 @@ use crate::spring::Spring;
 /// A spring with both end positions measured, its damping, and the rate at which it is sampled.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{Damping, mitigation::SampledSpring};
 /// let sampled = SampledSpring::new(&spring, &Damping::Modal(0.005), 2500.0)?;
 /// assert!((sampled.surge_period() - 46.24).abs() < 0.01);

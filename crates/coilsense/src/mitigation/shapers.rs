@@ -29,9 +29,7 @@ pub fn zero_vibration(spring: &SampledSpring) -> Shaper<f64, 2> {
 /// Accuracy: as [`zero_vibration`]; 10 % off in frequency leaves 2.4 % of the ringing, where ZV leaves 16 %.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{Damping, mitigation::{SampledSpring, zero_vibration_derivative}};
 /// let shaper = zero_vibration_derivative(&SampledSpring::new(&spring, &Damping::None, 2500.0)?);
 /// assert_eq!(shaper.impulses.map(|impulse| impulse.amplitude), [0.25, 0.5, 0.25]);

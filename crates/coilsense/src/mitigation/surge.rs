@@ -23,9 +23,7 @@ fn mean(length: f64) -> Boxcar<f64> {
 /// Accuracy: where 2τ is no whole number of samples, zeros are off by at most (ωT)²/8: 0.2 % of a sine at f1 for S_T at 2.5 kHz.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{Damping, mitigation::{SampledSpring, surge_mean}};
 /// let mean = surge_mean(&SampledSpring::new(&spring, &Damping::None, 2500.0)?);
 /// assert_eq!(mean.whole, 46);

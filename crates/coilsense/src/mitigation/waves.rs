@@ -23,9 +23,7 @@ use crate::error::{Error, check};
 /// [`Error::Value`] for a gain outside of 0 to 1.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{Damping, mitigation::{SampledSpring, delay_line_observer}};
 /// let observer = delay_line_observer(&SampledSpring::new(&spring, &Damping::None, 2500.0)?, 0.3)?;
 /// assert_eq!((observer.transit.whole, observer.loss), (23, 0.0));

@@ -25,9 +25,7 @@ use crate::spring::Spring;
 /// [`Error::Value`] for an end mass that is not above zero, or a count outside of its range.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// use coilsense::{FarEnd, modes::continuous_frequencies};
 ///
 /// let hertz = continuous_frequencies(&spring, FarEnd::Mass(0.065), 1)?[0] / std::f64::consts::TAU;
@@ -62,9 +60,7 @@ pub fn continuous_frequencies(spring: &Spring, far_end: FarEnd, count: usize) ->
 /// [`Error::Value`] for an end mass that is not finite or below zero.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// let hertz = coilsense::modes::third_rule_frequency(&spring, 0.065)? / std::f64::consts::TAU;
 /// assert!((hertz - 14.904).abs() < 1e-3); // 14.806 Hz in truth
 /// # Ok::<(), coilsense::Error>(())
@@ -88,9 +84,7 @@ pub fn third_rule_frequency(spring: &Spring, end_mass: f64) -> Result<f64, Error
 /// [`Error::Value`] for an end mass that is not finite or below zero.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// assert!((coilsense::modes::third_rule_error(&spring, 0.0)? - 0.1027).abs() < 1e-4);
 /// # Ok::<(), coilsense::Error>(())
 /// ```

@@ -50,9 +50,7 @@ pub fn continuous_frequency(transit_time: f64, mode: usize) -> f64 {
 /// Differs:  eq. 3 of the paper is the limit N → ∞, 0.015 % above for S_T.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// let modes = coilsense::modes::ChainModes::of(&spring);
 /// let mode1 = modes.frequencies()[0] / std::f64::consts::TAU;
 /// assert!((mode1 - 54.057).abs() < 1e-3);

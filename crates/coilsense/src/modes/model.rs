@@ -15,9 +15,7 @@ use crate::spring::Spring;
 ///
 /// ```
 /// use coilsense::modes::{ChainModes, ModalModel};
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// let model = ModalModel::chain(&spring, coilsense::FarEnd::Position);
 /// assert_eq!(model.frequencies(), ChainModes::of(&spring).frequencies());
 /// # Ok::<(), coilsense::Error>(())

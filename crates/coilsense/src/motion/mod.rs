@@ -62,9 +62,7 @@ const LARGEST_RATIO: f64 = 1e3;
 ///
 /// ```
 /// use coilsense::{Excitation, Motion};
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// let motion = Motion::new(&spring, &Excitation::impact(0.23, 0.25)?)?;
 /// let forces = motion.end_forces(&[0.0, 0.75, 1.0])?;
 /// assert!((forces.input[0] - spring.static_force(0.23)).abs() < 1e-9); // windings still uniform

@@ -30,9 +30,7 @@ impl Motion {
     /// Accuracy: a bound. Within 0.1 mm of the closest pitch of S_T over 1 s in the paper's five conditions without damping (test).
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// let motion = coilsense::Motion::new(&spring, &coilsense::Excitation::impact(0.23, 0.25)?)?;
     /// let least = motion.least_pitch(1.0);
     /// assert!(least > spring.wire_diameter() && least < 0.23 / 52.0);

@@ -43,9 +43,7 @@ impl Motion {
     ///
     /// ```
     /// # use coilsense::{Excitation, Motion};
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// let motion = Motion::new(&spring, &Excitation::impact(0.23, 0.25)?)?;
     /// let last = motion.stream(1e-4)?.nth(10_000).expect("a stream has no end");
     /// let batch = motion.end_forces(&[1.0])?;

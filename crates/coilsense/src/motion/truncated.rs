@@ -37,9 +37,7 @@ impl Motion {
     ///
     /// ```
     /// # use coilsense::{EndInput, Excitation, Motion, Start};
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// let input = EndInput::harmonic(1e-3, 10.0, 0.0);
     /// let motion = Motion::new(&spring, &Excitation::new(0.23, input, EndInput::Held, Start::Massless)?)?;
     /// let three = motion.truncated(3)?;

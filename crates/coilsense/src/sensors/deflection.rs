@@ -19,9 +19,7 @@ use crate::spring::Spring;
 /// [`Error::Count`] where the two series are not equally long.
 ///
 /// ```
-/// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-/// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// # let spring = coilsense::paper::s_t();
 /// let force = coilsense::sensors::deflection_force(&spring, &[0.0], &[0.204])?;
 /// assert!((force[0] - 76.0).abs() < 1e-12);
 /// # Ok::<(), coilsense::Error>(())

@@ -68,9 +68,7 @@ impl TwoEncoder {
     /// [`Error::Count`] where the series are not equally long; [`Error::Value`] for a value beyond 1e9 either way.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// let encoders = coilsense::sensors::TwoEncoder::new(&spring, 1e-5, 2e-4, 0.204)?;
     /// let elongation = encoders.elongation(&[0.0], &[0.204], &[76.0])?;
     /// assert!((elongation[0] - (0.204 + 76e-5 + 1e-4)).abs() < 1e-15);

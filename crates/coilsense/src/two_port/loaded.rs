@@ -18,12 +18,10 @@ impl DynamicStiffness {
     ///
     /// Source:   `[Weijde2017]` eq. 1 with chain, damping and load; [`Self::matrix`] with F_o = −K_L U2.
     /// Valid:    windings that never touch; a free end takes no force: 0.
-    /// Accuracy: as [`Self::drive_point`]; with modal ratios relative to k_d/k_t where k_t dies out.
+    /// Accuracy: as [`Self::drive_point`]; with modal ratios relative to k_d/k_t where k_t decays.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::Damping;
     /// use coilsense::two_port::{Load, TwoPort};
     ///
@@ -59,9 +57,7 @@ impl DynamicStiffness {
     /// Accuracy: as [`Self::transmittance`].
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::Damping;
     /// use coilsense::two_port::{Load, TwoPort};
     /// let ends = TwoPort::chain(&spring, Damping::None)?.at(0.0)?;
@@ -87,9 +83,7 @@ impl DynamicStiffness {
     /// Accuracy: as [`Self::transmittance`], relative to the largest term.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::Damping;
     /// use coilsense::two_port::{Load, TwoPort};
     /// let ends = TwoPort::chain(&spring, Damping::None)?.at(0.0)?;

@@ -5,9 +5,7 @@
 //! springs have closed forms, modal ratios the full sum over modes.
 //!
 //! ```
-//! # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-//! #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-//! #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+//! # let spring = coilsense::Spring::new(coilsense::SpringParameters { ! #     coil_radius: 0.008, ! #     max_length: 0.264, ..coilsense::paper::S_T })?;
 //! use coilsense::Damping;
 //! use coilsense::two_port::{Load, TwoPort};
 //!

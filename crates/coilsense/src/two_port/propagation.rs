@@ -24,7 +24,7 @@ pub(super) struct Inertia {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Propagation {
     pub inertia: Inertia,
-    /// k_t/k, which keeps its relative accuracy where it dies out above cut-off; `None` where |φ| < 1 and 1 + z² (μ − ν)/2 is better.
+    /// k_t/k, which keeps its relative accuracy where it decays above cut-off; `None` where |φ| < 1 and 1 + z² (μ − ν)/2 is better.
     pub transfer: Option<Complex64>,
 }
 

@@ -47,9 +47,7 @@ impl DynamicStiffness {
     /// Accuracy: 2e-15 (30 + κ) relative with κ = |d ln / d ln ω|, against 25-digit direct solves for N ≤ 52 up to twice the cut-off.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     ///
     /// let still = TwoPort::chain(&spring, Damping::None)?.at(0.0)?;
@@ -66,12 +64,10 @@ impl DynamicStiffness {
     ///
     /// Source:   as [`Self::drive_point`].
     /// Valid:    windings that never touch.
-    /// Accuracy: as [`Self::drive_point`], also where it dies out above cut-off; with modal ratios relative to k_d there.
+    /// Accuracy: as [`Self::drive_point`], also where it decays above cut-off; with modal ratios relative to k_d there.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     /// let moving = TwoPort::chain(&spring, Damping::None)?.at(100.0)?;
     /// assert!(moving.transfer().re > spring.stiffness() && moving.drive_point().re < spring.stiffness());
@@ -88,9 +84,7 @@ impl DynamicStiffness {
     /// Accuracy: as [`Self::drive_point`], and so down to ω = 0: no difference of stiffnesses is taken.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     /// let slow = TwoPort::wave(&spring, Damping::None)?.at(1e-6)?;
     /// assert!((slow.drive_point_inertia().re / (spring.mass() * 1e-12) + 1.0 / 3.0).abs() < 1e-12);
@@ -107,9 +101,7 @@ impl DynamicStiffness {
     /// Accuracy: as [`Self::drive_point_inertia`]; with modal ratios relative to k_d.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     /// let slow = TwoPort::wave(&spring, Damping::None)?.at(1e-6)?;
     /// assert!((slow.transfer_inertia().re / (spring.mass() * 1e-12) - 1.0 / 6.0).abs() < 1e-12);
@@ -128,9 +120,7 @@ impl DynamicStiffness {
     /// Accuracy: that of its entries.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     /// let [[f_i_by_u1, f_i_by_u2], [f_o_by_u1, f_o_by_u2]] = TwoPort::chain(&spring, Damping::None)?.at(0.0)?.matrix();
     /// assert_eq!([f_i_by_u1, f_o_by_u1], [-f_i_by_u2, -f_o_by_u2]); // moved as a whole, it feels nothing at rest
@@ -150,9 +140,7 @@ impl DynamicStiffness {
     /// Accuracy: as [`Self::drive_point`], away from the free–free resonances.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     /// let ends = TwoPort::chain(&spring, Damping::None)?.at(0.1)?;
     /// // Pulled slowly at end 2, free at end 1, it moves as a rigid mass: U2 = −F_o / m ω².
@@ -175,9 +163,7 @@ impl DynamicStiffness {
     /// Accuracy: as [`Self::drive_point`], relative to the largest term.
     ///
     /// ```
-    /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
-    /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-    /// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+    /// # let spring = coilsense::paper::s_t();
     /// use coilsense::{Damping, two_port::TwoPort};
     /// let [[a, b], [c, d]] = TwoPort::wave(&spring, Damping::None)?.at(100.0)?.transmission();
     /// assert!((a.re - (100.0 * spring.transit_time()).cos()).abs() < 1e-14);
