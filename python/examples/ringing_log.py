@@ -46,7 +46,7 @@ for name in ("first_frequency", "damping_ratio", "stiffness", "mass"):
 spec = coilsense.Spec.parse(found.to_spec(spring=spring))
 part = coilsense.open_log(log, columns, from_=1.0, to=5.0)
 remedies = coilsense.mitigate(spec, part)
-raw = next(remedy for remedy in remedies.remedies if remedy.name == "F_i as it is")
+raw = next(remedy for remedy in remedies.remedies if remedy.name == "F_i, unfiltered")
 best = remedies.best_filter
 assert best is not None and best.rms_error < raw.rms_error
 print(f"best of {len(remedies)}: {best.name}, {best.rms_error:.3f} N rms off instead of {raw.rms_error:.3f} N")
@@ -65,7 +65,7 @@ else:
     above.set_title("What rings, by the log (simulated)")
     time = part.signals.time
     shown = (time > 1.9) & (time < 2.6)
-    below.plot(time[shown], force[shown], color="#999999", linewidth=0.7, label="F_i as it is")
+    below.plot(time[shown], force[shown], color="#999999", linewidth=0.7, label="F_i, unfiltered")
     below.plot(time[shown], clean[shown], color="#0072b2", label=best.name)
     below.set_xlabel("t [s]")
     below.set_ylabel("Force [N]")

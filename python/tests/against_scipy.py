@@ -228,7 +228,7 @@ def filtered() -> float:
 
 def kalman() -> float:
     """`mitigate`: gains of the modal Kalman filter <-> `scipy.linalg.solve_discrete_are` on modes by `eigh` and `expm`"""
-    rate, noise, member = 2500.0, 0.24, settings("Kalman, 3 modes, bias")["members"][0]
+    rate, noise, member = 2500.0, 0.24, settings("Kalman filter, 3 modes, bias")["members"][0]
     ours = [gain for mode in member["modes"] for gain in mode["gain"]] + [member["bias_gain"]]
     frequencies = numpy.sqrt(scipy.linalg.eigh(*chain(), eigvals_only=True))[:3]
     turn, read = numpy.eye(7), numpy.array([1.0, 0, 1, 0, 1, 0, 1])

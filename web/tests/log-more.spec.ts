@@ -120,10 +120,10 @@ test('a file of the measured runs’ layout is calibrated as the command does by
   expect(apart(JSON.parse(await saved(page, 'Calibration (JSON)')), there)).toBeLessThan(1e-9);
 });
 
-test('the log is drawn as it was dropped, with its taps, and a part of it can be looked at', async ({ page }) => {
+test('the log is drawn as it was dropped, with its hits, and a part of it can be looked at', async ({ page }) => {
   await simulated(page);
   const region = page.getByRole('region', { name: 'What was recorded' });
-  await expect(region).toContainText(/[56] taps were found/);
+  await expect(region).toContainText(/[56] hits were found/);
   for (const name of ['Forces over time', 'Positions over time', 'Inductance over time'])
     await expect(region.getByRole('img', { name })).toBeVisible();
   const shown = region.locator('[aria-live]');

@@ -29,7 +29,7 @@ test('windings, mass, end 2, accuracies, tolerances and repairs do what the comm
   await type(page, 'How exact', 'Force sensors, of reading', '0.5 %');
   await type(page, 'How exact', 'Position sensors', '0.2 %');
   await type(page, 'How exact', 'A force is trusted up to', '3 %');
-  await type(page, 'How exact', 'A foretold f1 may be off by', '2 %');
+  await type(page, 'How exact', 'A predicted f1 may be off by', '2 %');
   await type(page, 'What may be mended', 'Fill gaps up to', '10 ms');
   await type(page, 'What may be mended', 'Leave out before', '1 s');
   await type(page, 'What may be mended', 'and after', '39 s');

@@ -190,7 +190,7 @@ test('the signal and the pictures are taken along', async ({ page }) => {
     expect(titles).toBe('time [s],F_i [N],out [N],truth [N]');
     return rows.map((row) => row.split(',').map(Number));
   };
-  await page.getByRole('button', { name: 'F_i as it is' }).click();
+  await page.getByRole('button', { name: 'F_i, unfiltered' }).click();
   for (const [, measured, out] of await table()) expect(out).toBe(measured);
   // A notch, run here once more from its settings: b0 x + b1 x' + b2 x'' − a1 y' − a2 y''.
   await page.getByRole('button', { name: 'notch at f1, Q = 2' }).click();

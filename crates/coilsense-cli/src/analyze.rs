@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use coilsense_lab::analysis::{Analysis, AnalysisError};
 use coilsense_lab::output::Output;
-use coilsense_lab::report::{add_analysis, analysis_text};
+use coilsense_lab::report::{add_analysis, analysis_json, analysis_text};
 use coilsense_lab::spec::Spec;
 
 use crate::date;
@@ -21,6 +21,9 @@ pub struct Arguments {
     /// Folder for report.html, results.json and signals.parquet; its other files are left alone
     #[arg(long, value_name = "DIR", default_value = "out/analysis")]
     out: PathBuf,
+    /// Print JSON, as it stands in results.json
+    #[arg(long)]
+    json: bool,
     /// Date that the report carries, such as 2026-11-21; without it, today's
     #[arg(long, value_name = "DATE", value_parser = date::parse)]
     date: Option<String>,
@@ -40,10 +43,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if watch.is_stopped() {
         return Err(AnalysisError::Interrupted.into());
     }
+    let text = if arguments.json { analysis_json(&analysis, &date)? } else { analysis_text(&analysis) };
     let files = output.commit()?;
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early has all it wants: the files are written.
-    let _ = write!(out, "{}", analysis_text(&analysis));
+    let _ = write!(out, "{text}");
+    if arguments.json {
+        return Ok(());
+    }
     let _ = writeln!(
         out,
         "\n{files} files in {} in {:.2} s; open {}",

@@ -45,7 +45,7 @@ pub struct Arguments {
     /// Mass at end 2; without it F_o over the acceleration of u2
     #[arg(long, value_name = "MASS", value_parser = mass, allow_hyphen_values = true)]
     end_mass: Option<f64>,
-    /// How far a foretold f1 may be off
+    /// How far a predicted f1 may be off
     #[arg(long, value_name = "SHARE", value_parser = open_share, allow_hyphen_values = true, default_value = "5 %")]
     prediction_tolerance: f64,
     /// Dynamic error up to which a force counts as trusted
@@ -118,12 +118,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 fn settings(arguments: &Arguments, spring: Option<&Spring>) -> Settings {
-    let foretold = spring.and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
+    let predicted = spring.and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
     let end_mass = arguments.end_mass.map(FarEnd::Mass);
     Settings {
         windings: spring.map(|spring| spring.whole_windings() as f64).or(arguments.windings),
         mass: arguments.mass,
-        predicted: foretold.map(|angular| angular / std::f64::consts::TAU),
+        predicted: predicted.map(|angular| angular / std::f64::consts::TAU),
         prediction_tolerance: arguments.prediction_tolerance,
         far_end: match arguments.end2 {
             Some(End2::Held) => Some(FarEnd::Position),

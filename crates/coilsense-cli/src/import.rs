@@ -7,7 +7,8 @@ use std::time::Instant;
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::{ImportError, import, write_recording};
+use coilsense_lab::recording::{Account, ImportError, import, write_recording};
+use coilsense_lab::report::{ImportOutcome, to_json};
 use coilsense_lab::series::Format;
 
 use crate::log::LogArguments;
@@ -21,6 +22,9 @@ pub struct Arguments {
     /// File for time and channels in SI units; its ending says the format: csv, json or parquet
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
 }
 
 /// Runs the command.
@@ -51,7 +55,24 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output.commit()?;
     // A reader that closes the pipe early has all it wants: the file is written.
     let mut out = anstream::stdout().lock();
-    let _ = writeln!(out, "{}", account);
+    if arguments.json {
+        let _ = write!(out, "{}", to_json(outcome(&account, &arguments.out))?);
+        return Ok(());
+    }
+    let _ = writeln!(out, "{account}");
     let _ = writeln!(out, "{} in {:.2} s", arguments.out.display(), begun.elapsed().as_secs_f64());
     Ok(())
+}
+
+fn outcome<'a>(account: &'a Account, out: &'a Path) -> ImportOutcome<'a> {
+    ImportOutcome {
+        file: &account.file,
+        out,
+        format: &account.description,
+        read: account.read,
+        rows: account.rows,
+        left_out: account.left_out(),
+        span_s: account.span,
+        account: account.lines(),
+    }
 }

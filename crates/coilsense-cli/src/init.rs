@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::bail;
 use coilsense_lab::output::Output;
+use coilsense_lab::report::{InitOutcome, to_json};
 use coilsense_lab::spec;
 
 /// Options of `coilsense init`.
@@ -19,20 +20,31 @@ pub struct Arguments {
     /// List the sensor catalogue in place of a spec
     #[arg(long, conflicts_with_all = ["from", "out"])]
     sensors: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
 }
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let text = if arguments.sensors { spec::classes()? } else { spec::template(arguments.from.as_deref())? };
+    let told = |file| match arguments.json {
+        true => to_json(InitOutcome { file, text: &text }),
+        false => Ok(text.clone()),
+    };
     let Some(path) = &arguments.out else {
         // A reader that closes the pipe early has all it wants.
-        let _ = write!(anstream::stdout().lock(), "{text}");
+        let _ = write!(anstream::stdout().lock(), "{}", told(None)?);
         return Ok(());
     };
     if path.exists() {
         bail!("{}: is there already; name a file that is not, or remove it", path.display());
     }
     write_one(path, |file| file.write_all(text.as_bytes()))?;
+    if arguments.json {
+        let _ = write!(anstream::stdout().lock(), "{}", told(Some(path))?);
+        return Ok(());
+    }
     let _ =
         writeln!(anstream::stdout().lock(), "{}; next: coilsense analyze {} --out DIR", path.display(), path.display());
     Ok(())

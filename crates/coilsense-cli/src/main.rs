@@ -53,13 +53,13 @@ enum Command {
     Calibrate(calibrate::Arguments),
     /// Is it the spring that rings, how stiff, heavy and damped is it, and up to where can its forces be trusted: ask a measured log
     Identify(identify::Arguments),
-    /// Read a log, mend what may be mended, write it in SI units on one rising clock, and account for every row
+    /// Read a log, clean it up as allowed, write it in SI units on one rising clock, and account for every row
     Import(import::Arguments),
     /// The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors
     Rig(rig::Arguments),
     /// What to do about ringing: every filter and observer on the spec's conditions, ranked, and settings to paste
     Mitigate(mitigate::Arguments),
-    /// Which force to feed back, and how fast the loop may then be: limits, margins, what the world feels
+    /// Which force to feed back, and how fast the loop may then be: limits, margins, rendered impedance
     Placement(placement::Arguments),
     /// Which of a million springs and sensors: vary a spec's values, judge every design, write rows as Parquet; a killed run is continued
     Sweep(sweep::Arguments),

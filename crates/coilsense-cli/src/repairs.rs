@@ -6,7 +6,7 @@ use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::Repairs;
 
 /// Heading of these options in the help.
-pub const REPAIRS: &str = "What may be mended (by default nothing)";
+pub const REPAIRS: &str = "What may be cleaned up (by default nothing)";
 
 /// Options that say what may be mended in the rows of a log.
 #[derive(clap::Args)]

@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::ValueEnum;
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
-use coilsense_lab::report::{add_reproduction, reproduction_text};
+use coilsense_lab::report::{add_reproduction, reproduction_json, reproduction_text};
 use coilsense_lab::reproduce::{PaperSprings, Protocol, reproduce};
 
 use crate::progress::Watch;
@@ -21,6 +21,9 @@ pub struct Arguments {
     /// How to read the paper: by its literal words, by what makes its printed tables come out, or both
     #[arg(long, value_enum, default_value_t = Reading::Both)]
     protocol: Reading,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
     /// Folder with S_T.toml and S_A.toml to use in place of the built-in springs of Table I
     #[arg(long, value_name = "DIR")]
     springs: Option<PathBuf>,
@@ -57,10 +60,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if watch.is_stopped() {
         return Err(AnalysisError::Interrupted.into());
     }
+    let text = if arguments.json { reproduction_json(&reproduction)? } else { reproduction_text(&reproduction) };
     let files = output.commit()?;
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early (`| head`) has all it wants: the files are written.
-    let _ = write!(out, "{}", reproduction_text(&reproduction));
+    let _ = write!(out, "{text}");
+    if arguments.json {
+        return Ok(());
+    }
     let _ = writeln!(
         out,
         "\n{files} files in {} in {:.2} s; open {}",

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
+use coilsense_lab::report::{RigOutcome, to_json};
 use coilsense_lab::rig::{Rig, RigError};
 use coilsense_lab::spec::Spec;
 
@@ -23,6 +24,9 @@ pub struct Arguments {
     /// Seed of noise, of each instrument's own errors and of hits; without it, that of [uncertainty]
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
 }
 
 /// Runs the command.
@@ -43,6 +47,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return Err(AnalysisError::Interrupted.into());
     }
     let files = output.commit()?;
+    if arguments.json {
+        let (runs, warnings) = (rig.runs().len(), rig.warnings().iter().map(ToString::to_string).collect());
+        let text = to_json(RigOutcome { folder: &arguments.out, files, runs, rows: rows as u64, seed, warnings })?;
+        let _ = write!(anstream::stdout().lock(), "{text}");
+        return Ok(());
+    }
     for warning in rig.warnings() {
         anstream::eprintln!("warning: {warning}");
     }

@@ -7,6 +7,7 @@ use std::time::Instant;
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::{AnalysisError, simulate};
 use coilsense_lab::output::Output;
+use coilsense_lab::report::{SimulationOutcome, to_json};
 use coilsense_lab::series::{self, Format, Run};
 use coilsense_lab::spec::Spec;
 
@@ -25,6 +26,9 @@ pub struct Arguments {
     /// Put everything into one CSV, with the columns condition and damping in front where there are several
     #[arg(long)]
     one_file: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
 }
 
 /// Runs the command.
@@ -55,8 +59,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if watch.is_stopped() {
         return Err(AnalysisError::Interrupted.into());
     }
+    let names = output.files().iter().map(|file| file.display().to_string()).collect();
     let files = output.commit()?;
     let samples: usize = cases.iter().map(|case| case.signals.time().len()).sum();
+    if arguments.json {
+        let (spec_file, runs) = (spec.file.as_str(), runs.len());
+        let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples })?;
+        let _ = write!(anstream::stdout().lock(), "{text}");
+        return Ok(());
+    }
     let plural = if files == 1 { "file" } else { "files" };
     // A reader that closes the pipe early has all it wants.
     let _ = writeln!(

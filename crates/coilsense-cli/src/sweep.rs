@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use anyhow::Context;
+use coilsense_lab::report::{ReasonRow, SweepOutcome, to_json};
 use coilsense_lab::sweep::{Catalogue, Dataset, Plan, PlanParameters, Sampling, Tally, column_words};
 
 use crate::progress::Watch;
@@ -116,7 +117,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let made = plan.rows() - before;
     // A reader that closes the pipe early has all it wants.
     let told = Told { folder: &arguments.out, plan: &plan, tally: &tally, made, seconds };
-    let text = if arguments.json { told.json() } else { told.text() };
+    let text = if arguments.json { to_json(told.outcome())? } else { told.text() };
     let _ = write!(anstream::stdout().lock(), "{text}");
     Ok(())
 }
@@ -183,24 +184,22 @@ impl Told<'_> {
         text + &format!("read it: pandas.read_parquet({quoted}), or DuckDB: SELECT * FROM '{folder}/*.parquet'\n")
     }
 
-    fn json(&self) -> String {
-        let reason = |(count, reason): &(u64, String)| serde_json::json!({ "count": count, "such_as": reason });
-        let value = serde_json::json!({
-            "schema": "coilsense/sweep-summary/1",
-            "folder": self.folder,
-            "digest": self.plan.digest(),
-            "rows": self.tally.rows,
-            "ok": self.tally.ok,
-            "clash": self.tally.clash,
-            "refused": self.tally.refused,
-            "reasons": self.tally.reasons.iter().map(reason).collect::<Vec<_>>(),
-            "chunks": self.plan.chunks(),
-            "made": self.made,
-            "seconds": self.seconds,
-            "designs_per_second": self.rate(),
-            "peak_memory_kb": peak_memory(),
-        });
-        format!("{value:#}\n")
+    fn outcome(&self) -> SweepOutcome<'_> {
+        let reasons = self.tally.reasons.iter().map(|(count, reason)| ReasonRow { count: *count, such_as: reason });
+        SweepOutcome {
+            folder: self.folder,
+            digest: self.plan.digest(),
+            rows: self.tally.rows,
+            ok: self.tally.ok,
+            clash: self.tally.clash,
+            refused: self.tally.refused,
+            reasons: reasons.collect(),
+            chunks: self.plan.chunks(),
+            made: self.made,
+            seconds: self.seconds,
+            designs_per_second: self.rate(),
+            peak_memory_kb: peak_memory(),
+        }
     }
 
     /// Designs a second.

@@ -33,7 +33,7 @@ kind = "preload"
 fast = "after.csv"
 
 [[run]]
-kind = "tap"
+kind = "hit"
 "#;
 
 /// A load cell and a laser that know nothing of coilsense: semicolons, decimal commas, names of their own.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use coilsense::{Damping, Excitation, FarEnd, Motion, Mount, Spring, SpringParameters};
+use coilsense::{Damping, Excitation, FarEnd, Motion, Mount};
 
 fn coilsense(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_coilsense"))
@@ -18,21 +18,9 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// S_T at 1 kHz for 20 s: a slow triangle of the length, then five taps; noise of a rough kind, by a multiplicative generator.
+/// S_T at 1 kHz for 20 s: a slow triangle of the length, then five hits; noise of a rough kind, by a multiplicative generator.
 fn log(folder: &Path) -> PathBuf {
-    let spring = Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings: 52.0,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    })
-    .expect("Table I is valid");
+    let spring = coilsense::paper::s_t();
     let mount = Mount::new(FarEnd::Position, Damping::Modal(0.01)).expect("damping is valid");
     let impact = Excitation::impact(0.23, 0.2).expect("the impact is valid");
     let times: Vec<f64> = (0..20_000).map(|n| f64::from(n) / 1000.0).collect();
@@ -47,7 +35,7 @@ fn log(folder: &Path) -> PathBuf {
     let mut log = String::from("# a bench\nt [s];LC 1 [N];LC 2 [N];motor [mm];joint [mm]\n");
     for (n, t) in times.iter().enumerate() {
         let slow = 0.03 * (1.0 - (t.min(8.0) / 4.0 - 1.0).abs());
-        let since = |tap: usize| n.checked_sub(9000 + 2000 * tap);
+        let since = |hit: usize| n.checked_sub(9000 + 2000 * hit);
         let of = |force: &[f64]| (0..5).filter_map(since).map(|after| force[after] - still).sum::<f64>();
         let force = spring.static_force(0.23 + slow);
         let (input, output) = (force + of(&ringing.input) + noise(0.05), force + of(&ringing.output) + noise(0.05));
@@ -115,8 +103,8 @@ fn json_goes_to_the_terminal_alone() {
     arguments.extend(COLUMNS);
     let output = coilsense(folder.path(), &arguments);
     let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("nothing but JSON");
-    assert_eq!(value["schema"], "coilsense/identification/1");
-    assert_eq!(value["taps_s"].as_array().map(Vec::len), Some(5));
+    assert_eq!(value["schema"], "coilsense/identification/2");
+    assert_eq!(value["hits_s"].as_array().map(Vec::len), Some(5));
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn a_spec_gets_advice_and_files_to_paste() {
     let done = mitigate(folder.path(), &["--seeds", "1", "--rate", "1 kHz", "--noise", "0.2 N", "--out", "out"]);
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    assert!(text.starts_with("For F_i without its ringing, take the ") && text.contains("10 files in out"), "{text}");
+    assert!(text.starts_with("Best filter of F_i: ") && text.contains("10 files in out"), "{text}");
     for file in ["results.json", "trade-off.svg", "trade-off.png", "force_filter.h", "force_estimator.rs"] {
         assert!(folder.path().join("out").join(file).is_file(), "{file}");
     }

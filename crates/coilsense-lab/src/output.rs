@@ -73,6 +73,11 @@ impl Output {
         Ok(())
     }
 
+    /// The files so far, as they will be called.
+    pub fn files(&self) -> Vec<PathBuf> {
+        self.files.iter().map(|file| self.target.join(file)).collect()
+    }
+
     /// Removes a file of an earlier run on commit, unless it is written again.
     pub fn remove(&mut self, relative: &str) {
         self.removed.push(relative.into());

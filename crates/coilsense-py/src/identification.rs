@@ -117,7 +117,7 @@ impl PyIdentification {
     /// Which mount the modes fit, in words; None without modes.
     #[getter]
     fn mount(&self) -> Option<&'static str> {
-        self.0.found.ladder.map(|ladder| ladder.name())
+        self.0.found.mode_series.map(|mode_series| mode_series.name())
     }
 
     /// Up to which frequencies [Hz] forces can be trusted to a tolerance [1]: a dict, or None where f1 is not known.
@@ -138,10 +138,10 @@ impl PyIdentification {
         self.to_dict(py)?.get_item("lines")
     }
 
-    /// Times of the taps [s], shape (taps,).
+    /// Times of the hits [s], shape (hits,).
     #[getter]
-    fn taps<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.0.found.taps.iter().map(|tap| tap.time).collect::<Vec<_>>().into_pyarray(py)
+    fn hits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.0.found.hits.iter().map(|hit| hit.time).collect::<Vec<_>>().into_pyarray(py)
     }
 
     /// Power spectral densities of the parts of the forces: for each part frequencies [Hz] and density [N²/Hz], shape (lines,).
@@ -299,7 +299,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// end_mass : float or str, optional
 ///     Mass at end 2 [kg]; without it F_o over the acceleration of u2.
 /// prediction_tolerance : float
-///     How far a foretold f1 may be off, as a share [1].
+///     How far a predicted f1 may be off, as a share [1].
 /// tolerance : float
 ///     Dynamic error up to which a force counts as trusted, as a share [1].
 /// accuracy_force, accuracy_position : float
@@ -347,12 +347,12 @@ fn identify(
     if known.is_some() && (mass.is_some() || windings.is_some()) {
         return Err(Error::new_err("spring says mass and windings, too; give one of them"));
     }
-    let foretold = known.as_ref().and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
+    let predicted = known.as_ref().and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
     let end_mass = positive(end_mass.as_ref(), "end_mass", Dimension::Mass)?;
     let settings = Settings {
         windings: known.as_ref().map(|spring| spring.whole_windings() as f64).or(windings),
         mass: positive(mass.as_ref(), "mass", Dimension::Mass)?,
-        predicted: foretold.map(|angular| angular / std::f64::consts::TAU),
+        predicted: predicted.map(|angular| angular / std::f64::consts::TAU),
         prediction_tolerance: open_share(prediction_tolerance, "prediction_tolerance")?,
         far_end: far_end(end2, end_mass)?,
         tolerance: open_share(tolerance, "tolerance")?,

@@ -20,8 +20,8 @@ fn shaking(random: &mut Pcg64, from: f64, to: f64) -> Motion {
     Box::new(move |time| sines.iter().map(|(frequency, phase)| (TAU * frequency * time + phase).sin()).sum())
 }
 
-/// Five taps that ring down.
-fn taps(random: &mut Pcg64) -> Motion {
+/// Five hits that ring down.
+fn hits(random: &mut Pcg64) -> Motion {
     let frequency = random.random_range(20.0..50.0);
     let at: Vec<f64> = (0..5).map(|_| random.random_range(1.0..15.0)).collect();
     Box::new(move |time| {
@@ -71,8 +71,8 @@ fn the_interval_holds_the_offset_as_often_as_it_says() {
     let cases: [Case; 5] = [
         ("shaking", fast, 0.02, 0.01),
         ("shaking", fast, 1.0, 0.3),
-        ("taps", taps, 0.02, 0.1),
-        ("taps", taps, 0.05, 0.2),
+        ("hits", hits, 0.02, 0.1),
+        ("hits", hits, 0.05, 0.2),
         ("slow", slow, 0.3, 3.0),
     ];
     for (name, make, noise, most) in cases {

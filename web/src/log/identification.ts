@@ -44,7 +44,7 @@ export interface Recorded {
     found: { channels: [string, string]; halfWidth: number; correlation: number } | null;
   } | null;
   /** When it was struck [s]. */
-  taps?: number[];
+  hits?: number[];
   /** Why it says nothing. */
   refusal?: string;
 }

@@ -115,7 +115,7 @@ export const GROUPS: readonly Group[] = [
     ],
   },
   {
-    title: 'What may be mended',
+    title: 'What may be cleaned up',
     options: [
       { name: 'drop-incomplete', label: 'leave out rows that lack a value or cannot be read', tick: true },
       { name: 'sort', label: 'put rows into the order of their times', tick: true },
@@ -142,7 +142,7 @@ export const GROUPS: readonly Group[] = [
         example: '1 %',
         hint: 'Error by the spring’s own dynamics.',
       },
-      { name: 'prediction-tolerance', label: 'A foretold f1 may be off by', example: '5 %' },
+      { name: 'prediction-tolerance', label: 'A predicted f1 may be off by', example: '5 %' },
     ],
   },
   {

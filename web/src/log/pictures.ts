@@ -1,4 +1,4 @@
-// The spectra with their lines, the strongest tap beside its fit, force over length.
+// The spectra with their lines, the strongest hit beside its fit, force over length.
 //
 // Next door: the log as it was dropped (`recorded`), numbers (`tables`).
 
@@ -30,8 +30,8 @@ export function draw(host: HTMLElement, found: Identification, { facts, series }
   });
   if (of('ring time').length > 1) {
     curves(host, {
-      title: 'The strongest tap and what was fitted',
-      x: { label: 'Time since the tap [ms]', values: of('ring time'), factor: 1e3 },
+      title: 'The strongest hit and what was fitted',
+      x: { label: 'Time since the hit [ms]', values: of('ring time'), factor: 1e3 },
       y: { label: 'Force [N]' },
       curves: [
         { look: 'F_i', label: 'recorded', values: of('ring measured') },

@@ -1,4 +1,4 @@
-// The log as it was dropped: each quantity over time, the taps marked; a part of it chosen by dragging or by buttons, the same for all.
+// The log as it was dropped: each quantity over time, the hits marked; a part of it chosen by dragging or by buttons, the same for all.
 //
 // Next door: which channels there are (`coilsense-web`, `log/recorded`), what they say (`found`).
 
@@ -109,7 +109,7 @@ export function showRecorded(
     by('→', 'Later', 1, 0.4),
     said,
   );
-  const taps = facts.taps ?? [];
+  const hits = facts.hits ?? [];
   const all = quantities(series);
   const hosts = all.map(() => make('div', { class: 'plot recorded', role: 'img' }));
   const figures = all.map(({ title, curves }, index) => {
@@ -125,14 +125,14 @@ export function showRecorded(
     );
   });
   const thinned = facts.group > 1 ? ` Of each ${facts.group} rows the smallest and the largest value are drawn.` : '';
-  const struck = taps.length > 0 ? `${taps.length} taps were found, ▾ above the forces. ` : '';
+  const struck = hits.length > 0 ? `${hits.length} hits were found, ▾ above the forces. ` : '';
   const hint = `${struck}Drag across a plot to zoom, double-click to go back.${thinned}`;
   host.replaceChildren(card('What was recorded', tools, make('p', { class: 'hint' }, hint), ...figures));
   all.forEach(({ label, curves }, index) => {
     const plotHost = hosts[index];
     if (plotHost) {
       const back = () => show(whole.min, whole.max);
-      plots.push(draw(plotHost, label, time, curves, taps, index === all.length - 1, show, back));
+      plots.push(draw(plotHost, label, time, curves, hits, index === all.length - 1, show, back));
     }
   });
   show(kept?.min ?? whole.min, kept?.max ?? whole.max);
@@ -143,7 +143,7 @@ function draw(
   label: string,
   time: Float64Array,
   curves: Curve[],
-  taps: number[],
+  hits: number[],
   isLast: boolean,
   show: (min: number, max: number) => void,
   back: () => void,
@@ -159,7 +159,7 @@ function draw(
     host,
     {
       scales: { x: { time: false, auto: false } },
-      hooks: { setSelect: [chosen], draw: [(plot) => mark(plot, taps, forces)] },
+      hooks: { setSelect: [chosen], draw: [(plot) => mark(plot, hits, forces)] },
       cursor: {
         drag: { x: true, y: false, setScale: false },
         points: { show: false },
@@ -177,7 +177,7 @@ function draw(
 }
 
 /** Where it was struck: a thin line through all plots, an arrow head above the forces. */
-function mark(plot: uPlot, taps: number[], heads: boolean): void {
+function mark(plot: uPlot, hits: number[], heads: boolean): void {
   const { ctx, bbox, scales } = plot;
   const ratio = devicePixelRatio || 1;
   const { min = 0, max = 1 } = scales['x'] ?? {};
@@ -186,9 +186,9 @@ function mark(plot: uPlot, taps: number[], heads: boolean): void {
   ctx.fillStyle = ink.ink;
   ctx.lineWidth = ratio;
   ctx.setLineDash([2 * ratio, 4 * ratio]);
-  for (const tap of taps) {
-    if (tap < (min ?? 0) || tap > (max ?? 0)) continue;
-    const x = plot.valToPos(tap, 'x', true);
+  for (const hit of hits) {
+    if (hit < (min ?? 0) || hit > (max ?? 0)) continue;
+    const x = plot.valToPos(hit, 'x', true);
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);

@@ -22,7 +22,7 @@ fn it_says_what_it_wrote_and_the_same_seed_writes_the_same() {
     }
     // Without a seed, that of the spec, which is 1 where it has none.
     assert!(done(&["rig", path(&spec), "--out", path(&second)]).ends_with(", simulated with seed 1\n"));
-    assert_ne!(fs::read(first.join("tap-1-fast.csv")).unwrap(), fs::read(second.join("tap-1-fast.csv")).unwrap());
+    assert_ne!(fs::read(first.join("hit-1-fast.csv")).unwrap(), fs::read(second.join("hit-1-fast.csv")).unwrap());
 }
 
 #[test]

@@ -1,17 +1,16 @@
-//! The answer in five lines: which sensor, at which end, meets the goal; which condition breaks it; what would fix it.
+//! The answer in a few lines: which sensor, at which end, meets the goal; which condition breaks it. Beside it, what would meet it.
 //!
 //! Next door: the whole report (`report`).
 
 use super::verdict::Verdict;
-use super::{Analysis, Subject};
+use super::{Analysis, Fix, Subject};
 use crate::quantity::{digits, plainly};
 
-/// The answer, one sentence or two per line, at most eight lines.
+/// The answer, one sentence or two per line, at most seven lines.
 pub fn answer(analysis: &Analysis) -> Vec<String> {
     let mut lines = vec![best(analysis)];
     lines.extend(failing(analysis));
     lines.extend(untold(analysis));
-    lines.extend(fixes(analysis));
     lines.extend(exact_rate(analysis));
     lines.extend(masses(analysis));
     lines.push(damping(analysis));
@@ -228,23 +227,18 @@ fn masses(analysis: &Analysis) -> Option<String> {
     ))
 }
 
-fn fixes(analysis: &Analysis) -> Option<String> {
-    let failing: Vec<&Verdict> =
-        analysis.verdicts.iter().filter(|verdict| verdict.meets_always() == Some(false)).collect();
-    if failing.is_empty() {
-        return None;
-    }
-    let each: Vec<String> = failing
-        .iter()
-        .map(|verdict| match verdict.fixes.first() {
-            Some(fix) => {
-                let lag = if fix.lag > 5e-5 { format!(", {:.1} ms late", 1e3 * fix.lag) } else { String::new() };
-                format!("{}: {} ({} N{lag})", name(analysis, verdict), fix.change, digits(fix.combined))
-            }
-            None => format!("{}: no single change that was tried", name(analysis, verdict)),
-        })
-        .collect();
-    Some(format!("What would fix it: {}.", each.join("; ")))
+/// For each sensor that misses the goal, best first: what would make it meet it, the soonest first and at most two; `None` where no single
+/// change that was tried does.
+pub fn changes_that_meet(analysis: &Analysis) -> Vec<(&str, Option<&Fix>)> {
+    let failing = analysis.verdicts.iter().filter(|verdict| verdict.meets_always() == Some(false));
+    let rows = failing.flat_map(|verdict| {
+        let fixes: Vec<Option<&Fix>> = match verdict.fixes.as_slice() {
+            [] => vec![None],
+            some => some.iter().take(2).map(Some).collect(),
+        };
+        fixes.into_iter().map(|fix| (name(analysis, verdict), fix))
+    });
+    rows.collect()
 }
 
 fn damping(analysis: &Analysis) -> String {
@@ -263,7 +257,7 @@ fn damping(analysis: &Analysis) -> String {
             format!("{} meets it at {} only", name(analysis, verdict), meeting.collect::<Vec<_>>().join(", "))
         })
         .collect();
-    let band = "Damping is not given, so all holds for ζ from 0 (the paper's case) to 0.02";
+    let band = "No damping given: results are the worst case over ζ = 0 (the paper's case) to 0.02";
     if turn.is_empty() { format!("{band}.") } else { format!("{band}; {}.", turn.join("; ")) }
 }
 

@@ -14,13 +14,16 @@ use crate::quantity::digits;
 use crate::spec::{Quantity, SensorSpec, Spec};
 
 /// A change with which a sensor meets the goal.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 pub struct Fix {
     /// What is changed, as a noun.
     pub change: String,
     /// The largest combined uncertainty with it \[N\].
+    #[serde(rename = "combined_n")]
     pub combined: f64,
     /// How much later the force then comes \[s\].
+    #[serde(rename = "lag_s")]
     pub lag: f64,
 }
 

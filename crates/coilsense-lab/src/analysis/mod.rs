@@ -37,7 +37,7 @@ mod verdict;
 mod warnings;
 mod ways;
 
-pub use answer::answer;
+pub use answer::{answer, changes_that_meet};
 pub(crate) use assessed::{Assessed, assess};
 pub use budget::SensorBudget;
 pub use case::{Case, Reading};

@@ -31,24 +31,33 @@ pub struct Verdict {
 }
 
 /// A sensor in a case.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 pub struct Assessment {
     /// Rms deviation from the true force at the same instant within the wanted bandwidth, without noise and resolution \[N\]: surge,
     /// and the lag behind a moving force; on the nominal spring.
+    #[serde(rename = "oscillation_in_band_n")]
     pub oscillation: f64,
     /// The same over the springs that the tolerances allow \[N\].
+    #[serde(rename = "oscillation_over_specimens_n")]
     pub over_specimens: f64,
     /// The same on the spring on which it is largest \[N\].
+    #[serde(rename = "oscillation_of_loudest_specimen_n")]
     pub loudest: f64,
     /// Combined standard uncertainty over them, with the bias that stays uncorrected \[N\].
+    #[serde(rename = "combined_n")]
     pub combined: f64,
     /// Of the nominal spring: its oscillation and the instrument's own errors \[N\].
+    #[serde(rename = "nominal_n")]
     pub nominal: f64,
     /// The same with errors of every frequency, where the goal has a bandwidth \[N\].
+    #[serde(rename = "every_frequency_n")]
     pub raw: f64,
     /// Share of the specimens whose rms error meets the goal \[1\]; `None` without a goal, and where it was not asked for.
+    #[serde(rename = "share_inside_goal")]
     pub inside: Option<f64>,
     /// Rms error of the worst specimen that was drawn \[N\].
+    #[serde(rename = "worst_specimen_n")]
     pub worst: f64,
 }
 

@@ -11,7 +11,8 @@ use coilsense::{Error, FarEnd, Spring};
 use crate::spec::SpringSpec;
 
 /// Surge frequencies on a mount.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 pub struct MountFrequencies {
     /// The mount in words.
     pub mount: String,
@@ -21,8 +22,8 @@ pub struct MountFrequencies {
     pub chain_hz: Vec<f64>,
     /// The same of the continuous coil \[Hz\].
     pub continuous_hz: Vec<f64>,
-    /// How far √(k/(M + m/3)) lies above the continuous first mode \[1\]; where an end is free to move.
-    pub third_rule_error: Option<f64>,
+    /// By how many percent √(k/(M + m/3)) lies above the continuous first mode; where an end is free to move.
+    pub third_rule_error_percent: Option<f64>,
 }
 
 /// How many modes are told.
@@ -45,10 +46,10 @@ pub(super) fn on_every_mount(spring: &Spring, own: FarEnd) -> Result<Vec<MountFr
 
 fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool) -> Result<MountFrequencies, Error> {
     let chain = ChainModes::mounted(spring, far_end);
-    let third_rule_error = match far_end {
+    let third_rule_error_percent = match far_end {
         FarEnd::Position => None,
-        FarEnd::Force => Some(third_rule_error(spring, 0.0)?),
-        FarEnd::Mass(end_mass) => Some(third_rule_error(spring, end_mass)?),
+        FarEnd::Force => Some(100.0 * third_rule_error(spring, 0.0)?),
+        FarEnd::Mass(end_mass) => Some(100.0 * third_rule_error(spring, end_mass)?),
     };
     Ok(MountFrequencies {
         mount,
@@ -58,12 +59,13 @@ fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool)
             .into_iter()
             .map(|angular| angular / TAU)
             .collect(),
-        third_rule_error,
+        third_rule_error_percent,
     })
 }
 
 /// A motion that the axial model leaves out: ends held in place, free to tilt.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 pub struct Neighbour {
     /// `torsional` or `lateral`.
     pub name: &'static str,

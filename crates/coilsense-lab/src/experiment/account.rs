@@ -14,17 +14,18 @@ impl Experiment {
             "{samples} samples of {} runs; {left_out} behind the last whole period of a sine are left out.",
             self.runs.len()
         ));
-        match self.taps {
+        match self.hits {
             0 => {}
             1 => lines
                 .push("One run of hits is not looked at here: `coilsense identify` reads damping from it.".to_owned()),
-            taps => lines.push(format!(
-                "{taps} runs of hits are not looked at here: `coilsense identify` reads damping from them."
+            hits => lines.push(format!(
+                "{hits} runs of hits are not looked at here: `coilsense identify` reads damping from them."
             )),
         }
         if self.curve.is_none() {
             lines.push("No curve from inductance to length is given or measured: there is no F_L.".to_owned());
         }
+        lines.extend(self.spec.notes.iter().map(|note| format!("{}: {note}.", self.spec.file)));
         lines.extend(self.averaging());
         lines.extend(self.mended.iter().filter_map(|account| account.mending()));
         lines

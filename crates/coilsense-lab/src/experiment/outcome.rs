@@ -26,7 +26,7 @@ pub struct Experiment {
     /// F̄_x of the first preload \[N\], against which all means are taken.
     pub reference: f64,
     /// Runs of hits, which play no part here.
-    pub taps: usize,
+    pub hits: usize,
     /// Whether description or a log says that it is simulated.
     pub simulated: bool,
     /// What became of the rows of those logs in which something was mended, as they are listed.
@@ -99,8 +99,8 @@ impl Experiment {
         let runs: Vec<Run> = runs.collect::<Result<_, ExperimentError>>()?;
         let first = runs.iter().find(|run| run.spec.kind == RunKind::Preload);
         let reference = first.map_or(0.0, |run| run.fast.deflection.mean);
-        let taps = spec.runs.iter().filter(|run| run.kind == RunKind::Tap).count();
-        Ok(Self { line, curve, runs, reference, taps, simulated, mended, spec })
+        let hits = spec.runs.iter().filter(|run| run.kind == RunKind::Hit).count();
+        Ok(Self { line, curve, runs, reference, hits, simulated, mended, spec })
     }
 
     /// Reads `experiment.toml` of a folder, and works it off.

@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use coilsense::Channel;
-use coilsense::identify::{Ladder, Part};
+use coilsense::identify::{ModeSeries, Part};
 
 use super::{Identified, interval};
 
@@ -74,11 +74,11 @@ pub fn spec_file(identified: &Identified, coil: &Coil) -> Result<String, SpecFil
     let tolerance = (100.0 * line.stiffness.expanded / line.value()).max(1e-6);
     let _ = writeln!(text, "stiffness_tolerance = \"{tolerance:.6} %\"");
     let _ = writeln!(text, "\n[mount]");
-    match (found.ladder, found.end_mass) {
-        (Some(Ladder::EndMass { .. }), Some(mass)) => {
+    match (found.mode_series, found.end_mass) {
+        (Some(ModeSeries::EndMass { .. }), Some(mass)) => {
             let _ = writeln!(text, "end2 = \"mass\"\nend_mass = \"{mass:.6} kg\"");
         }
-        (Some(Ladder::HeldFree), _) => {
+        (Some(ModeSeries::HeldFree), _) => {
             let _ = writeln!(text, "end2 = \"force\"");
         }
         _ => {

@@ -45,7 +45,7 @@ impl Candidates {
 
     pub fn of(brief: &Brief<'_>) -> Self {
         let mut candidates = Self::default();
-        candidates.all.push(Candidate::new("F_i as it is", Origin::Raw, Truth::Static, Plain));
+        candidates.all.push(Candidate::new("F_i, unfiltered", Origin::Raw, Truth::Static, Plain));
         candidates.first_filters(brief);
         candidates.fitted_filters(brief);
         let deflection = Deflection(brief.spring.spring().clone());
@@ -83,7 +83,7 @@ impl Candidates {
         });
         for (periods, length) in [("one surge period", 1.0), ("two surge periods", 2.0), ("three surge periods", 3.0)] {
             for (kind, tolerances) in [("nominal", None), ("tolerant", Some(brief.tolerances))] {
-                let name = format!("fitted window of {periods}, {kind}");
+                let name = format!("fitted FIR filter, {periods}, {kind}");
                 self.add(&name, |name| window(name, brief, length * brief.spring.surge_period(), tolerances));
             }
         }
@@ -94,12 +94,12 @@ impl Candidates {
         let truth = Truth::Output;
         let noise =
             KalmanNoise { force: brief.noise, shock: 0.0, ringing: 8.3 * brief.noise, drift: 2.1 * brief.noise };
-        self.add("Kalman, 3 modes, no bias", |name| {
+        self.add("Kalman filter, 3 modes, no bias", |name| {
             let mut filter: ModalKalman<f64, 3> = modal_kalman(spring, &noise)?;
             filter.bias_gain = 0.0;
             Ok(Candidate::new(name, Origin::FirstTry, truth, filter))
         });
-        self.add("Kalman, 3 modes, bias", |name| {
+        self.add("Kalman filter, 3 modes, bias", |name| {
             Ok(Candidate::new(name, Origin::FirstTry, truth, modal_kalman::<3>(spring, &noise)?))
         });
         self.add("delay line", |name| {
@@ -113,7 +113,7 @@ impl Candidates {
         self.add("delay line, gain 0.5", |name| {
             Ok(Candidate::new(name, Origin::Fitted, truth, delay_line_observer(spring, 0.5)?))
         });
-        for (word, share) in [("calm", 0.6), ("quick", 1.2)] {
+        for (word, share) in [("smooth", 0.6), ("fast", 1.2)] {
             // What one shock a second brings; the bias wanders, and modes are knocked about, by a share of the noise.
             let noise = KalmanNoise {
                 force: brief.noise,
@@ -122,11 +122,11 @@ impl Candidates {
                 drift: 0.42 * brief.noise,
             };
             let agile = KalmanNoise { drift: 2.1 * brief.noise, ..noise };
-            self.add(&format!("Kalman, 5 modes, bias, shocks, {word}"), |name| {
+            self.add(&format!("Kalman filter, 5 modes, bias, impacts ({word})"), |name| {
                 Ok(Candidate::new(name, Origin::Fitted, truth, modal_kalman::<5>(spring, &agile)?))
             });
             let design = BankDesign { noise, stiffnesses: 3, memory: 0.1, sharpness: 30.0 };
-            self.add(&format!("bank of 21 such over the box, {word}"), |name| {
+            self.add(&format!("bank of 21 Kalman filters ({word})"), |name| {
                 let bank = observer_bank::<5, 21>(spring, &brief.tolerances, &design)?;
                 Ok(Candidate::new(name, Origin::Fitted, truth, bank))
             });

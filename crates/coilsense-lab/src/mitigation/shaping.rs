@@ -74,7 +74,7 @@ impl Shaping {
         let (zv, zvd, ramp) = (zero_vibration(sampled), zero_vibration_derivative(sampled), surge_mean(sampled));
         let (mut a, mut b, mut c) = (zv.settled::<RING>(0.0), zvd.settled::<RING>(0.0), ramp.settled::<RING>(0.0));
         let shapers: [Made<'_>; 4] = [
-            ("the command as it is", None, &mut |x| x),
+            ("the command, unshaped", None, &mut |x| x),
             ("ZV, two impulses", Some(Box::new(zv)), &mut |x| zv.step(&mut a, x)),
             ("ZVD, three impulses", Some(Box::new(zvd)), &mut |x| zvd.step(&mut b, x)),
             ("mean over 2τ, a ramp in place of a step", Some(Box::new(ramp)), &mut |x| ramp.step(&mut c, x)),

@@ -145,9 +145,9 @@ fn passivity_line(placement: &Placement, best: &Candidate) -> Option<String> {
     best.judged.first()?.passivity.as_ref()?;
     let up_to = digits(placement.control.passive_up_to);
     Some(match first {
-        None => format!("What the world feels at end 2 is passive up to {up_to} Hz at every damping."),
+        None => format!("The impedance rendered at end 2 is passive up to {up_to} Hz at every damping."),
         Some(band) => format!(
-            "What the world feels at end 2 is not passive from {} to {} Hz: there some passive environment makes it unstable.",
+            "The impedance rendered at end 2 is not passive from {} to {} Hz: some passive environment makes the loop unstable there.",
             digits(band[0]),
             digits(band[1])
         ),

@@ -7,31 +7,39 @@ mod analysis;
 mod calibration;
 mod data_sheet;
 mod experiment;
+mod files;
 mod identification;
 mod mitigation;
+mod outcome;
 #[cfg(feature = "parquet")]
 mod pareto;
 mod placement;
 mod prose;
 mod reproduction;
+#[cfg(feature = "reference")]
+mod schemas;
 #[cfg(feature = "parquet")]
 mod sensitivity;
 
-pub use analysis::{add_analysis, analysis_json, analysis_text};
-pub use calibration::{add_calibration, calibration_json, calibration_text};
-pub use data_sheet::{data_sheet_json, data_sheet_text};
-pub use experiment::{add_experiment, experiment_json, experiment_text};
-pub use identification::{add_identification, identification_json, identification_text};
-#[cfg(feature = "reference")]
-pub use mitigation::mitigation_schema;
-pub use mitigation::{MitigationOutcome, add_mitigation, mitigation_json, mitigation_text};
+pub use analysis::{AnalysisOutcome, add_analysis, analysis_json, analysis_text};
+pub use calibration::{CalibrationOutcome, add_calibration, calibration_json, calibration_text};
+pub use data_sheet::{DataSheetOutcome, data_sheet_json, data_sheet_text};
+pub use experiment::{ExperimentOutcome, add_experiment, experiment_json, experiment_text};
+pub use files::{ImportOutcome, InitOutcome, RigOutcome, SimulationOutcome};
 #[cfg(feature = "parquet")]
-pub use pareto::{add_pareto, pareto_json, pareto_text};
-pub use placement::{add_placement, placement_json, placement_text};
-pub use reproduction::{add_reproduction, reproduction_text};
+pub use files::{ReasonRow, SweepOutcome};
+pub use identification::{IdentificationOutcome, add_identification, identification_json, identification_text};
+pub use mitigation::{MitigationOutcome, add_mitigation, mitigation_json, mitigation_text};
+pub use outcome::{Headed, Outcome, to_json};
+#[cfg(feature = "parquet")]
+pub use pareto::{ParetoOutcome, add_pareto, pareto_json, pareto_text};
+pub use placement::{PlacementOutcome, add_placement, placement_json, placement_text};
+pub use reproduction::{add_reproduction, reproduction_json, reproduction_text};
+#[cfg(feature = "reference")]
+pub use schemas::schemas;
 
 #[cfg(feature = "parquet")]
-pub use sensitivity::{add_sensitivity, sensitivity_json, sensitivity_text};
+pub use sensitivity::{SensitivityOutcome, add_sensitivity, sensitivity_json, sensitivity_text};
 
 use coilsense_figure::{Figure, PlotError, Theme};
 

@@ -69,11 +69,11 @@ impl Rig {
                 )));
             }
         }
-        if s.taps > 0 && 10.0 * s.tap_duration > s.duration / s.taps_per_run as f64 {
-            let most = 0.1 * s.duration / s.taps_per_run as f64;
+        if s.hits > 0 && 10.0 * s.hit_duration > s.duration / s.hits_per_run as f64 {
+            let most = 0.1 * s.duration / s.hits_per_run as f64;
             return Err(self.refused(format!(
-                "[rig] tap_duration = {} s: must be at most {} s, a tenth of the time from hit to hit",
-                s.tap_duration,
+                "[rig] hit_duration = {} s: must be at most {} s, a tenth of the time from hit to hit",
+                s.hit_duration,
                 short(most)
             )));
         }

@@ -21,7 +21,7 @@ impl Rig {
             Course::Periodic { motion, period } => self.smallest_pitch(run, motion, &in_period(*period))?,
             Course::Hit { motion, times } => {
                 let (step, until) =
-                    (0.25 * self.winding_step(), 1.2 * self.settings.tap_duration + 2.0 * self.spring.transit_time());
+                    (0.25 * self.winding_step(), 1.2 * self.settings.hit_duration + 2.0 * self.spring.transit_time());
                 let after = |begin: f64| {
                     let samples = (until / step).ceil().min(1e5) as usize;
                     (0..samples).map(|index| begin + index as f64 * step).collect::<Vec<f64>>()
@@ -60,7 +60,7 @@ impl Rig {
         match run.kind {
             Kind::Calibration | Kind::Preload => ("calibration_travel", self.settings.calibration_travel),
             Kind::Harmonic => ("amplitude", self.settings.amplitude),
-            Kind::Tap => ("tap_height", self.settings.tap_height),
+            Kind::Hit => ("hit_height", self.settings.hit_height),
         }
     }
 

@@ -41,7 +41,7 @@ impl Rig {
                 let motion = self.motion(self.distorted_sine(run.frequency, lead, randomness), Start::Steady)?;
                 Course::Periodic { motion, period: run.frequency.recip() }
             }
-            Kind::Tap => {
+            Kind::Hit => {
                 let (input, times) = self.hits(run.duration, lead, randomness)?;
                 Course::Hit { motion: self.motion(input, Start::Rest)?, times }
             }
@@ -67,13 +67,13 @@ impl Rig {
 
     /// Hits spread over a run, none alike, and when each begins.
     fn hits(&self, duration: f64, lead: f64, randomness: &mut Pcg64) -> Result<(EndInput, Vec<f64>), Error> {
-        let between = duration / self.settings.taps_per_run as f64;
+        let between = duration / self.settings.hits_per_run as f64;
         let (mut begins, mut times, mut values) = (Vec::new(), Vec::new(), Vec::new());
-        for number in 0..self.settings.taps_per_run {
+        for number in 0..self.settings.hits_per_run {
             // In the first third of its share of the run, so that it is heard out.
             let begin = lead + between * (number as f64 + randomness.random_range(0.05..0.3));
-            let height = self.settings.tap_height * randomness.random_range(0.7..=1.3);
-            let lasting = self.settings.tap_duration * randomness.random_range(0.8..=1.2);
+            let height = self.settings.hit_height * randomness.random_range(0.7..=1.3);
+            let lasting = self.settings.hit_duration * randomness.random_range(0.8..=1.2);
             for piece in 0..=PIECES {
                 let share = piece as f64 / PIECES as f64;
                 times.push(begin + share * lasting);

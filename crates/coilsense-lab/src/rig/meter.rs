@@ -91,7 +91,7 @@ impl Rig {
 
     /// Time from sample to sample of the windings after a hit \[s\]: four in the hit, eight in a period of the first mode.
     pub(super) fn winding_step(&self) -> f64 {
-        let wanted = (0.25 * self.settings.tap_duration).min(0.125 / self.spring.surge_frequency());
+        let wanted = (0.25 * self.settings.hit_duration).min(0.125 / self.spring.surge_frequency());
         wanted.max(0.5 / self.settings.sample_rate)
     }
 }

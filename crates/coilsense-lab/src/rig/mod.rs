@@ -111,7 +111,7 @@ impl Rig {
             spring,
         };
         rig.check()?;
-        rig.warnings = rig.doubts();
+        rig.warnings = [spec.notes.clone(), rig.doubts()].concat();
         Ok(rig)
     }
 

@@ -14,7 +14,7 @@ pub enum Kind {
     /// It swings as a sine.
     Harmonic,
     /// Its end of the spring is hit and then rests.
-    Tap,
+    Hit,
 }
 
 impl Kind {
@@ -24,7 +24,7 @@ impl Kind {
             Self::Calibration => "calibration",
             Self::Preload => "preload",
             Self::Harmonic => "harmonic",
-            Self::Tap => "tap",
+            Self::Hit => "hit",
         }
     }
 }
@@ -81,8 +81,8 @@ pub(super) fn of(settings: &RigSpec) -> Vec<Run> {
         add(Kind::Harmonic, format!("harmonic-{number:02}"), settings.duration, frequency);
     }
     add(Kind::Preload, "preload-last".into(), settings.duration, 0.0);
-    for number in 1..=settings.taps {
-        add(Kind::Tap, format!("tap-{number}"), settings.duration, 0.0);
+    for number in 1..=settings.hits {
+        add(Kind::Hit, format!("hit-{number}"), settings.duration, 0.0);
     }
     runs
 }

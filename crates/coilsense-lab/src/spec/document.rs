@@ -9,9 +9,14 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{EXPERIMENT_TABLES, TABLES, Table};
 use super::section::{Section, clipped};
-use super::{SpecError, located, spring, synonyms};
+use super::{SpecError, former, located, spring, synonyms};
 use crate::likeness::nearest;
 use crate::quantity::with_point;
+
+/// The version of a spec's form that is read here: rises where a key changes its meaning.
+pub const SPEC_VERSION: u64 = 1;
+/// The key at the top of a spec that may state it.
+const VERSION_KEY: &str = "spec_version";
 
 /// A spec file, parsed as TOML, whose tables are all known.
 #[derive(Clone)]
@@ -23,25 +28,41 @@ pub(super) struct Document<'a> {
     tables: &'static [&'static Table],
     /// Whether keys that a spec does not know may stand here.
     lenient: bool,
+    /// What is called otherwise now, a sentence each.
+    notes: Vec<String>,
 }
 
 impl<'a> Document<'a> {
     pub(super) fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
         let document = Self { lenient: false, ..Self::catalogue(file, text)? };
-        let names: Vec<&str> = TABLES.iter().map(|table| table.name).collect();
+        let names: Vec<&str> = TABLES.iter().map(|table| table.name).chain([VERSION_KEY]).collect();
         reject_unknown(file, text, document.table.get_ref(), &names, "", |name| like_one_of(&names, name))?;
+        document.check_version()?;
         Ok(document)
+    }
+
+    /// Whether the version that the file states, if it does, is one that is read here.
+    fn check_version(&self) -> Result<(), SpecError> {
+        let Some(value) = self.table.get_ref().get(VERSION_KEY) else { return Ok(()) };
+        let stated = self.text.get(value.span()).unwrap_or_default();
+        if stated == SPEC_VERSION.to_string() {
+            return Ok(());
+        }
+        let message =
+            format!("{VERSION_KEY} = {}: must be {SPEC_VERSION}, the only one that is read here", clipped(stated));
+        Err(located(self.file, self.text, value.span().start, message))
     }
 
     /// A catalogue, whose tables hold notes and sources beside the keys of a spec.
     pub(super) fn catalogue(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
-        let table = DeTable::parse(text).map_err(|error| {
+        let mut table = DeTable::parse(text).map_err(|error| {
             let offset = error.span().map_or(0, |span| span.start);
             let point =
                 decimal_comma(text, offset).map_or_else(String::new, |number| format!("; write {number} with a point"));
             located(file, text, offset, format!("not TOML: {}{point}", error.message().replace('\n', ", ")))
         })?;
-        Ok(Self { file, text, table, tables: &TABLES, lenient: true })
+        let notes = former::renamed(table.get_mut());
+        Ok(Self { file, text, table, tables: &TABLES, lenient: true, notes })
     }
 
     /// An `experiment.toml`, which holds keys at its top, too.
@@ -111,6 +132,11 @@ impl<'a> Document<'a> {
     /// The file's name, as messages call it.
     pub(super) fn file(&self) -> &'a str {
         self.file
+    }
+
+    /// What it calls as it was called before, a sentence each.
+    pub(super) fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Its text.

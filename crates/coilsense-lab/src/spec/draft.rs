@@ -78,6 +78,7 @@ impl<'a> Draft<'a> {
             rig: RigSpec::parse(document, &sensors)?,
             uncertainty: UncertaintySpec::parse(document)?,
             control: ControlSpec::parse(document, &spring.spring, &mount)?,
+            notes: document.notes().to_vec(),
             file: document.file().to_owned(),
             text: document.text().to_owned(),
             spring,

@@ -37,6 +37,8 @@ pub struct ExperimentSpec {
     pub slow_mapping: Option<PathBuf>,
     /// The runs, as they were recorded.
     pub runs: Vec<RunSpec>,
+    /// What the file calls as it was called before, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// Most runs of an experiment.
@@ -85,6 +87,7 @@ impl ExperimentSpec {
             fast_mapping: path("fast_mapping")?,
             slow_mapping: path("slow_mapping")?,
             runs: runs.collect::<Result<_, _>>()?,
+            notes: document.notes().to_vec(),
         };
         spec.check()?;
         Ok(spec)

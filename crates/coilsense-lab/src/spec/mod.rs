@@ -12,6 +12,7 @@ mod document;
 mod draft;
 mod drive;
 mod experiment;
+mod former;
 mod goal;
 mod keys;
 mod material;
@@ -34,11 +35,12 @@ mod value;
 pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use control::ControlSpec;
+pub use document::SPEC_VERSION;
 pub use experiment::ExperimentSpec;
 pub use goal::{Goal, UncertaintySpec};
 pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table};
 #[cfg(feature = "reference")]
-pub use keys::{experiment_markdown, markdown};
+pub use keys::{experiment_file_schema, experiment_markdown, markdown, spec_schema};
 pub use measurand::{KINDS as SENSOR_KINDS, Quantity};
 pub use mount::{BAND, DampingCase, MountSpec};
 pub use rig::RigSpec;
@@ -85,6 +87,8 @@ pub struct Spec {
     pub rig: RigSpec,
     /// The force loop, where there is one.
     pub control: Option<ControlSpec>,
+    /// What the file calls as it was called before, a sentence each.
+    pub notes: Vec<String>,
 }
 
 impl Spec {

@@ -39,13 +39,13 @@ pub struct RigSpec {
     /// Share of the force lost per decade of time \[1\].
     pub relaxation: f64,
     /// How many runs with hits.
-    pub taps: usize,
+    pub hits: usize,
     /// Hits in each of them.
-    pub taps_per_run: usize,
+    pub hits_per_run: usize,
     /// How far a hit moves end 1 \[m\].
-    pub tap_height: f64,
+    pub hit_height: f64,
     /// How long a hit lasts \[s\].
-    pub tap_duration: f64,
+    pub hit_duration: f64,
     /// At end 2.
     pub load_cell: SensorSpec,
     /// Of end 1's position.
@@ -55,7 +55,7 @@ pub struct RigSpec {
 }
 
 /// Most hits in a run: nine jumps of velocity each are then few enough for the motion's closed form, which any window of it is quick with.
-const MOST_TAPS: u64 = 7;
+const MOST_HITS: u64 = 7;
 
 /// Averaging window of the paper's LCR meter \[s\].
 const PAPER_AVERAGING: f64 = 0.445;
@@ -84,10 +84,10 @@ impl RigSpec {
             calibration_positions: count("calibration_positions", rig.calibration_positions, 2, 1000)?,
             settling: above_zero("settling", rig.settling, Dimension::Time)?,
             relaxation: share("relaxation", rig.relaxation)?,
-            taps: count("taps", rig.taps, 0, 1000)?,
-            taps_per_run: count("taps_per_run", rig.taps_per_run, 1, MOST_TAPS)?,
-            tap_height: above_zero("tap_height", rig.tap_height, Dimension::Length)?,
-            tap_duration: above_zero("tap_duration", rig.tap_duration, Dimension::Time)?,
+            hits: count("hits", rig.hits, 0, 1000)?,
+            hits_per_run: count("hits_per_run", rig.hits_per_run, 1, MOST_HITS)?,
+            hit_height: above_zero("hit_height", rig.hit_height, Dimension::Length)?,
+            hit_duration: above_zero("hit_duration", rig.hit_duration, Dimension::Time)?,
             ..rig
         })
     }
@@ -112,10 +112,10 @@ impl RigSpec {
             calibration_positions: 11,
             settling: 120.0,
             relaxation: 2e-4,
-            taps: 5,
-            taps_per_run: 5,
-            tap_height: 0.5e-3,
-            tap_duration: 5e-3,
+            hits: 5,
+            hits_per_run: 5,
+            hit_height: 0.5e-3,
+            hit_duration: 5e-3,
             load_cell: of(|quantity| quantity == Quantity::Force(End::Two)).map_or_else(paper_load_cell, Ok)?,
             laser: of(|quantity| quantity == Quantity::Deflection).map_or_else(paper_laser, Ok)?,
             meter,

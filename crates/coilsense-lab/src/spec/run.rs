@@ -35,7 +35,7 @@ pub enum RunKind {
     /// A sine.
     Harmonic,
     /// Hits.
-    Tap,
+    Hit,
 }
 
 impl RunKind {
@@ -43,7 +43,7 @@ impl RunKind {
         ("calibration", Self::Calibration),
         ("preload", Self::Preload),
         ("harmonic", Self::Harmonic),
-        ("tap", Self::Tap),
+        ("hit", Self::Hit),
     ];
 
     /// As the file calls it.
@@ -55,7 +55,7 @@ impl RunKind {
 impl RunSpec {
     pub(super) fn of(section: &Section<'_>, index: usize, beside: &Path) -> Result<Self, SpecError> {
         let word = section.word("kind", &RunKind::WORDS.map(|(word, _)| word))?;
-        let kind = RunKind::WORDS.into_iter().find(|(known, _)| *known == word).map_or(RunKind::Tap, |(_, kind)| kind);
+        let kind = RunKind::WORDS.into_iter().find(|(known, _)| *known == word).map_or(RunKind::Hit, |(_, kind)| kind);
         section.only_of(word, &format!("a run of kind \"{word}\""))?;
         let file = |key| section.optional_text(key);
         let (fast, slow) = (file("fast")?, file("slow")?);

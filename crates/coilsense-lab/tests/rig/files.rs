@@ -42,7 +42,7 @@ fn every_file_says_that_it_is_simulated_and_is_in_the_list() {
     }
     listed.sort();
     assert_eq!(listed, files.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>());
-    assert_eq!(kinds, ["calibration", "preload", "harmonic", "harmonic", "preload", "tap"]);
+    assert_eq!(kinds, ["calibration", "preload", "harmonic", "harmonic", "preload", "hit"]);
     let second = &list["run"][3];
     assert_eq!((second["frequency"].as_str(), second["amplitude"].as_str()), (Some("4.49438202247 Hz"), Some("1 mm")));
 }
@@ -108,8 +108,8 @@ fn what_a_rig_cannot_do_is_said() {
             "[rig] 38872881 samples in calibration, 838872881 in all: must be at most 4000000 and 200000000",
         ),
         (
-            format!("{PAPER}taps_per_run = 7\ntap_duration = \"600 ms\""),
-            "[rig] tap_duration = 0.6 s: must be at most 0.571428571429 s",
+            format!("{PAPER}hits_per_run = 7\ntap_duration = \"600 ms\""),
+            "[rig] hit_duration = 0.6 s: must be at most 0.571428571429 s",
         ),
         (format!("{QUICK}amplitude = \"7 mm\""), "u1 reaches 7.0"),
         (
@@ -119,8 +119,8 @@ fn what_a_rig_cannot_do_is_said() {
         (format!("{QUICK}preload = \"2 N\""), "[rig] calibration_travel = 9 mm closes the coil in calibration: "),
         (format!("{QUICK}preload = \"109 N\""), "F_o reaches 112.4"),
         (
-            format!("{QUICK}tap_height = \"4 mm\"\npreload = \"5 N\"\ncalibration_travel = \"1 mm\""),
-            "[rig] tap_height = 4 mm closes the coil in tap-1",
+            format!("{QUICK}hit_height = \"4 mm\"\npreload = \"5 N\"\ncalibration_travel = \"1 mm\""),
+            "[rig] hit_height = 4 mm closes the coil in hit-1",
         ),
     ] {
         let refusal = refusal(&tables);
@@ -151,14 +151,14 @@ fn settings_of_any_size_are_refused_or_run() {
         ("amplitude", "m"),
         ("calibration_travel", "m"),
         ("settling", "s"),
-        ("tap_height", "m"),
-        ("tap_duration", "s"),
+        ("hit_height", "m"),
+        ("hit_duration", "s"),
     ];
     let sized = units.iter().flat_map(|(key, unit)| {
         ["1e-9", "1e-6", "1e-3", "1", "1e3", "1e6", "1e9"].map(|value| format!("{key} = \"{value} {unit}\"\n"))
     });
     let counted =
-        ["readings = 1", "frequencies = 200", "taps = 1000", "taps_per_run = 7", "calibration_positions = 1000"]
+        ["readings = 1", "frequencies = 200", "hits = 1000", "hits_per_run = 7", "calibration_positions = 1000"]
             .map(|key| format!("{key}\n"));
     let dynamics = [
         "bandwidth = \"1e-9 Hz\"",

@@ -21,7 +21,7 @@ fn hits_show_the_spring_and_its_damping() {
         let tables = PAPER.replace("0.005", &damping.to_string());
         let spring = spec(&tables).spring.spring;
         let first = coilsense::modes::ChainModes::of(&spring).frequencies()[0] / std::f64::consts::TAU;
-        for run in ["tap-1", "tap-2"] {
+        for run in ["hit-1", "hit-2"] {
             let found = identified(&rig(&tables, 1), run);
             let (frequency, ratio) = (found.first_frequency.unwrap().value, found.ratio.unwrap().value);
             assert_eq!(found.verdict.answer, Answer::Spring, "{:?}", found.verdict);

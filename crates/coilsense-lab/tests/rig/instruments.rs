@@ -81,7 +81,7 @@ fn a_filtering_load_cell_is_steady_from_its_first_sample() {
 fn a_seed_is_a_rig_and_each_run_has_randomness_of_its_own() {
     let tables = short();
     let [first, again, other] = [7, 7, 8].map(|seed| rig(&tables, seed));
-    for run in ["calibration", "harmonic-12", "tap-1"] {
+    for run in ["calibration", "harmonic-12", "hit-1"] {
         assert_eq!(log(&first, run), log(&again, run));
         assert_ne!(log(&first, run), log(&other, run));
     }

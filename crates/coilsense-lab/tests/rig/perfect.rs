@@ -128,7 +128,7 @@ fn after_a_hit_the_first_mode_decays_by_its_damping() {
     let (rig, spring) = (rig(&tables, 5), spec(&tables).spring.spring);
     let natural = coilsense::modes::ChainModes::of(&spring).frequencies()[0];
     let damped = natural * (1.0 - RATIO * RATIO).sqrt();
-    for run in ["tap-1", "tap-2", "tap-3"] {
+    for run in ["hit-1", "hit-2", "hit-3"] {
         let log = log(&rig, run);
         let (time, (force, u1)) = (log.fast.values("time").unwrap(), ends(&log));
         // Twice half a sine of 0.35 to 0.65 mm, sampled every 0.4 ms.

@@ -70,7 +70,7 @@ fn said(
     Ok(json!({
         "json": told,
         "spectra": spectra,
-        "taps": identified.found.taps.iter().map(|tap| tap.time).collect::<Vec<_>>(),
+        "hits": identified.found.hits.iter().map(|hit| hit.time).collect::<Vec<_>>(),
         "spec": spec.as_ref().ok(),
         "noSpecBecause": spec.as_ref().err(),
     }))

@@ -18,11 +18,11 @@ use crate::answer::Answer;
 /// Slow pull from the resting length to either side and back \[s\].
 const PULL: f64 = 6.0;
 /// How many times it is struck, and the straight pieces of each, half a sine.
-const TAPS: usize = 5;
+const HITS: usize = 5;
 const PIECES: usize = 8;
 /// A strike lasts at most so long \[s\]: a hammer's does.
 const SHORT: f64 = 3e-3;
-/// Damping where the page's is none, which would never die out \[1\].
+/// Damping where the page's is none, which would never decay \[1\].
 const USUAL_RATIO: f64 = 0.005;
 
 /// Name and text of the log of a spec's condition and damping.
@@ -46,7 +46,7 @@ pub fn trial(spec: &Spec, condition: usize, damping: usize, seed: u64) -> Result
         bench.record(&mount, &MaxwellSum::new(&bench.spring, SelfDistance::GeometricMean)).map_err(science)?;
     let mut text = format!(
         "# Simulated data: by coilsense {}, spring {}, {told}, seed {seed}; nothing of it was measured\n\
-         # end 1 is pulled slowly and then struck {TAPS} times at {} mm, the length of {:?}; end 2 is held; each column has noise and steps\n",
+         # end 1 is pulled slowly and then struck {HITS} times at {} mm, the length of {:?}; end 2 is held; each column has noise and steps\n",
         env!("CARGO_PKG_VERSION"),
         spec.spring.name,
         (1e6 * bench.length).round() / 1e3,
@@ -65,7 +65,7 @@ struct Bench {
     length: f64,
     rate: f64,
     times: Vec<f64>,
-    /// From tap to tap, and how long each lasts \[s\].
+    /// From hit to hit, and how long each lasts \[s\].
     between: f64,
     lasting: f64,
     /// How far one moves end 1 \[m\].
@@ -89,7 +89,7 @@ impl Bench {
         let power = 10f64.powf(wanted.log10().floor());
         let rate = [1.0, 2.0, 5.0, 10.0].map(|times| times * power).into_iter().find(|rate| *rate >= wanted);
         let rate = rate.unwrap_or(wanted);
-        let samples = ((PULL + TAPS as f64 * between) * rate).ceil() as usize;
+        let samples = ((PULL + HITS as f64 * between) * rate).ceil() as usize;
         // Struck so hard that the wave carries 3 % of the nominal force, √(km) v.
         let velocity = 0.03 * spring.nominal_force() / (spring.stiffness() * spring.mass()).sqrt();
         Self {
@@ -104,9 +104,9 @@ impl Bench {
     }
 
     /// Half sines at end 1, none quite like another.
-    fn taps(&self) -> Result<EndInput, Error> {
+    fn hits(&self) -> Result<EndInput, Error> {
         let (mut times, mut values) = (Vec::new(), Vec::new());
-        for number in 0..TAPS {
+        for number in 0..HITS {
             let begin = PULL + (number as f64 + 0.1 + 0.013 * (number * number) as f64) * self.between;
             for piece in 0..=PIECES {
                 let share = piece as f64 / PIECES as f64;
@@ -133,9 +133,9 @@ impl Bench {
         swing / 0.77 * if swing > 0.0 { above } else { below }
     }
 
-    /// Taps by the chain of windings; the pull, slow against its waves, at rest from moment to moment.
+    /// Hits by the chain of windings; the pull, slow against its waves, at rest from moment to moment.
     fn record(&self, mount: &Mount, coil: &MaxwellSum) -> Result<[Column; 5], Error> {
-        let excitation = Excitation::new(self.length, self.taps()?, EndInput::Held, Start::Rest)?;
+        let excitation = Excitation::new(self.length, self.hits()?, EndInput::Held, Start::Rest)?;
         let motion = Motion::mounted(&self.spring, mount, &excitation)?;
         let (ends, forces) = (motion.ends(&self.times)?, motion.end_forces(&self.times)?);
         let pulled: Vec<f64> = self.times.iter().map(|time| self.pulled(*time)).collect();

@@ -1,6 +1,6 @@
 //! The loop: plant, controller, the force that is fed back, and the delay on the way.
 //!
-//! Next door: stability and margins (`margins`), the same loop in samples (`sampled`), what the world feels (`rendered`).
+//! Next door: stability and margins (`margins`), the same loop in samples (`sampled`), the impedance that it renders (`rendered`).
 
 use num_complex::Complex64;
 

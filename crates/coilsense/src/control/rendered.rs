@@ -1,4 +1,4 @@
-//! What the world feels at end 2 of a force-controlled spring: the stiffness it renders, and whether it could ever give energy away.
+//! The impedance that a force-controlled spring renders at end 2: its stiffness there, and whether it could ever give energy away.
 //!
 //! Next door: the loop (`force_loop`).
 

@@ -4,10 +4,10 @@
 
 use num_complex::Complex;
 
+use super::hits::Hit;
 use super::sampling::Sampling;
-use super::taps::Tap;
 
-/// Stretches that are looked at, at most; and of a record without taps, how long each is in turns of the line.
+/// Stretches that are looked at, at most; and of a record without hits, how long each is in turns of the line.
 const STRETCHES: usize = 16;
 const TURNS: f64 = 60.0;
 
@@ -23,15 +23,15 @@ pub(super) fn receptance(
     force: &[f64],
     frequency: f64,
     folding: f64,
-    taps: &[Tap],
+    hits: &[Hit],
     sampling: &Sampling,
 ) -> Complex<f64> {
     let rate = sampling.rate;
     let wanted = if folding.is_finite() { 3.0 * folding } else { TURNS / frequency };
     let length = ((wanted * rate) as usize).clamp(16, (sampling.samples / 2).max(16));
-    let decaying = !taps.is_empty();
+    let decaying = !hits.is_empty();
     let starts: Vec<usize> = if decaying {
-        taps.iter().map(|tap| tap.after).collect()
+        hits.iter().map(|hit| hit.after).collect()
     } else {
         let step = (sampling.samples / STRETCHES).max(length);
         (0..sampling.samples).step_by(step.max(1)).collect()
@@ -47,7 +47,7 @@ pub(super) fn receptance(
     if power > 0.0 { cross / power } else { Complex::new(0.0, 0.0) }
 }
 
-/// Transform of a stretch at one frequency \[turns per sample\], its straight trend taken out; tapered at the end only where it dies out.
+/// Transform of a stretch at one frequency \[turns per sample\], its straight trend taken out; tapered at the end only where it decays.
 fn tapered(values: &[f64], frequency: f64, decaying: bool) -> Complex<f64> {
     let count = values.len() as f64;
     let middle = 0.5 * (count - 1.0);

@@ -4,24 +4,24 @@
 
 use realfft::RealFftPlanner;
 
+use super::hits::Hit;
 use super::ringing::Series;
 use super::sampling::Sampling;
-use super::taps::Tap;
 use super::value::Estimate;
 use crate::uncertainty::coverage_factor;
 
 /// Lines of the transform that a width must span.
 const LEAST_LINES: f64 = 3.0;
-/// Fewest taps, each left out in turn for the interval.
-const LEAST_TAPS: usize = 3;
+/// Fewest hits, each left out in turn for the interval.
+const LEAST_HITS: usize = 3;
 /// What the power at the peak must be over that of the noise.
 const LEAST_POWER: f64 = 30.0;
 
 /// ζ from the width of the power spectrum of a ring-down at half its height.
 ///
-/// ζ = Δf/2f: the transform of A e^(λt) from the tap on has the power |A|²/((ω − ω_d)² + σ²), whose half is at ω_d ± σ
+/// ζ = Δf/2f: the transform of A e^(λt) from the hit on has the power |A|²/((ω − ω_d)² + σ²), whose half is at ω_d ± σ
 ///
-/// The spectra after all taps are averaged; leaving out each tap in turn gives the interval (jackknife, Student's t).
+/// The spectra after all hits are averaged; leaving out each hit in turn gives the interval (jackknife, Student's t).
 ///
 /// - `folding`: 1/σ \[s\] and `frequency`: f \[Hz\], roughly, from the ring-down fit
 ///
@@ -32,7 +32,7 @@ const LEAST_POWER: f64 = 30.0;
 /// A text says why the record cannot carry it.
 pub(super) fn ratio(
     series: &Series,
-    taps: &[Tap],
+    hits: &[Hit],
     sampling: &Sampling,
     frequency: f64,
     folding: f64,
@@ -40,19 +40,19 @@ pub(super) fn ratio(
     let width = 1.0 / (std::f64::consts::PI * folding);
     let needed = 8.0 * folding;
     if !needed.is_finite() {
-        return Err("the line does not die out".to_owned());
+        return Err("the line does not decay".to_owned());
     }
     let length = (needed * sampling.rate).ceil() as usize;
     let room = |index: usize| {
-        taps.get(index + 1).map_or(sampling.samples, |tap| tap.onset) - taps[index].after.min(sampling.samples)
+        hits.get(index + 1).map_or(sampling.samples, |hit| hit.onset) - hits[index].after.min(sampling.samples)
     };
-    let starts: Vec<usize> = (0..taps.len())
-        .filter(|&index| taps[index].after < sampling.samples && room(index) >= length)
-        .map(|index| taps[index].after)
+    let starts: Vec<usize> = (0..hits.len())
+        .filter(|&index| hits[index].after < sampling.samples && room(index) >= length)
+        .map(|index| hits[index].after)
         .collect();
-    if starts.len() < LEAST_TAPS {
+    if starts.len() < LEAST_HITS {
         return Err(format!(
-            "the width of {} Hz needs at least {LEAST_TAPS} taps with {} s of quiet after each, {} here",
+            "the width of {} Hz needs at least {LEAST_HITS} hits with {} s of quiet after each, {} here",
             short(width),
             short(needed),
             starts.len()

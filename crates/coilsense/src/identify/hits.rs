@@ -1,4 +1,4 @@
-//! Taps: the moments at which something struck the spring, found in what its past does not foretell.
+//! Hits: the moments at which something struck the spring, found in what its past does not predict.
 //!
 //! Next door: the prediction (`whitening`), a record that begins with ringing (`beginning`), what rings after them (`lines`, `refine`).
 
@@ -9,27 +9,27 @@ use super::whitening::ORDER;
 
 /// Samples over which a surprise is added up.
 const WINDOW: usize = 4;
-/// How many times the energy of noise a tap has.
+/// How many times the energy of noise a hit has.
 const THRESHOLD: f64 = 9.0;
-/// What echoes of a tap stay below, relative to it, and for how long \[s\]: the wave runs to and fro, and a hammer bounces. The first time
-/// that it comes back to an end, the force jumps by twice what it jumped at the tap: four times the energy.
+/// What echoes of a hit stay below, relative to it, and for how long \[s\]: the wave runs to and fro, and a hammer bounces. The first time
+/// that it comes back to an end, the force jumps by twice what it jumped at the hit: four times the energy.
 const ECHOES: [(f64, f64); 2] = [(5.0, 0.06), (0.5, 0.25)];
 /// What prediction leaves of ringing at most, as a share of the largest force that rings nearby: a filter of finite length does not know
-/// all modes, and running means carry a share of a tap to before it. Where a sensor's noise is less, this is what taps have to exceed.
+/// all modes, and running means carry a share of a hit to before it. Where a sensor's noise is less, this is what hits have to exceed.
 const LEFT: f64 = 0.02;
 /// How near that is, at least \[s\]: as far as the running means reach.
 const NEARBY: f64 = 0.4;
-/// How far from both ends of a record taps are looked for \[s\]: there the running means have few samples left, and a tap could not be told
+/// How far from both ends of a record hits are looked for \[s\]: there the running means have few samples left, and a hit could not be told
 /// from its echoes.
 const EDGE: f64 = 0.06;
-/// How long a tap may last \[s\].
+/// How long a hit may last \[s\].
 const LASTING: f64 = 0.004;
-/// Most taps that are used, the strongest.
+/// Most hits that are used, the strongest.
 const MOST: usize = 32;
 
-/// A tap.
+/// A hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tap {
+pub struct Hit {
     /// When \[s\].
     pub time: f64,
     /// First sample after it.
@@ -40,21 +40,21 @@ pub struct Tap {
     pub strength: f64,
 }
 
-/// The taps of a record, first to last, by each series' surprises (`innovations`); of a record that begins with ringing, its beginning.
-pub(super) fn find(series: &[Series], sampling: &Sampling) -> Vec<Tap> {
+/// The hits of a record, first to last, by each series' surprises (`innovations`); of a record that begins with ringing, its beginning.
+pub(super) fn find(series: &[Series], sampling: &Sampling) -> Vec<Hit> {
     let squares = squares(series, sampling);
     let expected = (WINDOW * series.len()) as f64;
     let energy: Vec<f64> = squares.windows(WINDOW).map(|window| window.iter().sum::<f64>() / expected).collect();
-    let mut taps = between_edges(&energy, sampling);
-    if taps.is_empty() {
-        taps.extend(beginning::of(series, sampling));
+    let mut hits = between_edges(&energy, sampling);
+    if hits.is_empty() {
+        hits.extend(beginning::of(series, sampling));
     }
-    if taps.len() > MOST {
-        taps.sort_by(|a, b| b.strength.total_cmp(&a.strength));
-        taps.truncate(MOST);
-        taps.sort_by_key(|tap| tap.onset);
+    if hits.len() > MOST {
+        hits.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+        hits.truncate(MOST);
+        hits.sort_by_key(|hit| hit.onset);
     }
-    taps
+    hits
 }
 
 /// Squares of the surprises of all series, each over its noise or over what prediction leaves of ringing, whichever is more; shape `samples`.
@@ -74,44 +74,44 @@ fn squares(series: &[Series], sampling: &Sampling) -> Vec<f64> {
     sum
 }
 
-/// How long a tap lasts \[samples\].
+/// How long a hit lasts \[samples\].
 pub(super) fn lasting(sampling: &Sampling) -> usize {
     ((LASTING * sampling.rate) as usize).max(WINDOW)
 }
 
-/// How many samples at the beginning are not looked at: the first ones cannot be foretold either.
+/// How many samples at the beginning are not looked at: the first ones cannot be predicted either.
 pub(super) fn first_looked_at(sampling: &Sampling) -> usize {
     (EDGE * sampling.rate) as usize + ORDER
 }
 
-/// The taps by the energy of the surprises over `WINDOW` samples.
-fn between_edges(energy: &[f64], sampling: &Sampling) -> Vec<Tap> {
+/// The hits by the energy of the surprises over `WINDOW` samples.
+fn between_edges(energy: &[f64], sampling: &Sampling) -> Vec<Hit> {
     let samples = sampling.samples;
     let near = lasting(sampling);
-    let mut taps: Vec<Tap> = Vec::new();
+    let mut hits: Vec<Hit> = Vec::new();
     let mut index = 0;
     while index < energy.len() {
         if energy[index] <= THRESHOLD {
             index += 1;
             continue;
         }
-        // The surprise, as long as a tap lasts, and its largest part.
+        // The surprise, as long as a hit lasts, and its largest part.
         let end = (index + near).min(energy.len());
         let peak = (index..end).fold(index, |best, n| if energy[n] > energy[best] { n } else { best });
         let strength = energy[peak];
-        let echo_of = |tap: &Tap| {
-            let since = (index - tap.onset) as f64 / sampling.rate;
-            ECHOES.iter().any(|(louder, lasting)| since < *lasting && strength < louder * tap.strength)
+        let echo_of = |hit: &Hit| {
+            let since = (index - hit.onset) as f64 / sampling.rate;
+            ECHOES.iter().any(|(louder, lasting)| since < *lasting && strength < louder * hit.strength)
         };
-        let louder = taps.iter().rev().take_while(|tap| index - tap.onset < sampling.rate as usize).any(echo_of);
+        let louder = hits.iter().rev().take_while(|hit| index - hit.onset < sampling.rate as usize).any(echo_of);
         if !louder {
             let after = (peak + near).min(samples - 1);
-            taps.push(Tap { time: sampling.time(index + WINDOW - 1), after, onset: index, strength });
+            hits.push(Hit { time: sampling.time(index + WINDOW - 1), after, onset: index, strength });
         }
         index = peak + near;
     }
     // Left out only now: what follows from what is at an edge is known as its echo.
     let looked_at = first_looked_at(sampling)..energy.len().saturating_sub((EDGE * sampling.rate) as usize);
-    taps.retain(|tap| looked_at.contains(&tap.onset));
-    taps
+    hits.retain(|hit| looked_at.contains(&hit.onset));
+    hits
 }

@@ -37,14 +37,14 @@ pub struct Line {
     pub frequency: Estimate,
     /// ζ \[1\] by the ring-down fit; none where there is no ring-down.
     pub ratio: Option<Estimate>,
-    /// Whether it dies out.
+    /// Whether it decays.
     pub decays: bool,
-    /// Largest amplitude right after a tap \[N\], or that of a steady line.
+    /// Largest amplitude right after a hit \[N\], or that of a steady line.
     pub amplitude: f64,
     /// In which part of the forces it rings; none where in both alike.
     pub part: Option<Part>,
-    /// How many taps its fit took.
-    pub taps: usize,
+    /// How many hits its fit took.
+    pub hits: usize,
     /// Power over that of the noise.
     pub strength: f64,
     /// What it is.

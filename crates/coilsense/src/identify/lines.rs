@@ -1,12 +1,12 @@
-//! Lines that ring: peaks of the spectra after taps, each sought with the window that suits how fast it dies out.
+//! Lines that ring: peaks of the spectra after hits, each sought with the window that suits how fast it decays.
 //!
-//! Next door: the taps (`taps`), the exact fit that starts from these lines (`refine`), lines of a record without taps (`welch`).
+//! Next door: the hits (`hits`), the exact fit that starts from these lines (`refine`), lines of a record without hits (`welch`).
 
 use realfft::RealFftPlanner;
 
+use super::hits::Hit;
 use super::ringing::Series;
 use super::sampling::Sampling;
-use super::taps::Tap;
 use super::welch::{Welch, floor};
 
 /// Shortest window \[s\], and the factor from one to the next.
@@ -29,7 +29,7 @@ pub(super) struct Peak {
     pub(super) series: usize,
     /// Hz.
     pub(super) frequency: f64,
-    /// e-folding time of its amplitude \[s\], roughly; infinite where it does not die out.
+    /// e-folding time of its amplitude \[s\], roughly; infinite where it does not decay.
     pub(super) folding: f64,
     /// Power over that of the noise.
     pub(super) strength: f64,
@@ -37,14 +37,14 @@ pub(super) struct Peak {
     pub(super) amplitude: f64,
 }
 
-/// Peaks of one series after taps, the strongest first.
-pub(super) fn after_taps(index: usize, series: &Series, taps: &[Tap], sampling: &Sampling) -> Vec<Peak> {
+/// Peaks of one series after hits, the strongest first.
+pub(super) fn after_hits(index: usize, series: &Series, hits: &[Hit], sampling: &Sampling) -> Vec<Peak> {
     let mut all = Vec::new();
     let mut seconds = SHORTEST.max(24.0 / sampling.rate);
     let mut planner = RealFftPlanner::new();
     while seconds <= LONGEST.min(0.5 * sampling.duration()) {
         let length = (seconds * sampling.rate) as usize;
-        all.extend(at_scale(index, &series.flat, taps, length, sampling.rate, series.noise, &mut planner));
+        all.extend(at_scale(index, &series.flat, hits, length, sampling.rate, series.noise, &mut planner));
         seconds *= 1.6;
     }
     all.sort_by(|a: &(Peak, f64), b| b.0.strength.total_cmp(&a.0.strength));
@@ -59,19 +59,19 @@ pub(super) fn after_taps(index: usize, series: &Series, taps: &[Tap], sampling: 
     kept.into_iter().map(|(peak, _)| peak).collect()
 }
 
-/// Peaks of the power averaged over all taps that have room for a window of this length, each with the spectrum's resolution.
+/// Peaks of the power averaged over all hits that have room for a window of this length, each with the spectrum's resolution.
 fn at_scale(
     series: usize,
     values: &[f64],
-    taps: &[Tap],
+    hits: &[Hit],
     length: usize,
     rate: f64,
     noise: f64,
     planner: &mut RealFftPlanner<f64>,
 ) -> Vec<(Peak, f64)> {
-    let next = |index: usize| taps.get(index + 1).map_or(values.len(), |tap| tap.onset);
+    let next = |index: usize| hits.get(index + 1).map_or(values.len(), |hit| hit.onset);
     let starts: Vec<usize> =
-        (0..taps.len()).filter(|&i| taps[i].after + length <= next(i)).map(|i| taps[i].after).collect();
+        (0..hits.len()).filter(|&i| hits[i].after + length <= next(i)).map(|i| hits[i].after).collect();
     if starts.is_empty() || length < 8 {
         return Vec::new();
     }
@@ -115,7 +115,7 @@ fn at_scale(
         .collect()
 }
 
-/// Peaks of a record without taps, of lines far above what is between them, the strongest first; and the spectrum.
+/// Peaks of a record without hits, of lines far above what is between them, the strongest first; and the spectrum.
 pub(super) fn steady(index: usize, series: &Series, sampling: &Sampling) -> (Vec<Peak>, Welch) {
     let length = (sampling.samples / 8).max(64).min(sampling.samples);
     let welch = Welch::of(&series.flat, sampling.rate, length);

@@ -1,6 +1,6 @@
 //! What lines mean: which mode of which mount each is, or an alias of one.
 //!
-//! Next door: the lines (`refine`), what follows from the ladder (the parent).
+//! Next door: the lines (`refine`), what follows from the series (the parent).
 
 use crate::measures::alias_of;
 use crate::modes::end_mass_root;
@@ -9,7 +9,7 @@ use super::ringing::Part;
 
 /// How a spring is mounted, as far as its lines say.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Ladder {
+pub enum ModeSeries {
     /// Both ends held: f_j = j f1, less what a chain of N windings lies below that.
     HeldHeld,
     /// End 2 free, or under a force that stays: f_j = (2j − 1) f1/2.
@@ -21,11 +21,11 @@ pub enum Ladder {
     },
 }
 
-impl Ladder {
+impl ModeSeries {
     /// f_j over f1 of the held spring.
     ///
     /// - `mode`: j, at least 1; `windings`: N, infinite for the continuous coil
-    pub fn step(&self, mode: usize, windings: f64) -> f64 {
+    pub fn multiple(&self, mode: usize, windings: f64) -> f64 {
         let j = mode as f64;
         let turns = match self {
             Self::HeldHeld => j,
@@ -51,7 +51,7 @@ impl Ladder {
 
 /// What a matcher needs of a line.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Seen {
+pub(super) struct Observation {
     /// Undamped frequency \[Hz\], and its standard uncertainty.
     pub(super) frequency: f64,
     pub(super) standard: f64,
@@ -61,15 +61,15 @@ pub(super) struct Seen {
     pub(super) part: Option<Part>,
 }
 
-/// A ladder laid against lines.
+/// A series laid against lines.
 #[derive(Debug, Clone)]
 pub(super) struct Match {
-    pub(super) ladder: Ladder,
+    pub(super) mode_series: ModeSeries,
     /// f1 \[Hz\] of the spring with both ends held.
     pub(super) first: f64,
     /// N of the chain that fits best; infinite for the continuous coil.
     pub(super) windings: f64,
-    /// (line, mode, frequency \[Hz\] that the ladder has there), the lowest mode first.
+    /// (line, mode, frequency \[Hz\] that the series has there), the lowest mode first.
     pub(super) modes: Vec<(usize, usize, f64)>,
     /// The same of lines that are folded: frequency before folding.
     pub(super) aliases: Vec<(usize, usize, f64)>,
@@ -87,17 +87,17 @@ const FOLDED: f64 = 2.0;
 /// How far a line may lie off its step, relative.
 const OFF: f64 = 0.004;
 
-/// The ladder that explains the lines best; none where there is no line.
-pub(super) fn best(lines: &[Seen], ladder: Ladder, windings: Option<f64>, rate: f64) -> Option<Match> {
+/// The series that explains the lines best; none where there is no line.
+pub(super) fn best(lines: &[Observation], series: ModeSeries, windings: Option<f64>, rate: f64) -> Option<Match> {
     let mut strongest: Vec<usize> = (0..lines.len()).collect();
     strongest.sort_by(|&a, &b| lines[b].weight.total_cmp(&lines[a].weight));
     let mut found: Option<Match> = None;
     for &base in strongest.iter().take(6) {
         for mode in 1..=3 {
-            if !fits_part(lines[base].part, ladder, mode) {
+            if !fits_part(lines[base].part, series, mode) {
                 continue;
             }
-            let trial = climb(lines, ladder, windings, rate, base, mode);
+            let trial = assign(lines, series, windings, rate, base, mode);
             // Of two that explain as much, the one whose first mode is higher needs fewer modes that were not seen.
             let better = |old: &Match| {
                 trial.score > 1.001 * old.score || (trial.score > 0.999 * old.score && trial.first > old.first)
@@ -126,14 +126,21 @@ pub(super) fn mass_ratio_of(first: f64, second: f64) -> Option<f64> {
 }
 
 /// Goes up the modes from the guess that line `base` is mode `mode`, and learns N on the way.
-fn climb(lines: &[Seen], ladder: Ladder, windings: Option<f64>, rate: f64, base: usize, mode: usize) -> Match {
+fn assign(
+    lines: &[Observation],
+    series: ModeSeries,
+    windings: Option<f64>,
+    rate: f64,
+    base: usize,
+    mode: usize,
+) -> Match {
     let mut chain = windings.unwrap_or(f64::INFINITY);
     let mut known = windings.is_some();
-    let mut first = lines[base].frequency / ladder.step(mode, chain);
+    let mut first = lines[base].frequency / series.multiple(mode, chain);
     let mut modes: Vec<(usize, usize, f64)> = Vec::new();
     let mut missed = 0;
     for j in 1..=HIGHEST {
-        let step = first * ladder.step(j, chain);
+        let step = first * series.multiple(j, chain);
         if step > 0.5 * rate || missed > 6 {
             break;
         }
@@ -141,16 +148,16 @@ fn climb(lines: &[Seen], ladder: Ladder, windings: Option<f64>, rate: f64, base:
         let low = if known {
             step
         } else {
-            first * ladder.step(j, FEWEST.max(j as f64)) / ladder.step(mode, FEWEST.max(mode as f64))
-                * ladder.step(mode, chain)
+            first * series.multiple(j, FEWEST.max(j as f64)) / series.multiple(mode, FEWEST.max(mode as f64))
+                * series.multiple(mode, chain)
         };
-        let within = |seen: &Seen| {
+        let within = |seen: &Observation| {
             let room = (OFF + unsure(lines, &modes, j)) * step + 3.0 * seen.standard.min(0.02 * step);
             seen.frequency > low.min(step) - room && seen.frequency < step + room
         };
         let free = |index: &usize| !modes.iter().any(|(line, _, _)| line == index);
         let candidates = (0..lines.len())
-            .filter(|index| within(&lines[*index]) && fits_part(lines[*index].part, ladder, j))
+            .filter(|index| within(&lines[*index]) && fits_part(lines[*index].part, series, j))
             .filter(free);
         let pick = if j == mode {
             Some(base)
@@ -163,32 +170,32 @@ fn climb(lines: &[Seen], ladder: Ladder, windings: Option<f64>, rate: f64, base:
                 missed = 0;
                 modes.push((line, j, step));
                 if windings.is_none() && modes.len() > 1 {
-                    chain = chain_of(lines, ladder, &modes);
+                    chain = chain_of(lines, series, &modes);
                     known = true;
-                    first = lines[base].frequency / ladder.step(mode, chain);
+                    first = lines[base].frequency / series.multiple(mode, chain);
                 }
             }
         }
     }
     for entry in &mut modes {
-        entry.2 = first * ladder.step(entry.1, chain);
+        entry.2 = first * series.multiple(entry.1, chain);
     }
     let taken: Vec<usize> = modes.iter().map(|entry| entry.0).collect();
     let aliases = if modes.len() > 1 || windings.is_some() {
-        folded(lines, ladder, first, chain, rate, &taken)
+        folded(lines, series, first, chain, rate, &taken)
     } else {
         Vec::new()
     };
     let highest = modes.last().map_or(0, |entry| entry.1);
     let unseen = (1..highest)
-        .filter(|mode| fits_any(lines, ladder, *mode) && !modes.iter().any(|entry| entry.1 == *mode))
+        .filter(|mode| fits_any(lines, series, *mode) && !modes.iter().any(|entry| entry.1 == *mode))
         .count();
     let score = modes.iter().map(|(line, _, _)| (1.0 + lines[*line].weight).ln()).sum::<f64>() - UNSEEN * unseen as f64;
-    Match { ladder, first, windings: chain, modes, aliases, score }
+    Match { mode_series: series, first, windings: chain, modes, aliases, score }
 }
 
 /// How far a step may be off \[1\] because N follows from lines that are not sure: f_j/f1 = j (1 − (j² − 1) π²/24N²) to first order.
-fn unsure(lines: &[Seen], modes: &[(usize, usize, f64)], mode: usize) -> f64 {
+fn unsure(lines: &[Observation], modes: &[(usize, usize, f64)], mode: usize) -> f64 {
     let lever = |j: usize| (j * j - 1) as f64;
     let of = |entry: &(usize, usize, f64)| 3.0 * lines[entry.0].standard / lines[entry.0].frequency / lever(entry.1);
     let best = modes.iter().filter(|entry| entry.1 > 1).map(of).fold(f64::INFINITY, f64::min);
@@ -197,11 +204,11 @@ fn unsure(lines: &[Seen], modes: &[(usize, usize, f64)], mode: usize) -> f64 {
 }
 
 /// N of the chain that the modes so far fit best: least squares of the relative misfit over 1/N².
-fn chain_of(lines: &[Seen], ladder: Ladder, modes: &[(usize, usize, f64)]) -> f64 {
+fn chain_of(lines: &[Observation], series: ModeSeries, modes: &[(usize, usize, f64)]) -> f64 {
     let highest = modes.iter().map(|entry| entry.1).max().unwrap_or(1) as f64;
     let misfit = |inverse: f64| {
         let windings = if inverse > 0.0 { 1.0 / inverse.sqrt() } else { f64::INFINITY };
-        let ratio = |entry: &(usize, usize, f64)| (lines[entry.0].frequency / ladder.step(entry.1, windings)).ln();
+        let ratio = |entry: &(usize, usize, f64)| (lines[entry.0].frequency / series.multiple(entry.1, windings)).ln();
         let weight =
             |entry: &(usize, usize, f64)| 1.0 / ((lines[entry.0].standard / lines[entry.0].frequency).powi(2) + 1e-6);
         let total: f64 = modes.iter().map(weight).sum();
@@ -221,8 +228,8 @@ fn chain_of(lines: &[Seen], ladder: Ladder, modes: &[(usize, usize, f64)]) -> f6
 
 /// Lines that a mode above half the sampling rate folds to.
 fn folded(
-    lines: &[Seen],
-    ladder: Ladder,
+    lines: &[Observation],
+    series: ModeSeries,
     first: f64,
     chain: f64,
     rate: f64,
@@ -231,7 +238,7 @@ fn folded(
     let highest = if chain.is_finite() { (chain as usize).min(HIGHEST) } else { HIGHEST };
     let mut found: Vec<(usize, usize, f64)> = Vec::new();
     for j in 1..=highest {
-        let step = first * ladder.step(j, chain);
+        let step = first * series.multiple(j, chain);
         if step <= 0.5 * rate {
             continue;
         }
@@ -243,7 +250,7 @@ fn folded(
         let near = |index: &usize| {
             let seen = &lines[*index];
             let room = 0.5 * OFF * step + 3.0 * seen.standard.min(0.02 * step);
-            (seen.frequency - shown).abs() < room && fits_part(seen.part, ladder, j)
+            (seen.frequency - shown).abs() < room && fits_part(seen.part, series, j)
         };
         let open = |index: &usize| !taken.contains(index) && !found.iter().any(|entry| entry.0 == *index);
         let pick =
@@ -256,16 +263,16 @@ fn folded(
 }
 
 /// Whether any line is of the part that a mode rings in: modes that nothing struck are not missed.
-fn fits_any(lines: &[Seen], ladder: Ladder, mode: usize) -> bool {
-    lines.iter().any(|seen| seen.weight > 1.0 && fits_part(seen.part, ladder, mode))
+fn fits_any(lines: &[Observation], series: ModeSeries, mode: usize) -> bool {
+    lines.iter().any(|seen| seen.weight > 1.0 && fits_part(seen.part, series, mode))
 }
 
 /// Whether a mode can ring in that part: between held ends odd modes pull the ends in turn, even ones together.
-fn fits_part(part: Option<Part>, ladder: Ladder, mode: usize) -> bool {
-    match (ladder, part) {
-        (Ladder::HeldHeld, Some(Part::Difference)) => mode % 2 == 1,
-        (Ladder::HeldHeld, Some(Part::Sum)) => mode.is_multiple_of(2),
-        (Ladder::HeldHeld, None) => false,
+fn fits_part(part: Option<Part>, series: ModeSeries, mode: usize) -> bool {
+    match (series, part) {
+        (ModeSeries::HeldHeld, Some(Part::Difference)) => mode % 2 == 1,
+        (ModeSeries::HeldHeld, Some(Part::Sum)) => mode.is_multiple_of(2),
+        (ModeSeries::HeldHeld, None) => false,
         _ => true,
     }
 }

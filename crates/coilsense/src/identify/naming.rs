@@ -1,9 +1,9 @@
 //! What each line is, with the reason in words.
 //!
-//! Next door: the ladder that names modes (`ladder`), whether ends move with a line (`end_motion`).
+//! Next door: the series that names modes (`mode_series`), whether ends move with a line (`end_motion`).
 
-use super::ladder::Match;
 use super::line::{Line, Meaning};
+use super::mode_series::Match;
 
 /// How far mains may be off \[1\], relative, and the highest multiple that is thought of.
 const MAINS_OFF: f64 = 3e-3;
@@ -11,14 +11,14 @@ const MULTIPLES: usize = 20;
 /// How near a force is to following motion statically: |k X/F − 1|.
 const FOLLOWS: f64 = 0.15;
 
-/// Names the lines: steady ones by mains and motion, those that die out by the ladder. `static_part` is k X/F of each line, where known.
-pub(super) fn name(lines: &mut [Line], ladder: Option<&Match>, rate: f64, static_part: &[Option<f64>]) {
+/// Names the lines: steady ones by mains and motion, those that decay by the series. `static_part` is k X/F of each line, where known.
+pub(super) fn name(lines: &mut [Line], mode_series: Option<&Match>, rate: f64, static_part: &[Option<f64>]) {
     for (index, line) in lines.iter_mut().enumerate() {
         (line.meaning, line.reason) = steady(line, static_part.get(index).copied().flatten());
     }
     harmonics(lines);
-    let Some(ladder) = ladder else { return };
-    for &(index, mode, expected) in &ladder.modes {
+    let Some(mode_series) = mode_series else { return };
+    for &(index, mode, expected) in &mode_series.modes {
         if !lines[index].decays {
             continue;
         }
@@ -28,7 +28,7 @@ pub(super) fn name(lines: &mut [Line], ladder: Option<&Match>, rate: f64, static
         lines[index].meaning = Meaning::Mode(mode);
         lines[index].reason = format!("mode {mode}: {expected:.2} Hz expected, {off} % off");
     }
-    for &(index, mode, expected) in &ladder.aliases {
+    for &(index, mode, expected) in &mode_series.aliases {
         if lines[index].decays {
             lines[index].meaning = Meaning::Alias { mode, frequency: expected };
             lines[index].reason = format!("alias of mode {mode} at {expected:.1} Hz, folded at {:.0} Hz", 0.5 * rate);
@@ -63,7 +63,7 @@ fn steady(line: &Line, static_part: Option<f64>) -> (Meaning, String) {
         return (Meaning::Follows, reason);
     }
     if line.decays {
-        return (Meaning::Unknown, "dies out after taps, but is no step of the ladder".to_owned());
+        return (Meaning::Unknown, "decays after hits, but is no mode of the series".to_owned());
     }
     for mains in [50.0, 60.0] {
         let multiple = (frequency / mains).round();
@@ -74,5 +74,5 @@ fn steady(line: &Line, static_part: Option<f64>) -> (Meaning, String) {
             return (Meaning::Mains { mains, multiple: multiple as usize }, reason);
         }
     }
-    (Meaning::Unknown, "steady: it does not die out".to_owned())
+    (Meaning::Unknown, "steady: it does not decay".to_owned())
 }

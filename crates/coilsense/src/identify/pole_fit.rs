@@ -1,4 +1,4 @@
-//! Exponentials that several taps share, fitted together: frequencies and dampings by Gauss and Newton, amplitudes projected out.
+//! Exponentials that several hits share, fitted together: frequencies and dampings by Gauss and Newton, amplitudes projected out.
 //!
 //! Next door: which lines are fitted over which stretches (`refine`).
 
@@ -8,9 +8,9 @@ use num_complex::Complex;
 /// The transform of one stretch of one series, within a band.
 #[derive(Debug, Clone)]
 pub(super) struct Block {
-    /// Which series and which tap it is of.
+    /// Which series and which hit it is of.
     pub(super) series: usize,
-    pub(super) tap: usize,
+    pub(super) hit: usize,
     /// Angle of each line per sample \[rad\], shape `lines`.
     pub(super) angles: Vec<f64>,
     /// Transform of each line over the series' noise, shape `lines`.

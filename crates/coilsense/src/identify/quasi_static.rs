@@ -155,7 +155,7 @@ impl Stiffness {
         }
         Err(format!(
             "the ends move at {hertz:.2} Hz, and no ring-down tells what the coil's own mass adds there: no stiffness without a motion \
-             slower than {SLOW_ENOUGH} Hz, or a tap"
+             slower than {SLOW_ENOUGH} Hz, or a hit"
         ))
     }
 

@@ -1,6 +1,6 @@
-//! Lines made exact: each fitted over all taps together, beside the lines near it, over as long as it rings.
+//! Lines made exact: each fitted over all hits together, beside the lines near it, over as long as it rings.
 //!
-//! Next door: the lines to start from (`lines`), the fit (`pole_fit`), what lines mean (`ladder`).
+//! Next door: the lines to start from (`lines`), the fit (`pole_fit`), what lines mean (`mode_series`).
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -8,13 +8,13 @@ use std::sync::Arc;
 use num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
+use super::hits::Hit;
 use super::lines::Peak;
 use super::pole_fit::{Block, Fit, column, fit};
 use super::ringing::Series;
 use super::sampling::Sampling;
-use super::taps::Tap;
 
-/// How many e-foldings a stretch lasts, where the next tap leaves room.
+/// How many e-foldings a stretch lasts, where the next hit leaves room.
 const FOLDS: f64 = 8.0;
 /// Lines of the transform on either side of the line that is fitted.
 const HALF_BAND: f64 = 30.0;
@@ -24,7 +24,7 @@ const LEAST: usize = 24;
 const MOST_ADDED: usize = 3;
 /// Modes that are looked for where no peak is.
 const GUESSED: usize = 6;
-/// A tap whose ringing fits this much worse than the others' is left out (something else happened in it).
+/// A hit whose ringing fits this much worse than the others' is left out (something else happened in it).
 const WORSE: f64 = 4.0;
 
 /// A line, fitted.
@@ -38,9 +38,9 @@ pub(super) struct Fitted {
     pub(super) standard: f64,
     /// Real degrees of freedom.
     pub(super) freedom: f64,
-    /// Taps used.
-    pub(super) taps: Vec<usize>,
-    /// Peak amplitude \[N\] per series and tap, at the stretch's begin: (series, tap, 2|A|, its phase).
+    /// Hits used.
+    pub(super) hits: Vec<usize>,
+    /// Peak amplitude \[N\] per series and hit, at the stretch's begin: (series, hit, 2|A|, its phase).
     pub(super) amplitudes: Vec<(usize, usize, Complex<f64>)>,
     /// Strength of the peak it came from.
     pub(super) strength: f64,
@@ -49,7 +49,7 @@ pub(super) struct Fitted {
 /// Fits lines to a record.
 pub(super) struct Refiner<'a> {
     series: &'a [Series],
-    taps: &'a [Tap],
+    hits: &'a [Hit],
     rate: f64,
     samples: usize,
     planner: RealFftPlanner<f64>,
@@ -57,9 +57,9 @@ pub(super) struct Refiner<'a> {
 }
 
 impl<'a> Refiner<'a> {
-    pub(super) fn new(series: &'a [Series], taps: &'a [Tap], sampling: &Sampling) -> Self {
+    pub(super) fn new(series: &'a [Series], hits: &'a [Hit], sampling: &Sampling) -> Self {
         let planner = RealFftPlanner::new();
-        Self { series, taps, rate: sampling.rate, samples: sampling.samples, planner, plans: HashMap::new() }
+        Self { series, hits, rate: sampling.rate, samples: sampling.samples, planner, plans: HashMap::new() }
     }
 
     /// The lines behind `peaks`, strongest first.
@@ -80,7 +80,7 @@ impl<'a> Refiner<'a> {
         lines
     }
 
-    /// Adds modes that no spectrum shows apart, broad ones on the flank of the strongest line: where the strongest line's ladder has them,
+    /// Adds modes that no spectrum shows apart, broad ones on the flank of the strongest line: where the strongest line's series has them,
     /// if the fit then finds one.
     fn look_for_modes(&mut self, lines: &mut Vec<Fitted>) {
         let strongest =
@@ -129,7 +129,7 @@ impl<'a> Refiner<'a> {
                     pole,
                     standard: f64::INFINITY,
                     freedom: 1.0,
-                    taps: Vec::new(),
+                    hits: Vec::new(),
                     amplitudes: Vec::new(),
                     strength: peak.strength,
                 }),
@@ -155,7 +155,7 @@ impl<'a> Refiner<'a> {
         let (mut free, mut fixed) = (vec![line.pole], Vec::new());
         for (_, other) in others {
             let distance = (other.pole.im - centre).abs();
-            // A line that has died out within a few samples of the stretch leaves no trace that could be fitted.
+            // A line that has decayed within a few samples of the stretch leaves no trace that could be fitted.
             if other.pole.im > band.0 && other.pole.im < band.1 && free.len() < 6 {
                 free.push(other.pole);
             } else if distance < 2.5 * half && fixed.len() < 4 {
@@ -171,7 +171,7 @@ impl<'a> Refiner<'a> {
             fit(&blocks, &free, &fixed)
         })?;
         if look {
-            (blocks, found) = self.without_bad_taps(blocks, found, &fixed);
+            (blocks, found) = self.without_bad_hits(blocks, found, &fixed);
             for _ in 0..MOST_ADDED {
                 let Some(pole) = left_over(&blocks, &found, band) else { break };
                 let mut more = found.poles.clone();
@@ -185,16 +185,16 @@ impl<'a> Refiner<'a> {
         Some(self.fitted(line, &blocks, &found))
     }
 
-    /// Where each tap's stretch begins and how long it is: as long as the line rings, or until the next tap.
+    /// Where each hit's stretch begins and how long it is: as long as the line rings, or until the next hit.
     fn stretches(&self, pole: Complex<f64>) -> Vec<(usize, usize)> {
         let wanted = (FOLDS / pole.re.abs().max(1e-9)) as usize;
         let stretch = |index: usize| {
-            let end = self.taps.get(index + 1).map_or(self.samples, |tap| tap.onset);
-            let room = end.saturating_sub(self.taps[index].after);
+            let end = self.hits.get(index + 1).map_or(self.samples, |hit| hit.onset);
+            let room = end.saturating_sub(self.hits[index].after);
             (index, quick_length(room.min(wanted.max(LEAST))))
         };
         let all: Vec<(usize, usize)> =
-            (0..self.taps.len()).map(stretch).filter(|(_, length)| *length >= LEAST).collect();
+            (0..self.hits.len()).map(stretch).filter(|(_, length)| *length >= LEAST).collect();
         let longest = all.iter().map(|(_, length)| *length).max().unwrap_or(0);
         // A stretch far shorter than the others has no lines of its own in their band.
         all.into_iter().filter(|(_, length)| 8 * length >= longest).collect()
@@ -202,7 +202,7 @@ impl<'a> Refiner<'a> {
 
     fn blocks(&mut self, series: &[usize], stretches: &[(usize, usize)], band: (f64, f64)) -> Vec<Block> {
         let mut blocks = Vec::new();
-        for &(tap, length) in stretches {
+        for &(hit, length) in stretches {
             let planner = &mut self.planner;
             let plan = self.plans.entry(length).or_insert_with(|| planner.plan_fft_forward(length)).clone();
             let turn = std::f64::consts::TAU / length as f64;
@@ -212,7 +212,7 @@ impl<'a> Refiner<'a> {
                 continue;
             }
             for &index in series {
-                let start = self.taps[tap].after;
+                let start = self.hits[hit].after;
                 let mut input = self.series[index].force[start..start + length].to_vec();
                 let mut output = plan.make_output_vec();
                 if plan.process(&mut input, &mut output).is_err() {
@@ -221,14 +221,14 @@ impl<'a> Refiner<'a> {
                 let scale = 1.0 / (self.series[index].noise * (length as f64).sqrt()).max(f64::MIN_POSITIVE);
                 let angles = (first..=last).map(|line| turn * line as f64).collect();
                 let values = output[first..=last].iter().map(|value| value * scale).collect();
-                blocks.push(Block { series: index, tap, angles, values, length });
+                blocks.push(Block { series: index, hit, angles, values, length });
             }
         }
         blocks
     }
 
-    /// Leaves out taps in whose stretch something else happened.
-    fn without_bad_taps(&self, blocks: Vec<Block>, found: Fit, fixed: &[Complex<f64>]) -> (Vec<Block>, Fit) {
+    /// Leaves out hits in whose stretch something else happened.
+    fn without_bad_hits(&self, blocks: Vec<Block>, found: Fit, fixed: &[Complex<f64>]) -> (Vec<Block>, Fit) {
         let square = |residual: &Vec<Complex<f64>>| {
             residual.iter().map(Complex::norm_sqr).sum::<f64>() / residual.len().max(1) as f64
         };
@@ -237,8 +237,8 @@ impl<'a> Refiner<'a> {
         sorted.sort_by(f64::total_cmp);
         let usual = sorted[sorted.len() / 2];
         let bad: Vec<usize> =
-            blocks.iter().zip(&squares).filter(|(_, s)| **s > WORSE * usual).map(|(block, _)| block.tap).collect();
-        let kept: Vec<Block> = blocks.iter().filter(|block| !bad.contains(&block.tap)).cloned().collect();
+            blocks.iter().zip(&squares).filter(|(_, s)| **s > WORSE * usual).map(|(block, _)| block.hit).collect();
+        let kept: Vec<Block> = blocks.iter().filter(|block| !bad.contains(&block.hit)).cloned().collect();
         if bad.is_empty() || kept.is_empty() {
             return (blocks, found);
         }
@@ -251,16 +251,16 @@ impl<'a> Refiner<'a> {
     fn fitted(&self, line: &Fitted, blocks: &[Block], found: &Fit) -> Fitted {
         let amplitudes = blocks.iter().zip(&found.amplitudes).map(|(block, amplitudes)| {
             let scale = 2.0 * self.series[block.series].noise * (block.length as f64).sqrt();
-            (block.series, block.tap, amplitudes[0] * scale)
+            (block.series, block.hit, amplitudes[0] * scale)
         });
-        let mut taps: Vec<usize> = blocks.iter().map(|block| block.tap).collect();
-        taps.dedup();
+        let mut hits: Vec<usize> = blocks.iter().map(|block| block.hit).collect();
+        hits.dedup();
         Fitted {
             series: line.series.clone(),
             pole: found.poles[0],
             standard: found.standard[0] * near_excess(blocks, found).sqrt(),
             freedom: 2.0 * found.freedom as f64,
-            taps,
+            hits,
             amplitudes: amplitudes.collect(),
             strength: line.strength,
         }

@@ -1,6 +1,6 @@
 //! What of a record may ring: end forces less the force of a spring without mass.
 //!
-//! Next door: the stiffness that it takes (`quasi_static`), the moments at which ringing begins (`taps`).
+//! Next door: the stiffness that it takes (`quasi_static`), the moments at which ringing begins (`hits`).
 
 use super::quasi_static::{Stiffness, length};
 use super::sampling::Sampling;
@@ -30,9 +30,9 @@ pub(super) struct Series {
     pub(super) force: Vec<f64>,
     /// The same less its own running mean, for finding things; shape `samples`.
     pub(super) flat: Vec<f64>,
-    /// Standard deviation of what is not foretold, in N.
+    /// Standard deviation of what is not predicted, in N.
     pub(super) noise: f64,
-    /// What is not foretold, over that; shape `samples`.
+    /// What is not predicted, over that; shape `samples`.
     pub(super) surprise: Vec<f64>,
 }
 

@@ -5,13 +5,13 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::end_motion::receptance;
-use super::ladder::{Match, Seen, best, mass_ratio_of};
 use super::line::{Line, Meaning};
-use super::lines::{Peak, after_taps, steady};
+use super::lines::{Peak, after_hits, steady};
+use super::mode_series::{Match, Observation, best, mass_ratio_of};
 use super::refine::{Fitted, Refiner};
 use super::ringing::{Part, Series, series};
-use super::{Answer, Estimate, Identification, Ladder, Sampling, Settings, Stiffness, Tap, Trust, Verdict};
-use super::{half_power, naming, ring_down, taps, verdict};
+use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict};
+use super::{half_power, hits, naming, ring_down, verdict};
 use crate::error::Error;
 use crate::measures::alias_of;
 use crate::mount::FarEnd;
@@ -30,11 +30,11 @@ const MOVES: f64 = 0.2;
 impl Identification {
     /// Of a record with at least one force (F_i, F_o, F_L), sampled evenly; everything else helps.
     ///
-    /// f1, ζ_j: several taps' ring-downs fitted together, λ = −ζω + iω√(1−ζ²); k, l0: least squares of slow parts; τ = 1/2f1 (for N given:
+    /// f1, ζ_j: several hits' ring-downs fitted together, λ = −ζω + iω√(1−ζ²); k, l0: least squares of slow parts; τ = 1/2f1 (for N given:
     /// 2N sin(π/2N)/(2π f1)); m = kτ². Intervals are of 95 %.
     ///
     /// Source:   see each step; the modes are those of [`crate::modes::ChainModes`].
-    /// Valid:    linear ringing of light damping (ζ up to 0.1), taps shorter than 4 ms or their echo, ends held or with a free mass.
+    /// Valid:    linear ringing of light damping (ζ up to 0.1), hits shorter than 4 ms or their echo, ends held or with a free mass.
     /// Accuracy: 600 records of a minute (ζ 0.001 to 0.05, three springs): see `tests/identify`, which holds the figures.
     ///
     /// # Errors
@@ -45,7 +45,7 @@ impl Identification {
         let sampling = Sampling::of(signals)?;
         let stiffness = Stiffness::of(signals, &sampling, &settings);
         let series = series(signals, &sampling, stiffness.as_ref().ok())?;
-        let taps = taps::find(&series, &sampling);
+        let hits = hits::find(&series, &sampling);
         let mut spectra = Vec::new();
         let mut steady_peaks = Vec::new();
         for (index, one) in series.iter().enumerate() {
@@ -54,22 +54,22 @@ impl Identification {
             spectra.push((one.part, welch));
         }
         let spacing = spectra.first().map_or(1.0, |(_, welch)| welch.spacing);
-        let (lines, foldings) = lines_of(&series, &taps, &sampling, &steady_peaks, spacing);
+        let (lines, foldings) = lines_of(&series, &hits, &sampling, &steady_peaks, spacing);
         let mut found = Self {
             sampling,
             settings,
             has_both_forces: series.len() > 1,
             stiffness,
-            taps,
+            hits,
             lines,
-            ladder: None,
+            mode_series: None,
             fitted_windings: None,
             end_mass: None,
             first_frequency: None,
             ratio: None,
             transit_time: None,
             mass: None,
-            foretold: None,
+            predicted: None,
             trust: None,
             spectra,
             noise: series.iter().map(|one| (one.part, one.noise)).collect(),
@@ -84,22 +84,23 @@ impl Identification {
             }
             None => stiffness.without_mass(),
         });
-        found.foretell();
+        found.predict();
         found.unfold();
         found.derive();
         found.half_powers(&series);
-        found.ring_down = ring_down::of(&found.lines, &series, &found.taps, &found.sampling);
+        found.ring_down = ring_down::of(&found.lines, &series, &found.hits, &found.sampling);
         found.verdict = verdict::verdict(&found);
         Ok(found)
     }
 
-    /// Names the lines: finds the mount and its ladder.
+    /// Names the lines: finds the mount and its series.
     fn explain(&mut self, signals: &Signals, foldings: &[f64]) {
         let motions = self.motions(signals, foldings);
-        let seen: Vec<Seen> = self.lines.iter().map(|line| seen(line, self.has_both_forces)).collect();
+        let seen: Vec<Observation> = self.lines.iter().map(|line| seen(line, self.has_both_forces)).collect();
         let candidates = self.candidates(signals, foldings, &motions);
         let windings = self.settings.windings;
-        let matches = candidates.into_iter().filter_map(|ladder| best(&seen, ladder, windings, self.sampling.rate));
+        let matches =
+            candidates.into_iter().filter_map(|mode_series| best(&seen, mode_series, windings, self.sampling.rate));
         let found = matches.reduce(|old, new| if new.score > old.score { new } else { old });
         naming::name(&mut self.lines, found.as_ref(), self.sampling.rate, &motions.follows);
         if let Some(found) = found.filter(|found| found.modes.iter().any(|entry| self.lines[entry.0].decays)) {
@@ -107,16 +108,16 @@ impl Identification {
         }
     }
 
-    /// Takes a ladder's numbers over.
+    /// Takes a series's numbers over.
     fn adopt(&mut self, found: &Match) {
-        self.ladder = Some(found.ladder);
+        self.mode_series = Some(found.mode_series);
         self.fitted_windings =
             (self.settings.windings.is_none() && found.windings.is_finite()).then_some(found.windings);
         let lowest = found.modes.iter().find(|(line, _, _)| self.lines[*line].mode().is_some());
         if let Some(&(line, mode, _)) = lowest {
-            let step = found.ladder.step(mode, found.windings);
+            let step = found.mode_series.multiple(mode, found.windings);
             let mut first = self.lines[line].frequency.scaled(1.0 / step);
-            if matches!(found.ladder, Ladder::EndMass { .. }) {
+            if matches!(found.mode_series, ModeSeries::EndMass { .. }) {
                 // The steps hang on m/M, which follows from the lines too: how far these lie off them says how well.
                 let off = |entry: &(usize, usize, f64)| (self.lines[entry.0].frequency.value / entry.2 - 1.0).powi(2);
                 let spread = (found.modes.iter().map(off).sum::<f64>() / found.modes.len() as f64).sqrt() * first.value;
@@ -129,25 +130,25 @@ impl Identification {
     }
 
     /// Mounts that the record allows.
-    fn candidates(&mut self, signals: &Signals, foldings: &[f64], motions: &Motions) -> Vec<Ladder> {
+    fn candidates(&mut self, signals: &Signals, foldings: &[f64], motions: &Motions) -> Vec<ModeSeries> {
         match self.settings.far_end {
-            Some(FarEnd::Position) => return vec![Ladder::HeldHeld],
-            Some(FarEnd::Force) => return vec![Ladder::HeldFree],
+            Some(FarEnd::Position) => return vec![ModeSeries::HeldHeld],
+            Some(FarEnd::Force) => return vec![ModeSeries::HeldFree],
             _ => {}
         }
         if !motions.end_moves && self.settings.far_end.is_none() {
-            return vec![Ladder::HeldHeld];
+            return vec![ModeSeries::HeldHeld];
         }
         let mass = self.end_mass_of(signals, foldings);
         self.end_mass = mass.map(|(mass, _)| mass);
-        let Some((_, rough)) = mass else { return vec![Ladder::HeldFree] };
+        let Some((_, rough)) = mass else { return vec![ModeSeries::HeldFree] };
         // Where the mass is heavy, its own swing tells little of the coil's; the step from there to the next mode does.
         let decaying: Vec<f64> =
             self.lines.iter().filter(|line| line.decays).map(|line| line.frequency.value).take(4).collect();
         let lowest = decaying.first().copied();
         let sharper = decaying.iter().skip(1).filter_map(|second| mass_ratio_of(lowest?, *second));
         let near = sharper.filter(|ratio| (ratio / rough).ln().abs() < 1.0);
-        near.chain([rough]).map(|mass_ratio| Ladder::EndMass { mass_ratio }).collect()
+        near.chain([rough]).map(|mass_ratio| ModeSeries::EndMass { mass_ratio }).collect()
     }
 
     /// M \[kg\] from F_o over the end's acceleration in the lowest line (or as given), and m/M: tan β/β = k/(Mω²).
@@ -166,7 +167,7 @@ impl Identification {
                     position,
                     self.lines[lowest].frequency.value,
                     foldings[lowest],
-                    &self.taps,
+                    &self.hits,
                     &self.sampling,
                 );
                 per_motion.re / (angular * angular)
@@ -191,26 +192,26 @@ impl Identification {
     }
 
     /// f1 from a spec, or from mass and stiffness.
-    fn foretell(&mut self) {
+    fn predict(&mut self) {
         let by_mass = |mass: f64| {
             let stiffness = self.stiffness.as_ref().ok()?.value();
             Some(self.turns() / TAU * (stiffness / mass).sqrt())
         };
-        self.foretold = self.settings.predicted.or(self.settings.mass.and_then(by_mass));
+        self.predicted = self.settings.predicted.or(self.settings.mass.and_then(by_mass));
     }
 
-    /// Where the foretold f1 lies above half the sampling rate, the line that it folds to is no f1: nothing follows from it.
+    /// Where the predicted f1 lies above half the sampling rate, the line that it folds to is no f1: nothing follows from it.
     fn unfold(&mut self) {
         let rate = self.sampling.rate;
-        let Some(foretold) = self.foretold.filter(|foretold| *foretold > 0.5 * rate) else { return };
-        let shown = alias_of(foretold, rate);
-        let room = self.settings.prediction_tolerance * foretold;
+        let Some(predicted) = self.predicted.filter(|predicted| *predicted > 0.5 * rate) else { return };
+        let shown = alias_of(predicted, rate);
+        let room = self.settings.prediction_tolerance * predicted;
         let near = |line: &&mut Line| line.decays && (line.frequency.value - shown).abs() < room;
         let strongest = self.lines.iter_mut().filter(near).max_by(|a, b| a.strength.total_cmp(&b.strength));
         if let Some(line) = strongest {
-            line.meaning = Meaning::Alias { mode: 1, frequency: foretold };
-            line.reason = format!("where mode 1, foretold at {foretold:.2} Hz, folds to at {rate:.0} Hz");
-            (self.first_frequency, self.ratio, self.ladder, self.fitted_windings) = (None, None, None, None);
+            line.meaning = Meaning::Alias { mode: 1, frequency: predicted };
+            line.reason = format!("where mode 1, predicted at {predicted:.2} Hz, folds to at {rate:.0} Hz");
+            (self.first_frequency, self.ratio, self.mode_series, self.fitted_windings) = (None, None, None, None);
         }
     }
 
@@ -236,7 +237,7 @@ impl Identification {
             let of = |part: &Part| series.iter().find(|series| series.part == *part);
             let Some(series) = line.part.as_ref().and_then(of).or(series.first()) else { continue };
             let folding = 1.0 / (TAU * line.frequency.value * ratio.value);
-            line.half_power = half_power::ratio(series, &self.taps, &self.sampling, line.frequency.value, folding);
+            line.half_power = half_power::ratio(series, &self.hits, &self.sampling, line.frequency.value, folding);
         }
     }
 
@@ -250,9 +251,9 @@ impl Identification {
         let mut strongest = 0.0;
         for (index, line) in self.lines.iter().enumerate() {
             let of = |position: Option<&[f64]>| {
-                let taps: &[Tap] = if line.decays { &self.taps } else { &[] };
+                let hits: &[Hit] = if line.decays { &self.hits } else { &[] };
                 let ratio =
-                    position.map(|x| receptance(x, force, line.frequency.value, foldings[index], taps, &self.sampling));
+                    position.map(|x| receptance(x, force, line.frequency.value, foldings[index], hits, &self.sampling));
                 stiffness.value() * ratio.unwrap_or_default()
             };
             let (first, second) = (of(first), of(second));
@@ -272,32 +273,32 @@ impl Identification {
 struct Motions {
     /// k X/F of steady lines.
     follows: Vec<Option<f64>>,
-    /// Whether end 2 moves in the strongest line that dies out.
+    /// Whether end 2 moves in the strongest line that decays.
     end_moves: bool,
 }
 
 /// The lines of a record, lowest first, with the e-folding time of each \[s\].
 fn lines_of(
     series: &[Series],
-    taps: &[Tap],
+    hits: &[Hit],
     sampling: &Sampling,
     steady: &[Peak],
     spacing: f64,
 ) -> (Vec<Line>, Vec<f64>) {
     let mut lines: Vec<(Line, f64)> = Vec::new();
-    if !taps.is_empty() {
+    if !hits.is_empty() {
         let mut peaks: Vec<Peak> =
-            series.iter().enumerate().flat_map(|(n, one)| after_taps(n, one, taps, sampling)).collect();
+            series.iter().enumerate().flat_map(|(n, one)| after_hits(n, one, hits, sampling)).collect();
         peaks.sort_by(|a, b| b.strength.total_cmp(&a.strength));
         peaks.truncate(MOST_LINES);
-        let fitted = Refiner::new(series, taps, sampling).lines(&peaks);
+        let fitted = Refiner::new(series, hits, sampling).lines(&peaks);
         lines.extend(fitted.iter().filter_map(|fitted| line_of(fitted, series, sampling.rate)));
     }
     for peak in steady {
         let known = lines
             .iter()
             .any(|(line, _)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * width(line));
-        if !known && (taps.is_empty() || peak.strength > 100.0) {
+        if !known && (hits.is_empty() || peak.strength > 100.0) {
             lines.push((steady_line(peak, series, spacing), f64::INFINITY));
         }
     }
@@ -315,7 +316,7 @@ fn line_of(fitted: &Fitted, series: &[Series], rate: f64) -> Option<(Line, f64)>
     let size = fitted.pole.norm();
     let factor = coverage_factor(0.95, fitted.freedom.max(1.0)).ok()?;
     let decays = -fitted.pole.re > 3.0 * fitted.standard;
-    // What does not die out is as sure as its stretches are long.
+    // What does not decay is as sure as its stretches are long.
     let pace = if decays { -fitted.pole.re } else { 10.0 * fitted.standard };
     if pace < SURE * fitted.standard || fitted.pole.re > 3.0 * fitted.standard || -fitted.pole.re > 0.5 * size {
         return None;
@@ -333,11 +334,11 @@ fn line_of(fitted: &Fitted, series: &[Series], rate: f64) -> Option<(Line, f64)>
         decays,
         amplitude,
         part,
-        taps: fitted.taps.len(),
+        hits: fitted.hits.len(),
         strength: fitted.strength,
         meaning: Meaning::Unknown,
         reason: String::new(),
-        half_power: Err("the line does not die out".to_owned()),
+        half_power: Err("the line does not decay".to_owned()),
     };
     let folding = if decays { -1.0 / (fitted.pole.re * rate) } else { f64::INFINITY };
     Some((line, folding))
@@ -351,7 +352,7 @@ fn steady_line(peak: &Peak, series: &[Series], spacing: f64) -> Line {
         decays: false,
         amplitude: peak.amplitude,
         part: Some(series[peak.series].part),
-        taps: 0,
+        hits: 0,
         strength: peak.strength,
         meaning: Meaning::Unknown,
         reason: String::new(),
@@ -359,9 +360,9 @@ fn steady_line(peak: &Peak, series: &[Series], spacing: f64) -> Line {
     }
 }
 
-fn seen(line: &Line, both: bool) -> Seen {
-    // What does not die out is no candidate for a mode.
+fn seen(line: &Line, both: bool) -> Observation {
+    // What does not decay is no candidate for a mode.
     let weight = if line.decays { line.strength } else { 1e-9 };
     let part = if both { line.part } else { Some(line.part.unwrap_or(Part::Single(Channel::OutputForce))) };
-    Seen { frequency: line.frequency.value, standard: line.frequency.standard, weight, part }
+    Observation { frequency: line.frequency.value, standard: line.frequency.standard, weight, part }
 }

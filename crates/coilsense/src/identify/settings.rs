@@ -14,7 +14,7 @@ pub struct Settings {
     pub mass: Option<f64>,
     /// f1 \[Hz\] of the spring with both ends held, where a spec foretells it.
     pub predicted: Option<f64>,
-    /// How far a foretold f1 may be off \[1\], relative.
+    /// How far a predicted f1 may be off \[1\], relative.
     pub prediction_tolerance: f64,
     /// What end 2 is tied to, where it is known; else the record decides.
     pub far_end: Option<FarEnd>,

@@ -4,7 +4,7 @@
 
 use super::line::Meaning;
 use super::ringing::Part;
-use super::{Identification, Ladder};
+use super::{Identification, ModeSeries};
 
 /// The answer to "is it the spring that rings?".
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,8 +41,8 @@ pub struct Verdict {
 
 /// Amplitude below which a line decides nothing, relative to the largest.
 const SMALL: f64 = 0.05;
-/// Modes that make a ladder without any knowledge of the spring.
-const LADDER: usize = 3;
+/// Modes that make a mode series without any knowledge of the spring.
+const LEAST_MODES: usize = 3;
 
 pub(super) fn verdict(found: &Identification) -> Verdict {
     let (answer, evidence) = answer(found);
@@ -52,10 +52,10 @@ pub(super) fn verdict(found: &Identification) -> Verdict {
 fn answer(found: &Identification) -> (Answer, Vec<String>) {
     let modes: Vec<_> = found.lines.iter().filter(|line| line.mode().is_some()).collect();
     let decaying = found.lines.iter().filter(|line| line.decays).count();
-    let foretold = found.foretold;
-    let agrees = match (foretold, found.first_frequency) {
-        (Some(foretold), Some(first)) => {
-            Some((first.value / foretold - 1.0).abs() <= found.settings.prediction_tolerance)
+    let predicted = found.predicted;
+    let agrees = match (predicted, found.first_frequency) {
+        (Some(predicted), Some(first)) => {
+            Some((first.value / predicted - 1.0).abs() <= found.settings.prediction_tolerance)
         }
         _ => None,
     };
@@ -67,19 +67,19 @@ fn answer(found: &Identification) -> (Answer, Vec<String>) {
     if agrees == Some(false) && decaying > 0 {
         let line = format!(
             "what rings has f1 = {first:.2} Hz, the spring would have {:.2} Hz ({:+.1} %)",
-            foretold.unwrap_or(f64::NAN),
-            100.0 * (first / foretold.unwrap_or(f64::NAN) - 1.0)
+            predicted.unwrap_or(f64::NAN),
+            100.0 * (first / predicted.unwrap_or(f64::NAN) - 1.0)
         );
-        // A ladder of its own may be this spring with another mass than was said.
-        let answer = if modes.len() >= LADDER { Answer::Undecided } else { Answer::NotTheSpring };
+        // A series of its own may be this spring with another mass than was said.
+        let answer = if modes.len() >= LEAST_MODES { Answer::Undecided } else { Answer::NotTheSpring };
         return (answer, vec![line]);
     }
     let folded = 2.0 * first > 0.5 * found.sampling.rate;
-    if modes.len() >= LADDER || is_pair(found) || agrees == Some(true) && !modes.is_empty() {
-        let mut evidence = ladder_evidence(found, modes.len());
+    if modes.len() >= LEAST_MODES || is_pair(found) || agrees == Some(true) && !modes.is_empty() {
+        let mut evidence = series_evidence(found, modes.len());
         if agrees == Some(true) {
             evidence
-                .push(format!("f1 = {first:.2} Hz agrees with the {:.2} Hz foretold", foretold.unwrap_or(f64::NAN)));
+                .push(format!("f1 = {first:.2} Hz agrees with the {:.2} Hz predicted", predicted.unwrap_or(f64::NAN)));
         } else if folded {
             evidence.push(format!(
                 "sampled at {:.0} Hz it may as well be a line above {:.0} Hz, folded",
@@ -90,7 +90,7 @@ fn answer(found: &Identification) -> (Answer, Vec<String>) {
         }
         return (Answer::Spring, evidence);
     }
-    without_ladder(found, decaying, modes.len())
+    without_series(found, decaying, modes.len())
 }
 
 /// Whether the lowest two modes ring, the first pulling the ends in turn and the second together, alike in damping: two resonances elsewhere
@@ -98,28 +98,27 @@ fn answer(found: &Identification) -> (Answer, Vec<String>) {
 fn is_pair(found: &Identification) -> bool {
     let of = |mode: usize| found.lines.iter().find(|line| line.mode() == Some(mode));
     let (Some(first), Some(second)) = (of(1), of(2)) else { return false };
-    let held = found.ladder == Some(Ladder::HeldHeld)
+    let held = found.mode_series == Some(ModeSeries::HeldHeld)
         && [first, second].iter().all(|line| line.part.is_some_and(Part::of_both_ends));
     let ratio = first.ratio.zip(second.ratio).map_or(0.0, |(first, second)| second.value / first.value);
     held && (0.4..2.5).contains(&ratio)
 }
 
-fn ladder_evidence(found: &Identification, modes: usize) -> Vec<String> {
-    let name = found.ladder.map_or("an unknown mount", |ladder| ladder.name());
-    let taps = found.taps.len();
-    let mut evidence = vec![format!(
-        "{} that die{} out after {taps} tap{}: {} of a coil with {name}",
-        lines(modes),
-        if modes == 1 { "s" } else { "" },
-        if taps == 1 { "" } else { "s" },
-        if modes == 1 { "a mode" } else { "modes" },
-    )];
+fn series_evidence(found: &Identification, modes: usize) -> Vec<String> {
+    let name = found.mode_series.map_or("an unknown mount", |mode_series| mode_series.name());
+    let hits = found.hits.len();
+    let after =
+        if hits == 0 { String::new() } else { format!(" after {hits} hit{}", if hits == 1 { "" } else { "s" }) };
+    let mut evidence = vec![match modes {
+        1 => format!("1 decaying line{after} matches a mode of a coil with {name}"),
+        modes => format!("{modes} decaying lines{after} match the modes of a coil with {name}"),
+    }];
     let patterned = found
         .lines
         .iter()
         .filter(|line| line.mode().is_some() && line.part.is_some_and(|part| part.of_both_ends()))
         .count();
-    if patterned > 0 && matches!(found.ladder, Some(Ladder::HeldHeld)) {
+    if patterned > 0 && matches!(found.mode_series, Some(ModeSeries::HeldHeld)) {
         evidence.push(
             "the ends pull in turn in odd modes and together in even ones, as a coil between held ends does".to_owned(),
         );
@@ -127,7 +126,7 @@ fn ladder_evidence(found: &Identification, modes: usize) -> Vec<String> {
     evidence
 }
 
-fn without_ladder(found: &Identification, decaying: usize, modes: usize) -> (Answer, Vec<String>) {
+fn without_series(found: &Identification, decaying: usize, modes: usize) -> (Answer, Vec<String>) {
     let total = found.lines.len();
     if total == 0 {
         return (Answer::Undecided, vec!["nothing rings above the noise".to_owned()]);
@@ -151,9 +150,9 @@ fn without_ladder(found: &Identification, decaying: usize, modes: usize) -> (Ans
         return (Answer::NotTheSpring, vec![line]);
     }
     if let Some((line, mode)) = driven_mode(found) {
-        let foretold = found.foretold.unwrap_or(f64::NAN);
+        let predicted = found.predicted.unwrap_or(f64::NAN);
         let evidence = format!(
-            "a steady line at {line:.2} Hz lies near mode {mode} of the foretold spring (f1 {foretold:.2} Hz): driven there, it would ring like this"
+            "a steady line at {line:.2} Hz lies near mode {mode} of the predicted spring (f1 {predicted:.2} Hz): driven there, it would ring like this"
         );
         return (Answer::Undecided, vec![evidence]);
     }
@@ -163,18 +162,20 @@ fn without_ladder(found: &Identification, decaying: usize, modes: usize) -> (Ans
             if total == 1 { "" } else { "s" }
         ),
         (1, _) => "only one line rings: one mode of a spring and a resonance elsewhere look alike".to_owned(),
-        (count, 2) => format!("{count} lines ring, two of them on a ladder: too few to tell a spring from chance"),
-        (count, _) => format!("{count} lines ring, but they are not the ladder of a spring"),
+        (count, 2) => {
+            format!("{count} lines ring, two of them in one mode series: too few to tell a spring from chance")
+        }
+        (count, _) => format!("{count} lines ring, but they are not the mode series of a spring"),
     };
     (Answer::Undecided, vec![line])
 }
 
-/// A steady line near a mode of the foretold spring, and which.
+/// A steady line near a mode of the predicted spring, and which.
 fn driven_mode(found: &Identification) -> Option<(f64, f64)> {
-    let (foretold, room) = (found.foretold?, found.settings.prediction_tolerance);
+    let (predicted, room) = (found.predicted?, found.settings.prediction_tolerance);
     let unnamed = found.lines.iter().filter(|line| !line.decays && line.meaning == Meaning::Unknown);
-    let mut near = unnamed.map(|line| (line.frequency.value, (line.frequency.value / foretold).round().max(1.0)));
-    near.find(|(frequency, mode)| (frequency / (mode * foretold) - 1.0).abs() < room / mode)
+    let mut near = unnamed.map(|line| (line.frequency.value, (line.frequency.value / predicted).round().max(1.0)));
+    near.find(|(frequency, mode)| (frequency / (mode * predicted) - 1.0).abs() < room / mode)
 }
 
 /// So many lines.
@@ -185,21 +186,21 @@ fn lines(count: usize) -> String {
 fn next(found: &Identification, answer: Answer) -> Vec<String> {
     let mut next = Vec::new();
     let rate = found.sampling.rate;
-    let first = found.first_frequency.map(|first| first.value).or(found.foretold);
+    let first = found.first_frequency.map(|first| first.value).or(found.predicted);
     let slowest = found
         .lines
         .iter()
         .filter_map(|line| line.ratio.map(|ratio| ratio.value * line.frequency.value))
         .fold(f64::INFINITY, f64::min);
-    if found.taps.len() < 5 && answer != Answer::NotTheSpring {
+    if found.hits.len() < 5 && answer != Answer::NotTheSpring {
         let apart = if slowest.is_finite() && slowest > 0.0 {
             (8.0 / (std::f64::consts::TAU * slowest)).clamp(0.5, 10.0)
         } else {
             5.0
         };
         next.push(format!(
-            "taps: strike one end at least 5 times, {apart:.1} s apart or more, both ends held ({} found)",
-            found.taps.len()
+            "hits: strike one end at least 5 times, {apart:.1} s apart or more, both ends held ({} found)",
+            found.hits.len()
         ));
     }
     let wanted = first.or(found.lines.first().map(|line| line.frequency.value)).map(|frequency| 10.0 * frequency);
@@ -212,8 +213,8 @@ fn next(found: &Identification, answer: Answer) -> Vec<String> {
     if found.stiffness.is_err() {
         next.push("move one end slowly over the range in use, with u1 and u2 recorded: gives stiffness, and with it the mass that rings".to_owned());
     }
-    if answer == Answer::Undecided && found.foretold.is_none() {
-        next.push("weigh the coil or give its spec (--mass, --spec): f1 is then foretold".to_owned());
+    if answer == Answer::Undecided && found.predicted.is_none() {
+        next.push("weigh the coil or give its spec (--mass, --spec): f1 can then be predicted".to_owned());
     }
     if found.sampling.duration() < 20.0 && answer == Answer::Undecided {
         next.push(format!("record for at least 60 s (now {:.1} s)", found.sampling.duration()));

@@ -1,6 +1,6 @@
 //! Power over frequency of a whole record, after Welch.
 //!
-//! Next door: lines that ring down after taps (`lines`).
+//! Next door: lines that ring down after hits (`lines`).
 
 use realfft::RealFftPlanner;
 

@@ -1,10 +1,10 @@
-//! What of a series its own past does not foretell: linear prediction.
+//! What of a series its own past does not predict: linear prediction.
 //!
-//! Ringing goes on as it did, so it is foretold; a tap is not. Next door: taps are looked for in what is left (`taps`).
+//! Ringing goes on as it did, so it is predicted; a hit is not. Next door: hits are looked for in what is left (`hits`).
 
 use realfft::RealFftPlanner;
 
-/// How many past samples foretell the next.
+/// How many past samples predict the next.
 pub(super) const ORDER: usize = 64;
 /// White noise put under the series, relative to its power, so that a pure sine has a solution.
 const FLOOR: f64 = 1e-10;
@@ -14,7 +14,7 @@ const FLOOR: f64 = 1e-10;
 /// e_n = x_n − Σ_p a_p x_(n−p), a from the Yule–Walker equations of the whole record
 ///
 /// Source:   Levinson's recursion, `[Oppenheim2010]` section 11.3.
-/// Valid:    a record whose ringing is steady but for taps.
+/// Valid:    a record whose ringing is steady but for hits.
 /// Accuracy: what matters is the ratio to the noise, not its last digits.
 pub(super) fn innovations(values: &[f64]) -> (Vec<f64>, f64) {
     let order = ORDER.min(values.len() / 4);

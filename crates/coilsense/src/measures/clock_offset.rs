@@ -39,7 +39,7 @@ impl ClockOffset {
     ///
     /// Source:   the time-delay estimator of maximum likelihood for white noise, `[Knapp1976]`; variance by batches (`[Carter1987]` for its bound).
     /// Valid:    motions that do not repeat themselves, noise independent between the devices, one constant offset.
-    /// Accuracy: 4e-7 of a sample for sums of sines without noise; coverage of the interval 93 to 99 % over steady shaking, taps and slow
+    /// Accuracy: 4e-7 of a sample for sums of sines without noise; coverage of the interval 93 to 99 % over steady shaking, hits and slow
     ///           motion in noise (tests: at least the lower 99 % bound of 95 %).
     /// Differs:  the cut of the low-pass is the highest line at which both are coherent, in place of a weight per line: short of data, weights
     ///           are noise themselves.

@@ -82,7 +82,7 @@ fn a_loop_behind_an_estimator_loses_stability_where_predicted() {
         };
         // 2 % either way of the gain that was predicted.
         assert!(swing(0.98 * limit) < 1.0, "{name} rings on at 0.98 of its limit");
-        assert!(swing(1.02 * limit) > 1.0, "{name} dies out at 1.02 of its limit");
+        assert!(swing(1.02 * limit) > 1.0, "{name} decays at 1.02 of its limit");
     }
 }
 

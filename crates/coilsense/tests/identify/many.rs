@@ -7,7 +7,7 @@ use rand_pcg::Pcg64;
 use rand_pcg::rand_core::SeedableRng;
 
 use crate::paper_springs::{s_a, s_t};
-use crate::records::{any_ratio, own, tapped};
+use crate::records::{any_ratio, hit, own};
 
 /// What one record gave.
 struct Outcome {
@@ -35,11 +35,11 @@ fn outcome(seed: u64, accuracy: f64) -> Outcome {
     let mut gain = || accuracy * (2.0 * random.random::<f64>() - 1.0);
     let gains = [gain(), gain(), gain()];
     let spring = spring_of(seed);
-    let truth = tapped(&spring, ratio, seed, gains);
+    let truth = hit(&spring, ratio, seed, gains);
     let settings = Settings { accuracy_force: accuracy, accuracy_position: accuracy, ..Settings::default() };
-    let found = Identification::of(&truth.signals, &settings).expect("a record with taps is identified");
-    let first = found.first_frequency.expect("a tapped spring has a first mode");
-    let damping = found.ratio.expect("a tapped spring has a damping ratio");
+    let found = Identification::of(&truth.signals, &settings).expect("a record with hits is identified");
+    let first = found.first_frequency.expect("a hit spring has a first mode");
+    let damping = found.ratio.expect("a hit spring has a damping ratio");
     let stiffness = found.stiffness.expect("a swept spring has a stiffness").stiffness;
     Outcome {
         answer: found.verdict.answer,
@@ -103,7 +103,7 @@ fn check(all: &[Outcome], accuracy: f64) {
 }
 
 #[test]
-fn taps_give_back_frequency_damping_and_stiffness_within_their_intervals() {
+fn hits_give_back_frequency_damping_and_stiffness_within_their_intervals() {
     check(&outcomes(120, 0.0), 0.0);
 }
 

@@ -1,10 +1,10 @@
 //! Other mounts, other rates, records that say little.
 
-use coilsense::identify::{Answer, Estimate, Identification, Ladder, Meaning, Settings, Trust};
+use coilsense::identify::{Answer, Estimate, Identification, Meaning, ModeSeries, Settings, Trust};
 use coilsense::{Channel, Damping, Excitation, FarEnd, Motion, Mount, Signals};
 
 use crate::paper_springs::s_t;
-use crate::records::{bumped, own, tapped};
+use crate::records::{bumped, hit, own};
 
 /// f1 of S_T's chain with both ends held \[Hz\].
 const FIRST: f64 = 54.057_265;
@@ -21,9 +21,9 @@ fn known() -> Settings {
 #[test]
 fn a_free_end_rings_on_odd_multiples_of_half_the_held_frequency() {
     let found = of(&bumped(FarEnd::Force, 2500.0), &Settings::default());
-    assert_eq!(found.ladder, Some(Ladder::HeldFree));
+    assert_eq!(found.mode_series, Some(ModeSeries::HeldFree));
     assert_eq!(found.verdict.answer, Answer::Spring);
-    // The chain's own N is fitted from the ladder; what is left of its misfit is 1e-5.
+    // The chain's own N is fitted from the series; what is left of its misfit is 1e-5.
     assert!((found.first_frequency.unwrap().value - FIRST).abs() < 2e-5 * FIRST);
 }
 
@@ -32,7 +32,7 @@ fn an_end_mass_is_weighed_by_its_own_motion() {
     for mass in [0.05, 0.5] {
         let found = of(&bumped(FarEnd::Mass(mass), 2500.0), &Settings::default());
         assert_eq!(found.verdict.answer, Answer::Spring, "{mass} kg");
-        assert!(matches!(found.ladder, Some(Ladder::EndMass { .. })), "{mass} kg");
+        assert!(matches!(found.mode_series, Some(ModeSeries::EndMass { .. })), "{mass} kg");
         // F_o over acceleration at one line, noise of 0.02 N and 5 µm: 0.1 %.
         assert!((found.end_mass.unwrap() / mass - 1.0).abs() < 1e-3, "{mass} kg is taken for {:?}", found.end_mass);
         // The continuous coil's β tan β = m/M is that of 52 windings to 0.02 %.
@@ -63,17 +63,17 @@ fn a_first_mode_that_folds_leaves_it_undecided_and_asks_for_a_higher_rate() {
 
 #[test]
 fn what_was_said_of_the_spring_is_held_against_the_record() {
-    let signals = tapped(&s_t(), 0.004, 7, [0.0; 3]).signals;
-    assert!((of(&signals, &known()).foretold.unwrap() - FIRST).abs() < 1e-3 * FIRST);
-    // A ladder that is not the foretold one: the record speaks against what was said, and not against the spring.
+    let signals = hit(&s_t(), 0.004, 7, [0.0; 3]).signals;
+    assert!((of(&signals, &known()).predicted.unwrap() - FIRST).abs() < 1e-3 * FIRST);
+    // A series that is not the predicted one: the record speaks against what was said, and not against the spring.
     let wrong = of(&signals, &Settings { mass: Some(0.1), ..Settings::default() });
     assert_eq!(wrong.verdict.answer, Answer::Undecided);
     assert!(wrong.verdict.evidence[0].contains("Hz"), "{:?}", wrong.verdict.evidence);
 }
 
 #[test]
-fn one_force_alone_still_shows_the_ladder() {
-    let truth = tapped(&own(), 0.006, 11, [0.0; 3]);
+fn one_force_alone_still_shows_the_mode_series() {
+    let truth = hit(&own(), 0.006, 11, [0.0; 3]);
     let mut signals = Signals::new(truth.signals.time().to_vec()).unwrap();
     signals.insert(Channel::OutputForce, truth.signals.channel(Channel::OutputForce).unwrap().to_vec()).unwrap();
     let found = of(&signals, &Settings::default());
@@ -89,12 +89,12 @@ fn one_force_alone_still_shows_the_ladder() {
 #[test]
 fn half_power_agrees_with_the_ring_down_where_it_is_given_and_says_why_where_not() {
     // Broad enough to be resolved, narrow enough to stand alone.
-    let found = of(&tapped(&s_t(), 0.01, 5, [0.0; 3]).signals, &Settings::default());
+    let found = of(&hit(&s_t(), 0.01, 5, [0.0; 3]).signals, &Settings::default());
     let first = found.lines.iter().find(|line| line.mode() == Some(1)).unwrap();
     let (ring_down, half_power): (Estimate, Estimate) = (first.ratio.unwrap(), *first.half_power.as_ref().unwrap());
     assert!((ring_down.value - half_power.value).abs() <= ring_down.expanded + half_power.expanded);
-    // A width of 0.1 Hz takes 24 s of quiet after each tap.
-    let sharp = of(&tapped(&s_t(), 0.001, 5, [0.0; 3]).signals, &Settings::default());
+    // A width of 0.1 Hz takes 24 s of quiet after each hit.
+    let sharp = of(&hit(&s_t(), 0.001, 5, [0.0; 3]).signals, &Settings::default());
     let first = sharp.lines.iter().find(|line| line.mode() == Some(1)).unwrap();
     assert!(first.half_power.as_ref().unwrap_err().contains("quiet"));
 }

@@ -21,8 +21,8 @@ pub struct Truth {
 /// Gains of the sensors: force at end 1, at end 2, position.
 pub type Gains = [f64; 3];
 
-/// A minute at 2.5 kHz: a slow sweep of the length, then taps at random moments, noise on every sensor.
-pub fn tapped(spring: &Spring, ratio: f64, seed: u64, gains: Gains) -> Truth {
+/// A minute at 2.5 kHz: a slow sweep of the length, then hits at random moments, noise on every sensor.
+pub fn hit(spring: &Spring, ratio: f64, seed: u64, gains: Gains) -> Truth {
     let mut random = Pcg64::seed_from_u64(seed);
     let times: Vec<f64> = (0..150_000).map(|n| n as f64 / RATE).collect();
     let mount = Mount::new(FarEnd::Position, Damping::Modal(ratio)).unwrap();
@@ -32,15 +32,15 @@ pub fn tapped(spring: &Spring, ratio: f64, seed: u64, gains: Gains) -> Truth {
     let slow = Excitation::harmonic(length, coilsense::End::Two, sweep, Start::Massless).unwrap();
     let base = Motion::mounted(spring, &mount, &slow).unwrap().signals(&times).unwrap();
     let mut forces = [Channel::InputForce, Channel::OutputForce].map(|channel| base.channel(channel).unwrap().to_vec());
-    let taps = random.random_range(5..10);
-    for _ in 0..taps {
+    let hits = random.random_range(5..10);
+    for _ in 0..hits {
         let first = (random.random_range(21.0..57.0) * RATE) as usize;
         let velocity = random.random_range(0.08..0.3) * if random.random::<bool>() { 1.0 } else { -1.0 };
         let profile = if random.random::<bool>() { VelocityProfile::Uniform } else { VelocityProfile::Linear };
         let start = Start::Moving { velocity, profile };
-        let tap = Excitation::new(length, EndInput::Held, EndInput::Held, start).unwrap();
+        let hit = Excitation::new(length, EndInput::Held, EndInput::Held, start).unwrap();
         let rest = &times[..times.len() - first];
-        let motion = Motion::mounted(spring, &mount, &tap).unwrap().end_forces(rest).unwrap();
+        let motion = Motion::mounted(spring, &mount, &hit).unwrap().end_forces(rest).unwrap();
         let still = spring.static_force(length);
         for (force, more) in forces.iter_mut().zip([motion.input, motion.output]) {
             force[first..].iter_mut().zip(more).for_each(|(sum, value)| *sum += value - still);
@@ -109,7 +109,7 @@ pub fn bumped(far_end: FarEnd, rate: f64) -> Signals {
     let still = signals(EndInput::Held, EndInput::Held, &times);
     let bump = signals(EndInput::HalfSine { height: 2e-4, from: 0.0, duration: 0.003 }, EndInput::Held, &times);
     let starts: Vec<usize> =
-        (0..5).map(|tap| ((14.0 + 5.0 * f64::from(tap) + random.random::<f64>()) * rate) as usize).collect();
+        (0..5).map(|hit| ((14.0 + 5.0 * f64::from(hit) + random.random::<f64>()) * rate) as usize).collect();
     let mut sum = Signals::new(times).unwrap();
     let noises = [(Channel::U1, 5e-6), (Channel::U2, 5e-6), (Channel::InputForce, 0.02), (Channel::OutputForce, 0.02)];
     for (channel, noise) in noises {

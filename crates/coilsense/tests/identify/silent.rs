@@ -1,4 +1,4 @@
-//! Records without any noise: what a simulation hands over. Every tap that is found is one that struck.
+//! Records without any noise: what a simulation hands over. Every hit that is found is one that struck.
 
 use coilsense::excitation::{EndInput, Start};
 use coilsense::identify::{Identification, Settings};
@@ -46,11 +46,11 @@ impl Struck<'_> {
         let found = Identification::of(&self.record(), &Settings::default()).unwrap();
         let within = if self.strikes.len() > 1 && self.strikes[0] == 0.0 { &self.strikes[1..] } else { self.strikes };
         let (ratio, rate, seconds) = (self.ratio, self.rate, self.seconds);
-        let times: Vec<f64> = found.taps.iter().map(|tap| tap.time).collect();
-        // A tap is found over four samples.
+        let times: Vec<f64> = found.hits.iter().map(|hit| hit.time).collect();
+        // A hit is found over four samples.
         let on_time = times.iter().zip(within).all(|(found, strike)| (found - strike).abs() * rate <= 4.0);
         // What rings has the spring's first mode: ten times as near as a noisy record is asked for. At 1 kHz all but two of S_A's modes fold,
-        // and what noise would hide misleads the ladder where they ring longest: 8 of the 144 records there give another line as f1.
+        // and what noise would hide misleads the series where they ring longest: 8 of the 144 records there give another line as f1.
         let truth = ChainModes::of(self.spring).frequencies()[0] / std::f64::consts::TAU;
         let first = found.first_frequency.map_or(f64::NAN, |first| first.value);
         let near = rate < 2500.0 || (first - truth).abs() < 0.01_f64.max(0.01 * ratio * truth);
@@ -86,12 +86,12 @@ fn each(ratios: &[f64], rates: &[f64]) {
 }
 
 #[test]
-fn every_tap_of_a_record_without_noise_struck() {
+fn every_hit_of_a_record_without_noise_struck() {
     each(&[0.001, 0.02], &[2500.0]);
 }
 
 #[test]
 #[ignore = "minutes; run with `cargo test -p coilsense --test identify -- silent --ignored`"]
-fn every_tap_at_any_rate_and_damping_struck() {
+fn every_hit_at_any_rate_and_damping_struck() {
     each(&[0.001, 0.004, 0.02, 0.05], &[1000.0, 2500.0, 10_000.0]);
 }

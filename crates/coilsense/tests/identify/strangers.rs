@@ -37,7 +37,7 @@ fn answer(signals: &Signals) -> Answer {
     Identification::of(signals, &Settings::default()).unwrap().verdict.answer
 }
 
-/// A structure beside the spring: taps make one or two modes of its own ring, seen by the load cells with any sign.
+/// A structure beside the spring: hits make one or two modes of its own ring, seen by the load cells with any sign.
 fn structure(seed: u64) -> Signals {
     let mut random = Pcg64::seed_from_u64(seed);
     let modes: Vec<[f64; 4]> = (0..random.random_range(1..3))
@@ -47,11 +47,11 @@ fn structure(seed: u64) -> Signals {
             [frequency, ratio, random.random_range(-1.0..1.0), random.random_range(-1.0..1.0)]
         })
         .collect();
-    let taps: Vec<f64> = (0..6).map(|tap| 11.0 + 3.0 * tap as f64 + random.random::<f64>()).collect();
+    let hits: Vec<f64> = (0..6).map(|hit| 11.0 + 3.0 * hit as f64 + random.random::<f64>()).collect();
     massless(&mut random, |t| {
         let mut sum = [0.0; 3];
         for [frequency, ratio, input, output] in &modes {
-            for since in taps.iter().map(|tap| t - tap).filter(|since| *since >= 0.0) {
+            for since in hits.iter().map(|hit| t - hit).filter(|since| *since >= 0.0) {
                 let swing = (-ratio * TAU * frequency * since).exp() * (TAU * frequency * since).sin();
                 sum[0] += 2.0 * input * swing;
                 sum[1] += 2.0 * output * swing;

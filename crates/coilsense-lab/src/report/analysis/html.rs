@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::figures;
 use super::viewer_data::viewer_json;
-use crate::analysis::{Analysis, Verdict, answer};
+use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
 use crate::report::prose::{file_name, unbroken};
@@ -32,6 +32,7 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         text => &spec.text,
         answer => answer(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
         goal => goal(analysis),
+        changes => changes(analysis),
         warnings => analysis.warnings.iter().map(|warning| warning.text.clone()).collect::<Vec<_>>(),
         ranking => drawn("ranking", &figures::ranking(analysis))?,
         verdicts,
@@ -58,6 +59,17 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         data => viewer_json(analysis)?,
     })?;
     Ok(page)
+}
+
+/// What would make the sensors meet the goal that miss it.
+fn changes(analysis: &Analysis) -> Vec<Value> {
+    let row = |(sensor, fix): (&str, Option<&Fix>)| match fix {
+        Some(fix) => {
+            context! { sensor, change => &fix.change, newton => digits(fix.combined), lag => format!("{:.1}", 1e3 * fix.lag) }
+        }
+        None => context! { sensor, change => "no single change that was tried", newton => "–", lag => "–" },
+    };
+    changes_that_meet(analysis).into_iter().map(row).collect()
 }
 
 /// What each recorded input says of itself: conditions that read one file share a line.
@@ -240,7 +252,7 @@ fn surge(analysis: &Analysis) -> Vec<Value> {
             own => mount.is_the_specs,
             chain => hertz(&mount.chain_hz),
             continuous => hertz(&mount.continuous_hz),
-            rule => mount.third_rule_error.map(|error| format!("{:+.2} %", 100.0 * error)),
+            rule => mount.third_rule_error_percent.map(|error| format!("{error:+.2} %")),
         }
     };
     analysis.data_sheet.surge.iter().map(mount).collect()

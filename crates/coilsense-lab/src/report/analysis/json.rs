@@ -1,178 +1,307 @@
-//! `results.json`: an analysis for machines.
+//! An analysis for machines: `results.json`, and what `analyze --json` prints.
 //!
-//! Next door: the same for people (`text`, `html`).
+//! Next door: the same for people (`text`, `html`), its cases (`json_cases`).
 
-use coilsense::Deviation;
-use serde_json::{Value, json};
+use serde::Serialize;
 
-use crate::analysis::{Analysis, Case, IfUsual, SensorBudget, USUAL_TOLERANCE, Verdict, answer};
-use crate::report::data_sheet::data_sheet_value;
+use super::json_cases::CaseRow;
+use crate::analysis::{Analysis, Fix, GoalFilter, IfUsual, SensorBudget, USUAL_TOLERANCE, Verdict, Warning, answer};
+use crate::report::data_sheet::DataSheetOutcome;
+use crate::report::outcome::{Headed, Outcome, to_json};
+use crate::spec::Goal;
 use crate::study::Masses;
 
-/// The whole analysis as text; what was not computed is null.
+/// How well each sensor of a spec knows the force, best first; what was not computed is null.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct AnalysisOutcome<'a> {
+    date: &'a str,
+    spec_file: &'a str,
+    /// What to choose, a sentence each.
+    answer: Vec<String>,
+    goal: GoalPart,
+    /// F_nom.
+    nominal_force_n: f64,
+    masses: MassesPart<'a>,
+    /// The answer were the stiffness uncertain as it usually is; null where the spec says how uncertain it is.
+    if_stiffness_tolerance_were_usual: Option<UsualPart<'a>>,
+    /// Every sensor judged, best first.
+    ranking: Vec<VerdictRow<'a>>,
+    /// Each condition at each damping.
+    cases: Vec<CaseRow<'a>>,
+    warnings: Vec<WarningRow<'a>>,
+    spring: Headed<DataSheetOutcome<'a>>,
+    /// The spec's own text.
+    spec: &'a str,
+}
+
+impl Outcome for AnalysisOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/analysis/1";
+}
+
+/// What the sensors are held against.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct GoalPart {
+    /// The largest rms error; null without a goal.
+    error_n: Option<f64>,
+    /// Up to which frequency errors count; null where all do.
+    bandwidth_hz: Option<f64>,
+    /// The true force.
+    force: &'static str,
+}
+
+/// How many masses stand for a winding, and whether they are enough.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct MassesPart<'a> {
+    per_winding: usize,
+    /// Whether the spec says how many.
+    given: bool,
+    /// By what share an rms moves when they are doubled; null where that was not tried.
+    change_when_doubled: Option<f64>,
+    enough: bool,
+    /// Conditions whose rms rises with every mass that is added.
+    conditions_without_limit: &'a [String],
+}
+
+/// The answer were the stiffness uncertain as it usually is.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct UsualPart<'a> {
+    /// As a share.
+    stiffness_tolerance: f64,
+    best: &'a str,
+    sensors: Vec<UsualRow<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct UsualRow<'a> {
+    sensor: &'a str,
+    combined_n: f64,
+}
+
+/// A sensor judged over every spring that the tolerances allow.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct VerdictRow<'a> {
+    sensor: &'a str,
+    kind: &'static str,
+    /// Rms error in the worst condition at the worst damping.
+    combined_n: f64,
+    /// In percent of F_nom.
+    combined_percent: f64,
+    worst_condition: &'a str,
+    worst_damping: &'a str,
+    meets_goal: Option<bool>,
+    meets_goal_by_damping: Vec<MeetsRow<'a>>,
+    /// The sensor's own −3 dB point; null for one without limits.
+    bandwidth_hz: Option<f64>,
+    lag_s: f64,
+    /// The low-pass without which the goal's bandwidth is not true; null without one.
+    goal_filter: Option<FilterPart>,
+    /// Share of the springs whose rms error is inside the goal; null without a goal.
+    share_inside_goal: Option<f64>,
+    worst_specimen_n: f64,
+    nominal_n: f64,
+    fixes: &'a [Fix],
+    budget: BudgetPart<'a>,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct MeetsRow<'a> {
+    damping: &'a str,
+    meets: bool,
+}
+
+/// A low-pass filter.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct FilterPart {
+    kind: &'static str,
+    order: usize,
+    bandwidth_hz: f64,
+    lag_s: f64,
+    error_without_n: f64,
+}
+
+/// What a sensor errs by at one force, line by line.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct BudgetPart<'a> {
+    force_n: f64,
+    lines: Vec<BudgetRow<'a>>,
+    bias_n: f64,
+    combined_n: f64,
+    coverage_factor: f64,
+    expanded_n: f64,
+    monte_carlo: MonteCarloPart,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct BudgetRow<'a> {
+    name: &'a str,
+    /// In the line's own unit.
+    standard_uncertainty: f64,
+    /// Newton over that unit.
+    sensitivity: f64,
+    contribution_n: f64,
+    /// Of the variance.
+    share: f64,
+}
+
+/// The same budget by drawing from its lines.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct MonteCarloPart {
+    mean_n: f64,
+    standard_n: f64,
+    interval_n: [f64; 2],
+    agrees: bool,
+    /// Whether enough was drawn to tell.
+    decided: bool,
+    difference_n: [f64; 2],
+    tolerance_n: f64,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct WarningRow<'a> {
+    subject: &'static str,
+    text: &'a str,
+}
+
+impl<'a> AnalysisOutcome<'a> {
+    /// Of an analysis that was run.
+    pub fn of(analysis: &'a Analysis, date: &'a str) -> Self {
+        let spec = &analysis.spec;
+        Self {
+            date,
+            spec_file: &spec.file,
+            answer: answer(analysis),
+            goal: GoalPart::of(&spec.goal),
+            nominal_force_n: spec.spring.spring.nominal_force(),
+            masses: MassesPart::of(&analysis.masses),
+            if_stiffness_tolerance_were_usual: analysis.if_usual.as_ref().map(|usual| UsualPart::of(analysis, usual)),
+            ranking: analysis.verdicts.iter().map(|verdict| VerdictRow::of(analysis, verdict)).collect(),
+            cases: analysis.cases.iter().map(|case| CaseRow::of(analysis, case)).collect(),
+            warnings: analysis.warnings.iter().map(WarningRow::of).collect(),
+            spring: Headed::of(DataSheetOutcome::of(&analysis.data_sheet)),
+            spec: &spec.text,
+        }
+    }
+}
+
+impl GoalPart {
+    fn of(goal: &Goal) -> Self {
+        Self { error_n: goal.error, bandwidth_hz: goal.bandwidth, force: goal.force.name() }
+    }
+}
+
+impl<'a> MassesPart<'a> {
+    fn of(masses: &'a Masses) -> Self {
+        Self {
+            per_winding: masses.per_winding,
+            given: masses.is_given,
+            change_when_doubled: masses.change,
+            enough: masses.are_enough(),
+            conditions_without_limit: &masses.without_limit,
+        }
+    }
+}
+
+impl<'a> UsualPart<'a> {
+    fn of(analysis: &'a Analysis, usual: &IfUsual) -> Self {
+        let sensors = analysis.sensors.iter().zip(&usual.combined);
+        Self {
+            stiffness_tolerance: USUAL_TOLERANCE,
+            best: &analysis.sensors[usual.best].name,
+            sensors: sensors.map(|(sensor, &combined_n)| UsualRow { sensor: &sensor.name, combined_n }).collect(),
+        }
+    }
+}
+
+impl<'a> VerdictRow<'a> {
+    fn of(analysis: &'a Analysis, verdict: &'a Verdict) -> Self {
+        let spec = &analysis.spec;
+        let sensor = &analysis.sensors[verdict.sensor];
+        let worst = &analysis.cases[verdict.worst];
+        let dampings = spec.mount.cases.iter().zip(&verdict.meets);
+        Self {
+            sensor: &sensor.name,
+            kind: sensor.quantity.kind(),
+            combined_n: verdict.combined(),
+            combined_percent: 100.0 * verdict.combined() / spec.spring.spring.nominal_force(),
+            worst_condition: &spec.conditions[worst.condition].name,
+            worst_damping: &spec.mount.cases[worst.damping].label,
+            meets_goal: verdict.meets_always(),
+            meets_goal_by_damping: dampings.map(|(case, &meets)| MeetsRow { damping: &case.label, meets }).collect(),
+            bandwidth_hz: Some(verdict.bandwidth).filter(|bandwidth| bandwidth.is_finite()),
+            lag_s: verdict.lag,
+            goal_filter: verdict.filter.as_ref().map(FilterPart::of),
+            share_inside_goal: verdict.least_inside(),
+            worst_specimen_n: verdict.at_worst().worst,
+            nominal_n: verdict.at_worst().nominal,
+            fixes: &verdict.fixes,
+            budget: BudgetPart::of(&verdict.budget),
+        }
+    }
+}
+
+impl FilterPart {
+    fn of(filter: &GoalFilter) -> Self {
+        Self {
+            kind: "Butterworth low-pass",
+            order: filter.order,
+            bandwidth_hz: filter.bandwidth,
+            lag_s: filter.lag,
+            error_without_n: filter.raw,
+        }
+    }
+}
+
+impl<'a> BudgetPart<'a> {
+    fn of(budget: &'a SensorBudget) -> Self {
+        let lines = budget.budget.contributions().iter().map(|line| BudgetRow {
+            name: &line.name,
+            standard_uncertainty: line.standard_uncertainty,
+            sensitivity: line.sensitivity,
+            contribution_n: line.contribution,
+            share: line.share,
+        });
+        Self {
+            force_n: budget.force,
+            lines: lines.collect(),
+            bias_n: budget.budget.bias(),
+            combined_n: budget.budget.combined(),
+            coverage_factor: budget.coverage_factor,
+            expanded_n: budget.expanded,
+            monte_carlo: MonteCarloPart {
+                mean_n: budget.mean,
+                standard_n: budget.standard,
+                interval_n: [budget.interval.0, budget.interval.1],
+                agrees: budget.agreement.holds(),
+                decided: budget.agreement.decided(),
+                difference_n: [budget.agreement.low, budget.agreement.high],
+                tolerance_n: budget.agreement.tolerance,
+            },
+        }
+    }
+}
+
+impl<'a> WarningRow<'a> {
+    fn of(warning: &'a Warning) -> Self {
+        Self { subject: warning.subject.name(), text: &warning.text }
+    }
+}
+
+/// The whole analysis as text.
 ///
 /// # Errors
 /// What `serde_json` says.
 pub fn analysis_json(analysis: &Analysis, date: &str) -> Result<String, serde_json::Error> {
-    let spec = &analysis.spec;
-    let goal = &spec.goal;
-    let value = json!({
-        "schema": "coilsense/analysis/1",
-        "version": env!("CARGO_PKG_VERSION"),
-        "date": date,
-        "spec_file": spec.file,
-        "answer": answer(analysis),
-        "goal": { "error_n": goal.error, "bandwidth_hz": goal.bandwidth, "force": goal.force.name() },
-        "nominal_force_n": spec.spring.spring.nominal_force(),
-        "masses": masses_value(&analysis.masses),
-        "if_stiffness_tolerance_were_usual": analysis.if_usual.as_ref().map(|usual| usual_value(analysis, usual)),
-        "ranking": analysis.verdicts.iter().map(|verdict| verdict_value(analysis, verdict)).collect::<Vec<_>>(),
-        "cases": analysis.cases.iter().map(|case| case_value(analysis, case)).collect::<Vec<_>>(),
-        "warnings": analysis.warnings.iter()
-            .map(|warning| json!({ "subject": warning.subject.name(), "text": warning.text })).collect::<Vec<_>>(),
-        "spring": data_sheet_value(&analysis.data_sheet),
-        "spec": spec.text,
-    });
-    Ok(format!("{}\n", serde_json::to_string_pretty(&value)?))
-}
-
-/// How many masses stand for a winding, and whether they are enough.
-fn masses_value(masses: &Masses) -> Value {
-    json!({
-        "per_winding": masses.per_winding,
-        "given": masses.is_given,
-        "change_when_doubled": masses.change,
-        "enough": masses.are_enough(),
-        "conditions_without_limit": masses.without_limit,
-    })
-}
-
-/// The answer of a spec that is silent on its stiffness, within the usual tolerance.
-fn usual_value(analysis: &Analysis, usual: &IfUsual) -> Value {
-    let sensors = analysis.sensors.iter().zip(&usual.combined);
-    json!({
-        "stiffness_tolerance": USUAL_TOLERANCE,
-        "best": analysis.sensors[usual.best].name,
-        "sensors": sensors.map(|(sensor, combined)| json!({ "sensor": sensor.name, "combined_n": combined })).collect::<Vec<_>>(),
-    })
-}
-
-fn verdict_value(analysis: &Analysis, verdict: &Verdict) -> Value {
-    let sensor = &analysis.sensors[verdict.sensor];
-    let worst = &analysis.cases[verdict.worst];
-    let fixes =
-        verdict.fixes.iter().map(|fix| json!({ "change": fix.change, "combined_n": fix.combined, "lag_s": fix.lag }));
-    let dampings = analysis.spec.mount.cases.iter().zip(&verdict.meets);
-    json!({
-        "sensor": sensor.name,
-        "kind": sensor.quantity.kind(),
-        "combined_n": verdict.combined(),
-        "combined_percent": 100.0 * verdict.combined() / analysis.spec.spring.spring.nominal_force(),
-        "worst_condition": analysis.spec.conditions[worst.condition].name,
-        "worst_damping": analysis.spec.mount.cases[worst.damping].label,
-        "meets_goal": verdict.meets_always(),
-        "meets_goal_by_damping": dampings.map(|(case, meets)| json!({ "damping": case.label, "meets": meets })).collect::<Vec<_>>(),
-        // A sensor without limits has no −3 dB point.
-        "bandwidth_hz": Some(verdict.bandwidth).filter(|bandwidth| bandwidth.is_finite()),
-        "lag_s": verdict.lag,
-        "goal_filter": verdict.filter.map(|filter| json!({
-            "kind": "Butterworth low-pass",
-            "order": filter.order,
-            "bandwidth_hz": filter.bandwidth,
-            "lag_s": filter.lag,
-            "error_without_n": filter.raw,
-        })),
-        "share_inside_goal": verdict.least_inside(),
-        "worst_specimen_n": verdict.at_worst().worst,
-        "nominal_n": verdict.at_worst().nominal,
-        "fixes": fixes.collect::<Vec<_>>(),
-        "budget": budget_value(&verdict.budget),
-    })
-}
-
-fn budget_value(budget: &SensorBudget) -> Value {
-    let lines = budget.budget.contributions().iter().map(|line| {
-        json!({
-            "name": line.name,
-            "standard_uncertainty": line.standard_uncertainty,
-            "sensitivity": line.sensitivity,
-            "contribution_n": line.contribution,
-            "share": line.share,
-        })
-    });
-    json!({
-        "force_n": budget.force,
-        "lines": lines.collect::<Vec<_>>(),
-        "bias_n": budget.budget.bias(),
-        "combined_n": budget.budget.combined(),
-        "coverage_factor": budget.coverage_factor,
-        "expanded_n": budget.expanded,
-        "monte_carlo": {
-            "mean_n": budget.mean,
-            "standard_n": budget.standard,
-            "interval_n": [budget.interval.0, budget.interval.1],
-            "agrees": budget.agreement.holds(),
-            "decided": budget.agreement.decided(),
-            "difference_n": [budget.agreement.low, budget.agreement.high],
-            "tolerance_n": budget.agreement.tolerance,
-        },
-    })
-}
-
-fn case_value(analysis: &Analysis, case: &Case) -> Value {
-    let spec = &analysis.spec;
-    let nominal = spec.spring.spring.nominal_force();
-    let ideal =
-        case.ideal.iter().map(|(channel, deviation)| (channel.name().to_owned(), deviation_value(deviation, nominal)));
-    let number = case.condition * spec.mount.cases.len() + case.damping;
-    let sensors = analysis.sensors.iter().enumerate().zip(&case.readings).map(|((index, sensor), reading)| {
-        let verdict = analysis.verdicts.iter().find(|verdict| verdict.sensor == index);
-        let assessment = verdict.map(|verdict| verdict.assessments[number]);
-        json!({
-            "sensor": sensor.name,
-            "deviation": deviation_value(&reading.deviation, nominal),
-            "oscillation_in_band_n": assessment.map(|assessment| assessment.oscillation),
-            "oscillation_over_specimens_n": assessment.map(|assessment| assessment.over_specimens),
-            "oscillation_of_loudest_specimen_n": assessment.map(|assessment| assessment.loudest),
-            "combined_n": assessment.map(|assessment| assessment.combined),
-            "nominal_n": assessment.map(|assessment| assessment.nominal),
-            "every_frequency_n": assessment.map(|assessment| assessment.raw),
-            "worst_specimen_n": assessment.map(|assessment| assessment.worst),
-            "share_inside_goal": assessment.and_then(|assessment| assessment.inside),
-        })
-    });
-    // A single winding has no neighbour.
-    let pitch = Some(case.clash.smallest_pitch).filter(|pitch| pitch.is_finite());
-    let condition = &spec.conditions[case.condition];
-    let damping = &spec.mount.cases[case.damping];
-    json!({
-        "condition": condition.name,
-        "kind": condition.kind,
-        "damping": damping.label,
-        "damping_ratio": damping.ratio,
-        "window_s": [condition.window.0, condition.window.1],
-        "sample_rate_hz": condition.sample_rate,
-        "forces": Value::Object(ideal.collect()),
-        "sensors": sensors.collect::<Vec<_>>(),
-        "shortest_length_m": case.lengths.0,
-        "longest_length_m": case.lengths.1,
-        "smallest_pitch_m": pitch.map(|pitch| spec.spring.winding_pitch(pitch)),
-        "smallest_gap_m": pitch.map(|pitch| spec.spring.gap(pitch)),
-        "first_contact_s": case.clash.first_contact,
-    })
-}
-
-/// Every measure in newtons and in percent of F_nom.
-fn deviation_value(deviation: &Deviation, nominal: f64) -> Value {
-    let percent = |newton: f64| 100.0 * newton / nominal;
-    json!({
-        "rmsd_n": deviation.rmsd,
-        "rmsd_percent": percent(deviation.rmsd),
-        "maximum_n": deviation.maximum,
-        "maximum_absolute_n": deviation.maximum_absolute,
-        "maximum_absolute_percent": percent(deviation.maximum_absolute),
-        "mean_n": deviation.mean,
-        "mean_percent": percent(deviation.mean),
-        "standard_error_n": deviation.standard_error,
-    })
+    to_json(AnalysisOutcome::of(analysis, date))
 }

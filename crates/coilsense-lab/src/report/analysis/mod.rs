@@ -5,10 +5,11 @@
 mod figures;
 mod html;
 mod json;
+mod json_cases;
 mod text;
 mod viewer_data;
 
-pub use json::analysis_json;
+pub use json::{AnalysisOutcome, analysis_json};
 pub use text::analysis_text;
 
 use super::ReportError;

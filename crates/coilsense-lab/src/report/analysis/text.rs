@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use anstyle::{AnsiColor, Style};
 
-use crate::analysis::{Analysis, Verdict, answer};
+use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -22,7 +22,7 @@ pub fn analysis_text(analysis: &Analysis) -> String {
         let _ = if index == 0 { writeln!(text, "{BOLD}{line}{BOLD:#}") } else { writeln!(text, "{line}") };
     }
     let nominal = analysis.spec.spring.spring.nominal_force();
-    let widest = analysis.sensors.iter().map(|sensor| sensor.name.chars().count()).max().unwrap_or(0).max(6);
+    let widest = analysis.sensors.iter().map(|sensor| sensor.name.chars().count()).max().unwrap_or(0).max(15);
     let _ = writeln!(
         text,
         "\n{BOLD}{:widest$}  {:>12}  {:>12}  {:>12}  {:>12}  {:>8}  {:>10}  {:>8}  worst in{BOLD:#}",
@@ -52,10 +52,31 @@ pub fn analysis_text(analysis: &Analysis) -> String {
          spring and of the worst one; inside: share of them that meets the goal in every case; F_nom = {} N",
         digits(nominal)
     );
+    text += &changes(analysis, widest);
     for warning in &analysis.warnings {
         let _ = writeln!(text, "{MARK}Warning:{MARK:#} {}", warning.text);
     }
     text
+}
+
+/// What would make the sensors meet the goal that miss it, as a table; nothing where none misses it.
+fn changes(analysis: &Analysis, widest: usize) -> String {
+    let rows = changes_that_meet(analysis);
+    if rows.is_empty() {
+        return String::new();
+    }
+    let change = |fix: Option<&Fix>| fix.map_or("no single change that was tried", |fix| &fix.change).to_owned();
+    let wide = rows.iter().map(|(_, fix)| change(*fix).chars().count()).max().unwrap_or(0).max(25);
+    let mut text = format!(
+        "\n{BOLD}{:widest$}  {:wide$}  {:>8}  {:>12}{BOLD:#}\n",
+        "misses the goal", "what would make it meet", "u [N]", "later [ms]"
+    );
+    for (sensor, fix) in rows {
+        let number = |of: fn(&Fix) -> String| fix.map_or_else(|| "–".to_owned(), of);
+        let (newton, later) = (number(|fix| digits(fix.combined)), number(|fix| format!("{:.1}", 1e3 * fix.lag)));
+        let _ = writeln!(text, "{sensor:widest$}  {:wide$}  {newton:>8}  {later:>12}", change(fix));
+    }
+    text + "\n"
 }
 
 /// Green where the goal is met, red where it is not.

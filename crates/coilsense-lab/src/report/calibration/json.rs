@@ -1,107 +1,248 @@
-//! A calibration for machines, all in SI units but for shares in percent, as their names say.
+//! A calibration for machines, all in SI units but for shares in percent, as the names of its keys say.
 //!
 //! Next door: the same for people (`text`, `html`).
 
-use coilsense::calibrate::{Inversion, Misfit};
-use serde_json::{Map, Value, json};
+use coilsense::calibrate::{InductanceFit, InverseLengthFit, Inversion, Misfit};
+use serde::Serialize;
 
-use crate::calibration::{Judged, Outcome, answer};
+use crate::calibration::{ForceLaw, Judged, Measured, Outcome as Calibrated, answer};
+use crate::report::outcome::{Outcome, to_json};
 
-/// The whole calibration; what was not computed is null.
-///
-/// # Errors
-/// [`serde_json::Error`] where it cannot be written.
-pub fn calibration_json(outcome: &Outcome, date: Option<&str>) -> Result<String, serde_json::Error> {
-    let (inverse, direct, measured) = (&outcome.inverse_length, &outcome.inductance, &outcome.measured);
-    let inverse_length = json!({
-        "alpha_per_h_m": inverse.alpha,
-        "alpha_per_h_m_se": inverse.alpha_se,
-        "beta_per_m": inverse.beta,
-        "beta_per_m_se": inverse.beta_se,
-        "degrees_of_freedom": inverse.degrees_of_freedom,
-    });
-    let inductance = json!({
-        "alpha_h_m": direct.alpha,
-        "alpha_h_m_se": direct.alpha_se,
-        "beta_h": direct.beta,
-        "beta_h_se": direct.beta_se,
-        "degrees_of_freedom": direct.degrees_of_freedom,
-    });
-    let value = json!({
-        "schema": "coilsense/calibration/1",
-        "version": env!("CARGO_PKG_VERSION"),
-        "date": date,
-        "file": measured.file,
-        "simulated": measured.simulated,
-        "answer": answer(outcome),
-        "method": outcome.plan.method.name(),
-        "inversion": match outcome.plan.inversion { Inversion::Exact => "exact", Inversion::TwentyFiveLengths { .. } => "25-lengths" },
-        "length_at_zero_m": measured.zero_length,
-        "range_m": measured.points.range(),
-        "inverse_length": with_misfit(inverse_length, &inverse.misfit),
-        "inductance": with_misfit(inductance, &direct.misfit),
-        "theories": outcome.theories.iter().map(theory).collect::<Vec<_>>(),
-        "coil": outcome.plan.coil.map(|coil| json!({
-            "windings": coil.windings(), "coil_radius_m": coil.coil_radius(), "wire_radius_m": coil.wire_radius(),
-        })),
-        "force": outcome.plan.force.map(|law| json!({
-            "stiffness_n_per_m": law.stiffness,
-            "stiffness_n_per_m_u": law.stiffness_u,
-            "length_at_zero_force_m": law.rest_length,
-            "length_at_zero_force_m_u": law.rest_length_u,
-        })),
-        "points": points(outcome),
-        "account": measured.account,
-    });
-    serde_json::to_string_pretty(&value).map(|text| text + "\n")
+/// A curve through measured inductances, and the theories beside it; null for what was not computed.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct CalibrationOutcome<'a> {
+    date: Option<&'a str>,
+    file: &'a str,
+    simulated: bool,
+    /// The answer, a sentence each.
+    answer: Vec<String>,
+    /// What the curve goes through.
+    method: &'static str,
+    /// How theories are turned round: "exact" or "25-lengths".
+    inversion: &'static str,
+    /// Length of the coil where the file says zero displacement; null where it holds lengths.
+    length_at_zero_m: Option<f64>,
+    range_m: f64,
+    /// 1/l = α L + β, eq. (13).
+    inverse_length: InverseLengthPart,
+    /// L = α/l + β.
+    inductance: InductancePart,
+    theories: Vec<TheoryRow<'a>>,
+    coil: Option<CoilPart>,
+    force: Option<ForcePart>,
+    points: Vec<PointRow>,
+    /// What became of the file's rows, line by line.
+    account: &'a [String],
 }
 
-fn with_misfit(value: Value, misfit: &Misfit) -> Value {
-    let mut fields = match value {
-        Value::Object(fields) => fields,
-        _ => Map::new(),
-    };
-    let worst = misfit.residuals.iter().fold(0.0, |worst: f64, residual| worst.max(residual.abs()));
-    for (name, number) in [
-        ("r2", misfit.r2),
-        ("rmse_m", misfit.rmse),
-        ("rmse_percent_of_range", 100.0 * misfit.rmse_share_of_range),
-        ("largest_residual_m", worst),
-    ] {
-        fields.insert(name.to_owned(), number.into());
+impl Outcome for CalibrationOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/calibration/1";
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct InverseLengthPart {
+    alpha_per_h_m: f64,
+    /// Standard error; null where no point is left to tell.
+    alpha_per_h_m_se: Option<f64>,
+    beta_per_m: f64,
+    beta_per_m_se: Option<f64>,
+    degrees_of_freedom: usize,
+    #[serde(flatten)]
+    misfit: MisfitPart,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct InductancePart {
+    alpha_h_m: f64,
+    alpha_h_m_se: Option<f64>,
+    beta_h: f64,
+    beta_h_se: Option<f64>,
+    degrees_of_freedom: usize,
+    #[serde(flatten)]
+    misfit: MisfitPart,
+}
+
+/// How far a curve is from the points.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct MisfitPart {
+    r2: f64,
+    rmse_m: f64,
+    rmse_percent_of_range: f64,
+    largest_residual_m: f64,
+}
+
+/// A theory on the points.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct TheoryRow<'a> {
+    name: &'static str,
+    fractional_windings: &'static str,
+    /// Why it cannot be judged; else the misfit follows.
+    refused: Option<&'a str>,
+    #[serde(flatten)]
+    misfit: Option<MisfitPart>,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct CoilPart {
+    windings: f64,
+    coil_radius_m: f64,
+    wire_radius_m: f64,
+}
+
+/// What takes a length to a force; `_u` are standard uncertainties.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct ForcePart {
+    stiffness_n_per_m: f64,
+    stiffness_n_per_m_u: f64,
+    length_at_zero_force_m: f64,
+    length_at_zero_force_m_u: f64,
+}
+
+/// A measured point; `_se` is a standard error, `_u` a standard uncertainty.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct PointRow {
+    /// Of the file, counted from 1.
+    row: usize,
+    /// Where the file holds displacements; else the length follows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    displacement_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    length_m: Option<f64>,
+    inductance_h: f64,
+    inductance_h_se: Option<f64>,
+    /// By eq. (13).
+    length_read_m: f64,
+    length_read_m_u: Option<f64>,
+    residual_m: f64,
+    force_n: Option<f64>,
+    force_n_u: Option<f64>,
+}
+
+impl<'a> CalibrationOutcome<'a> {
+    /// Of a calibration that was made.
+    pub fn of(outcome: &'a Calibrated, date: Option<&'a str>) -> Self {
+        let (measured, plan) = (&outcome.measured, &outcome.plan);
+        Self {
+            date,
+            file: &measured.file,
+            simulated: measured.simulated,
+            answer: answer(outcome),
+            method: plan.method.name(),
+            inversion: match plan.inversion {
+                Inversion::Exact => "exact",
+                Inversion::TwentyFiveLengths { .. } => "25-lengths",
+            },
+            length_at_zero_m: measured.zero_length,
+            range_m: measured.points.range(),
+            inverse_length: InverseLengthPart::of(&outcome.inverse_length),
+            inductance: InductancePart::of(&outcome.inductance),
+            theories: outcome.theories.iter().map(TheoryRow::of).collect(),
+            coil: plan.coil.map(|coil| CoilPart {
+                windings: coil.windings(),
+                coil_radius_m: coil.coil_radius(),
+                wire_radius_m: coil.wire_radius(),
+            }),
+            force: plan.force.as_ref().map(ForcePart::of),
+            points: points(outcome),
+            account: &measured.account,
+        }
     }
-    Value::Object(fields)
 }
 
-fn theory(judged: &Judged) -> Value {
-    let head = json!({
-        "name": judged.theory.name(),
-        "fractional_windings": judged.theory.fractions(),
-        "refused": judged.misfit.as_ref().err(),
-    });
-    match &judged.misfit {
-        Ok(misfit) => with_misfit(head, misfit),
-        Err(_) => head,
+impl InverseLengthPart {
+    fn of(fit: &InverseLengthFit) -> Self {
+        Self {
+            alpha_per_h_m: fit.alpha,
+            alpha_per_h_m_se: fit.alpha_se,
+            beta_per_m: fit.beta,
+            beta_per_m_se: fit.beta_se,
+            degrees_of_freedom: fit.degrees_of_freedom,
+            misfit: MisfitPart::of(&fit.misfit),
+        }
     }
 }
 
-fn points(outcome: &Outcome) -> Vec<Value> {
-    let measured = &outcome.measured;
+impl InductancePart {
+    fn of(fit: &InductanceFit) -> Self {
+        Self {
+            alpha_h_m: fit.alpha,
+            alpha_h_m_se: fit.alpha_se,
+            beta_h: fit.beta,
+            beta_h_se: fit.beta_se,
+            degrees_of_freedom: fit.degrees_of_freedom,
+            misfit: MisfitPart::of(&fit.misfit),
+        }
+    }
+}
+
+impl MisfitPart {
+    fn of(misfit: &Misfit) -> Self {
+        Self {
+            r2: misfit.r2,
+            rmse_m: misfit.rmse,
+            rmse_percent_of_range: 100.0 * misfit.rmse_share_of_range,
+            largest_residual_m: misfit.residuals.iter().fold(0.0, |worst: f64, residual| worst.max(residual.abs())),
+        }
+    }
+}
+
+impl<'a> TheoryRow<'a> {
+    fn of(judged: &'a Judged) -> Self {
+        Self {
+            name: judged.theory.name(),
+            fractional_windings: judged.theory.fractions(),
+            refused: judged.misfit.as_ref().err().map(String::as_str),
+            misfit: judged.misfit.as_ref().ok().map(MisfitPart::of),
+        }
+    }
+}
+
+impl ForcePart {
+    fn of(law: &ForceLaw) -> Self {
+        Self {
+            stiffness_n_per_m: law.stiffness,
+            stiffness_n_per_m_u: law.stiffness_u,
+            length_at_zero_force_m: law.rest_length,
+            length_at_zero_force_m_u: law.rest_length_u,
+        }
+    }
+}
+
+fn points(outcome: &Calibrated) -> Vec<PointRow> {
+    let measured: &Measured = &outcome.measured;
     let forces = outcome.forces();
     let one = |(index, place): (usize, f64)| {
         let henry = measured.points.inductances()[index];
         let force = forces.as_ref().map(|forces| forces[index]);
-        json!({
-            "row": measured.rows[index],
-            measured.place_name().to_owned() + "_m": place,
-            "inductance_h": henry,
-            "inductance_h_se": measured.standard_errors.get(index),
-            "length_read_m": outcome.inverse_length.calibration().length(henry),
-            "length_read_m_u": outcome.reading.map(|reading| reading.length(henry)),
-            "residual_m": outcome.inverse_length.misfit.residuals[index],
-            "force_n": force.map(|(force, _)| force),
-            "force_n_u": force.and_then(|(_, uncertainty)| uncertainty),
-        })
+        let displaced = measured.zero_length.is_some();
+        PointRow {
+            row: measured.rows[index],
+            displacement_m: Some(place).filter(|_| displaced),
+            length_m: Some(place).filter(|_| !displaced),
+            inductance_h: henry,
+            inductance_h_se: measured.standard_errors.get(index).copied(),
+            length_read_m: outcome.inverse_length.calibration().length(henry),
+            length_read_m_u: outcome.reading.map(|reading| reading.length(henry)),
+            residual_m: outcome.inverse_length.misfit.residuals[index],
+            force_n: force.map(|(force, _)| force),
+            force_n_u: force.and_then(|(_, uncertainty)| uncertainty),
+        }
     };
     measured.places().into_iter().enumerate().map(one).collect()
+}
+
+/// The whole calibration as JSON.
+///
+/// # Errors
+/// [`serde_json::Error`] where it cannot be written.
+pub fn calibration_json(outcome: &Calibrated, date: Option<&str>) -> Result<String, serde_json::Error> {
+    to_json(CalibrationOutcome::of(outcome, date))
 }

@@ -7,7 +7,7 @@ mod html;
 mod json;
 mod text;
 
-pub use json::calibration_json;
+pub use json::{CalibrationOutcome, calibration_json};
 pub use text::calibration_text;
 
 use rayon::prelude::*;

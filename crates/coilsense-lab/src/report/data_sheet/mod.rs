@@ -2,12 +2,14 @@
 //!
 //! Next door: its numbers (`crate::data_sheet`).
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use anstyle::{AnsiColor, Style};
-use serde_json::{Map, Value, json};
+use serde::Serialize;
 
-use crate::data_sheet::DataSheet;
+use crate::data_sheet::{DataSheet, MountFrequencies, Neighbour};
+use crate::report::outcome::{Outcome, to_json};
 
 const BOLD: Style = Style::new().bold();
 const MARK: Style = AnsiColor::Yellow.on_default();
@@ -27,7 +29,7 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
     for mount in &sheet.surge {
         let mode = |(chain, continuous): (&f64, &f64)| format!("{:>18}", format!("{chain:.2} ({continuous:.2})"));
         let modes: String = mount.chain_hz.iter().zip(&mount.continuous_hz).map(mode).collect();
-        let rule = mount.third_rule_error.map_or(String::new(), |error| format!("   ⅓-rule {:+.2} %", 100.0 * error));
+        let rule = mount.third_rule_error_percent.map_or(String::new(), |error| format!("   ⅓-rule {error:+.2} %"));
         let star = if mount.is_the_specs { "*" } else { " " };
         let _ = writeln!(text, "{star} {:34}{modes}{rule}", mount.mount);
     }
@@ -47,39 +49,45 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
     text
 }
 
-/// The data sheet for machines: SI, one key per number.
+/// The data sheet for machines: a number a key, its SI unit as suffix.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct DataSheetOutcome<'a> {
+    name: &'a str,
+    material: &'a str,
+    /// Rate, mass, lengths, stress and the like; null for what is not known.
+    #[serde(flatten)]
+    rows: BTreeMap<&'static str, Option<f64>>,
+    /// Surge frequencies on every mount.
+    surge: &'a [MountFrequencies],
+    /// Motions that the axial model leaves out.
+    neighbours: &'a [Neighbour],
+    warnings: Vec<String>,
+}
+
+impl Outcome for DataSheetOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/data-sheet/1";
+}
+
+impl<'a> DataSheetOutcome<'a> {
+    /// Of a data sheet.
+    pub fn of(sheet: &'a DataSheet) -> Self {
+        let rows = sheet.groups.iter().flat_map(|(_, rows)| rows);
+        Self {
+            name: &sheet.name,
+            material: &sheet.material,
+            rows: rows.map(|row| (row.key, row.value)).collect(),
+            surge: &sheet.surge,
+            neighbours: &sheet.neighbours,
+            warnings: sheet.doubts.iter().cloned().chain(sheet.neighbour_warnings()).collect(),
+        }
+    }
+}
+
+/// The data sheet as JSON.
 ///
 /// # Errors
 /// What the JSON writer says.
 pub fn data_sheet_json(sheet: &DataSheet) -> Result<String, serde_json::Error> {
-    Ok(format!("{}\n", serde_json::to_string_pretty(&data_sheet_value(sheet))?))
-}
-
-/// The same as a JSON value.
-pub(super) fn data_sheet_value(sheet: &DataSheet) -> Value {
-    let rows = sheet.groups.iter().flat_map(|(_, rows)| rows);
-    let mut object = Map::new();
-    object.insert("schema".into(), json!("coilsense/data-sheet/1"));
-    object.insert("name".into(), json!(sheet.name));
-    object.insert("material".into(), json!(sheet.material));
-    object.extend(rows.map(|row| (row.key.to_owned(), json!(row.value))));
-    let surge = sheet.surge.iter().map(|mount| {
-        json!({
-            "mount": mount.mount,
-            "is_the_specs": mount.is_the_specs,
-            "chain_hz": mount.chain_hz,
-            "continuous_hz": mount.continuous_hz,
-            "third_rule_error_percent": mount.third_rule_error.map(|error| 100.0 * error),
-        })
-    });
-    object.insert("surge".into(), surge.collect());
-    let neighbours = sheet.neighbours.iter().map(
-        |neighbour| json!({ "name": neighbour.name, "place": neighbour.place, "frequency_hz": neighbour.frequency_hz }),
-    );
-    object.insert("neighbours".into(), neighbours.collect());
-    object.insert(
-        "warnings".into(),
-        json!(sheet.doubts.iter().cloned().chain(sheet.neighbour_warnings()).collect::<Vec<_>>()),
-    );
-    Value::Object(object)
+    to_json(DataSheetOutcome::of(sheet))
 }

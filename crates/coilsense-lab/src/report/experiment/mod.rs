@@ -8,7 +8,7 @@ mod json;
 mod means;
 mod text;
 
-pub use json::experiment_json;
+pub use json::{ExperimentOutcome, experiment_json};
 pub use text::experiment_text;
 
 use rayon::prelude::*;

@@ -23,8 +23,8 @@ pub(super) fn all(identified: &Identified) -> Vec<(String, String, Figure)> {
     }
     if let Some(ring_down) = &found.ring_down {
         let caption = format!(
-            "The strongest tap, at {:.3} s, and the lines that die out, fitted to all taps together.",
-            ring_down.tap
+            "The strongest hit, at {:.3} s, and the lines that decay, fitted to all hits together.",
+            ring_down.hit
         );
         figures.push(("ring-down".to_owned(), format!("{caption}{said}"), decay(identified, ring_down)));
     }
@@ -117,7 +117,7 @@ fn decay(identified: &Identified, ring_down: &RingDown) -> Figure {
     };
     let panel = |to: usize, name: &str| Panel {
         title: if title(identified).is_empty() { name.to_owned() } else { format!("{name}, {}", title(identified)) },
-        x: Axis { label: "Time since the tap [ms]".into(), ..Axis::default() },
+        x: Axis { label: "Time since the hit [ms]".into(), ..Axis::default() },
         y: Axis {
             label: format!("{} [N]", label(ring_down.part).split(',').next().unwrap_or_default()),
             ..Axis::default()

@@ -19,7 +19,7 @@ pub(super) fn page(identified: &Identified, date: &str, drawn: &[Drawn]) -> Resu
     let figure = |figure: &Drawn| {
         context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
     };
-    let taps: Vec<String> = found.taps.iter().map(|tap| format!("{:.3}", tap.time)).collect();
+    let hits: Vec<String> = found.hits.iter().map(|hit| format!("{:.3}", hit.time)).collect();
     let page = environment.get_template("page")?.render(context! {
         version => env!("CARGO_PKG_VERSION"),
         style => include_str!("../style.css"),
@@ -32,7 +32,7 @@ pub(super) fn page(identified: &Identified, date: &str, drawn: &[Drawn]) -> Resu
         both => found.has_both_forces,
         fitted_windings => found.fitted_windings.map(digits),
         no_stiffness => found.stiffness.as_ref().err(),
-        taps => taps.join(", "),
+        hits => hits.join(", "),
         account => &identified.account,
     })?;
     Ok(page)

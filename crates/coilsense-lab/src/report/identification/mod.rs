@@ -7,7 +7,7 @@ mod html;
 mod json;
 mod text;
 
-pub use json::identification_json;
+pub use json::{IdentificationOutcome, identification_json};
 pub use text::identification_text;
 
 use super::{Drawn, ReportError, draw};

@@ -48,10 +48,10 @@ pub fn identification_text(identified: &Identified) -> String {
     }
     let _ = writeln!(
         text,
-        "{} samples at {} Hz, {} taps found; ± is half of a 95 % interval",
+        "{} samples at {} Hz, {} hits found; ± is half of a 95 % interval",
         found.sampling.samples,
         digits(found.sampling.rate),
-        found.taps.len()
+        found.hits.len()
     );
     for line in &identified.account {
         let _ = writeln!(text, "{line}");

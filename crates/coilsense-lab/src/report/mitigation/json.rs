@@ -9,18 +9,12 @@ use super::shaping::shaping_advice;
 use super::text::advice;
 use crate::mitigation::{Answer, Candidate, Judgement, LeftOut, Shaped, Shaping};
 use crate::report::ReportError;
-
-/// The name of this form.
-pub const SCHEMA: &str = "coilsense/mitigation/2";
+use crate::report::outcome::{Outcome, to_json};
 
 /// Every candidate judged, best first: filters of F_i, then estimators of F_o. A part that was not run is null.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 pub struct MitigationOutcome {
-    /// "coilsense/mitigation/2".
-    schema: &'static str,
-    /// The version of coilsense that wrote it.
-    version: &'static str,
     /// What to do, a sentence each.
     advice: Vec<String>,
     /// F_nom.
@@ -47,6 +41,10 @@ pub struct MitigationOutcome {
     left_out: Vec<LeftOutRow>,
     /// What shaping the command would do; null where no condition moves u1.
     command_shaping: Option<ShapingPart>,
+}
+
+impl Outcome for MitigationOutcome {
+    const SCHEMA: &'static str = "coilsense/mitigation/2";
 }
 
 /// A filter or an estimator, and how it did. Errors are rms over all samples, conditions and series of noise.
@@ -117,8 +115,6 @@ impl MitigationOutcome {
     pub fn of(answer: &Answer) -> Self {
         let study = &answer.study;
         Self {
-            schema: SCHEMA,
-            version: env!("CARGO_PKG_VERSION"),
             advice: advice(answer).lines().map(str::to_owned).collect(),
             nominal_force_n: study.spring.nominal_force(),
             sampling_rate_hz: study.rate,
@@ -188,16 +184,10 @@ impl ShaperRow {
     }
 }
 
-/// The JSON Schema of that form.
-#[cfg(feature = "reference")]
-pub fn mitigation_schema() -> Value {
-    schemars::schema_for!(MitigationOutcome).to_value()
-}
-
 /// Everything as JSON, in SI units.
 ///
 /// # Errors
 /// [`ReportError::Json`].
 pub fn mitigation_json(answer: &Answer) -> Result<String, ReportError> {
-    Ok(serde_json::to_string_pretty(&MitigationOutcome::of(answer))? + "\n")
+    Ok(to_json(MitigationOutcome::of(answer))?)
 }

@@ -8,8 +8,6 @@ mod json;
 mod shaping;
 mod text;
 
-#[cfg(feature = "reference")]
-pub use json::mitigation_schema;
 pub use json::{MitigationOutcome, mitigation_json};
 pub use text::mitigation_text;
 

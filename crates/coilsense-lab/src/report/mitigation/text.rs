@@ -1,4 +1,4 @@
-//! What to do about ringing as terminal text: advice in two sentences, a table, what was left out.
+//! What to do about ringing as terminal text: advice, a table, what was left out.
 //!
 //! Next door: the same as JSON (`json`), as a page (`html`).
 
@@ -91,12 +91,12 @@ fn line(answer: &Answer, candidate: &Candidate, judgement: &Judgement) -> String
     )
 }
 
-/// Two sentences: what to do for either force.
+/// What to do for either force, two sentences each: the best, and what the best textbook filter does.
 pub(super) fn advice(answer: &Answer) -> String {
     let sentence = |truth, opening: &str| {
         let (candidate, judgement) = answer.best(truth)?;
         let mut text = format!(
-            "{opening} {}: {:.3} % of F_nom rms, {:.3} % at worst ({}), {:.1}° late at {:.3} Hz, {:.0} % of the noise",
+            "{opening}: {}. Error {:.3} % of F_nom nominal, {:.3} % worst case ({}); lag {:.1}° at {:.3} Hz; passes {:.0} % of the noise.",
             candidate.name,
             percent(answer, judgement.nominal),
             percent(answer, judgement.worst),
@@ -106,23 +106,16 @@ pub(super) fn advice(answer: &Answer) -> String {
             100.0 * judgement.noise_gain,
         );
         if let Some((first, tried)) = answer.best_first_try(truth).filter(|_| candidate.origin == Origin::Fitted) {
-            let against = |ours: f64, theirs: f64| {
-                let change = 100.0 * (ours / theirs - 1.0);
-                format!("{:.0} % {}", change.abs(), if change < 0.0 { "less" } else { "more" })
-            };
             let _ = write!(
                 text,
-                "; that is {} than the {} leaves, and {} at worst",
-                against(judgement.nominal, tried.nominal),
+                " Best textbook choice: {}, {:.3} % nominal, {:.3} % worst case.",
                 first.name,
-                against(judgement.worst, tried.worst),
+                percent(answer, tried.nominal),
+                percent(answer, tried.worst),
             );
         }
-        Some(text + ".")
+        Some(text)
     };
-    let both = [
-        sentence(Truth::Static, "For F_i without its ringing, take the"),
-        sentence(Truth::Output, "For the force at end 2, take the"),
-    ];
+    let both = [sentence(Truth::Static, "Best filter of F_i"), sentence(Truth::Output, "Best estimator of F_o")];
     both.into_iter().flatten().collect::<Vec<_>>().join("\n")
 }

@@ -9,7 +9,7 @@ mod json;
 mod table;
 mod text;
 
-pub use json::pareto_json;
+pub use json::{ParetoOutcome, pareto_json};
 pub use text::pareto_text;
 
 use super::{ReportError, draw};

@@ -1,4 +1,4 @@
-//! The figures of a placement: Bode, Nyquist, the step over time, what the world feels.
+//! The figures of a placement: Bode, Nyquist, the step over time, rendered impedance.
 //!
 //! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
 

@@ -2,71 +2,169 @@
 //!
 //! Next door: the same for people (`text`, `html`).
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
-use crate::placement::{Judged, MOST_PEAK, Placement, answer};
+use crate::placement::{Candidate, Estimated, Judged, MOST_PEAK, Placement, answer};
+use crate::report::outcome::{Outcome, to_json};
 use crate::spec::DampingCase;
 
-/// The placement as JSON; `null` stands for what is without bound.
-///
-/// # Errors
-/// What the JSON writer says.
-pub fn placement_json(placement: &Placement) -> Result<String, serde_json::Error> {
-    let candidates = placement.candidates.iter().map(|candidate| {
-        let judged = candidate.judged.iter().zip(&placement.dampings).map(|(judged, damping)| value(judged, damping));
-        json!({
-            "force": candidate.channel.name(),
-            "stable_crossover_hz": finite(candidate.stable_crossover()),
-            "robust_crossover_hz": finite(candidate.robust_crossover()),
-            "calm_crossover_hz": candidate.calm_crossover,
-            "stable_as_set": candidate.is_stable(),
-            "dampings": judged.collect::<Value>(),
-        })
-    });
-    let object = json!({
-        "schema": "coilsense/placement/1",
-        "version": env!("CARGO_PKG_VERSION"),
-        "answer": answer(placement),
-        "feed_back": placement.candidates[placement.best].channel.name(),
-        "crossover_hz": placement.crossover,
-        "most_peak": MOST_PEAK,
-        "proportional_gain": placement.gain,
-        "command_unit": placement.control.drive.command_unit(),
-        "limit_confirmed_over_time": placement.confirmed,
-        "estimates": placement.estimates.iter().map(|estimate| json!({
-            "name": estimate.name,
-            "stable_crossover_hz": finite(estimate.stable_crossover),
-            "robust_crossover_hz": finite(estimate.robust_crossover),
-        })).collect::<Value>(),
-        "candidates": candidates.collect::<Value>(),
-    });
-    Ok(format!("{}\n", serde_json::to_string_pretty(&object)?))
+/// Which force to feed back, and how fast the loop may be; null stands for what is without bound.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct PlacementOutcome<'a> {
+    /// The answer, a sentence each.
+    answer: Vec<String>,
+    /// The force to feed back.
+    feed_back: &'static str,
+    /// Of the loop as it is set, with a spring without mass.
+    crossover_hz: f64,
+    /// How far an end force may exceed its static answer.
+    most_peak: f64,
+    /// In `command_unit` per newton.
+    proportional_gain: f64,
+    command_unit: &'static str,
+    /// Whether the loop, run at 0.98 and 1.02 of its predicted limit, stayed and ran away; null without a limit or a run.
+    limit_confirmed_over_time: Option<bool>,
+    estimates: Vec<EstimateRow>,
+    candidates: Vec<CandidateRow<'a>>,
 }
 
-fn value(judged: &Judged, damping: &DampingCase) -> Value {
-    let margins = &judged.margins;
-    let [drive, load] = [0, 1].map(|end| judged.peaks.map(|peaks| peaks[end]));
-    json!({
-        "damping": damping.label,
-        "gain_limit": finite(judged.limit),
-        "stable_crossover_hz": finite(judged.stable_crossover),
-        "robust_crossover_hz": finite(judged.robust_crossover),
-        "oscillates_at_hz": judged.oscillates_at,
-        "as_set": {
-            "stable": margins.stable,
-            "gain_margin": finite(margins.gain_limit),
-            "phase_margin_rad": finite(margins.phase),
-            "delay_margin_s": finite(margins.delay),
-            "modulus_margin": margins.modulus,
-            "drive_peak": drive.map(|peak| peak.size),
-            "drive_peak_hz": drive.map(|peak| peak.at),
-            "load_peak": load.map(|peak| peak.size),
-            "load_peak_hz": load.map(|peak| peak.at),
-            "active_bands_hz": judged.passivity.as_ref().map(|passivity| passivity.active.clone()),
-        },
-    })
+impl Outcome for PlacementOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/placement/1";
+}
+
+/// The loop behind an estimator.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct EstimateRow {
+    name: &'static str,
+    stable_crossover_hz: Option<f64>,
+    robust_crossover_hz: Option<f64>,
+}
+
+/// A force that could be fed back.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct CandidateRow<'a> {
+    force: &'static str,
+    stable_crossover_hz: Option<f64>,
+    /// With a sensitivity of at most 2.
+    robust_crossover_hz: Option<f64>,
+    /// At which neither end rings besides.
+    calm_crossover_hz: f64,
+    stable_as_set: bool,
+    dampings: Vec<DampingRow<'a>>,
+}
+
+/// The same at one damping.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct DampingRow<'a> {
+    damping: &'a str,
+    gain_limit: Option<f64>,
+    stable_crossover_hz: Option<f64>,
+    robust_crossover_hz: Option<f64>,
+    /// At its limit; zero without one.
+    oscillates_at_hz: f64,
+    as_set: AsSetPart<'a>,
+}
+
+/// The loop as it is set; peaks and bands are null where it is unstable.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct AsSetPart<'a> {
+    stable: bool,
+    gain_margin: Option<f64>,
+    phase_margin_rad: Option<f64>,
+    delay_margin_s: Option<f64>,
+    modulus_margin: f64,
+    drive_peak: Option<f64>,
+    drive_peak_hz: Option<f64>,
+    load_peak: Option<f64>,
+    load_peak_hz: Option<f64>,
+    /// Where the rendered impedance is not passive.
+    active_bands_hz: Option<&'a [[f64; 2]]>,
+}
+
+impl<'a> PlacementOutcome<'a> {
+    /// Of a placement that was judged.
+    pub fn of(placement: &'a Placement) -> Self {
+        Self {
+            answer: answer(placement),
+            feed_back: placement.candidates[placement.best].channel.name(),
+            crossover_hz: placement.crossover,
+            most_peak: MOST_PEAK,
+            proportional_gain: placement.gain,
+            command_unit: placement.control.drive.command_unit(),
+            limit_confirmed_over_time: placement.confirmed,
+            estimates: placement.estimates.iter().map(EstimateRow::of).collect(),
+            candidates: placement
+                .candidates
+                .iter()
+                .map(|candidate| CandidateRow::of(candidate, &placement.dampings))
+                .collect(),
+        }
+    }
+}
+
+impl EstimateRow {
+    fn of(estimate: &Estimated) -> Self {
+        Self {
+            name: estimate.name,
+            stable_crossover_hz: finite(estimate.stable_crossover),
+            robust_crossover_hz: finite(estimate.robust_crossover),
+        }
+    }
+}
+
+impl<'a> CandidateRow<'a> {
+    fn of(candidate: &'a Candidate, dampings: &'a [DampingCase]) -> Self {
+        let judged = candidate.judged.iter().zip(dampings);
+        Self {
+            force: candidate.channel.name(),
+            stable_crossover_hz: finite(candidate.stable_crossover()),
+            robust_crossover_hz: finite(candidate.robust_crossover()),
+            calm_crossover_hz: candidate.calm_crossover,
+            stable_as_set: candidate.is_stable(),
+            dampings: judged.map(|(judged, damping)| DampingRow::of(judged, damping)).collect(),
+        }
+    }
+}
+
+impl<'a> DampingRow<'a> {
+    fn of(judged: &'a Judged, damping: &'a DampingCase) -> Self {
+        let margins = &judged.margins;
+        let [drive, load] = [0, 1].map(|end| judged.peaks.map(|peaks| peaks[end]));
+        Self {
+            damping: &damping.label,
+            gain_limit: finite(judged.limit),
+            stable_crossover_hz: finite(judged.stable_crossover),
+            robust_crossover_hz: finite(judged.robust_crossover),
+            oscillates_at_hz: judged.oscillates_at,
+            as_set: AsSetPart {
+                stable: margins.stable,
+                gain_margin: finite(margins.gain_limit),
+                phase_margin_rad: finite(margins.phase),
+                delay_margin_s: finite(margins.delay),
+                modulus_margin: margins.modulus,
+                drive_peak: drive.map(|peak| peak.size),
+                drive_peak_hz: drive.map(|peak| peak.at),
+                load_peak: load.map(|peak| peak.size),
+                load_peak_hz: load.map(|peak| peak.at),
+                active_bands_hz: judged.passivity.as_ref().map(|passivity| passivity.active.as_slice()),
+            },
+        }
+    }
 }
 
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
+}
+
+/// The placement as JSON.
+///
+/// # Errors
+/// What the JSON writer says.
+pub fn placement_json(placement: &Placement) -> Result<String, serde_json::Error> {
+    to_json(PlacementOutcome::of(placement))
 }

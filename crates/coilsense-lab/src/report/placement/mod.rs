@@ -7,7 +7,7 @@ mod html;
 mod json;
 mod text;
 
-pub use json::placement_json;
+pub use json::{PlacementOutcome, placement_json};
 pub use text::placement_text;
 
 use super::ReportError;

@@ -7,6 +7,9 @@ mod limits;
 mod tables_json;
 mod text;
 
+#[cfg(feature = "reference")]
+pub(super) use tables_json::ReproductionOutcome;
+pub use tables_json::reproduction_json;
 pub use text::reproduction_text;
 
 use rayon::prelude::*;

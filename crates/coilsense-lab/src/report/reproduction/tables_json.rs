@@ -1,13 +1,15 @@
-//! `tables.json`: Tables II and III for machines.
+//! Tables II and III for machines: `tables.json`, and what `reproduce --json` prints.
 //!
 //! Next door: the same for people (`text`, `html`).
 
 use serde::Serialize;
 
-use crate::reproduce::{Cell, Protocol};
+use crate::report::outcome::{Outcome, to_json};
+use crate::reproduce::{Cell, Protocol, Reproduction};
 
 /// One cell; `null` for a protocol that was not run.
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 struct JsonCell<'a> {
     table: &'static str,
     spring: &'a str,
@@ -16,6 +18,25 @@ struct JsonCell<'a> {
     published_percent: f64,
     text_percent: Option<f64>,
     tables_percent: Option<f64>,
+}
+
+/// The paper's tables beside what is computed here; shares in percent of F_nom.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct ReproductionOutcome<'a> {
+    cells: Vec<JsonCell<'a>>,
+}
+
+impl Outcome for ReproductionOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/reproduction/1";
+}
+
+/// The tables as JSON.
+///
+/// # Errors
+/// What the JSON writer says.
+pub fn reproduction_json(reproduction: &Reproduction) -> Result<String, serde_json::Error> {
+    to_json(ReproductionOutcome { cells: reproduction.cells.iter().map(json_cell).collect() })
 }
 
 /// The cells as a JSON array, one object per line.

@@ -7,7 +7,7 @@ mod html;
 mod json;
 mod text;
 
-pub use json::sensitivity_json;
+pub use json::{SensitivityOutcome, sensitivity_json};
 pub use text::sensitivity_text;
 
 use super::ReportError;

@@ -77,7 +77,7 @@ const RUN: Table = Table {
         needed(
             "kind",
             "\"harmonic\"",
-            "`calibration` (at rest at position after position), `preload` (at rest), `harmonic` (a sine), or `tap` (hits: counted, and \
+            "`calibration` (at rest at position after position), `preload` (at rest), `harmonic` (a sine), or `hit` (hits: counted, and \
                 left to `coilsense identify`)",
         ),
         optional("name", "\"27 Hz\"", "what people call it", "from the names of its files"),

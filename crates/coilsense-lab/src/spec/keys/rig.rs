@@ -43,9 +43,9 @@ pub(super) const RIG: Table = Table {
             "of the force, lost with each decade of time since the spring was stretched",
             "`\"0.02 %\"`",
         ),
-        optional("taps", "5", "how many runs in which end 1 is hit and then rests", "`5`"),
-        optional("taps_per_run", "5", "hits in each of them, at random times; at most 7", "`5`"),
-        optional("tap_height", "\"0.5 mm\"", "how far a hit moves end 1, within 30 % either way", "`\"0.5 mm\"`"),
-        optional("tap_duration", "\"5 ms\"", "how long a hit lasts, within 20 % either way", "`\"5 ms\"`"),
+        optional("hits", "5", "how many runs in which end 1 is hit and then rests", "`5`"),
+        optional("hits_per_run", "5", "hits in each of them, at random times; at most 7", "`5`"),
+        optional("hit_height", "\"0.5 mm\"", "how far a hit moves end 1, within 30 % either way", "`\"0.5 mm\"`"),
+        optional("hit_duration", "\"5 ms\"", "how long a hit lasts, within 20 % either way", "`\"5 ms\"`"),
     ],
 };

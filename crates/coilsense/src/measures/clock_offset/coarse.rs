@@ -57,7 +57,7 @@ pub(super) fn lag(first: &[f64], second: &[f64]) -> Result<Coarse, Error> {
         (Some(&(_, before)), (_, here), Some(&(_, after))) => summit(before, here, after),
         (_, (_, here), _) => here,
     };
-    // Where few samples overlap, one tap fits any other: what a fit is worth grows with what it explains, in likelihood.
+    // Where few samples overlap, one hit fits any other: what a fit is worth grows with what it explains, in likelihood.
     let worth = |index: usize| {
         let (from, to, _) = common(all[index].0);
         -((to - from) as f64) * (1.0 - height(index).powi(2)).max(LEFT).ln()

@@ -1,0 +1,136 @@
+//! What commands say to machines that mostly write files.
+//!
+//! Next door: what other verbs find (`*/json.rs`), the form of all of them (`outcome`).
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::outcome::Outcome;
+
+/// The files that `coilsense simulate` wrote.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct SimulationOutcome<'a> {
+    /// The spec.
+    pub spec_file: &'a str,
+    /// The files.
+    pub files: Vec<String>,
+    /// Conditions times dampings.
+    pub runs: usize,
+    /// Of all runs together.
+    pub samples: usize,
+}
+
+impl Outcome for SimulationOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/simulation/1";
+}
+
+/// The file that `coilsense import` wrote.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct ImportOutcome<'a> {
+    /// The log.
+    pub file: &'a Path,
+    /// What was written.
+    pub out: &'a Path,
+    /// How the log is written.
+    pub format: &'a str,
+    /// Rows that were read.
+    pub read: u64,
+    /// Rows that were written.
+    pub rows: u64,
+    /// Rows that were left out.
+    pub left_out: u64,
+    /// First and last time; null without a row.
+    pub span_s: Option<[f64; 2]>,
+    /// What became of the log's rows, line by line.
+    pub account: Vec<String>,
+}
+
+impl Outcome for ImportOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/import/1";
+}
+
+/// The runs that `coilsense rig` recorded.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct RigOutcome<'a> {
+    /// Where they are.
+    pub folder: &'a Path,
+    /// How many files.
+    pub files: usize,
+    /// How many runs.
+    pub runs: usize,
+    /// Rows of all files together.
+    pub rows: u64,
+    /// Of noise, of each instrument's own errors and of hits.
+    pub seed: u64,
+    /// What is doubtful, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+impl Outcome for RigOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/rig/1";
+}
+
+/// The text that `coilsense init` made.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct InitOutcome<'a> {
+    /// Where it was written; null where it was not.
+    pub file: Option<&'a Path>,
+    /// A spec, or the sensor catalogue where that was asked for.
+    pub text: &'a str,
+}
+
+impl Outcome for InitOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/init/1";
+}
+
+/// What became of a sweep's designs.
+#[cfg(feature = "parquet")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct SweepOutcome<'a> {
+    /// Where they are.
+    pub folder: &'a Path,
+    /// Of all that decides what the designs are.
+    pub digest: String,
+    /// Designs that are there.
+    pub rows: u64,
+    /// Of these, those that were judged.
+    pub ok: u64,
+    /// Those whose windings touch.
+    pub clash: u64,
+    /// Those that are no spring, or cannot be judged.
+    pub refused: u64,
+    /// Why designs were refused, the most frequent first.
+    pub reasons: Vec<ReasonRow<'a>>,
+    /// Files of the dataset.
+    pub chunks: u64,
+    /// Rows that this run has made.
+    pub made: u64,
+    /// How long it took.
+    pub seconds: f64,
+    /// Over that time.
+    pub designs_per_second: f64,
+    /// Null where the system does not say it.
+    pub peak_memory_kb: Option<u64>,
+}
+
+#[cfg(feature = "parquet")]
+impl Outcome for SweepOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/sweep-summary/1";
+}
+
+/// Why designs were refused.
+#[cfg(feature = "parquet")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct ReasonRow<'a> {
+    /// How many designs.
+    pub count: u64,
+    /// One of their reasons.
+    pub such_as: &'a str,
+}
