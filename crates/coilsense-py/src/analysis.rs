@@ -16,6 +16,7 @@ use crate::errors::IntoPython;
 use crate::json;
 use crate::long_work::watched;
 use crate::spec::PySpec;
+use crate::value::getters;
 use case::PyCase;
 
 /// Adds the classes and the functions to the module.
@@ -98,20 +99,18 @@ pub struct PyAnalysis {
     cases: OnceLock<Vec<Py<PyCase>>>,
 }
 
+getters! {
+    PyAnalysis, self;
+    /// The answer in sentences, the most important first, as a list of str.
+    answer: Vec<String> = answer(&self.analysis);
+    /// What the command prints.
+    text: String = anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string();
+    /// What a reader must know before using the numbers, as a list of str.
+    warnings: Vec<&str> = self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect();
+}
+
 #[pymethods]
 impl PyAnalysis {
-    /// The answer in sentences, the most important first, as a list of str.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        answer(&self.analysis)
-    }
-
-    /// What the command prints.
-    #[getter]
-    fn text(&self) -> String {
-        anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string()
-    }
-
     /// The sensors' names, best first.
     #[getter]
     fn ranking(&self) -> Vec<&str> {
@@ -127,12 +126,6 @@ impl PyAnalysis {
             dict.set_item(name, verdict.combined())?;
         }
         Ok(dict)
-    }
-
-    /// What a reader must know before using the numbers, as a list of str.
-    #[getter]
-    fn warnings(&self) -> Vec<&str> {
-        self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect()
     }
 
     /// Every condition under every damping, condition by condition, as a list of `Case`.

@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::errors::{Error, IntoPython};
 use crate::mount::PyFarEnd;
 use crate::spring::PySpring;
-use crate::value::Arguments;
+use crate::value::{Arguments, getters};
 
 /// Adds the class and the functions to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -47,6 +47,20 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(PartialEq)]
 pub struct PyChainModes(pub ChainModes);
 
+getters! {
+    PyChainModes, self;
+    /// How many modes there are: N, and one more with an end mass.
+    count: usize = self.0.count();
+    /// N: winding masses.
+    masses: usize = self.0.masses();
+    /// What end 2 is tied to.
+    far_end: PyFarEnd = PyFarEnd(self.0.far_end());
+    /// omega_j [rad/s], shape (count,).
+    frequencies<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.frequencies());
+    /// How far end 2 moves in each mode, in units of its shape, shape (count,); zero where its position is prescribed.
+    end_shapes<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.end_shapes());
+}
+
 #[pymethods]
 impl PyChainModes {
     #[new]
@@ -54,36 +68,6 @@ impl PyChainModes {
     fn new(py: Python<'_>, spring: &PySpring, far_end: Option<PyRef<'_, PyFarEnd>>) -> Self {
         let far_end = far_end.map_or_else(Default::default, |far_end| far_end.0);
         Self(py.detach(|| ChainModes::mounted(&spring.0, far_end)))
-    }
-
-    /// How many modes there are: N, and one more with an end mass.
-    #[getter]
-    fn count(&self) -> usize {
-        self.0.count()
-    }
-
-    /// N: winding masses.
-    #[getter]
-    fn masses(&self) -> usize {
-        self.0.masses()
-    }
-
-    /// What end 2 is tied to.
-    #[getter]
-    fn far_end(&self) -> PyFarEnd {
-        PyFarEnd(self.0.far_end())
-    }
-
-    /// omega_j [rad/s], shape (count,).
-    #[getter]
-    fn frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.frequencies())
-    }
-
-    /// How far end 2 moves in each mode, in units of its shape, shape (count,); zero where its position is prescribed.
-    #[getter]
-    fn end_shapes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.end_shapes())
     }
 
     /// Shape of one mode at every winding.
