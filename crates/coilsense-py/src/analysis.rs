@@ -17,15 +17,7 @@ use crate::json;
 use crate::long_work::watched;
 use crate::spec::PySpec;
 use crate::value::getters;
-use case::PyCase;
-
-/// Adds the classes and the functions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyCase>()?;
-    module.add_class::<PyAnalysis>()?;
-    module.add_function(wrap_pyfunction!(py_simulate, module)?)?;
-    module.add_function(wrap_pyfunction!(py_analyze, module)?)
-}
+pub use case::PyCase;
 
 /// Simulates every condition of a spec under every damping, on all cores.
 ///
@@ -54,7 +46,7 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// ('heel strike', True)
 #[pyfunction(name = "simulate")]
 #[pyo3(signature = (spec, progress=None))]
-fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<Vec<PyCase>> {
+pub fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<Vec<PyCase>> {
     let spec = &spec.spec;
     let cases = watched(py, progress.as_ref(), |progress| simulate(spec, progress))?.python()?;
     cases.into_iter().map(|case| PyCase::of(py, spec, &spec.sensors, case)).collect()
@@ -86,7 +78,7 @@ fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>
 /// True
 #[pyfunction(name = "analyze")]
 #[pyo3(signature = (spec, progress=None))]
-fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
+pub fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
     let spec = spec.spec.clone();
     let analysis = watched(py, progress.as_ref(), |progress| Analysis::run(spec, progress))?.python()?;
     Ok(PyAnalysis { analysis, cases: OnceLock::new() })

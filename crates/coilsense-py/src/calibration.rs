@@ -24,12 +24,6 @@ use crate::value::getters;
 
 mod points;
 
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyCalibration>()?;
-    module.add_function(wrap_pyfunction!(calibrate, module)?)
-}
-
 /// A curve between length and inductance, what it is worth, and the theories beside it; made by `calibrate`.
 ///
 /// ``str()`` of it is what ``coilsense calibrate`` prints.
@@ -193,7 +187,7 @@ fn theory<'py>(py: Python<'py>, judged: &Judged) -> PyResult<Bound<'py, PyDict>>
 #[pyo3(signature = (points, *, length_at_zero=None, method=None, preload=None, inversion=None, spring=None, stiffness=None,
                     stiffness_uncertainty=0.0, length_at_zero_force=None, preset=None, columns=None, units=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn calibrate(
+pub fn calibrate(
     py: Python<'_>,
     points: PointsArgument<'_>,
     length_at_zero: Option<Quantity>,
@@ -231,7 +225,7 @@ fn calibrate(
 
 /// A preload's length, or its length and inductance.
 #[derive(FromPyObject)]
-enum PreloadArgument {
+pub enum PreloadArgument {
     Pair(Quantity, Quantity),
     Length(Quantity),
 }

@@ -7,11 +7,6 @@ use pyo3::prelude::*;
 
 use crate::value::{getters, named_value};
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyEstimate>()
-}
-
 /// What was found, and how far to trust it; ``float()`` of it is its value.
 ///
 /// Parameters

@@ -15,14 +15,6 @@ use crate::errors::{Error, IntoPython};
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyEndInput>()?;
-    module.add_class::<PyStart>()?;
-    module.add_class::<PyExcitation>()?;
-    module.add_function(wrap_pyfunction!(py_traverse_velocity, module)?)
-}
-
 /// How the ends move and how the windings start.
 ///
 /// Parameters
@@ -172,7 +164,7 @@ impl PyExcitation {
 /// -----
 /// Source: [Weijde2017] eq. 12.
 #[pyfunction(name = "traverse_velocity")]
-fn py_traverse_velocity(spring: &PySpring) -> f64 {
+pub fn py_traverse_velocity(spring: &PySpring) -> f64 {
     traverse_velocity(&spring.0)
 }
 

@@ -21,13 +21,6 @@ use crate::results::study_result;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
 
-/// Adds class and functions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyExperiment>()?;
-    module.add_function(wrap_pyfunction!(rig, module)?)?;
-    module.add_function(wrap_pyfunction!(experiment, module)?)
-}
-
 /// An experiment with sines of rising frequency, worked off; made by `experiment`. ``str()`` of it is what ``coilsense experiment`` prints.
 ///
 /// Notes
@@ -124,7 +117,7 @@ fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
 ///     For settings that do not fit spring, instruments or each other, or a folder that cannot be written; nothing is written then.
 #[pyfunction]
 #[pyo3(signature = (spec, out, seed=None))]
-fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) -> PyResult<Vec<String>> {
+pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) -> PyResult<Vec<String>> {
     let spec = spec.spec(py)?;
     let rig = Rig::new(&spec, seed.unwrap_or(spec.uncertainty.seed)).map_err(refused)?;
     let mut output = Output::begin(&out).map_err(unwritable)?;
@@ -158,7 +151,7 @@ fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) 
 ///     One line with file, row and column, or file, line and key.
 #[pyfunction]
 #[pyo3(signature = (folder, *, drop_incomplete=false, sort=false, merge_repeated=false, fill_gaps=None, resample=None))]
-fn experiment(
+pub fn experiment(
     py: Python<'_>,
     folder: PathBuf,
     drop_incomplete: bool,

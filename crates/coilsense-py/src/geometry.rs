@@ -2,7 +2,7 @@
 //!
 //! Next door: the spring as Table I of the paper gives it (`spring`).
 
-mod material;
+pub mod material;
 
 use coilsense::geometry::{EndType, Geometry, GeometryParameters};
 use pyo3::prelude::*;
@@ -12,13 +12,6 @@ pub use material::PyMaterial;
 use crate::errors::{IntoPython, unknown};
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMaterial>()?;
-    module.add_class::<PyGeometry>()?;
-    module.add_function(wrap_pyfunction!(material::materials, module)?)
-}
 
 /// Words for how the wire ends, those of a spec.
 const ENDS: [(&str, EndType); 5] = [

@@ -23,12 +23,6 @@ use crate::results::study_result;
 use crate::spring_argument::SpringArgument;
 use crate::value::getters;
 
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyIdentification>()?;
-    module.add_function(wrap_pyfunction!(identify, module)?)
-}
-
 /// What a record says of its spring; made by `identify`. ``str()`` of it is what ``coilsense identify`` prints.
 ///
 /// Values with intervals are `Estimate`; what was not found is None, and `stiffness_refused` or `record_next` say why.
@@ -225,7 +219,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 #[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, prediction_tolerance=0.05,
                     tolerance=0.01, accuracy_force=0.0, accuracy_position=0.0))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn identify(
+pub fn identify(
     py: Python<'_>,
     record: &Bound<'_, PyAny>,
     spring: Option<SpringArgument<'_>>,

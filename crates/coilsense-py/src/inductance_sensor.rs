@@ -14,12 +14,6 @@ use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
-/// Adds the class and the function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyInductanceSensor>()?;
-    module.add_function(wrap_pyfunction!(theories, module)?)
-}
-
 /// A meter of L with a calibration: L in, F_L out.
 ///
 /// Parameters
@@ -149,7 +143,7 @@ impl PyInductanceSensor {
 /// >>> all(2.7e-6 < L[0] < 3.1e-6 for L in found.values()), len(found)
 /// (True, 9)
 #[pyfunction]
-fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) -> PyResult<Bound<'py, PyDict>> {
+pub fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) -> PyResult<Bound<'py, PyDict>> {
     let (coil, lengths) = (Coil::of(&spring.0).python()?, lengths.values());
     let dict = PyDict::new(py);
     for theory in Theory::ALL {

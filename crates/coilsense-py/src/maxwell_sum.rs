@@ -12,11 +12,6 @@ use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 use crate::windings::PyWindings;
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMaxwellSum>()
-}
-
 /// Words for the self distance.
 const DISTANCES: [(&str, SelfDistance); 2] =
     [("as-printed", SelfDistance::AsPrinted), ("geometric-mean", SelfDistance::GeometricMean)];

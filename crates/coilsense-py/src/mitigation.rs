@@ -21,14 +21,7 @@ use crate::recording::recording;
 use crate::results::{save, study_result};
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
-use remedy::PyRemedy;
-
-/// Adds classes and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMitigation>()?;
-    module.add_class::<PyRemedy>()?;
-    module.add_function(wrap_pyfunction!(mitigate, module)?)
-}
+pub use remedy::PyRemedy;
 
 /// In which numbers the target computes, by its word.
 fn precision(word: &str) -> PyResult<Precision> {
@@ -171,7 +164,7 @@ impl PyMitigation {
 #[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1,
                     mass_tolerance=0.1, most_lag=None, seeds=5))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn mitigate(
+pub fn mitigate(
     py: Python<'_>,
     spec: SpecArgument<'_>,
     record: Option<Bound<'_, PyAny>>,

@@ -14,15 +14,6 @@ use crate::mount::PyFarEnd;
 use crate::spring::PySpring;
 use crate::value::{Arguments, getters};
 
-/// Adds the class and the functions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyChainModes>()?;
-    module.add_function(wrap_pyfunction!(py_continuous_frequency, module)?)?;
-    module.add_function(wrap_pyfunction!(py_continuous_frequencies, module)?)?;
-    module.add_function(wrap_pyfunction!(py_third_rule_frequency, module)?)?;
-    module.add_function(wrap_pyfunction!(py_third_rule_error, module)?)
-}
-
 /// The modes of the paper's chain of N winding masses on its mount, lowest first.
 ///
 /// Parameters
@@ -132,7 +123,7 @@ impl PyChainModes {
 /// -----
 /// Source: [Weijde2017] eq. 3.
 #[pyfunction(name = "continuous_frequency")]
-fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
+pub fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
     if mode == 0 || transit_time.is_nan() || transit_time <= 0.0 {
         return Err(Error::new_err(format!(
             "transit time must be above zero and mode at least 1, got {transit_time} s and {mode}"
@@ -162,7 +153,7 @@ fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
 /// Error
 ///     For an end mass that is not above zero, or a count that is not from 1 to a million.
 #[pyfunction(name = "continuous_frequencies")]
-fn py_continuous_frequencies<'py>(
+pub fn py_continuous_frequencies<'py>(
     py: Python<'py>,
     spring: &PySpring,
     far_end: &PyFarEnd,
@@ -185,7 +176,7 @@ fn py_continuous_frequencies<'py>(
 /// float
 ///     sqrt(k / (M + m/3)) [rad/s].
 #[pyfunction(name = "third_rule_frequency")]
-fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
+pub fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
     third_rule_frequency(&spring.0, end_mass).python()
 }
 
@@ -203,6 +194,6 @@ fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
 /// float
 ///     As a share of the frequency [1].
 #[pyfunction(name = "third_rule_error")]
-fn py_third_rule_error(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
+pub fn py_third_rule_error(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
     third_rule_error(&spring.0, end_mass).python()
 }

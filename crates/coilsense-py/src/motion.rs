@@ -19,11 +19,6 @@ use crate::stream::PyStream;
 use crate::value::{self, Arguments, getters};
 use crate::windings::PyWindings;
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMotion>()
-}
-
 /// Forces at both ends.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 

@@ -14,13 +14,6 @@ pub use far_end::PyFarEnd;
 use crate::errors::IntoPython;
 use crate::value::{getters, named_value};
 
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyDamping>()?;
-    module.add_class::<PyFarEnd>()?;
-    module.add_class::<PyMount>()
-}
-
 /// End 2 and damping. End 1 always has a prescribed position.
 ///
 /// Parameters

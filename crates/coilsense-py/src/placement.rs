@@ -15,12 +15,6 @@ use crate::results::study_result;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
 
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyPlacement>()?;
-    module.add_function(wrap_pyfunction!(placement, module)?)
-}
-
 /// Every force judged as the one that is fed back; made by `placement`. ``str()`` of it is what ``coilsense placement`` prints.
 ///
 /// Crossovers are those of the loop with a spring without mass; ``inf`` stands for what is without bound.
@@ -130,7 +124,7 @@ fn margins<'py>(py: Python<'py>, judged: &Judged, damping: &str) -> PyResult<Bou
 /// Error
 ///     For a spec without [control], or without damping.
 #[pyfunction]
-fn placement(py: Python<'_>, spec: SpecArgument<'_>) -> PyResult<PyPlacement> {
+pub fn placement(py: Python<'_>, spec: SpecArgument<'_>) -> PyResult<PyPlacement> {
     let spec = spec.spec(py)?;
     let placement = interruptible(py, move || Placement::of(spec))?.map_err(refused)?;
     Ok(PyPlacement(Arc::new(placement)))

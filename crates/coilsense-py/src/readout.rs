@@ -11,11 +11,6 @@ use crate::errors::IntoPython;
 use crate::series::Series;
 use crate::value::named_value;
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyReadout>()
-}
-
 /// What an instrument makes of a quantity: low-pass, delay, averaging, sampling, noise, resolution.
 ///
 /// Parameters

@@ -17,12 +17,6 @@ use crate::results::laid_out;
 use crate::signals::{PySignals, channel};
 use crate::value::getters;
 
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyRecording>()?;
-    module.add_function(wrap_pyfunction!(open_log, module)?)
-}
-
 /// Signals that were recorded, with an account of where they come from; made by `open_log`, or of signals in memory.
 ///
 /// Parameters
@@ -241,7 +235,7 @@ impl PyRecording {
 #[pyo3(signature = (path, columns=None, units=None, *, mapping=None, preset=None, sample_rate=None, drop_incomplete=false,
                     sort=false, merge_repeated=false, fill_gaps=None, resample=None, from_=None, to=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn open_log(
+pub fn open_log(
     py: Python<'_>,
     path: PathBuf,
     columns: Option<Bound<'_, PyDict>>,

@@ -11,12 +11,6 @@ use crate::maxwell_sum::PyMaxwellSum;
 use crate::series::Series;
 use crate::value::getters;
 
-/// Adds the class and the function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PySecondOrder>()?;
-    module.add_function(wrap_pyfunction!(py_mutual_inductances, module)?)
-}
-
 /// The inductance of a coil to second order in the displacements of its turns from uniform ones, with a bound on what is left out.
 ///
 /// Parameters
@@ -108,7 +102,7 @@ impl PySecondOrder {
 /// >>> round(M / (4e-7 * math.pi * 0.008), 6)
 /// np.float64(0.393175)
 #[pyfunction(name = "mutual_inductances")]
-fn py_mutual_inductances<'py>(
+pub fn py_mutual_inductances<'py>(
     py: Python<'py>,
     radius: f64,
     distances: Series<'_>,

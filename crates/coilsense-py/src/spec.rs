@@ -17,13 +17,7 @@ use crate::json;
 use crate::mount::PyMount;
 use crate::spring::PySpring;
 use crate::value::{Arguments, getters};
-use condition::PyCondition;
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyCondition>()?;
-    module.add_class::<PySpec>()
-}
+pub use condition::PyCondition;
 
 /// A spec: a spring, how it is mounted, what is done to it, what watches it, and what that should achieve.
 ///

@@ -9,11 +9,6 @@ use pyo3::prelude::*;
 use crate::errors::{IntoPython, unknown};
 use crate::value::{getters, named_value};
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PySpring>()
-}
-
 /// Springs of the paper's Table I.
 const OF_PAPER: [&str; 2] = ["S_T", "S_A"];
 

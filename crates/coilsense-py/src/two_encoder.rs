@@ -12,11 +12,6 @@ use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyTwoEncoder>()
-}
-
 /// An encoder on the motor's side of the drive train and one at end 2, of a series elastic actuator; zeroed under a static load.
 ///
 /// Parameters

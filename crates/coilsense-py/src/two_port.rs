@@ -15,13 +15,7 @@ use crate::mount::PyDamping;
 use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
-use load::PyLoad;
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyLoad>()?;
-    module.add_class::<PyTwoPort>()
-}
+pub use load::PyLoad;
 
 const MODELS: [&str; 2] = ["chain", "wave"];
 

@@ -2,7 +2,7 @@
 //!
 //! A value that is made by name (`Spring(rest_length=…)`) gives its arguments ([`named_value`]); one of several kinds (`EndInput.ramp(…)`)
 //! its kind beside them ([`value_of_kinds`]). What a value of any sort only shows is a line each ([`getters`]).
-//! These three are the crate's only macros: each class would spell the same functions otherwise. PyO3's own `get_all` cannot stand in for
+//! Beside them `results` has the crate's only other macro: each class would spell the same functions otherwise. PyO3's own `get_all` cannot stand in for
 //! them, for it shows fields of the class itself, and a class here holds one value of the science whose fields are private.
 //! Next door: equality, which PyO3 takes from Rust's `PartialEq`.
 

@@ -12,11 +12,6 @@ use crate::errors::{Error, IntoPython};
 use crate::series::{Table, frozen_rows, numbers};
 use crate::value::{Arguments, getters};
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyWindings>()
-}
-
 /// Positions of both ends and of all windings over time.
 ///
 /// Parameters
