@@ -2,8 +2,8 @@
 //!
 //! A value that is made by name (`Spring(rest_length=…)`) gives its arguments ([`named_value`]); one of several kinds (`EndInput.ramp(…)`)
 //! its kind beside them ([`value_of_kinds`]). What a value of any sort only shows is a line each ([`getters`]).
-//! Beside them `results` has the crate's only other macro: each class would spell the same functions otherwise. PyO3's own `get_all` cannot stand in for
-//! them, for it shows fields of the class itself, and a class here holds one value of the science whose fields are private.
+//! `results` has the crate's only other macro. Without them each class would spell the same functions. PyO3's own `get_all` cannot stand in
+//! for them: it shows fields of the class itself, and a class here holds one value of the science whose fields are private.
 //! Next door: equality, which PyO3 takes from Rust's `PartialEq`.
 
 use pyo3::prelude::*;
