@@ -1,7 +1,7 @@
 //! The Python module `coilsense._coilsense`: a thin door to the science and to the lab, one file a noun, the same names.
 //!
 //! Documentation comments of what Python sees are its docstrings, in NumPy's style. What is Python's own business (pandas, xarray, matplotlib,
-//! Dask) is Python code in `python/coilsense`; type stubs are `python/coilsense/_coilsense.pyi`.
+//! Dask) is Python code in `python/coilsense`; its type stubs are written from here by `cargo xtask stubs`.
 //!
 //! Rules of this door: arguments are named as in Rust; arrays come in borrowed and go out moved; the interpreter's lock is let go while
 //! something is computed; a value can be compared, printed, turned into a dict and pickled ([`value`]); errors have Rust's text ([`errors`]).
