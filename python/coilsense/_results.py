@@ -12,6 +12,7 @@ from coilsense._logs import (
 from coilsense._studies import (
     experiment_html,
     experiment_plot,
+    front_frame,
     indices_frame,
     limits_frame,
     mitigation_html,
@@ -33,6 +34,7 @@ __all__ = [
     "recording_html",
     "experiment_html",
     "experiment_plot",
+    "front_frame",
     "indices_frame",
     "limits_frame",
     "mitigation_html",

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from coilsense._frames import _library
+from coilsense._frames import frame as designs_frame
 from coilsense._html import table
 from coilsense._layout import BLUE, RED, frame, new_axes, paragraphs
 
@@ -129,6 +130,11 @@ def pareto_html(pareto: Pareto) -> str:
     values = zip(pareto.rows[:most], pareto.values[:most], strict=True)
     rows = [(str(row), *(f"{value:.4g}" for value in each)) for row, each in values]
     return paragraphs(pareto.answer) + table("The front", rows, ("row", *pareto.objectives))
+
+
+def front_frame(pareto: Pareto) -> pandas.DataFrame:
+    """One row per design on the front, every column of the sweep."""
+    return designs_frame(pareto.columns)
 
 
 def indices_frame(sensitivity: Sensitivity) -> pandas.DataFrame:

@@ -12,20 +12,20 @@ import coilsense
 
 folder = pathlib.Path(tempfile.mkdtemp(prefix="coilsense-"))
 
-# An ankle spring is pulled slowly while something taps it every five seconds; load cells and encoders sample at 2.5 kHz.
-# The motion is linear: each tap's ringing adds to what is there.
+# An ankle spring is pulled slowly while something hits it every five seconds; load cells and encoders sample at 2.5 kHz.
+# The motion is linear: each hit's ringing adds to what is there.
 spring = coilsense.Spring.of_paper("S_T")
 mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
 times = coilsense.sampled_window(2500, 0, 30)
 pulled = coilsense.Excitation(0.23, end1=coilsense.EndInput.harmonic(5e-3, 0.2))
 signals = coilsense.Motion(spring, pulled, mount).signals(times)
-tap = coilsense.Motion(spring, coilsense.Excitation.impact(0.23, 0.25), mount).signals(times)
+hit = coilsense.Motion(spring, coilsense.Excitation.impact(0.23, 0.25), mount).signals(times)
 random = numpy.random.default_rng(1)
 forces = {}
 for name in ("F_i", "F_o"):
     forces[name] = signals[name] + random.normal(0, 0.05, len(times))
     for begin in range(5000, len(times), 12_500):
-        forces[name][begin:] += tap[name][: len(times) - begin] - spring.static_force(0.23)
+        forces[name][begin:] += hit[name][: len(times) - begin] - spring.static_force(0.23)
 log = folder / "run.csv"
 table = numpy.transpose([times, forces["F_i"], forces["F_o"], 1e3 * signals["u1"], 1e3 * signals["u2"]])
 titles = "Time [s];Drive [N];Load cell [N];Motor [mm];Foot [mm]"

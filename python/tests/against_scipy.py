@@ -11,7 +11,7 @@ import numpy
 import scipy
 from numpy.typing import NDArray
 
-from samples import SPRING, tapped
+from samples import SPRING, hit_log
 
 import coilsense
 
@@ -161,7 +161,7 @@ def running_mean(values: Floats, window: int) -> Floats:
 
 def density() -> float:
     """`Identification.spectra` of ½(F_o − F_i), slow motion taken out <-> `scipy.signal.welch(window="hann")`"""
-    signals = tapped()
+    signals = hit_log()
     found = coilsense.identify(signals)
     frequencies, ours = found.spectra["in turn"]
     length = round(found.sample_rate / frequencies[1])
@@ -174,7 +174,7 @@ def density() -> float:
 
 def trust() -> float:
     """`Identification.trust` <-> `scipy.optimize.brentq` of the wave equation's errors"""
-    found = coilsense.identify(tapped())
+    found = coilsense.identify(hit_log())
     assert found.trust is not None and found.transit_time is not None
     time, tolerance = found.transit_time.value, found.trust["tolerance"]
     errors = {
@@ -189,7 +189,7 @@ def trust() -> float:
 def remedies() -> coilsense.Mitigation:
     """Every remedy for the spring, designed for 2.5 kHz, 0.24 N of noise and a damping ratio of 0.005."""
     text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
-    return coilsense.mitigate(coilsense.Spec.parse(text), tapped(seconds=2.5), noise=0.24)
+    return coilsense.mitigate(coilsense.Spec.parse(text), hit_log(seconds=2.5), noise=0.24)
 
 
 def settings(name: str) -> dict[str, Any]:
@@ -219,7 +219,7 @@ def notches() -> float:
 
 def filtered() -> float:
     """`Remedy.apply` of these notches <-> `scipy.signal.sosfilt`, begun at rest by `sosfilt_zi`"""
-    force = tapped(seconds=2.5)["F_i"]
+    force = hit_log(seconds=2.5)["F_i"]
     found = next(remedy for remedy in remedies().remedies if remedy.name == "five notches n·f1, Q = 3")
     sections = [numpy.concatenate(scipy.signal.iirnotch(n * SPRING.surge_frequency, 3.0, fs=2500)) for n in range(1, 6)]
     theirs, _ = scipy.signal.sosfilt(sections, force, zi=force[0] * scipy.signal.sosfilt_zi(sections))

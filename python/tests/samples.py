@@ -59,16 +59,16 @@ def values() -> list[object]:
     return [SPRING, coil, meter, encoders, estimate, *inputs, *starts, *dampings, *far_ends, *loads, *others, *nouns]
 
 
-def tapped(noise: float = 0.05, seconds: float = 30.0, pulled: bool = True) -> coilsense.Signals:
-    """A slow pull at end 1 and a tap every five seconds, 2.5 kHz, both load cells with noise: the motion is linear, so that taps add up."""
+def hit_log(noise: float = 0.05, seconds: float = 30.0, pulled: bool = True) -> coilsense.Signals:
+    """A slow pull at end 1 and a hit every five seconds, 2.5 kHz, both load cells with noise: the motion is linear, so that hits add up."""
     mount, times = coilsense.Mount(damping=coilsense.Damping.modal(0.005)), coilsense.sampled_window(2500, 0, seconds)
     end1 = coilsense.EndInput.harmonic(5e-3, 0.2) if pulled else None
     signals = coilsense.Motion(SPRING, coilsense.Excitation(0.23, end1=end1), mount).signals(times)
-    tap = coilsense.Motion(SPRING, IMPACT, mount).signals(times)
+    hit = coilsense.Motion(SPRING, IMPACT, mount).signals(times)
     random = numpy.random.default_rng(1)
     for name in ("F_i", "F_o"):
         force = signals[name] + random.normal(0, noise, len(times))
         for begin in range(5000, len(times), 12_500):
-            force[begin:] += tap[name][: len(times) - begin] - SPRING.static_force(0.23)
+            force[begin:] += hit[name][: len(times) - begin] - SPRING.static_force(0.23)
         signals = signals.inserted(name, force)
     return signals

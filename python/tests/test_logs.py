@@ -6,7 +6,7 @@ import time
 
 import numpy
 import pytest
-from samples import SPRING, tapped
+from samples import SPRING, hit_log
 
 import coilsense
 
@@ -27,7 +27,7 @@ UNITS = {"F_i": "N", "F_o": "N", "u1": "mm", "u2": "mm"}
 
 
 def test_a_log_comes_in_with_an_account_of_its_rows(tmp_path: pathlib.Path) -> None:
-    signals = tapped(seconds=4)
+    signals = hit_log(seconds=4)
     german(tmp_path / "run.csv", signals)
     recording = coilsense.open_log(tmp_path / "run.csv", COLUMNS, UNITS)
     assert len(recording) == len(signals.time) == recording.rows["kept"]
@@ -42,7 +42,7 @@ def test_a_log_comes_in_with_an_account_of_its_rows(tmp_path: pathlib.Path) -> N
 
 
 def test_only_a_window_is_taken_and_texts_have_units(tmp_path: pathlib.Path) -> None:
-    german(tmp_path / "run.csv", tapped(seconds=4))
+    german(tmp_path / "run.csv", hit_log(seconds=4))
     recording = coilsense.open_log(tmp_path / "run.csv", COLUMNS, UNITS, from_="500 ms", to=1.0)
     assert (recording.signals.time[0], recording.signals.time[-1]) == (0.5, 1.0)
     assert recording.rows["outside of the window of time"] == 10001 - 1251
@@ -71,7 +71,7 @@ def test_what_is_wrong_is_named_with_the_argument_that_mends_it(tmp_path: pathli
 
 
 def test_two_devices_are_put_on_one_clock() -> None:
-    signals = tapped(0.0, 4)
+    signals = hit_log(0.0, 4)
     first = coilsense.Recording(coilsense.Signals(signals.time, {"F_i": signals["F_i"]}), "first")
     late = coilsense.Signals(signals.time[:-500] - 0.1, {"F_o": signals["F_o"][:-500]})
     both = first.joined(coilsense.Recording(late, "second"), clock=0.1)
@@ -82,7 +82,7 @@ def test_two_devices_are_put_on_one_clock() -> None:
 
 
 def test_a_ringing_log_is_identified_within_its_own_intervals(tmp_path: pathlib.Path) -> None:
-    signals = tapped()
+    signals = hit_log()
     found = coilsense.identify(signals, spring=SPRING)
     assert found.verdict == "spring" and found.evidence
     assert found.first_frequency is not None and found.stiffness is not None and found.mass is not None
@@ -90,7 +90,9 @@ def test_a_ringing_log_is_identified_within_its_own_intervals(tmp_path: pathlib.
     # The chain's first mode, 0.015 % below the continuous coil's.
     assert 0.5 * coilsense.ChainModes(SPRING).frequencies[0] / numpy.pi in found.first_frequency
     assert SPRING.stiffness in found.stiffness and 0.005 in found.damping_ratio and SPRING.rest_length in found.rest_length
-    assert SPRING.mass in found.mass and len(found.taps) == 6
+    assert SPRING.mass in found.mass and len(found.hits) == 6
+    with pytest.deprecated_call():
+        assert list(found.taps) == list(found.hits)
     assert found.lines[0]["kind"] == "mode" and len(found.to_pandas()) == len(found.lines)
     assert found.verdict in found._repr_html_() and found.plot().get_xlabel() == "Frequency [Hz]"
     assert found == coilsense.identify(coilsense.Recording(signals), spring=SPRING)
@@ -102,12 +104,12 @@ def test_a_ringing_log_is_identified_within_its_own_intervals(tmp_path: pathlib.
 
 
 def test_what_was_identified_becomes_a_spec(tmp_path: pathlib.Path) -> None:
-    found = coilsense.identify(tapped(), spring=SPRING)
+    found = coilsense.identify(hit_log(), spring=SPRING)
     text = found.to_spec(spring=SPRING)
     assert text == found.to_spec(SPRING.windings, SPRING.coil_radius, "1 mm")
     path = tmp_path / "found.toml"
     path.write_text(text)
-    again = coilsense.identify(tapped(), spring=path)
+    again = coilsense.identify(hit_log(), spring=path)
     assert again.first_frequency == found.first_frequency
     with pytest.raises(coilsense.Error, match="windings, coil_radius and wire_radius, or spring"):
         found.to_spec(52)
@@ -122,7 +124,7 @@ def test_a_record_that_tells_nothing_says_so() -> None:
     with pytest.raises(coilsense.Error, match="F_i, F_o or F_L"):
         coilsense.identify(coilsense.Signals(times, {"u1": noise}))
     with pytest.raises(coilsense.Error, match="end2 must be one of held, free, mass"):
-        coilsense.identify(tapped(), end2="loose")
+        coilsense.identify(hit_log(), end2="loose")
     with pytest.raises(TypeError, match="recording must be a Recording, Signals, or the path of a log"):
         coilsense.identify(3)  # type: ignore[arg-type]
 

@@ -8,7 +8,7 @@ import time
 
 import numpy
 import pytest
-from samples import SPRING, tapped
+from samples import SPRING, hit_log
 
 import coilsense
 
@@ -20,7 +20,7 @@ LOOP = coilsense.Spec.parse(TEMPLATE + '\n[control]\ndrive = "velocity"\nsample_
 @pytest.fixture(scope="module")
 def remedies() -> coilsense.Mitigation:
     """Judged on a record of six seconds with one tap."""
-    return coilsense.mitigate(SPEC, coilsense.Recording(tapped(seconds=6)))
+    return coilsense.mitigate(SPEC, coilsense.Recording(hit_log(seconds=6)))
 
 
 def test_the_ranking_is_that_of_the_report(remedies: coilsense.Mitigation, tmp_path: pathlib.Path) -> None:
@@ -46,7 +46,7 @@ def test_the_ranking_is_that_of_the_report(remedies: coilsense.Mitigation, tmp_p
 
 
 def test_a_filter_run_on_a_record_takes_the_ringing_out(remedies: coilsense.Mitigation) -> None:
-    signals, best = tapped(seconds=6), remedies.best_filter
+    signals, best = hit_log(seconds=6), remedies.best_filter
     assert best is not None
     truth = SPRING.static_force(0.23) - SPRING.stiffness * signals["u1"]
     raw = signals["F_i"] - truth
@@ -77,7 +77,7 @@ def test_what_cannot_be_applied_is_refused(remedies: coilsense.Mitigation) -> No
     with pytest.raises(coilsense.Error, match="seeds must be from 1 to 1000, got 0"):
         coilsense.mitigate(SPEC, seeds=0)
     with pytest.raises(coilsense.Error, match="give one of them"):
-        coilsense.mitigate(SPEC, tapped(seconds=1), stated=True)
+        coilsense.mitigate(SPEC, hit_log(seconds=1), stated=True)
     with pytest.raises(coilsense.LogError, match="has no F_i"):
         coilsense.mitigate(SPEC, coilsense.Signals([0.0, 1.0], {"F_o": [1.0, 2.0]}))
 
@@ -120,7 +120,7 @@ def test_a_placement_says_what_to_feed_back(tmp_path: pathlib.Path) -> None:
 
 
 def test_a_rig_s_logs_are_worked_off(tmp_path: pathlib.Path) -> None:
-    settings = '\n[rig]\nfrequencies = 5\nduration = "8 s"\nreadings = 10\ntaps = 1\n'
+    settings = '\n[rig]\nfrequencies = 5\nduration = "8 s"\nreadings = 10\nhits = 1\n'
     spec = coilsense.Spec.parse(TEMPLATE + settings)
     warnings = coilsense.rig(spec, tmp_path / "rig", seed=3)
     assert isinstance(warnings, list)

@@ -16,15 +16,8 @@ use crate::errors::IntoPython;
 use crate::json;
 use crate::long_work::watched;
 use crate::spec::PySpec;
-use case::PyCase;
-
-/// Adds the classes and the functions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyCase>()?;
-    module.add_class::<PyAnalysis>()?;
-    module.add_function(wrap_pyfunction!(py_simulate, module)?)?;
-    module.add_function(wrap_pyfunction!(py_analyze, module)?)
-}
+use crate::value::getters;
+pub use case::PyCase;
 
 /// Simulates every condition of a spec under every damping, on all cores.
 ///
@@ -53,7 +46,7 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// ('heel strike', True)
 #[pyfunction(name = "simulate")]
 #[pyo3(signature = (spec, progress=None))]
-fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<Vec<PyCase>> {
+pub fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<Vec<PyCase>> {
     let spec = &spec.spec;
     let cases = watched(py, progress.as_ref(), |progress| simulate(spec, progress))?.python()?;
     cases.into_iter().map(|case| PyCase::of(py, spec, &spec.sensors, case)).collect()
@@ -85,7 +78,7 @@ fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>
 /// True
 #[pyfunction(name = "analyze")]
 #[pyo3(signature = (spec, progress=None))]
-fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
+pub fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
     let spec = spec.spec.clone();
     let analysis = watched(py, progress.as_ref(), |progress| Analysis::run(spec, progress))?.python()?;
     Ok(PyAnalysis { analysis, cases: OnceLock::new() })
@@ -98,20 +91,18 @@ pub struct PyAnalysis {
     cases: OnceLock<Vec<Py<PyCase>>>,
 }
 
+getters! {
+    PyAnalysis, self;
+    /// The answer in sentences, the most important first, as a list of str.
+    answer: Vec<String> = answer(&self.analysis);
+    /// What the command prints.
+    text: String = anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string();
+    /// What a reader must know before using the numbers, as a list of str.
+    warnings: Vec<&str> = self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect();
+}
+
 #[pymethods]
 impl PyAnalysis {
-    /// The answer in sentences, the most important first, as a list of str.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        answer(&self.analysis)
-    }
-
-    /// What the command prints.
-    #[getter]
-    fn text(&self) -> String {
-        anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string()
-    }
-
     /// The sensors' names, best first.
     #[getter]
     fn ranking(&self) -> Vec<&str> {
@@ -127,12 +118,6 @@ impl PyAnalysis {
             dict.set_item(name, verdict.combined())?;
         }
         Ok(dict)
-    }
-
-    /// What a reader must know before using the numbers, as a list of str.
-    #[getter]
-    fn warnings(&self) -> Vec<&str> {
-        self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect()
     }
 
     /// Every condition under every damping, condition by condition, as a list of `Case`.

@@ -2,7 +2,6 @@
 //!
 //! Next door: the points (`recording`, or arrays), the arguments that several share (`quantity`).
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use coilsense::calibrate::Inversion;
@@ -16,20 +15,14 @@ use pyo3::types::PyDict;
 
 use crate::calibration::points::PointsArgument;
 use crate::errors::{Error, refused, unknown};
-use crate::json;
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, positive, share};
-use crate::results::{laid_out, plain, save};
+use crate::results::study_result;
 use crate::series::Series;
 use crate::spring_argument::SpringArgument;
+use crate::value::getters;
 
 mod points;
-
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyCalibration>()?;
-    module.add_function(wrap_pyfunction!(calibrate, module)?)
-}
 
 /// A curve between length and inductance, what it is worth, and the theories beside it; made by `calibrate`.
 ///
@@ -42,80 +35,51 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(PartialEq)]
 pub struct PyCalibration(Arc<Outcome>);
 
+getters! {
+    PyCalibration, self;
+    /// α of 1/l = αL + β [1/(H m)].
+    alpha: f64 = self.0.inverse_length.alpha;
+    /// Standard error of α [1/(H m)]; None where no point is left to tell.
+    alpha_se: Option<f64> = self.0.inverse_length.alpha_se;
+    /// β of 1/l = αL + β [1/m].
+    beta: f64 = self.0.inverse_length.beta;
+    /// Standard error of β [1/m]; None where no point is left to tell.
+    beta_se: Option<f64> = self.0.inverse_length.beta_se;
+    /// Points less what was fitted.
+    degrees_of_freedom: usize = self.0.inverse_length.degrees_of_freedom;
+    /// R² of the lengths read [1].
+    r2: f64 = self.0.inverse_length.misfit.r2;
+    /// Rms of lengths read less lengths measured [m].
+    rmse: f64 = self.0.inverse_length.misfit.rmse;
+    /// Lengths read less lengths measured [m], shape (points,).
+    residuals<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, &self.0.inverse_length.misfit.residuals);
+    /// Measured lengths [m], shape (points,).
+    lengths<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.measured.points.lengths());
+    /// Measured inductances [H], shape (points,).
+    inductances<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.measured.points.inductances());
+    /// The theories beside the points, in their order: name, r2, rmse [m], rmse_share_of_range; or why one cannot be judged.
+    theories<'py>(py): PyResult<Vec<Bound<'py, PyDict>>> =
+        self.0.theories.iter().map(|judged| theory(py, judged)).collect();
+    /// The answer, a sentence each.
+    answer: Vec<String> = coilsense_lab::calibration::answer(&self.0);
+}
+
+study_result! {
+    PyCalibration, self;
+    /// Everything, under the names of results.json.
+    to_dict = calibration_json(&self.0, None);
+    /// The points as a data frame of pandas: what was measured, what is read, what is left; ``pip install coilsense[pandas]``.
+    to_pandas = "points_frame";
+    /// Draws points and curve with matplotlib; ``pip install coilsense[plot]``.
+    plot = "calibration_plot";
+    str = calibration_text(&self.0);
+    html = "calibration_html";
+    /// Writes what ``coilsense calibrate --out`` writes: report.html, results.json, figures; all of it or nothing.
+    save(date, output) = add_calibration(&self.0, date, output);
+}
+
 #[pymethods]
 impl PyCalibration {
-    /// α of 1/l = αL + β [1/(H m)].
-    #[getter]
-    fn alpha(&self) -> f64 {
-        self.0.inverse_length.alpha
-    }
-
-    /// Standard error of α [1/(H m)]; None where no point is left to tell.
-    #[getter]
-    fn alpha_se(&self) -> Option<f64> {
-        self.0.inverse_length.alpha_se
-    }
-
-    /// β of 1/l = αL + β [1/m].
-    #[getter]
-    fn beta(&self) -> f64 {
-        self.0.inverse_length.beta
-    }
-
-    /// Standard error of β [1/m]; None where no point is left to tell.
-    #[getter]
-    fn beta_se(&self) -> Option<f64> {
-        self.0.inverse_length.beta_se
-    }
-
-    /// Points less what was fitted.
-    #[getter]
-    fn degrees_of_freedom(&self) -> usize {
-        self.0.inverse_length.degrees_of_freedom
-    }
-
-    /// R² of the lengths read [1].
-    #[getter]
-    fn r2(&self) -> f64 {
-        self.0.inverse_length.misfit.r2
-    }
-
-    /// Rms of lengths read less lengths measured [m].
-    #[getter]
-    fn rmse(&self) -> f64 {
-        self.0.inverse_length.misfit.rmse
-    }
-
-    /// Lengths read less lengths measured [m], shape (points,).
-    #[getter]
-    fn residuals<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, &self.0.inverse_length.misfit.residuals)
-    }
-
-    /// Measured lengths [m], shape (points,).
-    #[getter]
-    fn lengths<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.measured.points.lengths())
-    }
-
-    /// Measured inductances [H], shape (points,).
-    #[getter]
-    fn inductances<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.measured.points.inductances())
-    }
-
-    /// The theories beside the points, in their order: name, r2, rmse [m], rmse_share_of_range; or why one cannot be judged.
-    #[getter]
-    fn theories<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        self.0.theories.iter().map(|judged| theory(py, judged)).collect()
-    }
-
-    /// The answer, a sentence each.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        coilsense_lab::calibration::answer(&self.0)
-    }
-
     /// The length at an inductance, by 1/l = αL + β.
     ///
     /// Parameters
@@ -148,68 +112,9 @@ impl PyCalibration {
         length.values().iter().map(|metre| calibration.inductance(*metre)).collect::<Vec<_>>().into_pyarray(py)
     }
 
-    /// Writes what ``coilsense calibrate --out`` writes: report.html, results.json, figures; all of it or nothing.
-    ///
-    /// Parameters
-    /// ----------
-    /// folder : str or os.PathLike
-    ///     Its other files are left alone.
-    /// date : str, optional
-    ///     What the report carries; without it, today's.
-    ///
-    /// Returns
-    /// -------
-    /// int
-    ///     How many files.
-    #[pyo3(signature = (folder, date=None))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
-        save(py, &folder, date, |date, output| add_calibration(&self.0, date, output))
-    }
-
-    /// Everything, under the names of results.json.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        json::loads(py, calibration_json(&self.0, None))
-    }
-
-    /// The points as a data frame of pandas: what was measured, what is read, what is left; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "points_frame", (slf,))
-    }
-
-    /// Draws points and curve with matplotlib; ``pip install coilsense[plot]``.
-    ///
-    /// Parameters
-    /// ----------
-    /// axes : matplotlib.axes.Axes, optional
-    ///     Where; without it, in a new figure.
-    ///
-    /// Returns
-    /// -------
-    /// matplotlib.axes.Axes
-    #[pyo3(signature = (axes=None))]
-    fn plot<'py>(slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "calibration_plot", (slf, axes))
-    }
-
-    fn __str__(&self) -> String {
-        plain(&calibration_text(&self.0))
-    }
-
     fn __repr__(&self) -> String {
         let (points, fit) = (self.0.measured.points.lengths().len(), &self.0.inverse_length);
         format!("<Calibration of {points} points: alpha={}, beta={}, rmse={}>", fit.alpha, fit.beta, fit.misfit.rmse)
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "calibration_html", (slf,))
     }
 }
 
@@ -282,7 +187,7 @@ fn theory<'py>(py: Python<'py>, judged: &Judged) -> PyResult<Bound<'py, PyDict>>
 #[pyo3(signature = (points, *, length_at_zero=None, method=None, preload=None, inversion=None, spring=None, stiffness=None,
                     stiffness_uncertainty=0.0, length_at_zero_force=None, preset=None, columns=None, units=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn calibrate(
+pub fn calibrate(
     py: Python<'_>,
     points: PointsArgument<'_>,
     length_at_zero: Option<Quantity>,
@@ -320,7 +225,7 @@ fn calibrate(
 
 /// A preload's length, or its length and inductance.
 #[derive(FromPyObject)]
-enum PreloadArgument {
+pub enum PreloadArgument {
     Pair(Quantity, Quantity),
     Length(Quantity),
 }

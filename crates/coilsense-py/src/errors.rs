@@ -45,17 +45,6 @@ create_exception!(
     "Files that cannot be written.\n\nThe text names the path; what was there before is still there."
 );
 
-/// Adds the exceptions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    let py = module.py();
-    module.add("Error", py.get_type::<Error>())?;
-    module.add("SpecError", py.get_type::<SpecError>())?;
-    module.add("AnalysisError", py.get_type::<AnalysisError>())?;
-    module.add("OutputError", py.get_type::<OutputError>())?;
-    module.add("LogError", py.get_type::<LogError>())?;
-    module.add("SweepError", py.get_type::<SweepError>())
-}
-
 /// What of Rust's errors becomes which exception.
 pub trait IntoPython<T> {
     /// The value, or the exception with the error's text.

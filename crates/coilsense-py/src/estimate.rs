@@ -4,14 +4,8 @@
 
 use coilsense::identify::Estimate;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyEstimate>()
-}
+use crate::value::{getters, named_value};
 
 /// What was found, and how far to trust it; ``float()`` of it is its value.
 ///
@@ -34,14 +28,24 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(Clone, PartialEq)]
 pub struct PyEstimate(pub Estimate);
 
-impl PyEstimate {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("value", self.0.value)?;
-        dict.set_item("standard", self.0.standard)?;
-        dict.set_item("expanded", self.0.expanded)?;
-        Ok(dict)
-    }
+getters! {
+    PyEstimate, self;
+    /// The value, in SI units.
+    value: f64 = self.0.value;
+    /// Standard uncertainty, in the same unit.
+    standard: f64 = self.0.standard;
+    /// Half the width of the 95 % interval, in the same unit.
+    expanded: f64 = self.0.expanded;
+    /// Lower end of the 95 % interval.
+    low: f64 = self.0.value - self.0.expanded;
+    /// Upper end of the 95 % interval.
+    high: f64 = self.0.value + self.0.expanded;
+}
+
+named_value! {
+    /// Value, standard uncertainty and half width by name.
+    PyEstimate, self;
+    value, standard, expanded,
 }
 
 #[pymethods]
@@ -51,58 +55,11 @@ impl PyEstimate {
         Self(Estimate { value, standard, expanded })
     }
 
-    /// The value, in SI units.
-    #[getter]
-    fn value(&self) -> f64 {
-        self.0.value
-    }
-
-    /// Standard uncertainty, in the same unit.
-    #[getter]
-    fn standard(&self) -> f64 {
-        self.0.standard
-    }
-
-    /// Half the width of the 95 % interval, in the same unit.
-    #[getter]
-    fn expanded(&self) -> f64 {
-        self.0.expanded
-    }
-
-    /// Lower end of the 95 % interval.
-    #[getter]
-    fn low(&self) -> f64 {
-        self.0.value - self.0.expanded
-    }
-
-    /// Upper end of the 95 % interval.
-    #[getter]
-    fn high(&self) -> f64 {
-        self.0.value + self.0.expanded
-    }
-
-    /// Value, standard uncertainty and half width by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.arguments(py)
-    }
-
     fn __float__(&self) -> f64 {
         self.0.value
     }
 
     fn __contains__(&self, value: f64) -> bool {
         self.0.holds(value)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Estimate", &self.arguments(py)?)
     }
 }

@@ -7,22 +7,13 @@ mod start;
 
 use coilsense::excitation::{End, EndInput, Excitation, Start, VelocityProfile, traverse_velocity};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 pub use input::PyEndInput;
 pub use start::PyStart;
 
 use crate::errors::{Error, IntoPython};
 use crate::spring::PySpring;
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyEndInput>()?;
-    module.add_class::<PyStart>()?;
-    module.add_class::<PyExcitation>()?;
-    module.add_function(wrap_pyfunction!(py_traverse_velocity, module)?)
-}
+use crate::value::{getters, named_value};
 
 /// How the ends move and how the windings start.
 ///
@@ -50,15 +41,24 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(PartialEq)]
 pub struct PyExcitation(pub Excitation);
 
-impl PyExcitation {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("mean_length", self.0.mean_length())?;
-        dict.set_item("end1", self.end1().into_pyobject(py)?)?;
-        dict.set_item("end2", self.end2().into_pyobject(py)?)?;
-        dict.set_item("start", self.start().into_pyobject(py)?)?;
-        Ok(dict)
-    }
+getters! {
+    PyExcitation, self;
+    /// Length about which the ends move [m].
+    mean_length: f64 = self.0.mean_length();
+    /// How end 1 is driven.
+    end1: PyEndInput = PyEndInput(self.0.input(End::One).clone());
+    /// How end 2 is driven.
+    end2: PyEndInput = PyEndInput(self.0.input(End::Two).clone());
+    /// How the windings start.
+    start: PyStart = PyStart(self.0.start().clone());
+    /// Shortest and longest length that prescribed positions can reach [m], each end at its own worst moment.
+    length_bounds: (f64, f64) = self.0.length_bounds();
+}
+
+named_value! {
+    /// The arguments by name, nouns as dicts of their own.
+    PyExcitation, self;
+    mean_length, end1, end2, start,
 }
 
 #[pymethods]
@@ -147,53 +147,6 @@ impl PyExcitation {
         let start = start.map_or(Start::Rest, |start| start.0.clone());
         Excitation::harmonic(mean_length, self::end(end)?, input.0.clone(), start).python().map(Self)
     }
-
-    /// Length about which the ends move [m].
-    #[getter]
-    fn mean_length(&self) -> f64 {
-        self.0.mean_length()
-    }
-
-    /// How end 1 is driven.
-    #[getter]
-    fn end1(&self) -> PyEndInput {
-        PyEndInput(self.0.input(End::One).clone())
-    }
-
-    /// How end 2 is driven.
-    #[getter]
-    fn end2(&self) -> PyEndInput {
-        PyEndInput(self.0.input(End::Two).clone())
-    }
-
-    /// How the windings start.
-    #[getter]
-    fn start(&self) -> PyStart {
-        PyStart(self.0.start().clone())
-    }
-
-    /// Shortest and longest length that prescribed positions can reach [m], each end at its own worst moment.
-    #[getter]
-    fn length_bounds(&self) -> (f64, f64) {
-        self.0.length_bounds()
-    }
-
-    /// The arguments by name, nouns as dicts of their own.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        value::plain(&self.arguments(py)?)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Excitation", &self.arguments(py)?)
-    }
 }
 
 /// Velocity of the paper's end stops: the operating range traversed in a step time of one second.
@@ -211,7 +164,7 @@ impl PyExcitation {
 /// -----
 /// Source: [Weijde2017] eq. 12.
 #[pyfunction(name = "traverse_velocity")]
-fn py_traverse_velocity(spring: &PySpring) -> f64 {
+pub fn py_traverse_velocity(spring: &PySpring) -> f64 {
     traverse_velocity(&spring.0)
 }
 

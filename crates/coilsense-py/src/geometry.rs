@@ -2,24 +2,16 @@
 //!
 //! Next door: the spring as Table I of the paper gives it (`spring`).
 
-mod material;
+pub mod material;
 
 use coilsense::geometry::{EndType, Geometry, GeometryParameters};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 pub use material::PyMaterial;
 
 use crate::errors::{IntoPython, unknown};
 use crate::spring::PySpring;
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMaterial>()?;
-    module.add_class::<PyGeometry>()?;
-    module.add_function(wrap_pyfunction!(material::materials, module)?)
-}
+use crate::value::{getters, named_value};
 
 /// Words for how the wire ends, those of a spec.
 const ENDS: [(&str, EndType); 5] = [
@@ -77,20 +69,44 @@ fn end_type(word: &str) -> PyResult<EndType> {
 #[derive(PartialEq)]
 pub struct PyGeometry(pub Geometry);
 
-impl PyGeometry {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let p = self.0.parameters();
-        let dict = PyDict::new(py);
-        dict.set_item("wire_diameter", p.wire_diameter)?;
-        dict.set_item("coil_diameter", p.coil_diameter)?;
-        dict.set_item("active_windings", p.active_windings)?;
-        dict.set_item("end_type", self.end_type())?;
-        dict.set_item("material", self.material().into_pyobject(py)?)?;
-        dict.set_item("rest_length", p.rest_length)?;
-        dict.set_item("total_windings", p.total_windings)?;
-        dict.set_item("initial_tension", p.initial_tension)?;
-        Ok(dict)
-    }
+getters! {
+    PyGeometry, self;
+    /// What the wire is made of.
+    material: PyMaterial = PyMaterial(*self.0.material());
+    /// n_t: all windings [1].
+    total_windings: f64 = self.0.total_windings();
+    /// C: spring index D/d [1].
+    index: f64 = self.0.index();
+    /// Length with all windings touching, inactive ones included [m].
+    solid_length: f64 = self.0.solid_length();
+    /// Length at which the straight line of force over length crosses zero [m]: l0 - F_0/k.
+    effective_rest_length: f64 = self.0.effective_rest_length();
+    /// k = G d^4 / (8 D^3 n) [N/m]; index above 4, small helix angle.
+    stiffness: f64 = self.0.stiffness();
+    /// Mass of the active windings [kg].
+    active_mass: f64 = self.0.active_mass();
+    /// Mass of all windings [kg].
+    total_mass: f64 = self.0.total_mass();
+    /// f1 of a flat coil with both ends held [Hz].
+    surge_frequency: f64 = self.0.surge_frequency();
+    /// Length of the wire [m], helix angle left out.
+    wire_length: f64 = self.0.wire_length();
+    /// Resistance of the wire [Ohm]; None where the material's resistivity is not known.
+    wire_resistance: Option<f64> = self.0.wire_resistance();
+    /// Wahl's factor for the curvature of the wire [1]. Source: [Wahl1963].
+    wahl_factor: f64 = self.0.wahl_factor();
+}
+
+named_value! {
+    /// The arguments by name, the material as a dict.
+    PyGeometry, self;
+    wire_diameter = self.0.parameters().wire_diameter,
+    coil_diameter = self.0.parameters().coil_diameter,
+    active_windings = self.0.parameters().active_windings,
+    end_type, material,
+    rest_length = self.0.parameters().rest_length,
+    total_windings = self.0.parameters().total_windings,
+    initial_tension = self.0.parameters().initial_tension,
 }
 
 #[pymethods]
@@ -149,78 +165,6 @@ impl PyGeometry {
         ENDS.iter().find(|(_, end)| *end == own).map_or("", |(word, _)| word)
     }
 
-    /// What the wire is made of.
-    #[getter]
-    fn material(&self) -> PyMaterial {
-        PyMaterial(*self.0.material())
-    }
-
-    /// n_t: all windings [1].
-    #[getter]
-    fn total_windings(&self) -> f64 {
-        self.0.total_windings()
-    }
-
-    /// C: spring index D/d [1].
-    #[getter]
-    fn index(&self) -> f64 {
-        self.0.index()
-    }
-
-    /// Length with all windings touching, inactive ones included [m].
-    #[getter]
-    fn solid_length(&self) -> f64 {
-        self.0.solid_length()
-    }
-
-    /// Length at which the straight line of force over length crosses zero [m]: l0 - F_0/k.
-    #[getter]
-    fn effective_rest_length(&self) -> f64 {
-        self.0.effective_rest_length()
-    }
-
-    /// k = G d^4 / (8 D^3 n) [N/m]; index above 4, small helix angle.
-    #[getter]
-    fn stiffness(&self) -> f64 {
-        self.0.stiffness()
-    }
-
-    /// Mass of the active windings [kg].
-    #[getter]
-    fn active_mass(&self) -> f64 {
-        self.0.active_mass()
-    }
-
-    /// Mass of all windings [kg].
-    #[getter]
-    fn total_mass(&self) -> f64 {
-        self.0.total_mass()
-    }
-
-    /// f1 of a flat coil with both ends held [Hz].
-    #[getter]
-    fn surge_frequency(&self) -> f64 {
-        self.0.surge_frequency()
-    }
-
-    /// Length of the wire [m], helix angle left out.
-    #[getter]
-    fn wire_length(&self) -> f64 {
-        self.0.wire_length()
-    }
-
-    /// Resistance of the wire [Ohm]; None where the material's resistivity is not known.
-    #[getter]
-    fn wire_resistance(&self) -> Option<f64> {
-        self.0.wire_resistance()
-    }
-
-    /// Wahl's factor for the curvature of the wire [1]. Source: [Wahl1963].
-    #[getter]
-    fn wahl_factor(&self) -> f64 {
-        self.0.wahl_factor()
-    }
-
     /// Shear stress in the wire, curvature left out.
     ///
     /// Parameters
@@ -249,22 +193,5 @@ impl PyGeometry {
     ///     With Wahl's factor [Pa].
     fn corrected_shear_stress(&self, force: f64) -> f64 {
         self.0.corrected_shear_stress(force)
-    }
-
-    /// The arguments by name, the material as a dict.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        value::plain(&self.arguments(py)?)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Geometry", &self.arguments(py)?)
     }
 }

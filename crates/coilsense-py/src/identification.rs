@@ -2,7 +2,6 @@
 //!
 //! Next door: what was recorded (`recording`), values with intervals (`estimate`).
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use coilsense::FarEnd;
@@ -12,23 +11,18 @@ use coilsense_lab::identification::{Coil, Identified, spec_file};
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::report::{add_identification, identification_json, identification_text};
 use numpy::{IntoPyArray, PyArray1};
+use pyo3::exceptions::PyDeprecationWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, in_python, refused, unknown};
 use crate::estimate::PyEstimate;
-use crate::json;
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, open_share, positive, share};
 use crate::recording::recording;
-use crate::results::{laid_out, plain, save};
+use crate::results::study_result;
 use crate::spring_argument::SpringArgument;
-
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyIdentification>()?;
-    module.add_function(wrap_pyfunction!(identify, module)?)
-}
+use crate::value::getters;
 
 /// What a record says of its spring; made by `identify`. ``str()`` of it is what ``coilsense identify`` prints.
 ///
@@ -40,84 +34,65 @@ pub struct PyIdentification(Arc<Identified>);
 /// Frequencies [Hz] and density [N²/Hz].
 type Density<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
+getters! {
+    PyIdentification, self;
+    /// Whether the spring's own modes ring, in words.
+    verdict: &'static str = self.0.found.verdict.answer.name();
+    /// Why, the weightiest first.
+    evidence: Vec<String> = self.0.found.verdict.evidence.clone();
+    /// What to record next; empty where nothing is missing.
+    record_next: Vec<String> = self.0.found.verdict.next.iter().map(|next| in_python(next)).collect();
+    /// The answer, a sentence each, the verdict first.
+    answer: Vec<String> = coilsense_lab::identification::answer(&self.0).iter().map(|line| in_python(line)).collect();
+    /// f1: frequency of the first mode with both ends held, undamped [Hz].
+    first_frequency: Option<PyEstimate> = estimate(self.0.found.first_frequency);
+    /// ζ: damping ratio of the lowest mode that was found [1].
+    damping_ratio: Option<PyEstimate> = estimate(self.0.found.ratio);
+    /// k: stiffness [N/m].
+    stiffness: Option<PyEstimate> = estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.stiffness));
+    /// Why there is no stiffness; None where there is one.
+    stiffness_refused: Option<String> = self.0.found.stiffness.as_ref().err().cloned();
+    /// Length without force [m]; the position without force where only one end's was recorded.
+    rest_length: Option<PyEstimate> = estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.length_at_zero));
+    /// m: mass of the coil that rings, k τ² [kg].
+    mass: Option<PyEstimate> = estimate(self.0.found.mass);
+    /// τ: how long a wave takes from end to end [s].
+    transit_time: Option<PyEstimate> = estimate(self.0.found.transit_time);
+    /// Mass at end 2 [kg], where end 2 moves with the ringing.
+    end_mass: Option<f64> = self.0.found.end_mass;
+    /// Which mount the modes fit, in words; None without modes.
+    mount: Option<&'static str> = self.0.found.mode_series.map(|series| series.name());
+    /// The lines of the record, lowest frequency first, each a dict under the names of results.json.
+    lines<'py>(py): PyResult<Bound<'py, PyAny>> = self.to_dict(py)?.get_item("lines");
+    /// Times of the hits [s], shape (hits,).
+    hits<'py>(py): Bound<'py, PyArray1<f64>> =
+        self.0.found.hits.iter().map(|hit| hit.time).collect::<Vec<_>>().into_pyarray(py);
+    /// Samples per second [Hz].
+    sample_rate: f64 = self.0.found.sampling.rate;
+}
+
+study_result! {
+    PyIdentification, self;
+    /// Everything, under the names of results.json.
+    to_dict = identification_json(&self.0, None);
+    /// The lines as a data frame of pandas; ``pip install coilsense[pandas]``.
+    to_pandas = "lines_frame";
+    /// Draws the spectrum with its lines by matplotlib; ``pip install coilsense[plot]``.
+    plot = "identification_plot";
+    str = identification_text(&self.0);
+    html = "identification_html";
+    /// Writes what ``coilsense identify --out`` writes: report.html, results.json, figures; all of it or nothing.
+    save(date, output) = add_identification(&self.0, date, output);
+}
+
 #[pymethods]
 impl PyIdentification {
-    /// Whether the spring's own modes ring, in words.
+    /// Times of the hits [s], shape (hits,): the former name of `hits`, until the next release.
     #[getter]
-    fn verdict(&self) -> &'static str {
-        self.0.found.verdict.answer.name()
-    }
-
-    /// Why, the weightiest first.
-    #[getter]
-    fn evidence(&self) -> Vec<String> {
-        self.0.found.verdict.evidence.clone()
-    }
-
-    /// What to record next; empty where nothing is missing.
-    #[getter]
-    fn record_next(&self) -> Vec<String> {
-        self.0.found.verdict.next.iter().map(|next| in_python(next)).collect()
-    }
-
-    /// The answer, a sentence each, the verdict first.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        coilsense_lab::identification::answer(&self.0).iter().map(|line| in_python(line)).collect()
-    }
-
-    /// f1: frequency of the first mode with both ends held, undamped [Hz].
-    #[getter]
-    fn first_frequency(&self) -> Option<PyEstimate> {
-        estimate(self.0.found.first_frequency)
-    }
-
-    /// ζ: damping ratio of the lowest mode that was found [1].
-    #[getter]
-    fn damping_ratio(&self) -> Option<PyEstimate> {
-        estimate(self.0.found.ratio)
-    }
-
-    /// k: stiffness [N/m].
-    #[getter]
-    fn stiffness(&self) -> Option<PyEstimate> {
-        estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.stiffness))
-    }
-
-    /// Why there is no stiffness; None where there is one.
-    #[getter]
-    fn stiffness_refused(&self) -> Option<String> {
-        self.0.found.stiffness.as_ref().err().cloned()
-    }
-
-    /// Length without force [m]; the position without force where only one end's was recorded.
-    #[getter]
-    fn rest_length(&self) -> Option<PyEstimate> {
-        estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.length_at_zero))
-    }
-
-    /// m: mass of the coil that rings, k τ² [kg].
-    #[getter]
-    fn mass(&self) -> Option<PyEstimate> {
-        estimate(self.0.found.mass)
-    }
-
-    /// τ: how long a wave takes from end to end [s].
-    #[getter]
-    fn transit_time(&self) -> Option<PyEstimate> {
-        estimate(self.0.found.transit_time)
-    }
-
-    /// Mass at end 2 [kg], where end 2 moves with the ringing.
-    #[getter]
-    fn end_mass(&self) -> Option<f64> {
-        self.0.found.end_mass
-    }
-
-    /// Which mount the modes fit, in words; None without modes.
-    #[getter]
-    fn mount(&self) -> Option<&'static str> {
-        self.0.found.mode_series.map(|mode_series| mode_series.name())
+    fn taps<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let category = py.get_type::<PyDeprecationWarning>();
+        PyErr::warn(py, &category, c"Identification.taps is called hits now", 1)?;
+        Ok(self.hits(py))
     }
 
     /// Up to which frequencies [Hz] forces can be trusted to a tolerance [1]: a dict, or None where f1 is not known.
@@ -130,18 +105,6 @@ impl PyIdentification {
         dict.set_item("deflection_for_input", trust.deflection_for_input)?;
         dict.set_item("deflection_for_output", trust.deflection_for_output)?;
         Ok(Some(dict))
-    }
-
-    /// The lines of the record, lowest frequency first, each a dict under the names of results.json.
-    #[getter]
-    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.to_dict(py)?.get_item("lines")
-    }
-
-    /// Times of the hits [s], shape (hits,).
-    #[getter]
-    fn hits<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.0.found.hits.iter().map(|hit| hit.time).collect::<Vec<_>>().into_pyarray(py)
     }
 
     /// Power spectral densities of the parts of the forces: for each part frequencies [Hz] and density [N²/Hz], shape (lines,).
@@ -158,12 +121,6 @@ impl PyIdentification {
             dict.set_item(coilsense_lab::identification::part_name(Some(*part)), density)?;
         }
         Ok(dict)
-    }
-
-    /// Samples per second [Hz].
-    #[getter]
-    fn sample_rate(&self) -> f64 {
-        self.0.found.sampling.rate
     }
 
     /// What was found as the text of a spec that `Spec.parse` and ``coilsense analyze`` read.
@@ -213,68 +170,9 @@ impl PyIdentification {
         spec_file(&self.0, &coil).map_err(refused)
     }
 
-    /// Writes what ``coilsense identify --out`` writes: report.html, results.json, figures; all of it or nothing.
-    ///
-    /// Parameters
-    /// ----------
-    /// folder : str or os.PathLike
-    ///     Its other files are left alone.
-    /// date : str, optional
-    ///     What the report carries; without it, today's.
-    ///
-    /// Returns
-    /// -------
-    /// int
-    ///     How many files.
-    #[pyo3(signature = (folder, date=None))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
-        save(py, &folder, date, |date, output| add_identification(&self.0, date, output))
-    }
-
-    /// Everything, under the names of results.json.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        json::loads(py, identification_json(&self.0, None))
-    }
-
-    /// The lines as a data frame of pandas; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "lines_frame", (slf,))
-    }
-
-    /// Draws the spectrum with its lines by matplotlib; ``pip install coilsense[plot]``.
-    ///
-    /// Parameters
-    /// ----------
-    /// axes : matplotlib.axes.Axes, optional
-    ///     Where; without it, in a new figure.
-    ///
-    /// Returns
-    /// -------
-    /// matplotlib.axes.Axes
-    #[pyo3(signature = (axes=None))]
-    fn plot<'py>(slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "identification_plot", (slf, axes))
-    }
-
-    fn __str__(&self) -> String {
-        plain(&identification_text(&self.0))
-    }
-
     fn __repr__(&self) -> String {
         let first = self.0.found.first_frequency.map_or(String::new(), |first| format!(", f1={} Hz", first.value));
         format!("<Identification of {}: {}{first}>", self.0.file, self.verdict())
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "identification_html", (slf,))
     }
 }
 
@@ -330,7 +228,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 #[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, prediction_tolerance=0.05,
                     tolerance=0.01, accuracy_force=0.0, accuracy_position=0.0))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn identify(
+pub fn identify(
     py: Python<'_>,
     record: &Bound<'_, PyAny>,
     spring: Option<SpringArgument<'_>>,

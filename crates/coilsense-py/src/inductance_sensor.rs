@@ -12,13 +12,7 @@ use crate::errors::IntoPython;
 use crate::maxwell_sum::PyMaxwellSum;
 use crate::series::Series;
 use crate::spring::PySpring;
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the class and the function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyInductanceSensor>()?;
-    module.add_function(wrap_pyfunction!(theories, module)?)
-}
+use crate::value::{getters, named_value};
 
 /// A meter of L with a calibration: L in, F_L out.
 ///
@@ -57,14 +51,22 @@ impl PyInductanceSensor {
     fn of(spring: &Spring, calibration: Calibration) -> Self {
         Self { sensor: InductanceSensor::new(spring, calibration), spring: spring.clone() }
     }
+}
 
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
-        dict.set_item("alpha", self.alpha())?;
-        dict.set_item("beta", self.beta())?;
-        Ok(dict)
-    }
+getters! {
+    PyInductanceSensor, self;
+    /// The spring that it is on.
+    spring: PySpring = PySpring(self.spring.clone());
+    /// Of eq. (13) [1/(H m)].
+    alpha: f64 = self.sensor.calibration().alpha();
+    /// Of eq. (13) [1/m].
+    beta: f64 = self.sensor.calibration().beta();
+}
+
+named_value! {
+    /// The arguments by name, the spring as a dict.
+    PyInductanceSensor, self;
+    spring, alpha, beta,
 }
 
 #[pymethods]
@@ -92,24 +94,6 @@ impl PyInductanceSensor {
         Ok(Self::of(&coil.spring, fitted.python()?))
     }
 
-    /// The spring that it is on.
-    #[getter]
-    fn spring(&self) -> PySpring {
-        PySpring(self.spring.clone())
-    }
-
-    /// Of eq. (13) [1/(H m)].
-    #[getter]
-    fn alpha(&self) -> f64 {
-        self.sensor.calibration().alpha()
-    }
-
-    /// Of eq. (13) [1/m].
-    #[getter]
-    fn beta(&self) -> f64 {
-        self.sensor.calibration().beta()
-    }
-
     /// F_L.
     ///
     /// Parameters
@@ -125,28 +109,11 @@ impl PyInductanceSensor {
         self.sensor.force(&inductance.values()).into_pyarray(py)
     }
 
-    /// The arguments by name, the spring as a dict.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        value::plain(&self.arguments(py)?)
-    }
-
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         other.cast::<Self>().is_ok_and(|other| {
             let other = other.get();
             self.spring == other.spring && (self.alpha(), self.beta()) == (other.alpha(), other.beta())
         })
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("InductanceSensor", &self.arguments(py)?)
     }
 }
 
@@ -176,7 +143,7 @@ impl PyInductanceSensor {
 /// >>> all(2.7e-6 < L[0] < 3.1e-6 for L in found.values()), len(found)
 /// (True, 9)
 #[pyfunction]
-fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) -> PyResult<Bound<'py, PyDict>> {
+pub fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) -> PyResult<Bound<'py, PyDict>> {
     let (coil, lengths) = (Coil::of(&spring.0).python()?, lengths.values());
     let dict = PyDict::new(py);
     for theory in Theory::ALL {

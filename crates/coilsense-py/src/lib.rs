@@ -1,7 +1,7 @@
 //! The Python module `coilsense._coilsense`: a thin door to the science and to the lab, one file a noun, the same names.
 //!
 //! Documentation comments of what Python sees are its docstrings, in NumPy's style. What is Python's own business (pandas, xarray, matplotlib,
-//! Dask) is Python code in `python/coilsense`; type stubs are `python/coilsense/_coilsense.pyi`.
+//! Dask) is Python code in `python/coilsense`; its type stubs are written from here by `cargo xtask stubs`.
 //!
 //! Rules of this door: arguments are named as in Rust; arrays come in borrowed and go out moved; the interpreter's lock is let go while
 //! something is computed; a value can be compared, printed, turned into a dict and pickled ([`value`]); errors have Rust's text ([`errors`]).
@@ -54,39 +54,55 @@ use errors::IntoPython;
 
 /// The compiled part of coilsense; import ``coilsense`` instead.
 #[pymodule]
-fn _coilsense(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-    module.add_function(wrap_pyfunction!(simd_path, module)?)?;
-    errors::register(module)?;
-    spring::register(module)?;
-    excitation::register(module)?;
-    geometry::register(module)?;
-    neighbours::register(module)?;
-    mount::register(module)?;
-    modes::register(module)?;
-    motion::register(module)?;
-    stream::register(module)?;
-    windings::register(module)?;
-    signals::register(module)?;
-    two_port::register(module)?;
-    readout::register(module)?;
-    two_encoder::register(module)?;
-    measures::register(module)?;
-    spec::register(module)?;
-    analysis::register(module)?;
-    maxwell_sum::register(module)?;
-    second_order::register(module)?;
-    inductance_sensor::register(module)?;
-    estimate::register(module)?;
-    recording::register(module)?;
-    calibration::register(module)?;
-    identification::register(module)?;
-    experiment::register(module)?;
-    mitigation::register(module)?;
-    placement::register(module)?;
-    sweep::register(module)?;
-    // What is public is said once, by the package beside this module.
-    module.delattr("__all__")
+mod _coilsense {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::{
+        analysis::{PyAnalysis, PyCase, py_analyze, py_simulate},
+        calibration::{PyCalibration, calibrate},
+        errors::{AnalysisError, Error, LogError, OutputError, SpecError, SweepError},
+        estimate::PyEstimate,
+        excitation::{PyEndInput, PyExcitation, PyStart, py_traverse_velocity},
+        experiment::{PyExperiment, experiment, rig},
+        geometry::{PyGeometry, PyMaterial, material::materials},
+        identification::{PyIdentification, identify},
+        inductance_sensor::{PyInductanceSensor, theories},
+        maxwell_sum::PyMaxwellSum,
+        measures::{PyClash, PyDeviation, spectrum::PySpectrum, spectrum::py_alias_of},
+        mitigation::{PyMitigation, PyRemedy, mitigate},
+        modes::{
+            PyChainModes, py_continuous_frequencies, py_continuous_frequency, py_third_rule_error,
+            py_third_rule_frequency,
+        },
+        motion::PyMotion,
+        mount::{PyDamping, PyFarEnd, PyMount},
+        neighbours::{buckling_force, lateral_frequency, torsional_frequency},
+        placement::{PyPlacement, placement},
+        readout::PyReadout,
+        recording::{PyRecording, open_log},
+        second_order::{PySecondOrder, py_mutual_inductances},
+        signals::{PySignals, py_sampled_window},
+        simd_path,
+        spec::{PyCondition, PySpec},
+        spring::PySpring,
+        stream::{PyLive, PyStream},
+        sweep::{
+            dataset::PySweepDataset, pareto::PyPareto, pareto::pareto, plan::PySweepPlan, sensitivity::PySensitivity,
+            sensitivity::sensitivity,
+        },
+        two_encoder::PyTwoEncoder,
+        two_port::{PyLoad, PyTwoPort},
+        windings::PyWindings,
+    };
+
+    /// What is no class and no function.
+    #[pymodule_init]
+    fn complete(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        // What is public is said once, by the package beside this module.
+        module.delattr("__all__")
+    }
 }
 
 /// The vector instructions that the kernels of this process use.

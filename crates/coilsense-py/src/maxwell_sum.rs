@@ -5,18 +5,12 @@
 use coilsense::inductance::{MaxwellSum, SelfDistance};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython, unknown};
 use crate::series::Series;
 use crate::spring::PySpring;
-use crate::value::{self, Arguments, NewArguments};
+use crate::value::{getters, named_value};
 use crate::windings::PyWindings;
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMaxwellSum>()
-}
 
 /// Words for the self distance.
 const DISTANCES: [(&str, SelfDistance); 2] =
@@ -49,13 +43,18 @@ pub struct PyMaxwellSum {
     distance: &'static str,
 }
 
-impl PyMaxwellSum {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
-        dict.set_item("self_distance", self.distance)?;
-        Ok(dict)
-    }
+getters! {
+    PyMaxwellSum, self;
+    /// The spring.
+    spring: PySpring = PySpring(self.spring.clone());
+    /// What distance a ring's own inductance takes.
+    self_distance: &'static str = self.distance;
+}
+
+named_value! {
+    /// Its arguments by name.
+    PyMaxwellSum, self;
+    spring, self_distance,
 }
 
 #[pymethods]
@@ -67,18 +66,6 @@ impl PyMaxwellSum {
         let known = DISTANCES.map(|(word, _)| word);
         let (distance, kind) = found.ok_or_else(|| unknown("self_distance", &known, self_distance))?;
         Ok(Self { sum: MaxwellSum::new(&spring.0, kind), spring: spring.0.clone(), distance })
-    }
-
-    /// The spring.
-    #[getter]
-    fn spring(&self) -> PySpring {
-        PySpring(self.spring.clone())
-    }
-
-    /// What distance a ring's own inductance takes.
-    #[getter]
-    fn self_distance(&self) -> &'static str {
-        self.distance
     }
 
     /// The inductance of windings spread uniformly over lengths.
@@ -142,26 +129,9 @@ impl PyMaxwellSum {
         Ok(py.detach(|| self.sum.series(&windings)).into_pyarray(py))
     }
 
-    /// Its arguments by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        value::plain(&self.arguments(py)?)
-    }
-
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         other
             .cast::<Self>()
             .is_ok_and(|other| (&other.get().spring, other.get().distance) == (&self.spring, self.distance))
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("MaxwellSum", &self.arguments(py)?)
     }
 }

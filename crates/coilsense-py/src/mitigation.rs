@@ -15,20 +15,13 @@ use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, refused, unknown};
-use crate::json;
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, finite, positive};
 use crate::recording::recording;
-use crate::results::{laid_out, plain, save};
+use crate::results::{save, study_result};
 use crate::spec_argument::SpecArgument;
-use remedy::PyRemedy;
-
-/// Adds classes and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMitigation>()?;
-    module.add_class::<PyRemedy>()?;
-    module.add_function(wrap_pyfunction!(mitigate, module)?)
-}
+use crate::value::getters;
+pub use remedy::PyRemedy;
 
 /// In which numbers the target computes, by its word.
 fn precision(word: &str) -> PyResult<Precision> {
@@ -50,56 +43,41 @@ pub struct PyMitigation {
     spec: Spec,
 }
 
+getters! {
+    PyMitigation, self;
+    /// The remedies, best first by their worst case; filters of F_i, then estimators of F_o.
+    remedies: Vec<PyRemedy> = (0..self.answer.judged.len()).map(|place| PyRemedy::of(&self.answer, place)).collect();
+    /// The remedies as dicts under the names of results.json, errors in N, angles in degrees as their names say.
+    ranking<'py>(py): PyResult<Bound<'py, PyAny>> = self.to_dict(py)?.get_item("candidates");
+    /// What cannot be, and why: name and reason.
+    left_out: Vec<(String, String)> =
+        self.answer.left_out.iter().map(|left| (left.name.clone(), left.reason.clone())).collect();
+    /// The best filter of F_i that is not too late; where all are too late, the least late. None without filters.
+    best_filter: Option<PyRemedy> = self.best(Truth::Static);
+    /// The best estimator of F_o that is not too late. None without estimators.
+    best_estimator: Option<PyRemedy> = self.best(Truth::Output);
+    /// How often the controller samples [Hz].
+    rate: f64 = self.answer.study.rate;
+    /// White noise of F_i [N rms].
+    noise: f64 = self.answer.study.noise;
+    /// Up to which frequency the force moves by itself [Hz].
+    bandwidth: f64 = self.answer.study.bandwidth;
+}
+
+study_result! {
+    PyMitigation, self;
+    /// Everything, under the names of results.json.
+    to_dict = mitigation_json(&self.answer);
+    /// The ranking as a data frame of pandas; ``pip install coilsense[pandas]``.
+    to_pandas = "ranking_frame";
+    /// Draws worst errors over lags with matplotlib, the best marked; ``pip install coilsense[plot]``.
+    plot = "mitigation_plot";
+    str = mitigation_text(&self.answer);
+    html = "mitigation_html";
+}
+
 #[pymethods]
 impl PyMitigation {
-    /// The remedies, best first by their worst case; filters of F_i, then estimators of F_o.
-    #[getter]
-    fn remedies(&self) -> Vec<PyRemedy> {
-        (0..self.answer.judged.len()).map(|place| PyRemedy::of(&self.answer, place)).collect()
-    }
-
-    /// The remedies as dicts under the names of results.json, errors in N, angles in degrees as their names say.
-    #[getter]
-    fn ranking<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.to_dict(py)?.get_item("candidates")
-    }
-
-    /// What cannot be, and why: name and reason.
-    #[getter]
-    fn left_out(&self) -> Vec<(String, String)> {
-        self.answer.left_out.iter().map(|left| (left.name.clone(), left.reason.clone())).collect()
-    }
-
-    /// The best filter of F_i that is not too late; where all are too late, the least late. None without filters.
-    #[getter]
-    fn best_filter(&self) -> Option<PyRemedy> {
-        self.best(Truth::Static)
-    }
-
-    /// The best estimator of F_o that is not too late. None without estimators.
-    #[getter]
-    fn best_estimator(&self) -> Option<PyRemedy> {
-        self.best(Truth::Output)
-    }
-
-    /// How often the controller samples [Hz].
-    #[getter]
-    fn rate(&self) -> f64 {
-        self.answer.study.rate
-    }
-
-    /// White noise of F_i [N rms].
-    #[getter]
-    fn noise(&self) -> f64 {
-        self.answer.study.noise
-    }
-
-    /// Up to which frequency the force moves by itself [Hz].
-    #[getter]
-    fn bandwidth(&self) -> f64 {
-        self.answer.study.bandwidth
-    }
-
     /// Writes what ``coilsense mitigate --out`` writes: report.html, results.json, the trade-off as a figure, settings as JSON, C and Rust.
     ///
     /// Parameters
@@ -121,39 +99,6 @@ impl PyMitigation {
         save(py, &folder, date, |date, output| add_mitigation(&self.answer, &self.spec, date, precision, output))
     }
 
-    /// Everything, under the names of results.json.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        json::loads(py, mitigation_json(&self.answer))
-    }
-
-    /// The ranking as a data frame of pandas; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "ranking_frame", (slf,))
-    }
-
-    /// Draws worst errors over lags with matplotlib, the best marked; ``pip install coilsense[plot]``.
-    ///
-    /// Parameters
-    /// ----------
-    /// axes : matplotlib.axes.Axes, optional
-    ///     Where; without it, in a new figure.
-    ///
-    /// Returns
-    /// -------
-    /// matplotlib.axes.Axes
-    #[pyo3(signature = (axes=None))]
-    fn plot<'py>(slf: &Bound<'py, Self>, axes: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "mitigation_plot", (slf, axes))
-    }
-
     fn __len__(&self) -> usize {
         self.answer.judged.len()
     }
@@ -167,18 +112,10 @@ impl PyMitigation {
         Ok(PyRemedy::of(&self.answer, at.ok_or_else(beyond)?))
     }
 
-    fn __str__(&self) -> String {
-        plain(&mitigation_text(&self.answer))
-    }
-
     fn __repr__(&self) -> String {
         let name = |remedy: Option<PyRemedy>| remedy.map_or("none".to_owned(), |remedy| remedy.name().to_owned());
         let (filter, estimator) = (name(self.best_filter()), name(self.best_estimator()));
         format!("<Mitigation of {} remedies: filter {filter}, estimator {estimator}>", self.__len__())
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "mitigation_html", (slf,))
     }
 }
 
@@ -227,7 +164,7 @@ impl PyMitigation {
 #[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1,
                     mass_tolerance=0.1, most_lag=None, seeds=5))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn mitigate(
+pub fn mitigate(
     py: Python<'_>,
     spec: SpecArgument<'_>,
     record: Option<Bound<'_, PyAny>>,

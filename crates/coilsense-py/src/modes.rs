@@ -12,16 +12,7 @@ use pyo3::types::PyDict;
 use crate::errors::{Error, IntoPython};
 use crate::mount::PyFarEnd;
 use crate::spring::PySpring;
-use crate::value::Arguments;
-
-/// Adds the class and the functions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyChainModes>()?;
-    module.add_function(wrap_pyfunction!(py_continuous_frequency, module)?)?;
-    module.add_function(wrap_pyfunction!(py_continuous_frequencies, module)?)?;
-    module.add_function(wrap_pyfunction!(py_third_rule_frequency, module)?)?;
-    module.add_function(wrap_pyfunction!(py_third_rule_error, module)?)
-}
+use crate::value::{Arguments, getters};
 
 /// The modes of the paper's chain of N winding masses on its mount, lowest first.
 ///
@@ -47,6 +38,20 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(PartialEq)]
 pub struct PyChainModes(pub ChainModes);
 
+getters! {
+    PyChainModes, self;
+    /// How many modes there are: N, and one more with an end mass.
+    count: usize = self.0.count();
+    /// N: winding masses.
+    masses: usize = self.0.masses();
+    /// What end 2 is tied to.
+    far_end: PyFarEnd = PyFarEnd(self.0.far_end());
+    /// omega_j [rad/s], shape (count,).
+    frequencies<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.frequencies());
+    /// How far end 2 moves in each mode, in units of its shape, shape (count,); zero where its position is prescribed.
+    end_shapes<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.end_shapes());
+}
+
 #[pymethods]
 impl PyChainModes {
     #[new]
@@ -54,36 +59,6 @@ impl PyChainModes {
     fn new(py: Python<'_>, spring: &PySpring, far_end: Option<PyRef<'_, PyFarEnd>>) -> Self {
         let far_end = far_end.map_or_else(Default::default, |far_end| far_end.0);
         Self(py.detach(|| ChainModes::mounted(&spring.0, far_end)))
-    }
-
-    /// How many modes there are: N, and one more with an end mass.
-    #[getter]
-    fn count(&self) -> usize {
-        self.0.count()
-    }
-
-    /// N: winding masses.
-    #[getter]
-    fn masses(&self) -> usize {
-        self.0.masses()
-    }
-
-    /// What end 2 is tied to.
-    #[getter]
-    fn far_end(&self) -> PyFarEnd {
-        PyFarEnd(self.0.far_end())
-    }
-
-    /// omega_j [rad/s], shape (count,).
-    #[getter]
-    fn frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.frequencies())
-    }
-
-    /// How far end 2 moves in each mode, in units of its shape, shape (count,); zero where its position is prescribed.
-    #[getter]
-    fn end_shapes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.end_shapes())
     }
 
     /// Shape of one mode at every winding.
@@ -148,7 +123,7 @@ impl PyChainModes {
 /// -----
 /// Source: [Weijde2017] eq. 3.
 #[pyfunction(name = "continuous_frequency")]
-fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
+pub fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
     if mode == 0 || transit_time.is_nan() || transit_time <= 0.0 {
         return Err(Error::new_err(format!(
             "transit time must be above zero and mode at least 1, got {transit_time} s and {mode}"
@@ -178,7 +153,7 @@ fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
 /// Error
 ///     For an end mass that is not above zero, or a count that is not from 1 to a million.
 #[pyfunction(name = "continuous_frequencies")]
-fn py_continuous_frequencies<'py>(
+pub fn py_continuous_frequencies<'py>(
     py: Python<'py>,
     spring: &PySpring,
     far_end: &PyFarEnd,
@@ -201,7 +176,7 @@ fn py_continuous_frequencies<'py>(
 /// float
 ///     sqrt(k / (M + m/3)) [rad/s].
 #[pyfunction(name = "third_rule_frequency")]
-fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
+pub fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
     third_rule_frequency(&spring.0, end_mass).python()
 }
 
@@ -219,6 +194,6 @@ fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
 /// float
 ///     As a share of the frequency [1].
 #[pyfunction(name = "third_rule_error")]
-fn py_third_rule_error(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
+pub fn py_third_rule_error(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
     third_rule_error(&spring.0, end_mass).python()
 }

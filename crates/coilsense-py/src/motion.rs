@@ -16,13 +16,8 @@ use crate::series::{Series, rows};
 use crate::signals::PySignals;
 use crate::spring::PySpring;
 use crate::stream::PyStream;
-use crate::value::{self, Arguments};
+use crate::value::{self, Arguments, getters};
 use crate::windings::PyWindings;
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyMotion>()
-}
 
 /// Forces at both ends.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
@@ -84,6 +79,20 @@ impl PyMotion {
     }
 }
 
+getters! {
+    PyMotion, self;
+    /// The spring that moves.
+    spring: PySpring = PySpring(self.0.spring().clone());
+    /// What is done to it.
+    excitation: PyExcitation = PyExcitation(self.0.excitation().clone());
+    /// What its end 2 is tied to, and its damping.
+    mount: PyMount = PyMount(self.0.mount().clone());
+    /// Its modes.
+    modes: PyChainModes = PyChainModes(self.chain().first(self.0.modes().count()));
+    /// How far F_i and F_o of a truncated motion can be from those of all modes [N], as a tuple; zero where none is left out.
+    truncation_bound: (f64, f64) = self.0.truncation_bound().into();
+}
+
 #[pymethods]
 impl PyMotion {
     #[new]
@@ -96,30 +105,6 @@ impl PyMotion {
     ) -> PyResult<Self> {
         let mount = mount.map_or_else(Mount::default, |mount| mount.0.clone());
         py.detach(|| Motion::mounted(&spring.0, &mount, &excitation.0)).python().map(Self)
-    }
-
-    /// The spring that moves.
-    #[getter]
-    fn spring(&self) -> PySpring {
-        PySpring(self.0.spring().clone())
-    }
-
-    /// What is done to it.
-    #[getter]
-    fn excitation(&self) -> PyExcitation {
-        PyExcitation(self.0.excitation().clone())
-    }
-
-    /// What its end 2 is tied to, and its damping.
-    #[getter]
-    fn mount(&self) -> PyMount {
-        PyMount(self.0.mount().clone())
-    }
-
-    /// Its modes.
-    #[getter]
-    fn modes(&self) -> PyChainModes {
-        PyChainModes(self.chain().first(self.0.modes().count()))
     }
 
     /// Forces at both ends, tension positive.
@@ -249,12 +234,6 @@ impl PyMotion {
     /// Source: mode-acceleration method. Valid for inputs that are slow against the first mode left out.
     fn truncated(&self, py: Python<'_>, modes: usize) -> PyResult<Self> {
         py.detach(|| self.0.truncated(modes)).python().map(Self)
-    }
-
-    /// How far F_i and F_o of a truncated motion can be from those of all modes [N], as a tuple; zero where none is left out.
-    #[getter]
-    fn truncation_bound(&self) -> (f64, f64) {
-        self.0.truncation_bound().into()
     }
 
     /// Forces at t = 0, h, 2h, ... in constant memory, without end.

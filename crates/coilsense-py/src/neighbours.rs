@@ -8,13 +8,6 @@ use pyo3::prelude::*;
 use crate::errors::IntoPython;
 use crate::geometry::PyGeometry;
 
-/// Adds the functions to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(torsional_frequency, module)?)?;
-    module.add_function(wrap_pyfunction!(lateral_frequency, module)?)?;
-    module.add_function(wrap_pyfunction!(buckling_force, module)?)
-}
-
 /// First frequency at which the windings turn about the spring's axis, both ends held.
 ///
 /// Parameters
@@ -47,7 +40,7 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 /// >>> round(coilsense.torsional_frequency(coil, 0.065), 1)
 /// 61.0
 #[pyfunction]
-fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
+pub fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
     neighbours::torsional_frequency(&geometry.0, mass).python()
 }
 
@@ -79,7 +72,7 @@ fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
 /// The coil as a column that bends and shears, under the axial force. An estimate: ends that may tilt, no coupling with the axial motion.
 /// Source: [Haringx1948].
 #[pyfunction]
-fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f64) -> PyResult<f64> {
+pub fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f64) -> PyResult<f64> {
     neighbours::lateral_frequency(&geometry.0, mass, length, force).python()
 }
 
@@ -106,6 +99,6 @@ fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f64) 
 /// -----
 /// P (1 + P/S) = B pi^2 / l^2, with the bending and shear stiffness B and S of `lateral_frequency`, which is zero there. Source: [Haringx1948].
 #[pyfunction]
-fn buckling_force(geometry: &PyGeometry, length: f64) -> PyResult<f64> {
+pub fn buckling_force(geometry: &PyGeometry, length: f64) -> PyResult<f64> {
     neighbours::buckling_force(&geometry.0, length).python()
 }

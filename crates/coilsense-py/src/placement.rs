@@ -2,7 +2,6 @@
 //!
 //! Next door: the spec, whose table `[control]` describes the loop (`spec_argument`).
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use coilsense_lab::placement::{Judged, Placement};
@@ -11,16 +10,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::refused;
-use crate::json;
 use crate::long_work::interruptible;
-use crate::results::{laid_out, plain, save};
+use crate::results::study_result;
 use crate::spec_argument::SpecArgument;
-
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyPlacement>()?;
-    module.add_function(wrap_pyfunction!(placement, module)?)
-}
+use crate::value::getters;
 
 /// Every force judged as the one that is fed back; made by `placement`. ``str()`` of it is what ``coilsense placement`` prints.
 ///
@@ -29,39 +22,37 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(PartialEq)]
 pub struct PyPlacement(Arc<Placement>);
 
-#[pymethods]
-impl PyPlacement {
+getters! {
+    PyPlacement, self;
     /// The answer, a sentence each.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        coilsense_lab::placement::answer(&self.0)
-    }
-
+    answer: Vec<String> = coilsense_lab::placement::answer(&self.0);
     /// The force to feed back: that of the fastest loop with a sensitivity of at most 2 at every damping in which neither end force rises
     /// above 3 times its static answer.
-    #[getter]
-    fn feed_back(&self) -> &'static str {
-        self.0.candidates[self.0.best].channel.name()
-    }
-
+    feed_back: &'static str = self.0.candidates[self.0.best].channel.name();
     /// The loop's crossover as it is set, with a spring without mass [Hz].
-    #[getter]
-    fn crossover(&self) -> f64 {
-        self.0.crossover
-    }
-
+    crossover: f64 = self.0.crossover;
     /// The proportional gain that makes it so, in command units per N.
-    #[getter]
-    fn gain(&self) -> f64 {
-        self.0.gain
-    }
-
+    gain: f64 = self.0.gain;
     /// The drive's command unit.
-    #[getter]
-    fn command_unit(&self) -> &'static str {
-        self.0.control.drive.command_unit()
-    }
+    command_unit: &'static str = self.0.control.drive.command_unit();
+    /// Whether the sampled loop over time turned unstable where predicted; None where there is no limit, or no run.
+    confirmed: Option<bool> = self.0.confirmed;
+}
 
+study_result! {
+    PyPlacement, self;
+    /// Everything, under the names of results.json; None stands for what is without bound.
+    to_dict = placement_json(&self.0);
+    /// The limits as a data frame of pandas; ``pip install coilsense[pandas]``.
+    to_pandas = "limits_frame";
+    str = placement_text(&self.0);
+    html = "placement_html";
+    /// Writes what ``coilsense placement --out`` writes: report.html and results.json; all of it or nothing.
+    save(date, output) = add_placement(&self.0, date, output);
+}
+
+#[pymethods]
+impl PyPlacement {
     /// The limits of each force and, behind estimators, of each estimate: (stable, robust) crossover [Hz] by name.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -89,52 +80,6 @@ impl PyPlacement {
         Ok(dict)
     }
 
-    /// Whether the sampled loop over time turned unstable where predicted; None where there is no limit, or no run.
-    #[getter]
-    fn confirmed(&self) -> Option<bool> {
-        self.0.confirmed
-    }
-
-    /// Writes what ``coilsense placement --out`` writes: report.html and results.json; all of it or nothing.
-    ///
-    /// Parameters
-    /// ----------
-    /// folder : str or os.PathLike
-    ///     Its other files are left alone.
-    /// date : str, optional
-    ///     What the report carries; without it, today's.
-    ///
-    /// Returns
-    /// -------
-    /// int
-    ///     How many files.
-    #[pyo3(signature = (folder, date=None))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
-        save(py, &folder, date, |date, output| add_placement(&self.0, date, output))
-    }
-
-    /// Everything, under the names of results.json; None stands for what is without bound.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        json::loads(py, placement_json(&self.0))
-    }
-
-    /// The limits as a data frame of pandas; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "limits_frame", (slf,))
-    }
-
-    fn __str__(&self) -> String {
-        plain(&placement_text(&self.0))
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "<Placement of {}: feed back {}, crossover {} Hz>",
@@ -142,10 +87,6 @@ impl PyPlacement {
             self.feed_back(),
             self.0.crossover
         )
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "placement_html", (slf,))
     }
 }
 
@@ -183,7 +124,7 @@ fn margins<'py>(py: Python<'py>, judged: &Judged, damping: &str) -> PyResult<Bou
 /// Error
 ///     For a spec without [control], or without damping.
 #[pyfunction]
-fn placement(py: Python<'_>, spec: SpecArgument<'_>) -> PyResult<PyPlacement> {
+pub fn placement(py: Python<'_>, spec: SpecArgument<'_>) -> PyResult<PyPlacement> {
     let spec = spec.spec(py)?;
     let placement = interruptible(py, move || Placement::of(spec))?.map_err(refused)?;
     Ok(PyPlacement(Arc::new(placement)))

@@ -6,16 +6,10 @@ use coilsense::sensors::{Readout, ReadoutParameters};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::series::Series;
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyReadout>()
-}
+use crate::value::named_value;
 
 /// What an instrument makes of a quantity: low-pass, delay, averaging, sampling, noise, resolution.
 ///
@@ -51,19 +45,16 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[derive(PartialEq)]
 pub struct PyReadout(Readout);
 
-impl PyReadout {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let p = self.0.parameters();
-        let dict = PyDict::new(py);
-        dict.set_item("bandwidth", p.bandwidth)?;
-        dict.set_item("order", p.order)?;
-        dict.set_item("delay", p.delay)?;
-        dict.set_item("averaging", p.averaging)?;
-        dict.set_item("sample_rate", p.sample_rate)?;
-        dict.set_item("noise", p.noise)?;
-        dict.set_item("resolution", p.resolution)?;
-        Ok(dict)
-    }
+named_value! {
+    /// The settings by name.
+    PyReadout, self;
+    bandwidth = self.0.parameters().bandwidth,
+    order = self.0.parameters().order,
+    delay = self.0.parameters().delay,
+    averaging = self.0.parameters().averaging,
+    sample_rate = self.0.parameters().sample_rate,
+    noise = self.0.parameters().noise,
+    resolution = self.0.parameters().resolution,
 }
 
 #[pymethods]
@@ -155,22 +146,5 @@ impl PyReadout {
     #[getter]
     fn bandwidth_3db(&self) -> f64 {
         self.0.bandwidth_3db()
-    }
-
-    /// The settings by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.arguments(py)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Readout", &self.arguments(py)?)
     }
 }

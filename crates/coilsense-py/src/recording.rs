@@ -15,12 +15,7 @@ use crate::long_work::interruptible;
 use crate::quantity::Quantity;
 use crate::results::laid_out;
 use crate::signals::{PySignals, channel};
-
-/// Adds class and function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyRecording>()?;
-    module.add_function(wrap_pyfunction!(open_log, module)?)
-}
+use crate::value::getters;
 
 /// Signals that were recorded, with an account of where they come from; made by `open_log`, or of signals in memory.
 ///
@@ -58,30 +53,28 @@ impl ClockArgument {
     }
 }
 
+getters! {
+    PyRecording, self;
+    /// What was recorded, copied.
+    signals<'py>(py): PySignals = PySignals::of(py, self.0.signals().clone());
+    /// What became of every row: a line each, as ``coilsense import`` prints them.
+    account: Vec<String> = self.0.account().lines();
+    /// The file, or the name it was given.
+    file: String = self.0.account().file.display().to_string();
+    /// Comment lines and what else stands above the rows.
+    remarks: Vec<String> = self.0.remarks().to_vec();
+    /// What the log says of its being simulated; None where it does not.
+    simulated: Option<&str> = self.0.simulated();
+    /// Samples per second [Hz]; a LogError where the clock is not even.
+    sample_rate: PyResult<f64> = self.0.sample_rate().python();
+}
+
 #[pymethods]
 impl PyRecording {
     #[new]
     #[pyo3(signature = (signals, name="signals"))]
     fn new(py: Python<'_>, signals: &PySignals, name: &str) -> PyResult<Self> {
         Ok(Self(Recording::of_signals(name, signals.to_rust(py)?)))
-    }
-
-    /// What was recorded, copied.
-    #[getter]
-    fn signals(&self, py: Python<'_>) -> PySignals {
-        PySignals::of(py, self.0.signals().clone())
-    }
-
-    /// What became of every row: a line each, as ``coilsense import`` prints them.
-    #[getter]
-    fn account(&self) -> Vec<String> {
-        self.0.account().lines()
-    }
-
-    /// The file, or the name it was given.
-    #[getter]
-    fn file(&self) -> String {
-        self.0.account().file.display().to_string()
     }
 
     /// Rows by what became of them: "read", "kept", "added in gaps", and each reason for which some were left out.
@@ -96,24 +89,6 @@ impl PyRecording {
         dict.set_item("added in gaps", account.filled_rows)?;
         dict.set_item("kept", account.rows)?;
         Ok(dict)
-    }
-
-    /// Comment lines and what else stands above the rows.
-    #[getter]
-    fn remarks(&self) -> Vec<String> {
-        self.0.remarks().to_vec()
-    }
-
-    /// What the log says of its being simulated; None where it does not.
-    #[getter]
-    fn simulated(&self) -> Option<&str> {
-        self.0.simulated()
-    }
-
-    /// Samples per second [Hz]; a LogError where the clock is not even.
-    #[getter]
-    fn sample_rate(&self) -> PyResult<f64> {
-        self.0.sample_rate().python()
     }
 
     /// The same with the channels of a second device, which has a clock of its own.
@@ -260,7 +235,7 @@ impl PyRecording {
 #[pyo3(signature = (path, columns=None, units=None, *, mapping=None, preset=None, sample_rate=None, drop_incomplete=false,
                     sort=false, merge_repeated=false, fill_gaps=None, resample=None, from_=None, to=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
-fn open_log(
+pub fn open_log(
     py: Python<'_>,
     path: PathBuf,
     columns: Option<Bound<'_, PyDict>>,

@@ -1,6 +1,7 @@
 //! What results of the lab have in common: the command's text, its files, and how Python lays them out.
 //!
-//! Next door: JSON as a dict (`json`), the results (`identification`, `calibration`, `experiment`, `mitigation`, `placement`).
+//! Next door: JSON as a dict (`json`), what values have in common (`value`), the results (`identification`, `calibration`, `experiment`,
+//! `mitigation`, `placement`, `sweep`).
 
 use std::path::Path;
 
@@ -10,6 +11,122 @@ use pyo3::prelude::*;
 
 use crate::analysis::day;
 use crate::errors::IntoPython;
+
+/// What a study's result lets a user do with it, under one name everywhere: `to_dict`, `to_pandas`, `plot`, `str()`, what a notebook shows,
+/// and `save`.
+///
+/// Lines of documentation are the methods' own; tables, figures and pages are functions of the Python code beside this module. A result
+/// without a figure leaves out `plot`; one that is saved with other arguments leaves out `save` and has its own.
+///
+/// ```text
+/// study_result! {
+///     PyPlacement, self;
+///     /// Everything, under the names of results.json.
+///     to_dict = placement_json(&self.0);
+///     /// The limits as a data frame of pandas; ``pip install coilsense[pandas]``.
+///     to_pandas = "limits_frame";
+///     str = placement_text(&self.0);
+///     html = "placement_html";
+///     /// Writes what ``coilsense placement --out`` writes: report.html and results.json; all of it or nothing.
+///     save(date, output) = add_placement(&self.0, date, output);
+/// }
+/// ```
+macro_rules! study_result {
+    (
+        $class:ident, $self:ident;
+        $(#[$everything:meta])+
+        to_dict = $json:expr;
+        $(#[$tabulated:meta])+
+        to_pandas = $table:literal;
+        $(
+            $(#[$drawn:meta])+
+            plot = $figure:literal;
+        )?
+        str = $text:expr;
+        html = $page:literal;
+        $(
+            $(#[$written:meta])+
+            save($date:ident, $output:ident $(; $given:ident = $found:expr)?) = $add:expr;
+        )?
+    ) => {
+        #[::pyo3::pymethods]
+        impl $class {
+            $(#[$everything])+
+            ///
+            /// Returns
+            /// -------
+            /// dict
+            fn to_dict<'py>(&$self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                $crate::json::loads(py, $json)
+            }
+
+            $(#[$tabulated])+
+            ///
+            /// Returns
+            /// -------
+            /// pandas.DataFrame
+            fn to_pandas<'py>(slf: &::pyo3::Bound<'py, Self>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                $crate::results::laid_out(slf.py(), $table, (slf,))
+            }
+
+            $(
+                $(#[$drawn])+
+                ///
+                /// Parameters
+                /// ----------
+                /// axes : matplotlib.axes.Axes, optional
+                ///     Where; without it, in a new figure.
+                ///
+                /// Returns
+                /// -------
+                /// matplotlib.axes.Axes
+                #[pyo3(signature = (axes=None))]
+                fn plot<'py>(
+                    slf: &::pyo3::Bound<'py, Self>,
+                    axes: Option<::pyo3::Bound<'py, ::pyo3::PyAny>>,
+                ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                    $crate::results::laid_out(slf.py(), $figure, (slf, axes))
+                }
+            )?
+
+            fn __str__(&$self) -> String {
+                $crate::results::plain(&$text)
+            }
+
+            fn _repr_html_<'py>(slf: &::pyo3::Bound<'py, Self>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                $crate::results::laid_out(slf.py(), $page, (slf,))
+            }
+
+            $(
+                $(#[$written])+
+                ///
+                /// Parameters
+                /// ----------
+                /// folder : str or os.PathLike
+                ///     Its other files are left alone.
+                /// date : str, optional
+                ///     What the report carries; without it, today's.
+                ///
+                /// Returns
+                /// -------
+                /// int
+                ///     How many files.
+                #[pyo3(signature = (folder, date=None))]
+                fn save(
+                    &$self,
+                    py: ::pyo3::Python<'_>,
+                    folder: ::std::path::PathBuf,
+                    date: Option<String>,
+                ) -> ::pyo3::PyResult<usize> {
+                    $(let $given = $found;)?
+                    $crate::results::save(py, &folder, date, |$date, $output| $add)
+                }
+            )?
+        }
+    };
+}
+
+pub(crate) use study_result;
 
 /// The text that the command prints, without colours.
 pub fn plain(text: &str) -> String {

@@ -9,12 +9,7 @@ use pyo3::prelude::*;
 use crate::errors::IntoPython;
 use crate::maxwell_sum::PyMaxwellSum;
 use crate::series::Series;
-
-/// Adds the class and the function to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PySecondOrder>()?;
-    module.add_function(wrap_pyfunction!(py_mutual_inductances, module)?)
-}
+use crate::value::getters;
 
 /// The inductance of a coil to second order in the displacements of its turns from uniform ones, with a bound on what is left out.
 ///
@@ -40,23 +35,19 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
 #[pyclass(name = "SecondOrder", module = "coilsense", frozen)]
 pub struct PySecondOrder(SecondOrder);
 
+getters! {
+    PySecondOrder, self;
+    /// dL/dx of uniform turns [H/m], shape (turns,).
+    gradient<'py>(py): Bound<'py, PyArray1<f64>> = self.0.gradient().into_pyarray(py);
+    /// M'' for turns 1 to turns - 1 apart [H/m^2]: the Hessian is H_ts = -2 M''(|t - s| p), and each of its rows sums to zero.
+    curvatures<'py>(py): Bound<'py, PyArray1<f64>> = self.0.curvatures().into_pyarray(py);
+}
+
 #[pymethods]
 impl PySecondOrder {
     #[new]
     fn new(py: Python<'_>, coil: &PyMaxwellSum, length: f64) -> PyResult<Self> {
         py.detach(|| SecondOrder::about(&coil.sum, length)).python().map(Self)
-    }
-
-    /// dL/dx of uniform turns [H/m], shape (turns,).
-    #[getter]
-    fn gradient<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.0.gradient().into_pyarray(py)
-    }
-
-    /// M'' for turns 1 to turns - 1 apart [H/m^2]: the Hessian is H_ts = -2 M''(|t - s| p), and each of its rows sums to zero.
-    #[getter]
-    fn curvatures<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.0.curvatures().into_pyarray(py)
     }
 
     /// L and its bound.
@@ -111,7 +102,7 @@ impl PySecondOrder {
 /// >>> round(M / (4e-7 * math.pi * 0.008), 6)
 /// np.float64(0.393175)
 #[pyfunction(name = "mutual_inductances")]
-fn py_mutual_inductances<'py>(
+pub fn py_mutual_inductances<'py>(
     py: Python<'py>,
     radius: f64,
     distances: Series<'_>,

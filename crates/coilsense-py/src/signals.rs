@@ -14,12 +14,6 @@ use crate::errors::{IntoPython, unknown};
 use crate::series::{Series, frozen, numbers};
 use crate::value::Arguments;
 
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PySignals>()?;
-    module.add_function(wrap_pyfunction!(py_sampled_window, module)?)
-}
-
 /// Time and one series per channel, all of one length: a read-only mapping from a channel's name to its values.
 ///
 /// Parameters
@@ -319,6 +313,6 @@ fn frames(py: Python<'_>) -> PyResult<Bound<'_, PyModule>> {
 /// >>> coilsense.sampled_window(10_000, 0.75, 1.0).shape
 /// (2501,)
 #[pyfunction(name = "sampled_window")]
-fn py_sampled_window(py: Python<'_>, rate: f64, start: f64, stop: f64) -> PyResult<Bound<'_, PyArray1<f64>>> {
+pub fn py_sampled_window(py: Python<'_>, rate: f64, start: f64, stop: f64) -> PyResult<Bound<'_, PyArray1<f64>>> {
     Ok(py.detach(|| sampled_window(rate, start, stop)).python()?.into_pyarray(py))
 }

@@ -16,14 +16,8 @@ use crate::errors::IntoPython;
 use crate::json;
 use crate::mount::PyMount;
 use crate::spring::PySpring;
-use crate::value::Arguments;
-use condition::PyCondition;
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyCondition>()?;
-    module.add_class::<PySpec>()
-}
+use crate::value::{Arguments, getters};
+pub use condition::PyCondition;
 
 /// A spec: a spring, how it is mounted, what is done to it, what watches it, and what that should achieve.
 ///
@@ -53,6 +47,22 @@ pub fn beside(folder: Option<&Path>) -> impl Fn(&str) -> Result<String, String> 
         let path = folder.map_or_else(|| PathBuf::from(name), |folder| folder.join(name));
         std::fs::read_to_string(&path).map_err(|error| format!("{} cannot be read: {error}", path.display()))
     }
+}
+
+getters! {
+    PySpec, self;
+    /// The file's name, as messages call it.
+    file: &str = &self.spec.file;
+    /// Its text.
+    text: &str = &self.spec.text;
+    /// The spring's name.
+    name: &str = &self.spec.spring.name;
+    /// The spring.
+    spring: PySpring = PySpring(self.spec.spring.spring.clone());
+    /// The conditions of use, as a list of `Condition`; may be empty.
+    conditions: Vec<PyCondition> = self.spec.conditions.iter().cloned().map(PyCondition).collect();
+    /// The sensors' names; may be empty.
+    sensors: Vec<&str> = self.spec.sensors.iter().map(|sensor| sensor.name.as_str()).collect();
 }
 
 #[pymethods]
@@ -121,30 +131,6 @@ impl PySpec {
         template(spring).python()
     }
 
-    /// The file's name, as messages call it.
-    #[getter]
-    fn file(&self) -> &str {
-        &self.spec.file
-    }
-
-    /// Its text.
-    #[getter]
-    fn text(&self) -> &str {
-        &self.spec.text
-    }
-
-    /// The spring's name.
-    #[getter]
-    fn name(&self) -> &str {
-        &self.spec.spring.name
-    }
-
-    /// The spring.
-    #[getter]
-    fn spring(&self) -> PySpring {
-        PySpring(self.spec.spring.spring.clone())
-    }
-
     /// The mount under each damping, by the damping's label.
     #[getter]
     fn mounts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -153,18 +139,6 @@ impl PySpec {
             dict.set_item(&case.label, PyMount(case.mount.clone()).into_pyobject(py)?)?;
         }
         Ok(dict)
-    }
-
-    /// The conditions of use, as a list of `Condition`; may be empty.
-    #[getter]
-    fn conditions(&self) -> Vec<PyCondition> {
-        self.spec.conditions.iter().cloned().map(PyCondition).collect()
-    }
-
-    /// The sensors' names; may be empty.
-    #[getter]
-    fn sensors(&self) -> Vec<&str> {
-        self.spec.sensors.iter().map(|sensor| sensor.name.as_str()).collect()
     }
 
     /// What follows from the spring alone: rate, mass, stress, lengths, surge frequencies, neighbours.

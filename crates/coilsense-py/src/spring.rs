@@ -5,15 +5,9 @@
 use coilsense::{Spring, SpringParameters};
 use coilsense_lab::spec::{Spec, template};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::{IntoPython, unknown};
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PySpring>()
-}
+use crate::value::{getters, named_value};
 
 /// Springs of the paper's Table I.
 const OF_PAPER: [&str; 2] = ["S_T", "S_A"];
@@ -64,22 +58,52 @@ const OF_PAPER: [&str; 2] = ["S_T", "S_A"];
 #[derive(PartialEq)]
 pub struct PySpring(pub Spring);
 
-impl PySpring {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let p = self.0.parameters();
-        let dict = PyDict::new(py);
-        dict.set_item("rest_length", p.rest_length)?;
-        dict.set_item("windings", p.windings)?;
-        dict.set_item("coil_radius", p.coil_radius)?;
-        dict.set_item("wire_radius", p.wire_radius)?;
-        dict.set_item("mass", p.mass)?;
-        dict.set_item("stiffness", p.stiffness)?;
-        dict.set_item("min_length", p.min_length)?;
-        dict.set_item("max_length", p.max_length)?;
-        dict.set_item("nominal_force", p.nominal_force)?;
-        dict.set_item("inductance_windings", p.inductance_windings)?;
-        Ok(dict)
-    }
+getters! {
+    PySpring, self;
+    /// l0: length without force [m].
+    rest_length: f64 = self.0.rest_length();
+    /// N: active windings [1], may be fractional.
+    windings: f64 = self.0.windings();
+    /// r: radius of the coil to the centre of the wire [m].
+    coil_radius: f64 = self.0.coil_radius();
+    /// Radius of the wire [m].
+    wire_radius: f64 = self.0.wire_radius();
+    /// Diameter of the wire [m].
+    wire_diameter: f64 = self.0.wire_diameter();
+    /// m: mass of the active coil [kg].
+    mass: f64 = self.0.mass();
+    /// k: stiffness [N/m].
+    stiffness: f64 = self.0.stiffness();
+    /// Windings that carry the current [1].
+    inductance_windings: f64 = self.0.inductance_windings();
+    /// Masses of the chain that stands for the spring: the active windings rounded, at least 1.
+    chain_masses: usize = self.0.chain_masses();
+    /// Shortest length in use [m].
+    min_length: f64 = self.0.operating_range().0;
+    /// Longest length in use [m].
+    max_length: f64 = self.0.operating_range().1;
+    /// Shortest and longest length in use [m], as a tuple.
+    operating_range: (f64, f64) = self.0.operating_range();
+    /// Half way through the operating range [m].
+    mid_length: f64 = self.0.mid_length();
+    /// Time in which a surge wave runs through the coil once [s]: tau = sqrt(m/k). Source: [Weijde2017] eq. 2.
+    transit_time: f64 = self.0.transit_time();
+    /// f1: first surge frequency of the continuous coil with both ends held [Hz]: 1/(2 tau). Source: [Weijde2017] eq. 3.
+    surge_frequency: f64 = self.0.surge_frequency();
+    /// F_nom: largest static force in use [N]. Source: [Weijde2017] eq. 14.
+    nominal_force: f64 = self.0.nominal_force();
+    /// Wave impedance [N s/m]: sqrt(k m), what an impact adds to an end force per m/s.
+    wave_impedance: f64 = self.0.wave_impedance();
+    /// Length with all active windings touching [m].
+    solid_length: f64 = self.0.solid_length();
+}
+
+named_value! {
+    /// The parameters by name, as the constructor takes them.
+    PySpring, self;
+    rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
+    nominal_force = self.0.parameters().nominal_force,
+    inductance_windings = self.0.parameters().inductance_windings,
 }
 
 #[pymethods]
@@ -149,114 +173,6 @@ impl PySpring {
         Ok(Self(spec.spring.spring))
     }
 
-    /// l0: length without force [m].
-    #[getter]
-    fn rest_length(&self) -> f64 {
-        self.0.rest_length()
-    }
-
-    /// N: active windings [1], may be fractional.
-    #[getter]
-    fn windings(&self) -> f64 {
-        self.0.windings()
-    }
-
-    /// r: radius of the coil to the centre of the wire [m].
-    #[getter]
-    fn coil_radius(&self) -> f64 {
-        self.0.coil_radius()
-    }
-
-    /// Radius of the wire [m].
-    #[getter]
-    fn wire_radius(&self) -> f64 {
-        self.0.wire_radius()
-    }
-
-    /// Diameter of the wire [m].
-    #[getter]
-    fn wire_diameter(&self) -> f64 {
-        self.0.wire_diameter()
-    }
-
-    /// m: mass of the active coil [kg].
-    #[getter]
-    fn mass(&self) -> f64 {
-        self.0.mass()
-    }
-
-    /// k: stiffness [N/m].
-    #[getter]
-    fn stiffness(&self) -> f64 {
-        self.0.stiffness()
-    }
-
-    /// Windings that carry the current [1].
-    #[getter]
-    fn inductance_windings(&self) -> f64 {
-        self.0.inductance_windings()
-    }
-
-    /// Masses of the chain that stands for the spring: the active windings rounded, at least 1.
-    #[getter]
-    fn chain_masses(&self) -> usize {
-        self.0.chain_masses()
-    }
-
-    /// Shortest length in use [m].
-    #[getter]
-    fn min_length(&self) -> f64 {
-        self.0.operating_range().0
-    }
-
-    /// Longest length in use [m].
-    #[getter]
-    fn max_length(&self) -> f64 {
-        self.0.operating_range().1
-    }
-
-    /// Shortest and longest length in use [m], as a tuple.
-    #[getter]
-    fn operating_range(&self) -> (f64, f64) {
-        self.0.operating_range()
-    }
-
-    /// Half way through the operating range [m].
-    #[getter]
-    fn mid_length(&self) -> f64 {
-        self.0.mid_length()
-    }
-
-    /// Time in which a surge wave runs through the coil once [s]: tau = sqrt(m/k). Source: [Weijde2017] eq. 2.
-    #[getter]
-    fn transit_time(&self) -> f64 {
-        self.0.transit_time()
-    }
-
-    /// f1: first surge frequency of the continuous coil with both ends held [Hz]: 1/(2 tau). Source: [Weijde2017] eq. 3.
-    #[getter]
-    fn surge_frequency(&self) -> f64 {
-        self.0.surge_frequency()
-    }
-
-    /// F_nom: largest static force in use [N]. Source: [Weijde2017] eq. 14.
-    #[getter]
-    fn nominal_force(&self) -> f64 {
-        self.0.nominal_force()
-    }
-
-    /// Wave impedance [N s/m]: sqrt(k m), what an impact adds to an end force per m/s.
-    #[getter]
-    fn wave_impedance(&self) -> f64 {
-        self.0.wave_impedance()
-    }
-
-    /// Length with all active windings touching [m].
-    #[getter]
-    fn solid_length(&self) -> f64 {
-        self.0.solid_length()
-    }
-
     /// Distance from winding to winding when they are spread uniformly over a length.
     ///
     /// Parameters
@@ -311,24 +227,7 @@ impl PySpring {
         self.0.static_force(length)
     }
 
-    /// The parameters by name, as the constructor takes them.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.arguments(py)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
     fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         crate::html::shown(slf.as_any(), "spring")
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Spring", &self.arguments(py)?)
     }
 }

@@ -12,12 +12,6 @@ use crate::motion::PyMotion;
 use crate::mount::PyMount;
 use crate::spring::PySpring;
 
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyStream>()?;
-    module.add_class::<PyLive>()
-}
-
 /// t [s], F_i [N], F_o [N].
 type Sample = (f64, f64, f64);
 

@@ -3,10 +3,10 @@
 //!
 //! Next door: `coilsense.sweep`, which runs a plan here or on a Dask cluster (`python/coilsense/_sweep.py`).
 
-mod dataset;
-mod pareto;
-mod plan;
-mod sensitivity;
+pub mod dataset;
+pub mod pareto;
+pub mod plan;
+pub mod sensitivity;
 
 use std::path::PathBuf;
 
@@ -15,19 +15,9 @@ use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<plan::PySweepPlan>()?;
-    module.add_class::<dataset::PySweepDataset>()?;
-    module.add_class::<pareto::PyPareto>()?;
-    module.add_class::<sensitivity::PySensitivity>()?;
-    module.add_function(wrap_pyfunction!(pareto::pareto, module)?)?;
-    module.add_function(wrap_pyfunction!(sensitivity::sensitivity, module)?)
-}
-
 /// A sweep's folder: as it was opened, or where it is.
 #[derive(FromPyObject)]
-enum Folder<'py> {
+pub enum Folder<'py> {
     Opened(PyRef<'py, dataset::PySweepDataset>),
     Path(PathBuf),
 }

@@ -6,17 +6,11 @@ use coilsense::Spring;
 use coilsense::sensors::TwoEncoder;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::series::Series;
 use crate::spring::PySpring;
-use crate::value::{self, Arguments, NewArguments};
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyTwoEncoder>()
-}
+use crate::value::{getters, named_value};
 
 /// An encoder on the motor's side of the drive train and one at end 2, of a series elastic actuator; zeroed under a static load.
 ///
@@ -56,15 +50,26 @@ pub struct PyTwoEncoder {
     mean_length: f64,
 }
 
-impl PyTwoEncoder {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
-        dict.set_item("compliance", self.compliance)?;
-        dict.set_item("backlash", self.backlash)?;
-        dict.set_item("mean_length", self.mean_length)?;
-        Ok(dict)
-    }
+getters! {
+    PyTwoEncoder, self;
+    /// The spring between them.
+    spring: PySpring = PySpring(self.spring.clone());
+    /// c of the drive train [m/N].
+    compliance: f64 = self.compliance;
+    /// b of the drive train, the whole gap [m].
+    backlash: f64 = self.backlash;
+    /// Length at which it was zeroed [m].
+    mean_length: f64 = self.mean_length;
+    /// k_s: stiffness of spring and drive train in series [N/m].
+    stiffness: f64 = self.encoders.stiffness();
+    /// Elongation at which it reads no force [m].
+    zero: f64 = self.encoders.zero();
+}
+
+named_value! {
+    /// The arguments by name, the spring as a dict.
+    PyTwoEncoder, self;
+    spring, compliance, backlash, mean_length,
 }
 
 #[pymethods]
@@ -73,42 +78,6 @@ impl PyTwoEncoder {
     fn new(spring: &PySpring, compliance: f64, backlash: f64, mean_length: f64) -> PyResult<Self> {
         let encoders = TwoEncoder::new(&spring.0, compliance, backlash, mean_length).python()?;
         Ok(Self { encoders, spring: spring.0.clone(), compliance, backlash, mean_length })
-    }
-
-    /// The spring between them.
-    #[getter]
-    fn spring(&self) -> PySpring {
-        PySpring(self.spring.clone())
-    }
-
-    /// c of the drive train [m/N].
-    #[getter]
-    fn compliance(&self) -> f64 {
-        self.compliance
-    }
-
-    /// b of the drive train, the whole gap [m].
-    #[getter]
-    fn backlash(&self) -> f64 {
-        self.backlash
-    }
-
-    /// Length at which it was zeroed [m].
-    #[getter]
-    fn mean_length(&self) -> f64 {
-        self.mean_length
-    }
-
-    /// k_s: stiffness of spring and drive train in series [N/m].
-    #[getter]
-    fn stiffness(&self) -> f64 {
-        self.encoders.stiffness()
-    }
-
-    /// Elongation at which it reads no force [m].
-    #[getter]
-    fn zero(&self) -> f64 {
-        self.encoders.zero()
     }
 
     /// Distance between the two encoders.
@@ -152,22 +121,5 @@ impl PyTwoEncoder {
     ///     k_s (e - zero) [N].
     fn force<'py>(&self, py: Python<'py>, elongation: Series<'_>) -> Bound<'py, PyArray1<f64>> {
         self.encoders.force(&elongation.values()).into_pyarray(py)
-    }
-
-    /// The arguments by name, the spring as a dict.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        value::plain(&self.arguments(py)?)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("TwoEncoder", &self.arguments(py)?)
     }
 }

@@ -9,20 +9,13 @@ use coilsense::{Damping, Error as ScienceError};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::{IntoPython, unknown};
 use crate::mount::PyDamping;
 use crate::series::Series;
 use crate::spring::PySpring;
-use crate::value::{self, Arguments, NewArguments};
-use load::PyLoad;
-
-/// Adds the classes to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyLoad>()?;
-    module.add_class::<PyTwoPort>()
-}
+use crate::value::{getters, named_value};
+pub use load::PyLoad;
 
 const MODELS: [&str; 2] = ["chain", "wave"];
 
@@ -71,14 +64,6 @@ pub struct PyTwoPort {
 }
 
 impl PyTwoPort {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("spring", PySpring(self.spring.clone()).into_pyobject(py)?)?;
-        dict.set_item("damping", PyDamping(self.damping.clone()).into_pyobject(py)?)?;
-        dict.set_item("model", self.model)?;
-        Ok(dict)
-    }
-
     /// Something at each frequency.
     fn each<T: Send>(
         &self,
@@ -103,6 +88,22 @@ impl PyTwoPort {
     }
 }
 
+getters! {
+    PyTwoPort, self;
+    /// The spring.
+    spring: PySpring = PySpring(self.spring.clone());
+    /// What damps it.
+    damping: PyDamping = PyDamping(self.damping.clone());
+    /// "chain" or "wave".
+    model: &'static str = self.model;
+}
+
+named_value! {
+    /// The arguments by name, nouns as dicts of their own.
+    PyTwoPort, self;
+    spring, damping, model,
+}
+
 #[pymethods]
 impl PyTwoPort {
     #[new]
@@ -115,24 +116,6 @@ impl PyTwoPort {
             _ => return Err(unknown("model", &MODELS, model)),
         };
         Ok(Self { two_port: two_port.python()?, spring: spring.0.clone(), damping, model })
-    }
-
-    /// The spring.
-    #[getter]
-    fn spring(&self) -> PySpring {
-        PySpring(self.spring.clone())
-    }
-
-    /// What damps it.
-    #[getter]
-    fn damping(&self) -> PyDamping {
-        PyDamping(self.damping.clone())
-    }
-
-    /// "chain" or "wave".
-    #[getter]
-    fn model(&self) -> &'static str {
-        self.model
     }
 
     /// Drive-point stiffness: -F_i/U1 with end 2 held, and F_o/U2 with end 1 held.
@@ -281,27 +264,10 @@ impl PyTwoPort {
         self.matrices(py, &frequencies, DynamicStiffness::transmission)
     }
 
-    /// The arguments by name, nouns as dicts of their own.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        value::plain(&self.arguments(py)?)
-    }
-
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         other.cast::<Self>().is_ok_and(|other| {
             let parts = |port: &Self| (port.spring.clone(), port.damping.clone(), port.model);
             parts(self) == parts(other.get())
         })
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("TwoPort", &self.arguments(py)?)
     }
 }

@@ -1,10 +1,160 @@
-//! What makes a value of Python out of a noun: its arguments as a dict, from which come `repr`, `to_dict` and pickle.
+//! What makes a value of Python out of a noun: its attributes, and its arguments as a dict, from which come `repr`, `to_dict` and pickle.
 //!
-//! A value that is made by name (`Spring(rest_length=…)`) gives its arguments; one of several kinds (`EndInput.ramp(…)`) its kind beside them.
+//! A value that is made by name (`Spring(rest_length=…)`) gives its arguments ([`named_value`]); one of several kinds (`EndInput.ramp(…)`)
+//! its kind beside them ([`value_of_kinds`]). What a value of any sort only shows is a line each ([`getters`]).
+//! `results` has the crate's only other macro. Without them each class would spell the same functions. PyO3's own `get_all` cannot stand in
+//! for them: it shows fields of the class itself, and a class here holds one value of the science whose fields are private.
 //! Next door: equality, which PyO3 takes from Rust's `PartialEq`.
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
+
+/// Attributes of a class that are read only: documentation, name, type, and where the value comes from.
+///
+/// ```text
+/// getters! {
+///     PySpring, self;
+///     /// k: stiffness [N/m].
+///     stiffness: f64 = self.0.stiffness();
+///     /// Of the modes [rad/s], shape (modes,).
+///     frequencies<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.frequencies());
+/// }
+/// ```
+///
+/// A value that takes more than one expression to compute is a `#[getter]` among the class's methods.
+macro_rules! getters {
+    ($class:ident, $self:ident; $(
+        $(#[$documentation:meta])+
+        $seen:vis $name:ident $(<$life:lifetime>($py:ident))?: $type:ty = $value:expr;
+    )+) => {
+        #[::pyo3::pymethods]
+        impl $class {
+            $(
+                $(#[$documentation])+
+                #[getter]
+                $seen fn $name $(<$life>)?(&$self $(, $py: ::pyo3::Python<$life>)?) -> $type {
+                    $value
+                }
+            )+
+        }
+    };
+}
+
+/// What a value needs that its constructor makes by name: `arguments` for Rust; `to_dict`, pickle and `repr` for Python.
+///
+/// An argument is worth what the getter of its name says, unless it is told otherwise. The line of documentation is `to_dict`'s.
+///
+/// ```text
+/// named_value! {
+///     /// The arguments by name, the material as a dict.
+///     PyGeometry, self;
+///     wire_diameter = self.0.parameters().wire_diameter, end_type, material,
+/// }
+/// ```
+macro_rules! named_value {
+    ($(#[$documentation:meta])+ $class:ident, $self:ident; $($name:ident $(= $value:expr)?),+ $(,)?) => {
+        impl $class {
+            fn arguments<'py>(&$self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<$crate::value::Arguments<'py>> {
+                let arguments = ::pyo3::types::PyDict::new(py);
+                $(arguments.set_item(stringify!($name), $crate::value::argument!($self, $name $(, $value)?))?;)+
+                Ok(arguments)
+            }
+        }
+
+        #[::pyo3::pymethods]
+        impl $class {
+            $(#[$documentation])+
+            ///
+            /// Returns
+            /// -------
+            /// dict
+            fn to_dict<'py>(&self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<$crate::value::Arguments<'py>> {
+                $crate::value::plain(&self.arguments(py)?)
+            }
+
+            fn __getnewargs_ex__<'py>(
+                &self,
+                py: ::pyo3::Python<'py>,
+            ) -> ::pyo3::PyResult<$crate::value::NewArguments<'py>> {
+                Ok($crate::value::new_arguments(self.arguments(py)?))
+            }
+
+            fn __repr__(&self, py: ::pyo3::Python<'_>) -> ::pyo3::PyResult<String> {
+                $crate::value::shown(<Self as ::pyo3::PyClass>::NAME, &self.arguments(py)?)
+            }
+        }
+    };
+}
+
+/// An argument's value: the getter's of its name, or what is told.
+macro_rules! argument {
+    ($self:ident, $name:ident) => {
+        $self.$name()
+    };
+    ($self:ident, $name:ident, $value:expr) => {
+        $value
+    };
+}
+
+/// What a value of several kinds needs beside its constructors and `as_kind`: `kind`, `to_dict` and the way back, pickle and `repr`.
+///
+/// ```text
+/// value_of_kinds! {
+///     /// Which constructor makes it: "position", "force" or "mass".
+///     PyFarEnd, "FarEnd"; "position", "force", "mass"
+/// }
+/// ```
+macro_rules! value_of_kinds {
+    ($(#[$documentation:meta])+ $class:ident, $name:literal; $($kind:literal),+) => {
+        #[::pyo3::pymethods]
+        impl $class {
+            $(#[$documentation])+
+            #[getter]
+            fn kind(&self, py: ::pyo3::Python<'_>) -> ::pyo3::PyResult<&'static str> {
+                Ok(self.as_kind(py)?.name)
+            }
+
+            /// Its kind and its arguments by name.
+            ///
+            /// Returns
+            /// -------
+            /// dict
+            fn to_dict<'py>(&self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<$crate::value::Arguments<'py>> {
+                self.as_kind(py)?.to_dict()
+            }
+
+            /// The way back from `to_dict`.
+            ///
+            /// Parameters
+            /// ----------
+            /// dict : dict
+            ///     The kind, and the arguments of the constructor of that name.
+            ///
+            /// Returns
+            /// -------
+            #[doc = $name]
+            #[classmethod]
+            fn from_dict<'py>(
+                class: &::pyo3::Bound<'py, ::pyo3::types::PyType>,
+                dict: $crate::value::Arguments<'py>,
+            ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                $crate::value::of_dict(class, &dict, &[$($kind),+])
+            }
+
+            fn __reduce__<'py>(
+                slf: &::pyo3::Bound<'py, Self>,
+            ) -> ::pyo3::PyResult<(::pyo3::Bound<'py, ::pyo3::PyAny>, ($crate::value::Arguments<'py>,))> {
+                slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
+            }
+
+            fn __repr__(&self, py: ::pyo3::Python<'_>) -> ::pyo3::PyResult<String> {
+                self.as_kind(py)?.shown($name)
+            }
+        }
+    };
+}
+
+pub(crate) use {argument, getters, named_value, value_of_kinds};
 
 /// Its arguments by name, as the constructor takes them.
 pub type Arguments<'py> = Bound<'py, PyDict>;

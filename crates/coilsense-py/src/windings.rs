@@ -10,12 +10,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython};
 use crate::series::{Table, frozen_rows, numbers};
-use crate::value::Arguments;
-
-/// Adds the class to the module.
-pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<PyWindings>()
-}
+use crate::value::{Arguments, getters};
 
 /// Positions of both ends and of all windings over time.
 ///
@@ -59,6 +54,18 @@ impl PyWindings {
     }
 }
 
+getters! {
+    PyWindings, self;
+    /// u1 and u2 [m], shape (samples, 2); read-only.
+    ends<'py>(py): &Bound<'py, PyArray2<f64>> = self.ends.bind(py);
+    /// x_1 to x_N [m], shape (samples, N); read-only.
+    positions<'py>(py): &Bound<'py, PyArray2<f64>> = self.positions.bind(py);
+    /// N: windings per sample.
+    count<'py>(py): usize = self.positions.bind(py).shape()[1];
+    /// How many samples there are.
+    samples<'py>(py): usize = self.positions.bind(py).shape()[0];
+}
+
 #[pymethods]
 impl PyWindings {
     #[new]
@@ -68,30 +75,6 @@ impl PyWindings {
         }
         let ends = ends.to_vec().as_chunks::<2>().0.to_vec();
         Self::of(py, Windings::new(ends, positions.to_vec()).python()?)
-    }
-
-    /// u1 and u2 [m], shape (samples, 2); read-only.
-    #[getter]
-    fn ends<'py>(&self, py: Python<'py>) -> &Bound<'py, PyArray2<f64>> {
-        self.ends.bind(py)
-    }
-
-    /// x_1 to x_N [m], shape (samples, N); read-only.
-    #[getter]
-    fn positions<'py>(&self, py: Python<'py>) -> &Bound<'py, PyArray2<f64>> {
-        self.positions.bind(py)
-    }
-
-    /// N: windings per sample.
-    #[getter]
-    fn count(&self, py: Python<'_>) -> usize {
-        self.positions.bind(py).shape()[1]
-    }
-
-    /// How many samples there are.
-    #[getter]
-    fn samples(&self, py: Python<'_>) -> usize {
-        self.positions.bind(py).shape()[0]
     }
 
     /// Ends and positions as lists of rows.

@@ -13,6 +13,7 @@ mod packed;
 mod page;
 mod python;
 mod robot;
+mod stubs;
 mod sweep;
 mod test;
 mod toolchain;
@@ -37,6 +38,8 @@ enum Chore {
     Bench(bench::Arguments),
     /// Build the page into web/dist, for any static host
     Page,
+    /// Write the types of the Python module, from what PyO3 tells of it
+    Stubs,
 }
 
 fn main() -> ExitCode {
@@ -44,6 +47,7 @@ fn main() -> ExitCode {
         Chore::Test(arguments) => test::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
         Chore::Page => page_chore(),
+        Chore::Stubs => stubs::write(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,6 +1,6 @@
 //! Checks of the Python package: its wheel, its tests, its types, what README, book and the examples say to run.
 //!
-//! Next door: environments (`python`), the other checks (`test`).
+//! Next door: environments (`python`), the types that are compared (`stubs`), the other checks (`test`).
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,13 +8,13 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 use crate::python::{self, Environment};
-use crate::root;
+use crate::{root, stubs};
 
 /// What a wheel may weigh \[bytes\].
 const LARGEST_WHEEL: u64 = 10_000_000;
 
 /// What the tests run with.
-const REQUIREMENTS: &str = "python/requirements-test.txt";
+pub const REQUIREMENTS: &str = "python/requirements-test.txt";
 
 /// The page whose blocks hang together and use every extra: the package's own tests run it.
 const TOUR: &str = "book/src/guide/python.md";
@@ -34,10 +34,11 @@ pub fn steps() -> anyhow::Result<bool> {
     let tests = installed()?;
     let checks: [&[&str]; 3] = [
         &["-m", "pytest", "-q"],
-        &["-m", "mypy", "python/coilsense", "python/tests", "python/examples"],
+        &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
         &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
     ];
     Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments)))?
+        && stubs::agree(&tests)?
         && examples(&tests)?
         && readme(&packed(&tests)?)?)
 }

@@ -10,6 +10,7 @@ use pyo3::types::PyDict;
 use crate::measures::{PyClash, PyDeviation};
 use crate::series::frozen;
 use crate::signals::PySignals;
+use crate::value::getters;
 
 /// A condition of a spec under one of its dampings, simulated; made by `simulate` and `analyze`.
 #[pyclass(name = "Case", module = "coilsense", frozen)]
@@ -51,61 +52,33 @@ impl PyCase {
     }
 }
 
+getters! {
+    PyCase, self;
+    /// The condition's name.
+    condition: &str = &self.condition;
+    /// The damping's label.
+    damping: &str = &self.damping;
+    /// u1, u2, F_i, F_o, F_x, F_L and L from t = 0 on.
+    signals<'py>(py): Py<PySignals> = self.signals.clone_ref(py);
+    /// What each sensor reads, in its native unit, as a dict of arrays by the sensor's name.
+    readings<'py>(py): Py<PyDict> = self.readings.clone_ref(py);
+    /// The force that each reading means [N], as a dict of arrays by the sensor's name.
+    forces<'py>(py): Py<PyDict> = self.forces.clone_ref(py);
+    /// Deviation of F_i, F_o, F_x, F_L and of each sensor's force from the true one [N] over the judged samples, as a dict.
+    deviations<'py>(py): Py<PyDict> = self.deviations.clone_ref(py);
+    /// How near the windings come.
+    clash: PyClash = PyClash(self.clash);
+    /// Shortest and longest length of the spring [m], as a tuple.
+    lengths: (f64, f64) = self.lengths;
+}
+
 #[pymethods]
 impl PyCase {
-    /// The condition's name.
-    #[getter]
-    fn condition(&self) -> &str {
-        &self.condition
-    }
-
-    /// The damping's label.
-    #[getter]
-    fn damping(&self) -> &str {
-        &self.damping
-    }
-
-    /// u1, u2, F_i, F_o, F_x, F_L and L from t = 0 on.
-    #[getter]
-    fn signals(&self, py: Python<'_>) -> Py<PySignals> {
-        self.signals.clone_ref(py)
-    }
-
-    /// What each sensor reads, in its native unit, as a dict of arrays by the sensor's name.
-    #[getter]
-    fn readings(&self, py: Python<'_>) -> Py<PyDict> {
-        self.readings.clone_ref(py)
-    }
-
-    /// The force that each reading means [N], as a dict of arrays by the sensor's name.
-    #[getter]
-    fn forces(&self, py: Python<'_>) -> Py<PyDict> {
-        self.forces.clone_ref(py)
-    }
-
-    /// Deviation of F_i, F_o, F_x, F_L and of each sensor's force from the true one [N] over the judged samples, as a dict.
-    #[getter]
-    fn deviations(&self, py: Python<'_>) -> Py<PyDict> {
-        self.deviations.clone_ref(py)
-    }
-
     /// The samples that are judged, as a slice.
     #[getter]
     fn judged<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PySlice>> {
         let bound = |sample: usize| isize::try_from(sample).unwrap_or(isize::MAX);
         Ok(pyo3::types::PySlice::new(py, bound(self.judged.0), bound(self.judged.1), 1))
-    }
-
-    /// How near the windings come.
-    #[getter]
-    fn clash(&self) -> PyClash {
-        PyClash(self.clash)
-    }
-
-    /// Shortest and longest length of the spring [m], as a tuple.
-    #[getter]
-    fn lengths(&self) -> (f64, f64) {
-        self.lengths
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

@@ -5,13 +5,10 @@
 use coilsense::excitation::{EndInput, Excitation, Harmonic, Sampled, Start};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use crate::errors::IntoPython;
 use crate::series::Series;
-use crate::value::{self, Arguments, Kind};
-
-const KINDS: [&str; 7] = ["held", "harmonics", "chirp", "step", "ramp", "half_sine", "sampled"];
+use crate::value::{Kind, value_of_kinds};
 
 /// How an end is driven, counted from its mean: metres where its position is prescribed, newtons where its force is.
 ///
@@ -60,6 +57,11 @@ impl PyEndInput {
                 .with("values", PyArray1::from_slice(py, sampled.values())),
         }
     }
+}
+
+value_of_kinds! {
+    /// Which constructor makes it: "held", "harmonics", "chirp", "step", "ramp", "half_sine" or "sampled".
+    PyEndInput, "EndInput"; "held", "harmonics", "chirp", "step", "ramp", "half_sine", "sampled"
 }
 
 #[pymethods]
@@ -237,43 +239,5 @@ impl PyEndInput {
     ///     [m/s, or N/s at an end under force].
     fn velocity(&self, time: f64) -> f64 {
         self.0.velocity(time)
-    }
-
-    /// Which constructor makes it: "held", "harmonics", "chirp", "step", "ramp", "half_sine" or "sampled".
-    #[getter]
-    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(self.as_kind(py)?.name)
-    }
-
-    /// Its kind and its arguments by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.as_kind(py)?.to_dict()
-    }
-
-    /// The way back from `to_dict`.
-    ///
-    /// Parameters
-    /// ----------
-    /// dict : dict
-    ///     The kind, and the arguments of the constructor of that name.
-    ///
-    /// Returns
-    /// -------
-    /// EndInput
-    #[classmethod]
-    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
-        value::of_dict(class, &dict, &KINDS)
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
-        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.as_kind(py)?.shown("EndInput")
     }
 }

@@ -5,14 +5,11 @@
 use coilsense::excitation::{EndInput, Excitation, Start, VelocityProfile};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use super::profile_word;
 use crate::errors::{IntoPython, unknown};
 use crate::series::Series;
-use crate::value::{self, Arguments, Kind};
-
-const KINDS: [&str; 5] = ["rest", "massless", "steady", "moving", "windings"];
+use crate::value::{Kind, value_of_kinds};
 
 /// Where the windings are, and how fast, at t = 0.
 ///
@@ -47,6 +44,11 @@ impl PyStart {
                 .with("velocities", PyArray1::from_slice(py, velocities)),
         }
     }
+}
+
+value_of_kinds! {
+    /// Which constructor makes it: "rest", "massless", "steady", "moving" or "windings".
+    PyStart, "Start"; "rest", "massless", "steady", "moving", "windings"
 }
 
 #[pymethods]
@@ -119,44 +121,6 @@ impl PyStart {
     #[staticmethod]
     fn windings(positions: Series<'_>, velocities: Series<'_>) -> PyResult<Self> {
         Self::checked(Start::Windings { positions: positions.to_vec(), velocities: velocities.to_vec() })
-    }
-
-    /// Which constructor makes it: "rest", "massless", "steady", "moving" or "windings".
-    #[getter]
-    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(self.as_kind(py)?.name)
-    }
-
-    /// Its kind and its arguments by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.as_kind(py)?.to_dict()
-    }
-
-    /// The way back from `to_dict`.
-    ///
-    /// Parameters
-    /// ----------
-    /// dict : dict
-    ///     The kind, and the arguments of the constructor of that name.
-    ///
-    /// Returns
-    /// -------
-    /// Start
-    #[classmethod]
-    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
-        value::of_dict(class, &dict, &KINDS)
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
-        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.as_kind(py)?.shown("Start")
     }
 }
 

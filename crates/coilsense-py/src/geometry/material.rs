@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{IntoPython, unknown};
-use crate::value::{self, Arguments, NewArguments};
+use crate::value::{getters, named_value};
 
 /// What a wire is made of, at 20 degrees Celsius.
 ///
@@ -37,19 +37,30 @@ use crate::value::{self, Arguments, NewArguments};
 #[derive(PartialEq)]
 pub struct PyMaterial(pub Material);
 
-impl PyMaterial {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let p = self.0.parameters();
-        let dict = PyDict::new(py);
-        dict.set_item("shear_modulus", p.shear_modulus)?;
-        dict.set_item("youngs_modulus", p.youngs_modulus)?;
-        dict.set_item("density", p.density)?;
-        dict.set_item("shear_modulus_temperature", p.shear_modulus_temperature)?;
-        dict.set_item("expansion", p.expansion)?;
-        dict.set_item("resistivity", p.resistivity)?;
-        dict.set_item("relative_permeability", p.relative_permeability)?;
-        Ok(dict)
-    }
+getters! {
+    PyMaterial, self;
+    /// G: shear modulus [Pa].
+    shear_modulus: f64 = self.0.shear_modulus();
+    /// E: Young's modulus [Pa].
+    youngs_modulus: f64 = self.0.youngs_modulus();
+    /// Density [kg/m^3].
+    density: f64 = self.0.density();
+    /// (dG/dT)/G [1/K]; None where it is not known.
+    shear_modulus_temperature: Option<f64> = self.0.parameters().shear_modulus_temperature;
+    /// Thermal expansion [1/K]; None where it is not known.
+    expansion: Option<f64> = self.0.parameters().expansion;
+    /// Electrical resistivity [Ohm m]; None where it is not known.
+    resistivity: Option<f64> = self.0.resistivity();
+    /// mu_r: relative magnetic permeability [1]; None where it is not known.
+    relative_permeability: Option<f64> = self.0.relative_permeability();
+    /// How the stiffness of a spring of it drifts, (dk/dT)/k [1/K]; None where a part is not known.
+    stiffness_temperature: Option<f64> = self.0.stiffness_temperature();
+}
+
+named_value! {
+    /// The values by name.
+    PyMaterial, self;
+    shear_modulus, youngs_modulus, density, shear_modulus_temperature, expansion, resistivity, relative_permeability,
 }
 
 #[pymethods]
@@ -101,54 +112,6 @@ impl PyMaterial {
         Material::new(found.1).python().map(Self)
     }
 
-    /// G: shear modulus [Pa].
-    #[getter]
-    fn shear_modulus(&self) -> f64 {
-        self.0.shear_modulus()
-    }
-
-    /// E: Young's modulus [Pa].
-    #[getter]
-    fn youngs_modulus(&self) -> f64 {
-        self.0.youngs_modulus()
-    }
-
-    /// Density [kg/m^3].
-    #[getter]
-    fn density(&self) -> f64 {
-        self.0.density()
-    }
-
-    /// (dG/dT)/G [1/K]; None where it is not known.
-    #[getter]
-    fn shear_modulus_temperature(&self) -> Option<f64> {
-        self.0.parameters().shear_modulus_temperature
-    }
-
-    /// Thermal expansion [1/K]; None where it is not known.
-    #[getter]
-    fn expansion(&self) -> Option<f64> {
-        self.0.parameters().expansion
-    }
-
-    /// Electrical resistivity [Ohm m]; None where it is not known.
-    #[getter]
-    fn resistivity(&self) -> Option<f64> {
-        self.0.resistivity()
-    }
-
-    /// mu_r: relative magnetic permeability [1]; None where it is not known.
-    #[getter]
-    fn relative_permeability(&self) -> Option<f64> {
-        self.0.relative_permeability()
-    }
-
-    /// How the stiffness of a spring of it drifts, (dk/dT)/k [1/K]; None where a part is not known.
-    #[getter]
-    fn stiffness_temperature(&self) -> Option<f64> {
-        self.0.stiffness_temperature()
-    }
-
     /// Highest stress that an impact adds to the wire, whatever the spring's dimensions.
     ///
     /// Parameters
@@ -162,23 +125,6 @@ impl PyMaterial {
     ///     v sqrt(2 rho G) [Pa].
     fn impact_stress(&self, velocity: f64) -> f64 {
         self.0.impact_stress(velocity)
-    }
-
-    /// The values by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.arguments(py)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Material", &self.arguments(py)?)
     }
 }
 

@@ -4,12 +4,11 @@
 
 use coilsense::Clash;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::motion::PyMotion;
 use crate::series::Series;
-use crate::value::{self, Arguments, NewArguments};
+use crate::value::{getters, named_value};
 
 /// How near neighbouring windings come over a motion.
 ///
@@ -31,16 +30,28 @@ use crate::value::{self, Arguments, NewArguments};
 #[derive(PartialEq)]
 pub struct PyClash(pub Clash);
 
-impl PyClash {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("smallest_pitch", self.0.smallest_pitch)?;
-        dict.set_item("time", self.0.time)?;
-        dict.set_item("winding", self.0.winding)?;
-        dict.set_item("contact_pitch", self.0.contact_pitch)?;
-        dict.set_item("first_contact", self.0.first_contact)?;
-        Ok(dict)
-    }
+getters! {
+    PyClash, self;
+    /// Smallest distance between neighbouring windings [m], centre to centre; infinite for a single winding.
+    smallest_pitch: f64 = self.0.smallest_pitch;
+    /// When they are that near [s].
+    time: f64 = self.0.time;
+    /// The lower-numbered of the two windings, from 1.
+    winding: usize = self.0.winding;
+    /// At this pitch windings touch [m].
+    contact_pitch: f64 = self.0.contact_pitch;
+    /// First time at which they touch [s]; None where they stay clear.
+    first_contact: Option<f64> = self.0.first_contact;
+    /// Whether windings touch.
+    happens: bool = self.0.happens();
+    /// Smallest distance between the wires' surfaces [m], below zero where they would overlap.
+    clearance: f64 = self.0.clearance();
+}
+
+named_value! {
+    /// The values by name.
+    PyClash, self;
+    smallest_pitch, time, winding, contact_pitch, first_contact,
 }
 
 #[pymethods]
@@ -86,64 +97,5 @@ impl PyClash {
             Some(pitch) => Clash::seen(&motion.0, &times, &motion.0.windings(&times)?, pitch),
         });
         found.python().map(Self)
-    }
-
-    /// Smallest distance between neighbouring windings [m], centre to centre; infinite for a single winding.
-    #[getter]
-    fn smallest_pitch(&self) -> f64 {
-        self.0.smallest_pitch
-    }
-
-    /// When they are that near [s].
-    #[getter]
-    fn time(&self) -> f64 {
-        self.0.time
-    }
-
-    /// The lower-numbered of the two windings, from 1.
-    #[getter]
-    fn winding(&self) -> usize {
-        self.0.winding
-    }
-
-    /// At this pitch windings touch [m].
-    #[getter]
-    fn contact_pitch(&self) -> f64 {
-        self.0.contact_pitch
-    }
-
-    /// First time at which they touch [s]; None where they stay clear.
-    #[getter]
-    fn first_contact(&self) -> Option<f64> {
-        self.0.first_contact
-    }
-
-    /// Whether windings touch.
-    #[getter]
-    fn happens(&self) -> bool {
-        self.0.happens()
-    }
-
-    /// Smallest distance between the wires' surfaces [m], below zero where they would overlap.
-    #[getter]
-    fn clearance(&self) -> f64 {
-        self.0.clearance()
-    }
-
-    /// The values by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.arguments(py)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Clash", &self.arguments(py)?)
     }
 }

@@ -4,11 +4,10 @@
 
 use coilsense::Deviation;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::series::Series;
-use crate::value::{self, Arguments, NewArguments};
+use crate::value::{getters, named_value};
 
 /// How a series deviates from its reference; every value has the unit of the series.
 ///
@@ -40,16 +39,24 @@ use crate::value::{self, Arguments, NewArguments};
 #[derive(PartialEq)]
 pub struct PyDeviation(pub Deviation);
 
-impl PyDeviation {
-    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("rmsd", self.0.rmsd)?;
-        dict.set_item("maximum", self.0.maximum)?;
-        dict.set_item("maximum_absolute", self.0.maximum_absolute)?;
-        dict.set_item("mean", self.0.mean)?;
-        dict.set_item("standard_error", self.0.standard_error)?;
-        Ok(dict)
-    }
+getters! {
+    PyDeviation, self;
+    /// Root of the mean of squares.
+    rmsd: f64 = self.0.rmsd;
+    /// Largest difference, with its sign.
+    maximum: f64 = self.0.maximum;
+    /// Largest difference either way.
+    maximum_absolute: f64 = self.0.maximum_absolute;
+    /// Mean difference.
+    mean: f64 = self.0.mean;
+    /// sigma / sqrt(n), with sigma over n - 1; zero for one sample.
+    standard_error: f64 = self.0.standard_error;
+}
+
+named_value! {
+    /// The values by name.
+    PyDeviation, self;
+    rmsd, maximum, maximum_absolute, mean, standard_error,
 }
 
 #[pymethods]
@@ -101,54 +108,7 @@ impl PyDeviation {
         self.0.relative_to(nominal).python().map(Self)
     }
 
-    /// Root of the mean of squares.
-    #[getter]
-    fn rmsd(&self) -> f64 {
-        self.0.rmsd
-    }
-
-    /// Largest difference, with its sign.
-    #[getter]
-    fn maximum(&self) -> f64 {
-        self.0.maximum
-    }
-
-    /// Largest difference either way.
-    #[getter]
-    fn maximum_absolute(&self) -> f64 {
-        self.0.maximum_absolute
-    }
-
-    /// Mean difference.
-    #[getter]
-    fn mean(&self) -> f64 {
-        self.0.mean
-    }
-
-    /// sigma / sqrt(n), with sigma over n - 1; zero for one sample.
-    #[getter]
-    fn standard_error(&self) -> f64 {
-        self.0.standard_error
-    }
-
-    /// The values by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.arguments(py)
-    }
-
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<NewArguments<'py>> {
-        Ok(value::new_arguments(self.arguments(py)?))
-    }
-
     fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         crate::html::shown(slf.as_any(), "deviation")
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        value::shown("Deviation", &self.arguments(py)?)
     }
 }

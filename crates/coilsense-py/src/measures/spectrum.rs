@@ -9,7 +9,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::series::Series;
-use crate::value::Arguments;
+use crate::value::{Arguments, getters};
 
 /// One-sided spectrum of a uniformly sampled series, tapered after Hann.
 ///
@@ -41,24 +41,20 @@ use crate::value::Arguments;
 #[derive(PartialEq)]
 pub struct PySpectrum(Spectrum);
 
+getters! {
+    PySpectrum, self;
+    /// Frequencies of the lines [Hz], shape (lines,).
+    frequencies<'py>(py): Bound<'py, PyArray1<f64>> = self.0.frequencies().into_pyarray(py);
+    /// Peak amplitude of the sine that each line stands for, in the unit of the values, shape (lines,); the mean's size at 0 Hz.
+    amplitudes<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.amplitudes());
+}
+
 #[pymethods]
 impl PySpectrum {
     #[new]
     fn new(py: Python<'_>, times: Series<'_>, values: Series<'_>) -> PyResult<Self> {
         let (times, values) = (times.values(), values.values());
         py.detach(|| Spectrum::of(&times, &values)).python().map(Self)
-    }
-
-    /// Frequencies of the lines [Hz], shape (lines,).
-    #[getter]
-    fn frequencies<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.0.frequencies().into_pyarray(py)
-    }
-
-    /// Peak amplitude of the sine that each line stands for, in the unit of the values, shape (lines,); the mean's size at 0 Hz.
-    #[getter]
-    fn amplitudes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        PyArray1::from_slice(py, self.0.amplitudes())
     }
 
     /// Rms of what lies within a band.

@@ -15,7 +15,7 @@ use super::precision;
 use crate::errors::{Error, refused};
 use crate::json;
 use crate::series::Series;
-use crate::value::Arguments;
+use crate::value::{Arguments, getters};
 
 /// A filter of F_i or an estimator of F_o, designed for a spring and judged; an item of `Mitigation`.
 #[pyclass(name = "Remedy", module = "coilsense", frozen)]
@@ -63,74 +63,34 @@ impl PyRemedy {
     }
 }
 
+getters! {
+    PyRemedy, self;
+    /// In words.
+    pub name: &str = &self.candidate().name;
+    /// Where it comes from: "raw", "first try" or "fitted".
+    origin: &'static str = self.candidate().origin.name();
+    /// What its force is to be: "k·Δl" or "F_o".
+    against: &'static str = self.candidate().truth.name();
+    /// Rms error on the nominal spring [N].
+    rms_error: f64 = self.judgement().nominal;
+    /// The largest rms error of a run over the tolerances [N].
+    worst_rms_error: f64 = self.judgement().worst;
+    /// In which run.
+    worst_run: &str = &self.judgement().worst_run;
+    /// Rms error once the truth is shifted by the delay at which it fits best [N].
+    aligned_rms_error: f64 = self.judgement().aligned;
+    /// That delay [s].
+    delay: f64 = self.judgement().delay;
+    /// Lag at the bandwidth [rad]; below zero it leads.
+    lag: f64 = self.judgement().lag;
+    /// Noise that comes out over noise that goes in, rms [1].
+    noise_gain: f64 = self.judgement().noise_gain;
+    /// How long after an impact the error stays above a tenth of what the impact makes [s].
+    settling: f64 = self.judgement().settling;
+}
+
 #[pymethods]
 impl PyRemedy {
-    /// In words.
-    #[getter]
-    pub fn name(&self) -> &str {
-        &self.candidate().name
-    }
-
-    /// Where it comes from: "raw", "first try" or "fitted".
-    #[getter]
-    fn origin(&self) -> &'static str {
-        self.candidate().origin.name()
-    }
-
-    /// What its force is to be: "k·Δl" or "F_o".
-    #[getter]
-    fn against(&self) -> &'static str {
-        self.candidate().truth.name()
-    }
-
-    /// Rms error on the nominal spring [N].
-    #[getter]
-    fn rms_error(&self) -> f64 {
-        self.judgement().nominal
-    }
-
-    /// The largest rms error of a run over the tolerances [N].
-    #[getter]
-    fn worst_rms_error(&self) -> f64 {
-        self.judgement().worst
-    }
-
-    /// In which run.
-    #[getter]
-    fn worst_run(&self) -> &str {
-        &self.judgement().worst_run
-    }
-
-    /// Rms error once the truth is shifted by the delay at which it fits best [N].
-    #[getter]
-    fn aligned_rms_error(&self) -> f64 {
-        self.judgement().aligned
-    }
-
-    /// That delay [s].
-    #[getter]
-    fn delay(&self) -> f64 {
-        self.judgement().delay
-    }
-
-    /// Lag at the bandwidth [rad]; below zero it leads.
-    #[getter]
-    fn lag(&self) -> f64 {
-        self.judgement().lag
-    }
-
-    /// Noise that comes out over noise that goes in, rms [1].
-    #[getter]
-    fn noise_gain(&self) -> f64 {
-        self.judgement().noise_gain
-    }
-
-    /// How long after an impact the error stays above a tenth of what the impact makes [s].
-    #[getter]
-    fn settling(&self) -> f64 {
-        self.judgement().settling
-    }
-
     /// The numbers that make it, by name; None for what is measured as it is.
     #[getter]
     fn settings<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {

@@ -5,13 +5,10 @@
 use coilsense::{Damping, FarEnd, Mount};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use crate::errors::IntoPython;
 use crate::series::Series;
-use crate::value::{self, Arguments, Kind};
-
-const KINDS: [&str; 6] = ["none", "modal", "modal_each", "mass_proportional", "stiffness_proportional", "hysteretic"];
+use crate::value::{Kind, value_of_kinds};
 
 /// Damping of the windings, relative to the straight line between the ends.
 ///
@@ -43,6 +40,11 @@ impl PyDamping {
             Damping::Hysteretic { loss_factor } => kind("hysteretic").with("loss_factor", loss_factor),
         }
     }
+}
+
+value_of_kinds! {
+    /// Which constructor makes it: "none", "modal", "modal_each", "mass_proportional", "stiffness_proportional" or "hysteretic".
+    PyDamping, "Damping"; "none", "modal", "modal_each", "mass_proportional", "stiffness_proportional", "hysteretic"
 }
 
 #[pymethods]
@@ -150,43 +152,5 @@ impl PyDamping {
     ///     Where damping for each mode is given for another number of modes, and for a loss factor.
     fn ratios<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         Ok(self.0.ratios(&frequencies.values()).python()?.into_pyarray(py))
-    }
-
-    /// Which constructor makes it: "none", "modal", "modal_each", "mass_proportional", "stiffness_proportional" or "hysteretic".
-    #[getter]
-    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(self.as_kind(py)?.name)
-    }
-
-    /// Its kind and its arguments by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.as_kind(py)?.to_dict()
-    }
-
-    /// The way back from `to_dict`.
-    ///
-    /// Parameters
-    /// ----------
-    /// dict : dict
-    ///     The kind, and the arguments of the constructor of that name.
-    ///
-    /// Returns
-    /// -------
-    /// Damping
-    #[classmethod]
-    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
-        value::of_dict(class, &dict, &KINDS)
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
-        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.as_kind(py)?.shown("Damping")
     }
 }

@@ -4,12 +4,9 @@
 
 use coilsense::{Damping, FarEnd, Mount};
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use crate::errors::IntoPython;
-use crate::value::{self, Arguments, Kind};
-
-const KINDS: [&str; 3] = ["position", "force", "mass"];
+use crate::value::{Kind, value_of_kinds};
 
 /// What end 2 is tied to.
 ///
@@ -26,6 +23,11 @@ impl PyFarEnd {
             FarEnd::Mass(mass) => Kind::new(py, "mass").with("mass", mass),
         }
     }
+}
+
+value_of_kinds! {
+    /// Which constructor makes it: "position", "force" or "mass".
+    PyFarEnd, "FarEnd"; "position", "force", "mass"
 }
 
 #[pymethods]
@@ -64,43 +66,5 @@ impl PyFarEnd {
     fn mass(mass: f64) -> PyResult<Self> {
         let far_end = FarEnd::Mass(mass);
         Mount::new(far_end, Damping::None).python().map(|_| Self(far_end))
-    }
-
-    /// Which constructor makes it: "position", "force" or "mass".
-    #[getter]
-    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(self.as_kind(py)?.name)
-    }
-
-    /// Its kind and its arguments by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.as_kind(py)?.to_dict()
-    }
-
-    /// The way back from `to_dict`.
-    ///
-    /// Parameters
-    /// ----------
-    /// dict : dict
-    ///     The kind, and the arguments of the constructor of that name.
-    ///
-    /// Returns
-    /// -------
-    /// FarEnd
-    #[classmethod]
-    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
-        value::of_dict(class, &dict, &KINDS)
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
-        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.as_kind(py)?.shown("FarEnd")
     }
 }

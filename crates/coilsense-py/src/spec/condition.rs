@@ -7,51 +7,31 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::excitation::PyExcitation;
-use crate::value::{self, Arguments};
+use crate::value::{self, Arguments, getters};
 
 /// A condition of use in a spec: what is done to the spring, for how long, and what of it is judged.
 #[pyclass(name = "Condition", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyCondition(pub ConditionSpec);
 
+getters! {
+    PyCondition, self;
+    /// Its name.
+    name: &str = &self.0.name;
+    /// The spec's word for what is done, such as "impact".
+    kind: &str = self.0.kind;
+    /// What is done to the spring.
+    excitation: PyExcitation = PyExcitation(self.0.excitation.clone());
+    /// How long it is simulated [s].
+    duration: f64 = self.0.duration;
+    /// From when to when it is judged [s], as a tuple.
+    window: (f64, f64) = self.0.window;
+    /// Samples per second [Hz].
+    sample_rate: f64 = self.0.sample_rate;
+}
+
 #[pymethods]
 impl PyCondition {
-    /// Its name.
-    #[getter]
-    fn name(&self) -> &str {
-        &self.0.name
-    }
-
-    /// The spec's word for what is done, such as "impact".
-    #[getter]
-    fn kind(&self) -> &str {
-        self.0.kind
-    }
-
-    /// What is done to the spring.
-    #[getter]
-    fn excitation(&self) -> PyExcitation {
-        PyExcitation(self.0.excitation.clone())
-    }
-
-    /// How long it is simulated [s].
-    #[getter]
-    fn duration(&self) -> f64 {
-        self.0.duration
-    }
-
-    /// From when to when it is judged [s], as a tuple.
-    #[getter]
-    fn window(&self) -> (f64, f64) {
-        self.0.window
-    }
-
-    /// Samples per second [Hz].
-    #[getter]
-    fn sample_rate(&self) -> f64 {
-        self.0.sample_rate
-    }
-
     /// What it is by name, the excitation as a dict.
     ///
     /// Returns

@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 use super::by_title;
 use super::plan::PySweepPlan;
 use crate::errors::IntoPython;
+use crate::value::getters;
 
 /// A sweep on disk: a folder with a manifest and one Parquet file a chunk.
 ///
@@ -34,6 +35,16 @@ pub struct PySweepDataset {
     pub(super) folder: PathBuf,
 }
 
+getters! {
+    PySweepDataset, self;
+    /// The folder.
+    folder: PathBuf = self.folder.clone();
+    /// What its rows are made by.
+    plan: PySweepPlan = PySweepPlan(self.dataset.plan().clone());
+    /// Numbers of the chunks that are not there yet, in order.
+    missing: Vec<u64> = self.dataset.missing();
+}
+
 #[pymethods]
 impl PySweepDataset {
     #[new]
@@ -44,24 +55,6 @@ impl PySweepDataset {
             None => Dataset::open(&folder),
         };
         Ok(Self { dataset: dataset.python()?, folder })
-    }
-
-    /// The folder.
-    #[getter]
-    fn folder(&self) -> PathBuf {
-        self.folder.clone()
-    }
-
-    /// What its rows are made by.
-    #[getter]
-    fn plan(&self) -> PySweepPlan {
-        PySweepPlan(self.dataset.plan().clone())
-    }
-
-    /// Numbers of the chunks that are not there yet, in order.
-    #[getter]
-    fn missing(&self) -> Vec<u64> {
-        self.dataset.missing()
     }
 
     /// Writes a chunk's bytes under another name, lets them come to rest on the disk, and gives them their name.

@@ -14,9 +14,9 @@ use pyo3::types::PyDict;
 
 use super::{Folder, by_title};
 use crate::errors::IntoPython;
-use crate::json;
 use crate::long_work::interruptible;
-use crate::results::{laid_out, plain, save};
+use crate::results::study_result;
+use crate::value::getters;
 
 /// The designs of a sweep that no other beats; made by `pareto`. ``str()`` of it is what ``coilsense pareto`` prints.
 ///
@@ -33,37 +33,40 @@ impl PartialEq for PyPareto {
     }
 }
 
+getters! {
+    PyPareto, self;
+    /// The answer, a sentence each.
+    answer: Vec<String> = answer(&self.study);
+    /// Numbers of the rows of the sweep that are on the front, shape (designs,).
+    rows<'py>(py): Bound<'py, PyArray1<u64>> = PyArray1::from_slice(py, &self.study.rows);
+    /// Titles of the objectives' columns, those to be minimized first.
+    objectives: Vec<String> = self.study.question.objectives.iter().map(|objective| objective.title.clone()).collect();
+    /// The row of the knee: the design with the least sum of objectives as shares of the front's ranges.
+    knee: u64 = self.study.rows[self.study.knee];
+    /// All columns of the designs on the front, by title: arrays of numbers, lists of texts and of truths.
+    columns<'py>(py): PyResult<Bound<'py, PyDict>> =
+        by_title(py, self.study.front.columns.iter().map(|(title, data)| (title.as_str(), data.clone())));
+}
+
+study_result! {
+    PyPareto, self;
+    /// Everything, under the names of results.json.
+    to_dict = pareto_json(&self.study);
+    /// All columns of the designs on the front as a data frame of pandas; ``pip install coilsense[pandas]``.
+    to_pandas = "front_frame";
+    str = pareto_text(&self.study);
+    html = "pareto_html";
+    /// Writes what ``coilsense pareto --out`` writes: report.html, results.json, pareto.csv, pareto.parquet and figures; all of it or nothing.
+    save(date, output; dataset = Dataset::open(&self.folder).python()?) = add_pareto(&self.study, &dataset, date, output);
+}
+
 #[pymethods]
 impl PyPareto {
-    /// The answer, a sentence each.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        answer(&self.study)
-    }
-
-    /// Numbers of the rows of the sweep that are on the front, shape (designs,).
-    #[getter]
-    fn rows<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
-        PyArray1::from_slice(py, &self.study.rows)
-    }
-
-    /// Titles of the objectives' columns, those to be minimized first.
-    #[getter]
-    fn objectives(&self) -> Vec<String> {
-        self.study.question.objectives.iter().map(|objective| objective.title.clone()).collect()
-    }
-
     /// The objectives of each design on the front, shape (designs, objectives).
     #[getter]
     fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let shape = [self.study.rows.len(), self.study.question.objectives.len()];
         self.study.values.clone().into_pyarray(py).reshape(shape)
-    }
-
-    /// The row of the knee: the design with the least sum of objectives as shares of the front's ranges.
-    #[getter]
-    fn knee(&self) -> u64 {
-        self.study.rows[self.study.knee]
     }
 
     /// The row of the best design in each objective, by its title.
@@ -76,64 +79,13 @@ impl PyPareto {
         Ok(dict)
     }
 
-    /// All columns of the designs on the front, by title: arrays of numbers, lists of texts and of truths.
-    #[getter]
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        by_title(py, self.study.front.columns.iter().map(|(title, data)| (title.as_str(), data.clone())))
-    }
-
-    /// Writes what ``coilsense pareto --out`` writes: report.html, results.json, pareto.csv, pareto.parquet and figures; all of it or nothing.
-    ///
-    /// Parameters
-    /// ----------
-    /// folder : str or os.PathLike
-    ///     Its other files are left alone.
-    /// date : str, optional
-    ///     What the report carries; without it, today's.
-    ///
-    /// Returns
-    /// -------
-    /// int
-    ///     How many files.
-    #[pyo3(signature = (folder, date=None))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
-        let dataset = Dataset::open(&self.folder).python()?;
-        save(py, &folder, date, |date, output| add_pareto(&self.study, &dataset, date, output))
-    }
-
-    /// Everything, under the names of results.json.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        json::loads(py, pareto_json(&self.study))
-    }
-
-    /// All columns of the designs on the front as a data frame of pandas; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("coilsense._frames")?.call_method1("frame", (self.columns(py)?,))
-    }
-
     fn __len__(&self) -> usize {
         self.study.rows.len()
-    }
-
-    fn __str__(&self) -> String {
-        plain(&pareto_text(&self.study))
     }
 
     fn __repr__(&self) -> String {
         let (front, compared) = (self.study.rows.len(), self.study.counts.compared);
         format!("<Pareto of {}: {front} of {compared} designs, knee in row {}>", self.folder.display(), self.knee())
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "pareto_html", (slf,))
     }
 }
 

@@ -14,6 +14,7 @@ use crate::errors::{IntoPython, SweepError, unknown};
 use crate::json;
 use crate::long_work::watched;
 use crate::spec::{PySpec, beside};
+use crate::value::getters;
 
 /// All that decides the rows of a sweep.
 ///
@@ -111,6 +112,18 @@ impl Table {
     }
 }
 
+getters! {
+    PySweepPlan, self;
+    /// How many rows there are.
+    rows: u64 = self.0.rows();
+    /// How many chunks they fall into.
+    chunks: u64 = self.0.chunks();
+    /// Titles of all columns, in order, each with its unit in brackets where it holds numbers.
+    titles: Vec<String> = self.0.titles();
+    /// SHA-256 of the plan, in hexadecimal digits.
+    digest: String = self.0.digest();
+}
+
 #[pymethods]
 impl PySweepPlan {
     #[new]
@@ -200,30 +213,6 @@ impl PySweepPlan {
     ///     For a row that is not there.
     fn spec_of(&self, row: u64) -> PyResult<String> {
         self.0.spec_of(row).python()
-    }
-
-    /// How many rows there are.
-    #[getter]
-    fn rows(&self) -> u64 {
-        self.0.rows()
-    }
-
-    /// How many chunks they fall into.
-    #[getter]
-    fn chunks(&self) -> u64 {
-        self.0.chunks()
-    }
-
-    /// Titles of all columns, in order, each with its unit in brackets where it holds numbers.
-    #[getter]
-    fn titles(&self) -> Vec<String> {
-        self.0.titles()
-    }
-
-    /// SHA-256 of the plan, in hexadecimal digits.
-    #[getter]
-    fn digest(&self) -> String {
-        self.0.digest()
     }
 
     /// Numbers of the rows of a chunk.

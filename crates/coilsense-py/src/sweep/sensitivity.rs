@@ -13,9 +13,9 @@ use pyo3::types::PyDict;
 
 use super::Folder;
 use crate::errors::IntoPython;
-use crate::json;
 use crate::long_work::interruptible;
-use crate::results::{laid_out, plain, save};
+use crate::results::study_result;
+use crate::value::getters;
 
 /// Sobol's indices of a sweep's columns; made by `sensitivity`. ``str()`` of it is what ``coilsense sensitivity`` prints.
 #[pyclass(name = "Sensitivity", module = "coilsense", frozen, eq)]
@@ -47,32 +47,32 @@ impl PySensitivity {
     }
 }
 
+getters! {
+    PySensitivity, self;
+    /// The answer, a sentence each.
+    answer: Vec<String> = answer(&self.study);
+    /// Keys of what is varied.
+    variables: Vec<String> = self.study.variables.clone();
+    /// S_1 of each column by key, with its interval: (value, lower, upper). What would go of the column's variance were the key alone known.
+    first_order<'py>(py): PyResult<Bound<'py, PyDict>> = self.by_column(py, |index| &index.first);
+    /// S_T of each column by key, with its interval: (value, lower, upper). What would stay of the column's variance were all others known.
+    total<'py>(py): PyResult<Bound<'py, PyDict>> = self.by_column(py, |index| &index.total);
+}
+
+study_result! {
+    PySensitivity, self;
+    /// Everything, under the names of results.json.
+    to_dict = sensitivity_json(&self.study);
+    /// A row for each column and key as a data frame of pandas; ``pip install coilsense[pandas]``.
+    to_pandas = "indices_frame";
+    str = sensitivity_text(&self.study);
+    html = "sensitivity_html";
+    /// Writes what ``coilsense sensitivity --out`` writes: report.html and results.json; all of it or nothing.
+    save(date, output; dataset = Dataset::open(&self.folder).python()?) = add_sensitivity(&self.study, &dataset, date, output);
+}
+
 #[pymethods]
 impl PySensitivity {
-    /// The answer, a sentence each.
-    #[getter]
-    fn answer(&self) -> Vec<String> {
-        answer(&self.study)
-    }
-
-    /// Keys of what is varied.
-    #[getter]
-    fn variables(&self) -> Vec<String> {
-        self.study.variables.clone()
-    }
-
-    /// S_1 of each column by key, with its interval: (value, lower, upper). What would go of the column's variance were the key alone known.
-    #[getter]
-    fn first_order<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.by_column(py, |index| &index.first)
-    }
-
-    /// S_T of each column by key, with its interval: (value, lower, upper). What would stay of the column's variance were all others known.
-    #[getter]
-    fn total<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.by_column(py, |index| &index.total)
-    }
-
     /// Why there are no indices of a column, by its title.
     #[getter]
     fn without<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -85,54 +85,9 @@ impl PySensitivity {
         Ok(dict)
     }
 
-    /// Writes what ``coilsense sensitivity --out`` writes: report.html and results.json; all of it or nothing.
-    ///
-    /// Parameters
-    /// ----------
-    /// folder : str or os.PathLike
-    ///     Its other files are left alone.
-    /// date : str, optional
-    ///     What the report carries; without it, today's.
-    ///
-    /// Returns
-    /// -------
-    /// int
-    ///     How many files.
-    #[pyo3(signature = (folder, date=None))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
-        let dataset = Dataset::open(&self.folder).python()?;
-        save(py, &folder, date, |date, output| add_sensitivity(&self.study, &dataset, date, output))
-    }
-
-    /// Everything, under the names of results.json.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        json::loads(py, sensitivity_json(&self.study))
-    }
-
-    /// A row for each column and key as a data frame of pandas; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "indices_frame", (slf,))
-    }
-
-    fn __str__(&self) -> String {
-        plain(&sensitivity_text(&self.study))
-    }
-
     fn __repr__(&self) -> String {
         let (columns, variables) = (self.study.columns.len(), self.study.variables.len());
         format!("<Sensitivity of {}: {columns} columns to {variables} keys>", self.folder.display())
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        laid_out(slf.py(), "sensitivity_html", (slf,))
     }
 }
 

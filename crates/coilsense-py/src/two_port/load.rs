@@ -5,12 +5,9 @@
 use coilsense::two_port::Load;
 use num_complex::Complex64;
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use crate::errors::IntoPython;
-use crate::value::{self, Arguments, Kind};
-
-const KINDS: [&str; 4] = ["held", "free", "mass", "stiffness"];
+use crate::value::{Kind, value_of_kinds};
 
 /// A load at end 2, by the force over the displacement it answers with.
 ///
@@ -36,6 +33,11 @@ impl PyLoad {
             }
         }
     }
+}
+
+value_of_kinds! {
+    /// Which constructor makes it: "held", "free", "mass" or "stiffness".
+    PyLoad, "Load"; "held", "free", "mass", "stiffness"
 }
 
 #[pymethods]
@@ -90,43 +92,5 @@ impl PyLoad {
     #[pyo3(signature = (real, imaginary=0.0))]
     fn stiffness(real: f64, imaginary: f64) -> PyResult<Self> {
         Load::stiffness(Complex64::new(real, imaginary)).python().map(Self)
-    }
-
-    /// Which constructor makes it: "held", "free", "mass" or "stiffness".
-    #[getter]
-    fn kind(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(self.as_kind(py)?.name)
-    }
-
-    /// Its kind and its arguments by name.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        self.as_kind(py)?.to_dict()
-    }
-
-    /// The way back from `to_dict`.
-    ///
-    /// Parameters
-    /// ----------
-    /// dict : dict
-    ///     The kind, and the arguments of the constructor of that name.
-    ///
-    /// Returns
-    /// -------
-    /// Load
-    #[classmethod]
-    fn from_dict<'py>(class: &Bound<'py, PyType>, dict: Arguments<'py>) -> PyResult<Bound<'py, PyAny>> {
-        value::of_dict(class, &dict, &KINDS)
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
-        slf.get().as_kind(slf.py())?.reduced(slf.get_type().as_any())
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        self.as_kind(py)?.shown("Load")
     }
 }

@@ -1,0 +1,53 @@
+//! The types of the Python module: written from what PyO3 tells of it (`cargo xtask stubs`), and compared with the committed file.
+//!
+//! Next door: the checks of the package (`package`), what PyO3 cannot know (`python/stubs/write.py`).
+
+use std::path::Path;
+
+use anyhow::{Context, bail};
+
+use crate::package::REQUIREMENTS;
+use crate::python::{self, Environment};
+use crate::root;
+
+/// The file that is committed.
+const STUB: &str = "python/coilsense/_coilsense.pyi";
+/// Where the module is built with PyO3's account of it.
+const PROJECT: &str = "python/stubs";
+
+/// Writes the committed file.
+pub fn write() -> anyhow::Result<()> {
+    generated(&python::environment("target/python", REQUIREMENTS)?, &root().join(STUB))?;
+    println!("{STUB}");
+    Ok(())
+}
+
+/// Whether the committed file is what would be written.
+pub fn agree(environment: &Environment) -> anyhow::Result<bool> {
+    let folder = tempfile::tempdir()?;
+    let anew = folder.path().join("_coilsense.pyi");
+    generated(environment, &anew)?;
+    let same =
+        std::fs::read(root().join(STUB)).with_context(|| format!("{STUB} cannot be read"))? == std::fs::read(anew)?;
+    if !same {
+        eprintln!("{STUB} is not what the module tells; write it with: cargo xtask stubs");
+    }
+    Ok(same)
+}
+
+/// Writes the types into a file.
+fn generated(environment: &Environment, file: &Path) -> anyhow::Result<()> {
+    let folder = root().join("target/stubs");
+    let mut account = environment.python();
+    account.args(["-m", "maturin", "generate-stubs", "--profile", "release", "--quiet", "--interpreter", "python3"]);
+    account.arg("--out").arg(&folder).current_dir(root().join(PROJECT));
+    if !account.status().context("maturin cannot be started")?.success() {
+        bail!("PyO3's account of the module cannot be had");
+    }
+    let mut types = environment.python();
+    types.arg(root().join(PROJECT).join("write.py")).arg(folder.join("coilsense/_coilsense.pyi")).arg(file);
+    if !types.status().context("Python cannot be started")?.success() {
+        bail!("the types are not all known");
+    }
+    Ok(())
+}
