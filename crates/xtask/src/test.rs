@@ -34,6 +34,8 @@ enum Outcome {
     Failed,
     /// It could not run, and why.
     Missing(String),
+    /// It needs data that no stranger may have; that is no failure.
+    Unlicensed(String),
 }
 
 /// A part of the checks.
@@ -42,10 +44,11 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 14] = [
+const PARTS: [Part; 15] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
+    Part { name: "measured runs", run: measured_runs },
     Part { name: "vector paths", run: vector_paths },
     Part { name: "docs", run: docs },
     Part { name: "fewer formats", run: fewer_formats },
@@ -61,8 +64,8 @@ const PARTS: [Part; 14] = [
 
 /// The part that only runs where it is asked for.
 const LONG: &str = "long";
-/// What is marked to be ignored and is no check: the one writes files, the other is a benchmark.
-const NO_CHECKS: [&str; 2] = ["write_the_settings_of_the_firmware", "a_million_points"];
+/// What is marked to be ignored and is not run by `long`: a benchmark, and what has a part of its own.
+const NOT_LONG: [&str; 2] = ["a_million_points", "measured_runs"];
 
 /// Runs every part, also after one has failed.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -90,6 +93,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 }
                 format!("SKIPPED: {reason}")
             }
+            Outcome::Unlicensed(reason) => format!("SKIPPED: {reason}"),
         };
         lines.push(format!("{:13} {seconds:7.1} s  {verdict}", part.name));
     }
@@ -135,6 +139,19 @@ fn clippy(_: &Arguments) -> anyhow::Result<Outcome> {
 fn tests(_: &Arguments) -> anyhow::Result<Outcome> {
     let mut command = cargo(&["test", "--workspace", "--all-features"]);
     command.env("PROPTEST_RNG_SEED", "1");
+    outcome(command)
+}
+
+/// Calibrations of measured runs, which carry no licence: where they are, in `COILSENSE_LAB_DATA` or beside the project.
+fn measured_runs(_: &Arguments) -> anyhow::Result<Outcome> {
+    let named = std::env::var_os("COILSENSE_LAB_DATA").map(std::path::PathBuf::from);
+    let folder = named.unwrap_or_else(|| crate::root().join("../shared/lab-data"));
+    if !folder.join("S1_01.csv").is_file() {
+        return Ok(Outcome::Unlicensed("no measured runs; COILSENSE_LAB_DATA names their folder".to_owned()));
+    }
+    let mut command = cargo(&["test", "--quiet", "--package", "coilsense", "--package", "coilsense-cli"]);
+    command.args(["--test", "lab_data", "--test", "calibrate", "--", "--ignored", "measured_runs"]);
+    command.env("COILSENSE_LAB_DATA", std::path::absolute(folder)?);
     outcome(command)
 }
 
@@ -242,7 +259,7 @@ fn long(_: &Arguments) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Failed);
     }
     let mut command = cargo(&["test", "--release", "--workspace", "--tests", "--", "--ignored"]);
-    command.args(NO_CHECKS.iter().flat_map(|name| ["--skip", name]));
+    command.args(NOT_LONG.iter().flat_map(|name| ["--skip", name]));
     outcome(command)
 }
 
