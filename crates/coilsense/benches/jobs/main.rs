@@ -12,7 +12,7 @@ use coilsense::motion::Windings;
 use coilsense::simd::SimdPath;
 use coilsense::{Motion, Spring};
 use job::{Job, Kind, doubles};
-use measure::{Measurement, measure};
+use measure::{Measurement, alternately, measure};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -23,17 +23,36 @@ fn main() -> Result<(), Failure> {
     };
     let folder = Path::new(&folder);
     let path = SimdPath::selected()?.name();
-    for job in Job::read_all(folder)? {
+    let jobs = Job::read_all(folder)?;
+    for job in &jobs {
         let measurements = match &job.kind {
-            Kind::Motion { .. } => motion(folder, &job)?,
-            Kind::Inductance { .. } => vec![inductance(folder, &job)?],
-            Kind::Mutual { .. } => vec![mutual(folder, &job)?],
+            Kind::Motion { .. } => motion(folder, job)?,
+            Kind::Inductance { .. } => vec![inductance(folder, job)?],
+            Kind::Mutual { .. } => vec![mutual(folder, job)?],
         };
         for measurement in measurements {
             println!("{}", measurement.json(&job.name, path)?);
         }
     }
+    for measurement in streams(folder, &jobs)? {
+        println!("{}", measurement.json("stream", path)?);
+    }
     Ok(())
+}
+
+/// A stream with held ends and one under a sine, turn by turn: what one takes over the other is then the same machine's answer.
+fn streams(folder: &Path, jobs: &[Job]) -> Result<Vec<Measurement>, Failure> {
+    let motion = |name: &str| -> Result<(Motion, f64), Failure> {
+        let job = jobs.iter().find(|job| job.name == name).ok_or_else(|| format!("no job {name}"))?;
+        Ok((Motion::new(&job.spring()?, &job.excitation(folder)?)?, 1.0 / job.rate()))
+    };
+    let motions = [motion("impact")?, motion("resonance")?];
+    let stream = |(motion, step): &(Motion, f64)| -> Result<f64, coilsense::Error> {
+        Ok(motion.stream(*step)?.take(10_001).map(|sample| sample.input + sample.output).sum())
+    };
+    let elapsed = alternately(|which| stream(&motions[which]))?;
+    let settings = ["held ends", "a sine"];
+    Ok(settings.into_iter().zip(elapsed).map(|(setting, elapsed)| Measurement::timed(setting, elapsed)).collect())
 }
 
 /// Both end forces at all samples: all together, and step by step.

@@ -9,7 +9,8 @@ use crate::Failure;
 pub struct Measurement {
     setting: &'static str,
     elapsed: Elapsed,
-    max_rel_error: f64,
+    /// None where there is nothing to compare with.
+    max_rel_error: Option<f64>,
 }
 
 /// Median time of a call, and over how many.
@@ -20,7 +21,12 @@ pub struct Elapsed {
 
 impl Measurement {
     pub fn new(setting: &'static str, elapsed: Elapsed, max_rel_error: f64) -> Self {
-        Self { setting, elapsed, max_rel_error }
+        Self { setting, elapsed, max_rel_error: Some(max_rel_error) }
+    }
+
+    /// Of time only.
+    pub fn timed(setting: &'static str, elapsed: Elapsed) -> Self {
+        Self { setting, elapsed, max_rel_error: None }
     }
 
     /// The row as JSON.
@@ -49,4 +55,24 @@ pub fn measure<T>(mut work: impl FnMut() -> Result<T, coilsense::Error>) -> (Ela
     }
     times.sort_by(f64::total_cmp);
     (Elapsed { median_ms: times[times.len() / 2], runs: times.len() }, last)
+}
+
+/// Calls two works in turn, five hundred times after one to warm up; the median time of each. What slows the machine for a while slows both.
+pub fn alternately<T>(
+    mut work: impl FnMut(usize) -> Result<T, coilsense::Error>,
+) -> Result<[Elapsed; 2], coilsense::Error> {
+    let mut times = [Vec::new(), Vec::new()];
+    for run in 0..501 {
+        for (which, times) in times.iter_mut().enumerate() {
+            let start = Instant::now();
+            black_box(work(which)?);
+            if run > 0 {
+                times.push(1e3 * start.elapsed().as_secs_f64());
+            }
+        }
+    }
+    Ok(times.map(|mut times| {
+        times.sort_by(f64::total_cmp);
+        Elapsed { median_ms: times[times.len() / 2], runs: times.len() }
+    }))
 }

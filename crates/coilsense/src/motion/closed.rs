@@ -91,17 +91,28 @@ impl Closed {
             return None;
         }
         kicks.sort_by(|a, b| a.1.time.total_cmp(&b.1.time));
-        let mut drives = Vec::new();
-        for (end, (input, participations)) in inputs.into_iter().zip(modes.participations()).enumerate() {
-            let of_sine = |sine| Drive::new(&oscillators, end, sine, participations);
-            drives.extend(input.sines().map(of_sine));
-        }
+        let drives = Self::drives(&oscillators, modes, inputs, NEAR);
         let mut closed = Self { oscillators, segments: Vec::new(), drives };
         closed.begin(start);
         for (end, kick) in kicks {
             closed.jump(modes.participations()[end], kick);
         }
         Some(closed)
+    }
+
+    /// The answer to each sine of both inputs; modes closer to one than the share `near` of their frequency are taken apart.
+    pub(super) fn drives(
+        oscillators: &[Oscillator],
+        modes: &ModalModel,
+        inputs: [&EndInput; 2],
+        near: f64,
+    ) -> Vec<Drive> {
+        let mut drives = Vec::new();
+        for (end, (input, participations)) in inputs.into_iter().zip(modes.participations()).enumerate() {
+            let of_sine = |sine| Drive::new(oscillators, end, sine, participations, near);
+            drives.extend(input.sines().map(of_sine));
+        }
+        drives
     }
 
     /// The first segment, from t = 0.
@@ -135,12 +146,7 @@ impl Closed {
             if time > 0.0 && self.segments.iter().any(|segment| segment.from == time) {
                 continue; // taken off by an earlier jump at the same moment
             }
-            let phasor = (I * drive.sine.phase).exp();
-            for (mode, gain) in drive.gains.iter().enumerate() {
-                let steady = gain * phasor;
-                state.coordinates[mode] -= steady.im;
-                state.rates[mode] -= drive.sine.angular * steady.re;
-            }
+            drive.take_off_from(state);
         }
     }
 
@@ -203,6 +209,16 @@ impl Closed {
 }
 
 impl Drive {
+    /// Takes off what its steady answer begins with.
+    pub(super) fn take_off_from(&self, state: &mut ModalState) {
+        let phasor = (I * self.sine.phase).exp();
+        for (mode, gain) in self.gains.iter().enumerate() {
+            let steady = gain * phasor;
+            state.coordinates[mode] -= steady.im;
+            state.rates[mode] -= self.sine.angular * steady.re;
+        }
+    }
+
     /// Adds its answer at a time.
     fn add_to(&self, time: f64, state: &mut ModalState) {
         let elapsed = time - self.sine.since;
@@ -213,20 +229,20 @@ impl Drive {
             state.rates[mode] += self.sine.angular * steady.re;
         }
         for near in &self.near {
-            let [(first, first_rate), (second, second_rate)] = near.parts(self.sine.angular, elapsed);
-            state.coordinates[near.mode] += (near.coefficient * (first - second)).re;
-            state.rates[near.mode] += (near.coefficient * (first_rate - second_rate)).re;
+            let [of_coordinate, of_rate] = near.pulls(self.sine.angular, elapsed);
+            state.coordinates[near.mode] += of_coordinate.re;
+            state.rates[near.mode] += of_rate.re;
         }
     }
 
     /// `q̈ + 2ζω_n q̇ + ω_n² q = c a ω² sin(ω(t − since) + φ)` for each mode.
-    fn new(oscillators: &[Oscillator], end: usize, sine: Sine, participations: &[f64]) -> Self {
+    fn new(oscillators: &[Oscillator], end: usize, sine: Sine, participations: &[f64], near: f64) -> Self {
         let mut drive = Self { end, sine, gains: vec![Complex64::default(); oscillators.len()], near: Vec::new() };
         let omega = sine.angular;
         for (mode, (oscillator, participation)) in oscillators.iter().zip(participations).enumerate() {
             let acceleration = participation * sine.amplitude * omega * omega;
             match oscillator.roots() {
-                Roots::Pair(root) if (oscillator.natural - omega).abs() < NEAR * oscillator.natural => {
+                Roots::Pair(root) if (oscillator.natural - omega).abs() < near * oscillator.natural => {
                     // Im(e^(iφ)/(2iω_d) […]) as a real part.
                     let coefficient = -acceleration * (I * sine.phase).exp() / (2.0 * root.im);
                     drive.near.push(Near { mode, root, coefficient });
@@ -246,9 +262,13 @@ impl Near {
             (value, root * value)
         })
     }
-}
 
-impl Near {
+    /// q and q̇ a time after the drive began, as the real parts of these.
+    pub(super) fn pulls(&self, drive: f64, time: f64) -> [Complex64; 2] {
+        let [(first, first_rate), (second, second_rate)] = self.parts(drive, time);
+        [self.coefficient * (first - second), self.coefficient * (first_rate - second_rate)]
+    }
+
     /// The terms of `coefficient (E(λ) − E(λ*) + β d/dt of both)`, with time counted from `elapsed` after the drive began; returns the
     /// coefficient of e^(iωt), which others share.
     ///

@@ -11,7 +11,7 @@ use super::stride::Sums;
 use super::truncated::Remainder;
 use super::{Motion, check_times, in_order, step_of};
 use crate::error::Error;
-use crate::excitation::Sine;
+use crate::excitation::{EndInput, Sine};
 use crate::modes::end_sign;
 use crate::mount::FarEnd;
 use crate::simd::dispatch;
@@ -46,7 +46,12 @@ impl Motion {
     /// [`Error::Count`] for no times; [`Error::Value`] for the first that is not finite or below zero.
     pub fn end_forces(&self, times: &[f64]) -> Result<EndForces, Error> {
         if let Some(closed) = self.closed.as_ref().filter(|_| is_equidistant(times)) {
-            return Ok(self.together(closed, times));
+            return Ok(self.together(closed, self.inputs(), times));
+        }
+        if self.closed.is_none()
+            && let Some(forces) = self.under_recordings(times)
+        {
+            return Ok(forces);
         }
         check_times(times)?;
         let mut forces = EndForces::zero(times.len());
@@ -68,7 +73,7 @@ impl Motion {
         }
         let [first, second] = self.inputs().map(|input| input.displacements(times));
         for (sample, inputs) in first.into_iter().zip(second).enumerate() {
-            let [input, output] = self.remaining_forces(times[sample]);
+            let [input, output] = self.remaining_forces(self.inputs(), times[sample]);
             let static_force = self.static_force_of(inputs.into());
             forces.input[sample] += static_force + input;
             forces.output[sample] += static_force + output;
@@ -76,18 +81,19 @@ impl Motion {
         Ok(forces)
     }
 
-    /// Both forces less those of the kept modes \[N\]: of a spring without mass, and of what modes left out do at rest.
-    pub(super) fn slow_forces(&self, time: f64) -> [f64; 2] {
-        let static_force = self.static_force_of(self.inputs().map(|input| input.displacement(time)));
-        self.remaining_forces(time).map(|force| static_force + force)
+    /// Both forces less those of the kept modes \[N\], under all or some of the inputs: of a spring without mass, and of what modes left out
+    /// do at rest.
+    pub(super) fn slow_forces_under(&self, inputs: [&EndInput; 2], time: f64) -> [f64; 2] {
+        let static_force = self.static_force_of(inputs.map(|input| input.displacement(time)));
+        self.remaining_forces(inputs, time).map(|force| static_force + force)
     }
 
     /// What modes left out do at rest \[N\].
-    fn remaining_forces(&self, time: f64) -> [f64; 2] {
+    fn remaining_forces(&self, inputs: [&EndInput; 2], time: f64) -> [f64; 2] {
         if self.remainder == Remainder::NONE {
             return [0.0; 2];
         }
-        let [first, second] = self.inputs().map(|input| input.acceleration(time));
+        let [first, second] = inputs.map(|input| input.acceleration(time));
         self.remainder.per_acceleration.map(|per| per[0] * first + per[1] * second)
     }
 
@@ -98,7 +104,7 @@ impl Motion {
     }
 
     /// What a unit of an input adds to F_s.
-    fn static_force_per(&self, end: usize) -> f64 {
+    pub(super) fn static_force_per(&self, end: usize) -> f64 {
         match (end, self.mount.far_end()) {
             (0, FarEnd::Position) => -self.spring.stiffness(),
             (0, _) => 0.0,
@@ -108,7 +114,7 @@ impl Motion {
     }
 
     /// Amplitude of the force at an end under a sine, less the kept modes \[N\].
-    fn straight_gain(&self, drive: &Drive, end: usize) -> f64 {
+    pub(super) fn straight_gain(&self, drive: &Drive, end: usize) -> f64 {
         let Sine { amplitude, angular, .. } = drive.sine;
         let remainder = self.remainder.per_acceleration[end][drive.end];
         amplitude * (self.static_force_per(drive.end) - remainder * angular * angular)
@@ -138,16 +144,16 @@ impl Motion {
         self.modes.segment()
     }
 
-    /// All equidistant times together, jump by jump.
-    fn together(&self, closed: &Closed, times: &[f64]) -> EndForces {
-        let constant = self.straight_part(0.0).constant;
+    /// All equidistant times together, jump by jump, under inputs that `closed` is the solution of.
+    pub(super) fn together(&self, closed: &Closed, inputs: [&EndInput; 2], times: &[f64]) -> EndForces {
+        let constant = self.straight_part(inputs, 0.0).constant;
         let mut forces = EndForces { input: vec![constant; times.len()], output: vec![constant; times.len()] };
         for (index, samples) in closed.stretches(times) {
             let segment = &closed.segments[index];
             let grid =
                 Grid { first: times[samples.start] - segment.from, step: step_of(times), samples: samples.len() };
             let [input, output] = [&mut forces.input[samples.clone()], &mut forces.output[samples]];
-            let straight = self.straight_part(segment.from);
+            let straight = self.straight_part(inputs, segment.from);
             for forces in [&mut *input, &mut *output] {
                 straight.add_to(forces, constant, grid);
             }
@@ -178,8 +184,8 @@ impl Motion {
     }
 
     /// What the mean length and straight inputs give a spring without mass, from a jump on.
-    fn straight_part(&self, from: f64) -> Straight {
-        let [first, second] = self.inputs().map(|input| input.straight_part(from));
+    fn straight_part(&self, inputs: [&EndInput; 2], from: f64) -> Straight {
+        let [first, second] = inputs.map(|input| input.straight_part(from));
         let constant = self.static_force_of([first.0, second.0]);
         Straight { constant, rate: self.static_force_of([first.1, second.1]) - self.static_force_of([0.0; 2]) }
     }

@@ -1,11 +1,12 @@
 //! The motion step by step, in constant memory: of a known excitation, or of inputs as they come.
 //!
-//! Next door: the same for all times at once (`forces`).
+//! Next door: the same for all times at once (`forces`), what makes a step (`march`, `sines`).
 
 use std::borrow::Cow;
 
 use super::Motion;
 use super::march::March;
+use super::sines::Sines;
 use crate::error::{Error, above_zero, finite};
 use crate::excitation::{EndInput, Excitation};
 use crate::mount::{FarEnd, Mount};
@@ -27,6 +28,10 @@ pub struct ForceSample {
 pub struct Stream<'a> {
     motion: Cow<'a, Motion>,
     march: March,
+    /// Where there are any: then the march holds all but them.
+    sines: Option<Sines>,
+    /// Both forces less those of modes and sines \[N\], where nothing else moves.
+    still: Option<[f64; 2]>,
     step: f64,
     sample: u64,
 }
@@ -51,8 +56,7 @@ impl Motion {
     /// # Ok::<(), coilsense::Error>(())
     /// ```
     pub fn stream(&self, step: f64) -> Result<Stream<'_>, Error> {
-        above_zero("step", step, "s")?;
-        Ok(Stream { motion: Cow::Borrowed(self), march: self.march(step), step, sample: 0 })
+        Stream::new(Cow::Borrowed(self), step)
     }
 
     /// The same stream, which takes the motion with it.
@@ -60,9 +64,29 @@ impl Motion {
     /// # Errors
     /// As [`Self::stream`].
     pub fn into_stream(self, step: f64) -> Result<Stream<'static>, Error> {
+        Stream::new(Cow::Owned(self), step)
+    }
+}
+
+impl<'a> Stream<'a> {
+    fn new(motion: Cow<'a, Motion>, step: f64) -> Result<Self, Error> {
         above_zero("step", step, "s")?;
-        let march = self.march(step);
-        Ok(Stream { motion: Cow::Owned(self), march, step, sample: 0 })
+        let (march, sines) = motion.march_and_sines(step);
+        let others = motion.inputs_beside(sines.as_ref());
+        let is_still = others.into_iter().all(|input| *input == EndInput::Held);
+        let still = is_still.then(|| motion.slow_forces_under(others, 0.0));
+        Ok(Self { motion, march, sines, still, step, sample: 0 })
+    }
+
+    /// Both forces at the present sample \[N\], less those of the modes that the march follows.
+    fn forces_beside_march(&mut self, time: f64) -> [f64; 2] {
+        let others = || self.motion.slow_forces_under(self.motion.inputs_beside(self.sines.as_ref()), time);
+        let [slow_input, slow_output] = self.still.unwrap_or_else(others);
+        let Some(sines) = &mut self.sines else {
+            return [slow_input, slow_output];
+        };
+        let [input, output] = sines.step_to(self.sample);
+        [slow_input + input, slow_output + output]
     }
 }
 
@@ -71,10 +95,10 @@ impl Iterator for Stream<'_> {
 
     fn next(&mut self) -> Option<ForceSample> {
         let time = self.sample as f64 * self.step;
-        self.sample += 1;
         self.march.advance_to(time);
-        let ([input, output], [slow_input, slow_output]) =
-            (self.motion.surge_forces(self.march.sums()), self.motion.slow_forces(time));
+        let [input, output] = self.motion.surge_forces(self.march.sums());
+        let [slow_input, slow_output] = self.forces_beside_march(time);
+        self.sample += 1;
         Some(ForceSample { time, input: slow_input + input, output: slow_output + output })
     }
 }
