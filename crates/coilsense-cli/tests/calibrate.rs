@@ -1,10 +1,9 @@
 //! `coilsense calibrate` as a person meets it: the measured runs through the command itself, and files that are no calibration.
 //!
 //! The runs carry no licence and are not part of this project: they are read from the folder in `COILSENSE_LAB_DATA`, else from `lab-data`
-//! in `shared` beside the project's folder. Without them that test says so and passes. Expected figures are their authors'.
+//! in `shared` beside the project's folder. Without them that test is ignored. Expected figures are their authors'.
 
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

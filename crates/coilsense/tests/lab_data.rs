@@ -1,9 +1,8 @@
 //! Two measured runs of real springs beside what their authors made of them.
 //!
 //! The runs carry no licence and are not part of this project: they are read from the folder in `COILSENSE_LAB_DATA`, else from
-//! `lab-data` in `shared` beside the project's folder. Without them the test says so and passes. Expected figures are the authors'.
+//! `lab-data` in `shared` beside the project's folder. Without them the tests are ignored. Expected figures are the authors'.
 
-use std::io::Write;
 use std::path::PathBuf;
 
 use coilsense::calibrate::{CalibrationPoints, FitMethod, InductanceFit, InverseLengthFit, Inversion, Misfit};
