@@ -190,7 +190,11 @@ fn places(
             }
             EndInput::Held => {}
             // Whatever line there is, it is no narrower than damping and duration make it.
-            _ => {
+            EndInput::Chirp { .. }
+            | EndInput::Step { .. }
+            | EndInput::Ramp { .. }
+            | EndInput::HalfSine { .. }
+            | EndInput::Sampled(_) => {
                 let width = width(ratios[0], modes.frequencies()[0], condition.duration);
                 let count = ((high - low) / (2.0 * width)).ceil().clamp(2.0, MOST_EVEN);
                 places.extend((0..=count as usize).map(|index| low + (high - low) * index as f64 / count));
@@ -243,6 +247,6 @@ fn width(ratio: f64, angular: f64, duration: f64) -> f64 {
 
 /// Forces that are looked at: which the goal calls true.
 pub(super) fn needs_coil(spec: &Spec, sensors: &[&SensorSpec]) -> bool {
-    let by_coil = |sensor: &&SensorSpec| matches!(sensor.quantity, crate::spec::Quantity::Inductance { .. });
+    let by_coil = |sensor: &&SensorSpec| sensor.quantity.of_kind().watches(Channel::Inductance);
     spec.goal.force == Channel::InductanceForce || sensors.iter().any(by_coil)
 }
