@@ -30,6 +30,8 @@ mod single;
 mod specimen;
 mod spread;
 mod tighter;
+#[cfg(test)]
+mod toy_sensor;
 mod trial;
 mod trial_run;
 mod verdict;
