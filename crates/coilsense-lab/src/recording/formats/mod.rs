@@ -36,8 +36,11 @@ struct Row {
     /// What it takes to read it, said where `open` is not there.
     takes: Takes,
     /// Opens a file.
-    open: Option<fn(&Path) -> Result<Box<dyn Source>, RecordingError>>,
+    open: Option<Open>,
 }
+
+/// Opens a file of a format.
+type Open = fn(&Path) -> Result<Box<dyn Source>, RecordingError>;
 
 /// What it takes to read a file.
 enum Takes {
