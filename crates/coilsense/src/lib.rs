@@ -88,7 +88,10 @@ pub mod inductance;
 /// Measured inductances to the curve that a sensor is told.
 pub mod calibrate;
 
-/// Positions and inductance to estimates of force.
+/// Contributions to a combined uncertainty.
+pub mod uncertainty;
+
+/// Positions and inductance to estimates of force, and what makes them err.
 pub mod sensors;
 
 /// Series over time, simulated or measured.
@@ -96,9 +99,6 @@ pub mod signals;
 
 /// A signal and its reference to how far off it is.
 pub mod measures;
-
-/// Contributions to a combined uncertainty.
-pub mod uncertainty;
 
 /// A spring and its tolerances to the settings of filters and observers.
 pub mod mitigation;

@@ -62,7 +62,7 @@ impl Channel {
         match self {
             Self::U1 | Self::U2 => "m",
             Self::Inductance => "H",
-            _ => "N",
+            Self::InputForce | Self::OutputForce | Self::DeflectionForce | Self::InductanceForce => "N",
         }
     }
 }

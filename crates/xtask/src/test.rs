@@ -191,7 +191,11 @@ fn docs(_: &Arguments) -> anyhow::Result<Outcome> {
 
 /// Files for people without what cannot be built everywhere: no format of recordings but text, and each of the others alone.
 fn fewer_formats(_: &Arguments) -> anyhow::Result<Outcome> {
-    for features in ["", "parquet", "matlab", "mdf"] {
+    let manifest = std::fs::read_to_string(crate::root().join("crates/coilsense-lab/Cargo.toml"))?;
+    let default = manifest.lines().find_map(|line| line.strip_prefix("default = ["));
+    let default = default.ok_or_else(|| anyhow::anyhow!("coilsense-lab has no default features"))?;
+    let formats = default.split('"').skip(1).step_by(2).filter(|feature| *feature != "reference");
+    for features in std::iter::once("").chain(formats) {
         println!("features: {}", if features.is_empty() { "none" } else { features });
         let mut command = cargo(&["check", "--quiet", "--package", "coilsense-lab", "--no-default-features"]);
         command.args(["--features", features]);

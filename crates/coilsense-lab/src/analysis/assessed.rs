@@ -4,11 +4,10 @@
 
 use coilsense::Error;
 use coilsense::inductance::MaxwellSum;
-use coilsense::sensors::Readout;
+use coilsense::sensors::{Instrument, Readout};
 use coilsense::signals::sampled_window;
 
 use super::case::judged;
-use super::instrument::Instrument;
 use super::judge::{Counted, Judge, Over, Scene};
 use super::response::{Moments, needs_coil};
 use super::specimen::{MANY, Springs};

@@ -1,16 +1,16 @@
 //! One condition under one damping: the motion, what each sensor reads, and the paper's measures.
 //!
-//! Next door: sensors on the spring (`instrument`), the judgement over all cases (`verdict`).
+//! Next door: sensors on the spring (`coilsense::sensors`), the judgement over all cases (`verdict`).
 
 use std::ops::Range;
 
 use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
+use coilsense::sensors::{Instrument, Site};
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Clash, Deviation, Error, Signals};
 
 use super::frames::Frames;
-use super::instrument::Instrument;
 use super::judge::Scene;
 use super::response::needs_coil;
 use crate::series::{Column, Run};
@@ -92,7 +92,7 @@ impl Case {
         let clash = Clash::seen(&motion, &times[..judged.end], &windings, spec.spring.contact_pitch())?;
         let number = condition * spec.mount.cases.len() + damping;
         let read = |(index, sensor): (usize, &SensorSpec)| {
-            let instrument = Instrument::new(sensor, spring, coil, mean_length)?;
+            let instrument = sensor.on(&Site { spring, coil, mean_length })?;
             // Each sensor in each case has noise of its own.
             let seed = spec.uncertainty.seed.wrapping_add((number * sensors.len() + index) as u64);
             Reading::of(&instrument, &signals, truth, &judged, seed)
@@ -123,7 +123,7 @@ impl Case {
         for (sensor, reading) in sensors.iter().zip(&self.readings) {
             let unit = sensor.quantity.unit();
             run.columns.push(Column::new(sensor.name.as_str(), unit, &reading.native));
-            if unit != "N" {
+            if sensor.quantity.estimates() {
                 run.columns.push(Column::new(sensor.name.as_str(), "N", &reading.force));
             }
         }

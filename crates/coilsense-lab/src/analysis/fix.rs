@@ -2,8 +2,8 @@
 //!
 //! Next door: lines of the budget that would have to shrink (`tighter`), how a sensor is judged (`verdict`).
 
+use coilsense::Error;
 use coilsense::sensors::ReadoutParameters;
-use coilsense::{End, Error};
 
 use super::judge::Judge;
 use super::specimen::{MANY, Springs};
@@ -11,7 +11,7 @@ use super::tighter;
 use super::verdict::Verdict;
 use crate::quantity::Dimension;
 use crate::quantity::digits;
-use crate::spec::{Quantity, SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec};
 
 /// A change with which a sensor meets the goal.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -96,18 +96,10 @@ fn candidates(judge: &Judge<'_>, sensor: &SensorSpec) -> Vec<Change> {
 
 /// Another place of the same instrument.
 fn of_place(sensor: &SensorSpec) -> Vec<Change> {
-    let at = |words: &str, quantity| Change {
+    let at = |(words, quantity): (&str, _)| Change {
         words: words.to_owned(),
         sensor: SensorSpec { quantity, ..sensor.clone() },
         spec: None,
     };
-    match sensor.quantity {
-        Quantity::Force(End::One) => vec![at("its place at end 2", Quantity::Force(End::Two))],
-        Quantity::Force(End::Two) => vec![at("its place at end 1", Quantity::Force(End::One))],
-        Quantity::TwoEncoder { compliance, .. } => vec![
-            at("a drive train without backlash", Quantity::TwoEncoder { compliance, backlash: 0.0 }),
-            at("encoders on the spring's own ends", Quantity::TwoEncoder { compliance: 0.0, backlash: 0.0 }),
-        ],
-        _ => Vec::new(),
-    }
+    sensor.quantity.alternatives().into_iter().map(at).collect()
 }

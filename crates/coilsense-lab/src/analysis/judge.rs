@@ -6,14 +6,13 @@
 use std::ops::Range;
 
 use coilsense::inductance::MaxwellSum;
-use coilsense::sensors::{MAX_ORDER, Readout};
+use coilsense::sensors::{Instrument, MAX_ORDER, Measurement, Readout, Site};
 use coilsense::{Error, Signals};
 
 use super::band;
-use super::budget::{CHAIN, Model, SensorBudget, with_bias};
+use super::budget::{CHAIN, Model, OSCILLATION, SensorBudget, doubt, with_bias};
 use super::case::Case;
 use super::fix;
-use super::instrument::Instrument;
 use super::response::{Asked, Moments, Responses};
 use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
@@ -116,7 +115,7 @@ impl Judge<'_> {
     ) -> Result<Assessment, Error> {
         let model = self.model_of(sensor, instrument, scene, errors, over)?;
         let budget = model.budget()?;
-        let of_spring = |name: &str| name.starts_with("tolerance of the ") || name == "oscillation" || name == CHAIN;
+        let of_spring = |name: &str| name.starts_with("tolerance of the ") || name == OSCILLATION || name == CHAIN;
         let instrument_only: f64 = budget
             .contributions()
             .iter()
@@ -125,7 +124,7 @@ impl Judge<'_> {
             .sum();
         let (mut inside, mut worst) = (None, f64::NAN);
         if self.springs.one_by_one && over.is_some() {
-            let each = model.of_specimens(&self.springs.specimens)?;
+            let each = model.of_specimens(&self.springs.specimens);
             let met = |goal: f64| each.iter().filter(|error| **error <= goal).count() as f64 / each.len() as f64;
             inside = self.spec.goal.error.map(met);
             // Of the further springs that a resonance takes, the oscillation alone is known.
@@ -160,14 +159,19 @@ impl Judge<'_> {
     /// Variance of everything but the oscillation \[N²\].
     pub fn beside(&self, sensor: &SensorSpec, instrument: &Instrument, scene: Scene<'_>) -> Result<f64, Error> {
         let budget = self.model_of(sensor, instrument, scene, vec![0.0], None)?.budget()?;
-        let each = budget.contributions().iter().filter(|line| line.name != "oscillation");
+        let each = budget.contributions().iter().filter(|line| line.name != OSCILLATION);
         Ok(each.map(|line| line.contribution * line.contribution).sum())
     }
 
     /// A sensor as it is set up for a condition.
     pub fn instrument(&self, sensor: &SensorSpec, condition: usize) -> Result<Instrument, Error> {
-        let mean_length = self.mean_length(condition);
-        Instrument::new(sensor, &self.spec.spring.spring, self.coil, mean_length)
+        sensor.on(&self.site(condition))
+    }
+
+    /// Where sensors sit in a condition: on the nominal spring.
+    fn site(&self, condition: usize) -> Site<'_> {
+        let mean_length = self.spec.conditions[condition].excitation.mean_length();
+        Site { spring: &self.spec.spring.spring, coil: self.coil, mean_length }
     }
 
     /// Errors of the force \[N\] that a sensor reads without noise and resolution.
@@ -199,17 +203,17 @@ impl Judge<'_> {
             }
             None => Spread::nominal(nominal),
         };
-        Ok(Model {
-            spec: self.spec,
-            coil: self.coil,
-            sensor,
+        let (bandwidth, rate) = (self.spec.goal.bandwidth, self.spec.conditions[scene.condition].sample_rate);
+        let measurement = Measurement {
             instrument,
+            site: self.site(scene.condition),
+            limits: sensor.limits(),
+            spring: doubt(&self.spec.spring),
             reading: quantity[largest],
-            errors,
-            spread,
-            sample_rate: self.spec.conditions[scene.condition].sample_rate,
-            mean_force: self.spec.spring.spring.static_force(self.mean_length(scene.condition)),
-        })
+            noise: instrument.readout().noise_within(bandwidth, rate),
+            warming: self.spec.uncertainty.temperature_change,
+        };
+        Ok(Model { spec: self.spec, measurement, errors, spread })
     }
 
     /// The low-pass that a goal with a bandwidth needs where errors of every frequency exceed it.
@@ -220,10 +224,6 @@ impl Judge<'_> {
         let needed =
             GoalFilter { bandwidth, order: MAX_ORDER, lag: band::lag(Some(bandwidth)), raw: largest.raw, case };
         Some(needed).filter(|filter| filter.raw > goal)
-    }
-
-    fn mean_length(&self, condition: usize) -> f64 {
-        self.spec.conditions[condition].excitation.mean_length()
     }
 
     fn meets(&self, assessments: &[Assessment]) -> Vec<bool> {

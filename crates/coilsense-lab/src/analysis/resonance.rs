@@ -4,8 +4,9 @@
 
 use std::f64::consts::TAU;
 
+use coilsense::excitation::Content;
 use coilsense::modes::ChainModes;
-use coilsense::{End, EndInput, Error};
+use coilsense::{End, Error};
 
 use super::judge::Judge;
 use super::response::Responses;
@@ -50,9 +51,9 @@ pub(super) fn without_limit(masses: &Masses) -> Option<Warning> {
 /// Frequencies of the sines that drive the ends \[Hz\].
 fn lines(judge: &Judge<'_>, condition: usize) -> Vec<f64> {
     let excitation = &judge.spec.conditions[condition].excitation;
-    let of = |end| match excitation.input(end) {
-        EndInput::Harmonics(sines) => sines.iter().filter(|sine| sine.amplitude != 0.0).map(|s| s.frequency).collect(),
-        _ => Vec::new(),
+    let of = |end| match excitation.input(end).content() {
+        Content::Lines(sines) => sines.iter().filter(|sine| sine.amplitude != 0.0).map(|s| s.frequency).collect(),
+        Content::Nothing | Content::Broad => Vec::new(),
     };
     [End::One, End::Two].into_iter().flat_map(of).collect()
 }

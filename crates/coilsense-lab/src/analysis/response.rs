@@ -4,8 +4,9 @@
 
 use std::cell::RefCell;
 
+use coilsense::excitation::Content;
 use coilsense::modes::ChainModes;
-use coilsense::{Channel, End, EndInput, Error, FarEnd, Mount};
+use coilsense::{Channel, End, Error, FarEnd, Mount};
 
 use super::curve::Curve;
 use super::refinement::Refinement;
@@ -124,7 +125,7 @@ impl Responses {
             let loudest = |curve: &Curve| way.change_at(spring, far_end, curve.loudest())[1].exp();
             axes.push(Axis { loudest: curves.iter().map(loudest).collect(), curves, way });
         }
-        let held = |end| matches!(condition.excitation.input(end), EndInput::Held);
+        let held = |end| condition.excitation.input(end).content() == Content::Nothing;
         let in_proportion = match mount.far_end() {
             FarEnd::Position => true,
             FarEnd::Force => held(End::Two),
@@ -183,14 +184,14 @@ fn places(
     let ratios = mount.damping().ratios(modes.frequencies())?;
     let mut lines = Vec::new();
     for end in [End::One, End::Two] {
-        match condition.excitation.input(end) {
-            EndInput::Harmonics(sines) => {
+        match condition.excitation.input(end).content() {
+            Content::Lines(sines) => {
                 lines.extend(sines.iter().map(|sine| std::f64::consts::TAU * sine.frequency));
                 places.extend(over_beats(modes.frequencies()[0], ratios[0], condition, (low, high)));
             }
-            EndInput::Held => {}
+            Content::Nothing => {}
             // Whatever line there is, it is no narrower than damping and duration make it.
-            _ => {
+            Content::Broad => {
                 let width = width(ratios[0], modes.frequencies()[0], condition.duration);
                 let count = ((high - low) / (2.0 * width)).ceil().clamp(2.0, MOST_EVEN);
                 places.extend((0..=count as usize).map(|index| low + (high - low) * index as f64 / count));
@@ -243,6 +244,6 @@ fn width(ratio: f64, angular: f64, duration: f64) -> f64 {
 
 /// Forces that are looked at: which the goal calls true.
 pub(super) fn needs_coil(spec: &Spec, sensors: &[&SensorSpec]) -> bool {
-    let by_coil = |sensor: &&SensorSpec| matches!(sensor.quantity, crate::spec::Quantity::Inductance { .. });
+    let by_coil = |sensor: &&SensorSpec| sensor.quantity.of_kind().watches(Channel::Inductance);
     spec.goal.force == Channel::InductanceForce || sensors.iter().any(by_coil)
 }

@@ -2,10 +2,12 @@
 //!
 //! Next door: changes of place and of dynamics, and the trial of all of them (`fix`).
 
+use coilsense::sensors::cause;
+
 use super::fix::{Change, written};
 use super::verdict::Verdict;
 use crate::quantity::Dimension;
-use crate::spec::{Quantity, SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec};
 
 /// A limit of error that must shrink to less than this share of itself is another instrument.
 const LEAST_SHARE: f64 = 0.05;
@@ -30,29 +32,29 @@ fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
     let mut sensor = sensor.clone();
     let readout = &mut sensor.readout;
     let words = match line {
-        "sensor: accuracy of full scale" => {
+        cause::FULL_SCALE => {
             let text = percent(&mut sensor.accuracy_full_scale, share)?;
             format!("an accuracy of {text} of full scale")
         }
-        "sensor: accuracy of reading" => {
+        cause::OF_READING => {
             let text = percent(&mut sensor.accuracy_reading, share)?;
             format!("an accuracy of {text} of the reading")
         }
-        "calibration" => format!("a gain calibrated to {}", percent(&mut sensor.calibration_uncertainty, share)?),
-        "sensor: noise" => {
+        cause::CALIBRATION => format!("a gain calibrated to {}", percent(&mut sensor.calibration_uncertainty, share)?),
+        cause::NOISE => {
             let text = percent(&mut readout.noise, share / sensor.range)?;
             readout.noise *= sensor.range;
             format!("noise of {text} of full scale")
         }
-        "sensor: resolution" => {
+        cause::RESOLUTION => {
             let step = readout.resolution.as_mut()?;
             let text = percent(step, share / sensor.range)?;
             *step *= sensor.range;
             format!("a resolution of {text} of full scale")
         }
-        "calibration form: measured springs" => {
-            let Quantity::Inductance { form, .. } = &mut sensor.quantity else { return None };
-            format!("a calibration that fits within {} of the travel", percent(form, share)?)
+        cause::MEASURED_FORM => {
+            let text = percent(sensor.quantity.form_mut()?, share)?;
+            format!("a calibration that fits within {text} of the travel")
         }
         _ => return None,
     };
@@ -63,23 +65,23 @@ fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
 fn of_spring(line: &str, spec: &Spec, sensor: &SensorSpec, share: f64) -> Option<Change> {
     let mut spec = spec.clone();
     let words = match line {
-        "temperature" => {
+        cause::TEMPERATURE => {
             let kelvin = cut(share * spec.uncertainty.temperature_change);
             let (value, text) = written(Dimension::Temperature, format!("{kelvin} K"))?;
             spec.uncertainty.temperature_change = value;
             format!("a temperature within ±{text} of the calibration's")
         }
-        "tolerance of the stiffness" => {
+        cause::STIFFNESS => {
             let mut tolerance = spec.spring.stiffness_tolerance();
             let words = format!("a stiffness known within ±{}", percent(&mut tolerance, share)?);
             spec.spring.tolerances.stiffness = Some(tolerance);
             words
         }
-        "tolerance of the initial tension" => {
+        cause::INITIAL_TENSION => {
             let tolerance = &mut spec.spring.tolerances.initial_tension;
             format!("an initial tension known within ±{}", percent(tolerance, share)?)
         }
-        "tolerance of the rest length" => {
+        cause::REST_LENGTH => {
             let length = cut(1e3 * share * spec.spring.rest_length_tolerance());
             let (value, text) = written(Dimension::Length, format!("{length} mm"))?;
             spec.spring.tolerances.rest_length = value;

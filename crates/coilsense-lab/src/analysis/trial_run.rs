@@ -4,12 +4,11 @@
 
 use std::ops::Range;
 
-use coilsense::sensors::ReadoutParameters;
+use coilsense::sensors::{ReadoutParameters, Site};
 use coilsense::signals::sampled_window;
 use coilsense::{Calibration, Error, Spring};
 
 use super::band;
-use super::instrument::Instrument;
 use super::response::{Asked, Moments, needs_coil};
 use crate::study::{self, Coil, Method, Setup};
 
@@ -61,7 +60,7 @@ impl<'a> TrialRun<'a> {
         let signals = study::simulate(&setup, &self.times)?.signals;
         let truth = signals.channel(asked.spec.goal.force)?;
         let of = |(sensor, &begin): (&&crate::spec::SensorSpec, &usize)| {
-            let instrument = Instrument::new(sensor, spring, asked.coil, mean_length)?;
+            let instrument = sensor.on(&Site { spring, coil: asked.coil, mean_length })?;
             let times = &self.times[begin..];
             let readings = instrument.steady_readings_of(times, &instrument.quantity(&signals)?[begin..])?;
             let forces = instrument.forces(&readings);

@@ -259,7 +259,7 @@ fn line_amplitude(frequencies: &[f64], amplitudes: &[f64], frequency: f64) -> f6
 
 /// A load cell that sees more than its full scale.
 fn range(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Option<Warning> {
-    if sensor.quantity.unit() != "N" {
+    if sensor.quantity.estimates() {
         return None;
     }
     let peak = |case: &Case| case.readings[index].native.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
@@ -284,7 +284,7 @@ fn range(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Opti
 fn temperature(spec: &Spec, sensors: &[SensorSpec]) -> Option<Warning> {
     let unknown = spec.spring.geometry.material().stiffness_temperature().is_none();
     let estimates: Vec<&str> =
-        sensors.iter().filter(|sensor| sensor.quantity.unit() != "N").map(|sensor| sensor.name.as_str()).collect();
+        sensors.iter().filter(|sensor| sensor.quantity.estimates()).map(|sensor| sensor.name.as_str()).collect();
     if !unknown || estimates.is_empty() || spec.uncertainty.temperature_change == 0.0 {
         return None;
     }

@@ -13,7 +13,8 @@ pub(crate) fn place(channel: Channel) -> &'static str {
         Channel::InputForce => "load cell at the drive's end",
         Channel::OutputForce => "load cell at the far end",
         Channel::DeflectionForce => "deflection",
-        _ => "inductance",
+        Channel::InductanceForce | Channel::Inductance => "inductance",
+        other => other.name(),
     }
 }
 

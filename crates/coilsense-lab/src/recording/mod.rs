@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `mapping`, `mapping_file`, `quantity`, `title` | which column is which channel, in which unit |
 //! | `selection` | finding those columns in a file |
-//! | `source`, `text`, `layout`, `trial`, `cell`, `stamp`, `parquet`, `matlab`, `mdf`, `table` | where rows come from |
+//! | `source`, `text`, `layout`, `trial`, `cell`, `stamp`, `formats`, `table`, `whole` | where rows come from |
 //! | `repairs`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is mended on their way |
 //! | `account`, `telling` | what became of every row |
 //! | `points` | logs without a clock |
@@ -18,19 +18,12 @@ mod cell;
 mod complete;
 mod convert;
 mod error;
-#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
-mod guarded;
+mod formats;
 mod join;
 mod layout;
 mod mapping;
 mod mapping_file;
-#[cfg(feature = "matlab")]
-mod matlab;
-#[cfg(feature = "mdf")]
-mod mdf;
 mod order;
-#[cfg(feature = "parquet")]
-mod parquet;
 mod pipeline;
 mod points;
 mod quantity;
@@ -45,6 +38,7 @@ mod telling;
 mod text;
 mod title;
 mod trial;
+mod whole;
 
 pub use account::{Account, Gaps, Joined, Reason, Tally};
 pub use convert::{ImportError, import, write_recording};
@@ -203,25 +197,12 @@ impl Recording {
 
 /// Opens a log of any format.
 fn open(path: &Path, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
-    match source::Kind::of(path)? {
-        source::Kind::Text => Ok(Box::new(text::Text::open(path, &mapping.format)?)),
-        #[cfg(feature = "parquet")]
-        source::Kind::Parquet => Ok(Box::new(parquet::ParquetRows::open(path)?)),
-        #[cfg(feature = "matlab")]
-        source::Kind::Matlab => Ok(Box::new(table::TableRows::of(matlab::read(path)?))),
-        #[cfg(feature = "mdf")]
-        source::Kind::Mdf => Ok(Box::new(table::TableRows::of(mdf::read(path)?))),
-    }
+    formats::open(path, &mapping.format)
 }
 
 /// A text in memory as a source.
 fn held(name: &str, text: Vec<u8>, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
-    let name = Path::new(name);
-    match source::Kind::of_head(name, &text)? {
-        source::Kind::Text => Ok(Box::new(text::Text::held(name, text, &mapping.format)?)),
-        #[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
-        _ => Err(RecordingError::of_file(name, "is no text")),
-    }
+    Ok(Box::new(formats::held(name, text, &mapping.format)?))
 }
 
 /// How the text of a log is written, in words, and the titles of its columns.

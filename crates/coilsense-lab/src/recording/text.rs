@@ -29,7 +29,7 @@ pub(super) struct Text {
     /// The day of the first stamp, from which time counts.
     day: Option<i64>,
     /// Whether what is no number is a missing one.
-    pub lenient: bool,
+    lenient: bool,
 }
 
 /// How much of a file is looked at to find out how it is written.
@@ -143,6 +143,10 @@ impl Source for Text {
 
     fn progress(&self) -> [u64; 2] {
         self.progress
+    }
+
+    fn be_lenient(&mut self) {
+        self.lenient = true;
     }
 
     fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {

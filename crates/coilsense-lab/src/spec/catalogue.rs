@@ -6,12 +6,13 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use coilsense::geometry::MaterialParameters;
+use coilsense::sensors::Quantity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::SpecError;
 use super::document::Document;
-use super::measurand::{KINDS, Quantity};
+use super::measurand::KINDS;
 use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
 

@@ -6,7 +6,7 @@ use coilsense::excitation::traverse_velocity;
 use coilsense::{EndInput, Error, Excitation, FarEnd, Spring, Start, VelocityProfile};
 
 use super::document::Document;
-use super::drive::{self, Drive};
+use super::drive::{self, DRIVES};
 use super::mount::MountSpec;
 use super::recorded::Recorded;
 use super::recordings::Recordings;
@@ -15,7 +15,42 @@ use super::{Files, SpecError, size};
 use crate::quantity::Dimension;
 
 /// Every kind of condition, by its word in a spec.
-pub const KINDS: [&str; 8] = ["impact", "end-stop", "harmonic", "sweep", "step", "ramp", "pulse", "recorded"];
+pub const KINDS: [&str; DRIVES.len() + 3] = words();
+
+/// Those that stop dead, those that drive an end, and a recording.
+const fn words() -> [&'static str; DRIVES.len() + 3] {
+    let mut words = ["recorded"; DRIVES.len() + 3];
+    (words[0], words[1]) = ("impact", "end-stop");
+    let mut index = 0;
+    while index < DRIVES.len() {
+        words[index + 2] = DRIVES[index].0;
+        index += 1;
+    }
+    words
+}
+
+/// What a kind of condition is about.
+enum About {
+    /// Windings that move on between ends that stand.
+    Moving,
+    /// An end that is driven.
+    Driven(drive::Read),
+    /// Ends that a file drives.
+    Recorded(Recorded),
+}
+
+impl About {
+    fn read(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Self, SpecError> {
+        match kind {
+            "impact" | "end-stop" => Ok(Self::Moving),
+            "recorded" => Recorded::read(section, setting).map(Self::Recorded),
+            other => match drive::named(other) {
+                Some(read) => Ok(Self::Driven(read)),
+                None => Err(section.refuse("kind", "is no kind of condition".to_owned())),
+            },
+        }
+    }
+}
 
 /// One thing that is done to the spring.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,16 +101,25 @@ impl ConditionSpec {
         let kind = section.word("kind", &KINDS)?;
         section.only_of(kind, &format!("kind \"{kind}\""))?;
         let name = section.optional_text("name")?.unwrap_or_else(|| kind.to_owned());
-        let recorded = if kind == "recorded" { Some(Recorded::read(section, setting)?) } else { None };
+        let about = About::read(section, setting, kind)?;
+        let recorded = match &about {
+            About::Recorded(recorded) => Some(recorded),
+            About::Moving | About::Driven(_) => None,
+        };
         let told = section.above_zero("duration", Dimension::Time)?;
-        let duration = told.or(recorded.as_ref().map(Recorded::duration)).unwrap_or(1.0);
+        let duration = told.or(recorded.map(Recorded::duration)).unwrap_or(1.0);
         let sample_rate = section.above_zero("sample_rate", Dimension::Frequency)?.unwrap_or(10_000.0);
         size::check(section, setting, duration * sample_rate)?;
         let window = size::window(section, duration, sample_rate)?;
-        let remarks = recorded.as_ref().map_or_else(Vec::new, |recorded| recorded.remarks.clone());
-        let excitation = match kind {
-            "impact" | "end-stop" => moving(section, setting, kind)?,
-            _ => driven(section, setting, kind, duration, recorded)?,
+        let remarks = recorded.map_or_else(Vec::new, |recorded| recorded.remarks.clone());
+        let excitation = match about {
+            About::Moving => moving(section, setting, kind)?,
+            About::Driven(read) => driven(section, setting, || {
+                let inputs = drive::inputs(section, setting, duration, read)?;
+                let least = drive::least(&inputs);
+                Ok((inputs, least))
+            })?,
+            About::Recorded(recorded) => driven(section, setting, || Ok((recorded.inputs, recorded.shortest)))?,
         };
         Ok(Self { name, kind, excitation, duration, window, sample_rate, remarks })
     }
@@ -108,27 +152,18 @@ fn moving(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Ex
     Excitation::new(length, EndInput::Held, EndInput::Held, start).map_err(|error| refuse(section, &error))
 }
 
-/// One or both ends driven.
+/// One or both ends driven: by `inputs`, and the least that u2 − u1 becomes \[m\].
 fn driven(
     section: &Section<'_>,
     setting: &Setting<'_>,
-    kind: &str,
-    duration: f64,
-    recorded: Option<Recorded>,
+    inputs: impl FnOnce() -> Result<([EndInput; 2], f64), SpecError>,
 ) -> Result<Excitation, SpecError> {
     let length = length(section, setting.spring)?.unwrap_or(setting.spring.mid_length());
     let start = match section.optional_word("start", &["rest", "massless"])? {
         Some("massless") => Start::Massless,
         _ => Start::Rest,
     };
-    let ([one, two], least) = match recorded {
-        Some(recorded) => (recorded.inputs, recorded.shortest),
-        None => {
-            let inputs = Drive { section, setting, duration }.inputs(kind)?;
-            let least = drive::least(&inputs);
-            (inputs, least)
-        }
-    };
+    let ([one, two], least) = inputs()?;
     let excitation = Excitation::new(length, one, two, start).map_err(|error| refuse(section, &error))?;
     let shortest = length + least;
     if setting.mount.far_end() == FarEnd::Position && shortest <= 0.0 {

@@ -19,41 +19,73 @@ pub(super) const ALIASES: [(&str, &str); 6] = [
     ("time of the step", "begin"),
 ];
 
+/// What drives an end, from its table.
+pub(super) type Read = fn(&Drive<'_>) -> Result<EndInput, SpecError>;
+
+/// Every kind of condition that drives an end, by its word in a spec.
+pub(super) const DRIVES: [(&str, Read); 5] = [
+    ("harmonic", |drive| drive.harmonic()),
+    ("sweep", |drive| drive.sweep()),
+    ("step", |drive| drive.step()),
+    ("ramp", |drive| drive.ramp()),
+    ("pulse", |drive| drive.pulse()),
+];
+
+/// What reads the drive of a kind; `None` of a kind that is no drive.
+pub(super) fn named(kind: &str) -> Option<Read> {
+    DRIVES.iter().find(|(word, _)| *word == kind).map(|(_, read)| *read)
+}
+
 /// A driven end.
 pub(super) struct Drive<'a> {
-    pub section: &'a Section<'a>,
-    pub setting: &'a Setting<'a>,
-    pub duration: f64,
+    section: &'a Section<'a>,
+    setting: &'a Setting<'a>,
+    duration: f64,
+    /// 1 or 2.
+    end: u64,
+}
+
+/// The inputs of both ends, for as long as the condition lasts \[s\].
+pub(super) fn inputs(
+    section: &Section<'_>,
+    setting: &Setting<'_>,
+    duration: f64,
+    read: Read,
+) -> Result<[EndInput; 2], SpecError> {
+    let end = section.optional_whole("end", 1, 2)?.unwrap_or(1);
+    let input = read(&Drive { section, setting, duration, end })?;
+    Ok(if end == 1 { [input, EndInput::Held] } else { [EndInput::Held, input] })
 }
 
 impl Drive<'_> {
-    /// The inputs of both ends.
-    pub fn inputs(&self, kind: &str) -> Result<[EndInput; 2], SpecError> {
-        let end = self.section.optional_whole("end", 1, 2)?.unwrap_or(1);
-        let input = match kind {
-            "harmonic" => EndInput::harmonic(self.amplitude(end)?, self.frequency()?, self.phase()?),
-            "sweep" => {
-                let [from, to] = self.frequencies()?;
-                let (amplitude, phase) = (self.amplitude(end)?, self.phase()?);
-                EndInput::Chirp { amplitude, from, to, duration: self.duration, phase }
-            }
-            "step" => EndInput::Step { height: self.amplitude(end)?, at: self.begin()? },
-            "ramp" => {
-                let (height, from) = (self.amplitude(end)?, self.begin()?);
-                EndInput::Ramp { height, from, duration: self.lasting("rise_time")? }
-            }
-            _ => {
-                let (height, from) = (self.amplitude(end)?, self.begin()?);
-                EndInput::HalfSine { height, from, duration: self.lasting("width")? }
-            }
-        };
-        Ok(if end == 1 { [input, EndInput::Held] } else { [EndInput::Held, input] })
+    fn harmonic(&self) -> Result<EndInput, SpecError> {
+        Ok(EndInput::harmonic(self.amplitude()?, self.frequency()?, self.phase()?))
+    }
+
+    fn sweep(&self) -> Result<EndInput, SpecError> {
+        let [from, to] = self.frequencies()?;
+        let (amplitude, phase) = (self.amplitude()?, self.phase()?);
+        Ok(EndInput::Chirp { amplitude, from, to, duration: self.duration, phase })
+    }
+
+    fn step(&self) -> Result<EndInput, SpecError> {
+        Ok(EndInput::Step { height: self.amplitude()?, at: self.begin()? })
+    }
+
+    fn ramp(&self) -> Result<EndInput, SpecError> {
+        let (height, from) = (self.amplitude()?, self.begin()?);
+        Ok(EndInput::Ramp { height, from, duration: self.lasting("rise_time")? })
+    }
+
+    fn pulse(&self) -> Result<EndInput, SpecError> {
+        let (height, from) = (self.amplitude()?, self.begin()?);
+        Ok(EndInput::HalfSine { height, from, duration: self.lasting("width")? })
     }
 
     /// How far the end moves \[m\], or how far its force changes \[N\].
-    fn amplitude(&self, end: u64) -> Result<f64, SpecError> {
+    fn amplitude(&self) -> Result<f64, SpecError> {
         let spring = self.setting.spring;
-        let is_force = end == 2 && self.setting.mount.far_end() != FarEnd::Position;
+        let is_force = self.end == 2 && self.setting.mount.far_end() != FarEnd::Position;
         let native = if is_force { Dimension::Force } else { Dimension::Length };
         let (dimension, value) = self.section.any_quantity("amplitude", &[native, Dimension::Share])?;
         let (shortest, longest) = spring.operating_range();
@@ -96,14 +128,6 @@ impl Drive<'_> {
 const FREQUENCY: [Dimension; 2] = [Dimension::Frequency, Dimension::SurgeMultiple];
 
 /// The least that u2 − u1 becomes \[m\], of inputs that are no recordings.
-pub(super) fn least(inputs: &[EndInput; 2]) -> f64 {
-    let of = |input: &EndInput, sign: f64| match input {
-        EndInput::Harmonics(each) => -each.iter().map(|sine| sine.amplitude.abs()).sum::<f64>(),
-        EndInput::Chirp { amplitude, .. } => -amplitude.abs(),
-        EndInput::Step { height, .. } | EndInput::Ramp { height, .. } | EndInput::HalfSine { height, .. } => {
-            (sign * height).min(0.0)
-        }
-        EndInput::Held | EndInput::Sampled(_) => 0.0,
-    };
-    of(&inputs[0], -1.0) + of(&inputs[1], 1.0)
+pub(super) fn least([one, two]: &[EndInput; 2]) -> f64 {
+    -one.bounds().1 + two.bounds().0
 }

@@ -33,6 +33,7 @@ mod tolerance;
 mod value;
 
 pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
+pub use coilsense::sensors::Quantity;
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use control::ControlSpec;
 pub use document::SPEC_VERSION;
@@ -41,7 +42,7 @@ pub use goal::{Goal, UncertaintySpec};
 pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table};
 #[cfg(feature = "reference")]
 pub use keys::{experiment_file_schema, experiment_markdown, markdown, spec_schema};
-pub use measurand::{KINDS as SENSOR_KINDS, Quantity};
+pub use measurand::KINDS as SENSOR_KINDS;
 pub use mount::{BAND, DampingCase, MountSpec};
 pub use rig::RigSpec;
 pub use run::{RunKind, RunSpec};

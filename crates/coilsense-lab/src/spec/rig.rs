@@ -3,11 +3,11 @@
 //! Next door: the instruments (`sensor`), the runs themselves (`crate::rig`).
 
 use coilsense::End;
+use coilsense::sensors::{Kind, Quantity};
 
 use super::SpecError;
 use super::catalogue;
 use super::document::Document;
-use super::measurand::Quantity;
 use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
 
@@ -97,7 +97,7 @@ impl RigSpec {
     /// Preload, frequencies, amplitude, rates, times, readings: `[Weijde2017]` section IV. The rest is chosen.
     fn paper(sensors: &[SensorSpec]) -> Result<Self, SpecError> {
         let of = |fits: fn(Quantity) -> bool| sensors.iter().find(|sensor| fits(sensor.quantity)).cloned();
-        let mut meter = of(|quantity| matches!(quantity, Quantity::Inductance { .. })).map_or_else(paper_meter, Ok)?;
+        let mut meter = of(|quantity| quantity.of_kind() == Kind::Inductance).map_or_else(paper_meter, Ok)?;
         meter.readout.averaging.get_or_insert(PAPER_AVERAGING);
         Ok(Self {
             preload: 26.0,

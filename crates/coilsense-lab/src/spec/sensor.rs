@@ -3,12 +3,12 @@
 //! Next door: classes of instruments (`catalogue`), what they make of a signal (`coilsense::sensors`).
 
 use coilsense::inductance::MaxwellSum;
-use coilsense::sensors::ReadoutParameters;
-use coilsense::{Channel, Spring};
+use coilsense::sensors::{Instrument, Kind, Limits, Quantity, Readout, ReadoutParameters, Site};
+use coilsense::{Channel, Error, Spring};
 
 use super::catalogue;
 use super::document::Document;
-use super::measurand::{KINDS, Quantity, measurand};
+use super::measurand::{KINDS, dimension, measurand};
 use super::section::Section;
 use super::spring::SpringSpec;
 use super::{SpecError, plain};
@@ -34,12 +34,8 @@ pub struct SensorSpec {
     pub calibration_uncertainty: f64,
     /// Of the gain \[1/K\].
     pub temperature_coefficient: f64,
-    /// How far the drive train's compliance may be off, either way, as a share \[1\].
-    pub compliance_tolerance: f64,
 }
 
-/// A drive train's compliance is seldom known better.
-const COMPLIANCE_TOLERANCE: f64 = 0.1;
 /// Most sensors: each reads every case.
 const MOST_SENSORS: usize = 256;
 
@@ -77,23 +73,24 @@ impl SensorSpec {
         let spring = &spec.spring;
         let class = section.optional_text("class")?;
         // A class says its kind; a kind that is given must be that one.
-        let kind = match section.has("kind") {
+        let word = match section.has("kind") {
             false => class.as_deref().and_then(catalogue::kind_of),
             true => None,
         };
-        let kind = kind.map_or_else(|| section.word("kind", &KINDS), Ok)?;
-        section.only_of(kind, &format!("kind \"{kind}\""))?;
+        let word = word.map_or_else(|| section.word("kind", &KINDS), Ok)?;
+        section.only_of(word, &format!("kind \"{word}\""))?;
+        let kind = Kind::named(word).ok_or_else(|| section.refuse("kind", "is no kind of sensor".to_owned()))?;
         let quantity = measurand(section, kind, spec.geometry.material())?;
-        let natural = quantity.natural_range(spring, coil);
-        if matches!(quantity, Quantity::Inductance { .. }) && natural == 0.0 {
+        let natural = kind.natural_range(spring, coil);
+        if kind.watches(Channel::Inductance) && natural == 0.0 {
             return Err(section.refuse("kind", single_winding(section, spring)?));
         }
-        let range = section.above_zero("range", quantity.dimension())?.unwrap_or(natural);
+        let range = section.above_zero("range", dimension(kind))?.unwrap_or(natural);
         let base = match class {
             Some(class) => {
                 catalogue::class(&class, quantity, range).map_err(|message| section.refuse("class", message))?
             }
-            None => Self::perfect(kind, quantity, range),
+            None => Self::perfect(word, quantity, range),
         };
         base.with_keys(section)
     }
@@ -109,7 +106,25 @@ impl SensorSpec {
             accuracy_reading: 0.0,
             calibration_uncertainty: 0.0,
             temperature_coefficient: 0.0,
-            compliance_tolerance: 0.0,
+        }
+    }
+
+    /// Set up on a spring.
+    ///
+    /// # Errors
+    /// What the science says of its values.
+    pub fn on(&self, site: &Site<'_>) -> Result<Instrument, Error> {
+        let sensor = self.quantity.on(site)?;
+        Ok(Instrument::new(Readout::new(self.readout.clone())?, sensor))
+    }
+
+    /// How far it may be off, in its native unit.
+    pub fn limits(&self) -> Limits {
+        Limits {
+            full_scale: self.accuracy_full_scale * self.range,
+            of_reading: self.accuracy_reading,
+            calibration: self.calibration_uncertainty,
+            temperature_coefficient: self.temperature_coefficient,
         }
     }
 
@@ -134,10 +149,6 @@ impl SensorSpec {
                 .map_or(self.accuracy_full_scale, |limit| limit / range),
             accuracy_reading: section.share("accuracy_reading")?.unwrap_or(self.accuracy_reading),
             calibration_uncertainty: section.share("calibration_uncertainty")?.unwrap_or(self.calibration_uncertainty),
-            compliance_tolerance: match quantity {
-                Quantity::TwoEncoder { .. } => section.share("compliance_tolerance")?.unwrap_or(COMPLIANCE_TOLERANCE),
-                _ => 0.0,
-            },
             temperature_coefficient: section
                 .optional_quantity("temperature_coefficient", Dimension::PerKelvin)?
                 .unwrap_or(self.temperature_coefficient),
@@ -150,8 +161,7 @@ impl SensorSpec {
             coefficient,
             "at most 100 %/K either way",
         )?;
-        coilsense::sensors::Readout::new(sensor.readout.clone())
-            .map_err(|error| section.refuse_science(&error, &ALIASES))?;
+        Readout::new(sensor.readout.clone()).map_err(|error| section.refuse_science(&error, &ALIASES))?;
         Ok(sensor)
     }
 }
@@ -161,11 +171,12 @@ const ALIASES: [(&str, &str); 2] = [("averaging window", "averaging"), ("order o
 
 /// A value in the native unit, or as a share of the range.
 fn native(section: &Section<'_>, key: &str, quantity: Quantity, range: f64) -> Result<Option<f64>, SpecError> {
-    let Some((dimension, value)) = section.optional_any_quantity(key, &[quantity.dimension(), Dimension::Share])?
+    let Some((found, value)) =
+        section.optional_any_quantity(key, &[dimension(quantity.of_kind()), Dimension::Share])?
     else {
         return Ok(None);
     };
-    let native = if dimension == Dimension::Share { value * range } else { value };
+    let native = if found == Dimension::Share { value * range } else { value };
     section.check(
         key,
         (0.0..=range).contains(&native),

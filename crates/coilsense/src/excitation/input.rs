@@ -69,6 +69,17 @@ pub enum EndInput {
     Sampled(Sampled),
 }
 
+/// What an input holds over frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Content<'a> {
+    /// Nothing: the end is held.
+    Nothing,
+    /// The lines of these sines.
+    Lines(&'a [Harmonic]),
+    /// Something at every frequency, or at many.
+    Broad,
+}
+
 /// Most turns of a chirp.
 const MOST_TURNS: f64 = 1e6;
 
@@ -101,7 +112,12 @@ impl EndInput {
         match self {
             Self::Held => vec![0.0; times.len()],
             Self::Sampled(sampled) if times.is_sorted() => sampled.values_at(times),
-            _ => times.iter().map(|&time| self.displacement(time)).collect(),
+            Self::Harmonics(_)
+            | Self::Chirp { .. }
+            | Self::Step { .. }
+            | Self::Ramp { .. }
+            | Self::HalfSine { .. }
+            | Self::Sampled(_) => times.iter().map(|&time| self.displacement(time)).collect(),
         }
     }
 
@@ -109,7 +125,7 @@ impl EndInput {
     pub(crate) fn straight_part(&self, time: f64) -> (f64, f64) {
         match self {
             Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => (self.displacement(time), self.velocity(time)),
-            _ => (0.0, 0.0),
+            Self::Held | Self::Harmonics(_) | Self::Chirp { .. } | Self::HalfSine { .. } => (0.0, 0.0),
         }
     }
 
@@ -144,7 +160,7 @@ impl EndInput {
             Self::Harmonics(_) | Self::HalfSine { .. } => {
                 self.sines().map(|sine| -sine.angular * sine.angular * sine.displacement(time)).sum()
             }
-            _ => 0.0,
+            Self::Held | Self::Chirp { .. } | Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => 0.0,
         }
     }
 
@@ -152,7 +168,10 @@ impl EndInput {
     pub(crate) fn highest_angular(&self) -> f64 {
         match self {
             Self::Chirp { from, to, .. } => TAU * from.max(*to),
-            _ => self.sines().fold(0.0, |highest, sine| sine.angular.max(highest)),
+            Self::Harmonics(_) | Self::HalfSine { .. } => {
+                self.sines().fold(0.0, |highest, sine| sine.angular.max(highest))
+            }
+            Self::Held | Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => 0.0,
         }
     }
 
@@ -167,16 +186,15 @@ impl EndInput {
 
     /// The sines it is made of.
     pub(crate) fn sines(&self) -> impl Iterator<Item = Sine> {
-        let harmonics = match self {
-            Self::Harmonics(harmonics) => harmonics.as_slice(),
-            _ => &[],
-        };
-        let bump = match self {
+        let (harmonics, bump) = match self {
+            Self::Harmonics(harmonics) => (harmonics.as_slice(), None),
             Self::HalfSine { height, from, duration } => {
                 let (angular, until) = (PI / duration, from + duration);
-                Some(Sine { amplitude: *height, angular, phase: 0.0, since: *from, until })
+                (&[][..], Some(Sine { amplitude: *height, angular, phase: 0.0, since: *from, until }))
             }
-            _ => None,
+            Self::Held | Self::Chirp { .. } | Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => {
+                (&[][..], None)
+            }
         };
         let whole = |h: &Harmonic| {
             let (amplitude, angular, phase) = (h.amplitude, TAU * h.frequency, h.phase);
@@ -197,7 +215,12 @@ impl EndInput {
                 let (highest, growth) = (TAU * from.max(*to), TAU * (to - from).abs() / duration);
                 amplitude.abs() * (highest * highest + growth) * duration
             }
-            _ => 0.0,
+            Self::Held
+            | Self::Harmonics(_)
+            | Self::Step { .. }
+            | Self::Ramp { .. }
+            | Self::HalfSine { .. }
+            | Self::Sampled(_) => 0.0,
         }
     }
 
@@ -206,7 +229,7 @@ impl EndInput {
         match self {
             Self::Held | Self::Harmonics(_) => 0,
             Self::Sampled(sampled) => sampled.count(),
-            _ => 2,
+            Self::Chirp { .. } | Self::Step { .. } | Self::Ramp { .. } | Self::HalfSine { .. } => 2,
         }
     }
 
@@ -214,7 +237,13 @@ impl EndInput {
     pub(crate) fn step_at_start(&self) -> f64 {
         match self {
             Self::Step { height, at } if *at <= 0.0 => *height,
-            _ => 0.0,
+            Self::Held
+            | Self::Harmonics(_)
+            | Self::Chirp { .. }
+            | Self::Step { .. }
+            | Self::Ramp { .. }
+            | Self::HalfSine { .. }
+            | Self::Sampled(_) => 0.0,
         }
     }
 
@@ -249,6 +278,40 @@ impl EndInput {
             Self::Chirp { amplitude, .. } => amplitude.abs(),
             Self::Step { height, .. } | Self::Ramp { height, .. } | Self::HalfSine { height, .. } => height.abs(),
             Self::Sampled(sampled) => sampled.reach(),
+        }
+    }
+
+    /// Between which displacements it stays \[m, or N at an end under force\].
+    ///
+    /// ±Σ|a| of sines, ±|a| of a chirp, from the mean to the height of a step, ramp or bump, least and largest sample of a recording
+    ///
+    /// Source:   the definition of each input.
+    /// Valid:    all times; sines of several frequencies need not meet the bound.
+    /// Accuracy: rounding of the sum.
+    ///
+    /// ```
+    /// let step = coilsense::EndInput::Step { height: -0.01, at: 0.1 };
+    /// assert_eq!(step.bounds(), (-0.01, 0.0));
+    /// ```
+    pub fn bounds(&self) -> (f64, f64) {
+        match self {
+            Self::Held => (0.0, 0.0),
+            Self::Harmonics(_) | Self::Chirp { .. } => (-self.reach(), self.reach()),
+            Self::Step { height, .. } | Self::Ramp { height, .. } | Self::HalfSine { height, .. } => {
+                (height.min(0.0), height.max(0.0))
+            }
+            Self::Sampled(sampled) => sampled.bounds(),
+        }
+    }
+
+    /// What it holds over frequency: where to look for a resonance.
+    pub fn content(&self) -> Content<'_> {
+        match self {
+            Self::Held => Content::Nothing,
+            Self::Harmonics(harmonics) => Content::Lines(harmonics),
+            Self::Chirp { .. } | Self::Step { .. } | Self::Ramp { .. } | Self::HalfSine { .. } | Self::Sampled(_) => {
+                Content::Broad
+            }
         }
     }
 

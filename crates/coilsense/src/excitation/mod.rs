@@ -7,7 +7,7 @@ mod input;
 mod sampled;
 
 pub(crate) use event::{Kick, Sine};
-pub use input::{EndInput, Harmonic};
+pub use input::{Content, EndInput, Harmonic};
 pub use sampled::Sampled;
 
 use crate::error::{Error, above_zero, all_bounded, check, count, finite};

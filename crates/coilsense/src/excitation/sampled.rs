@@ -113,4 +113,10 @@ impl Sampled {
     pub(super) fn reach(&self) -> f64 {
         self.values.iter().fold(0.0, |reach, value| value.abs().max(reach))
     }
+
+    /// Its least and its largest value.
+    pub(super) fn bounds(&self) -> (f64, f64) {
+        let wider = |(least, most): (f64, f64), value: &f64| (value.min(least), value.max(most));
+        self.values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), wider)
+    }
 }

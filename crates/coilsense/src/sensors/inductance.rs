@@ -2,8 +2,29 @@
 //!
 //! Next door: the inductance itself (`crate::inductance`), the fit that turns it into a length (`crate::calibrate`).
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use super::cause;
+use super::deflection::travel;
+use super::measurement::{Cause, Place};
+use super::sensor::{Native, Row, Sensor, Site};
 use crate::calibrate::Calibration;
+use crate::error::Error;
+use crate::geometry::Material;
+use crate::inductance::MaxwellSum;
+use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
+
+pub(super) const ROW: Row = Row {
+    word: "inductance",
+    native: Native::Inductance,
+    watches: &[Channel::Inductance],
+    natural_range: |spring, coil| {
+        let (shortest, longest) = spring.operating_range();
+        (coil.at_length(shortest) - coil.at_length(longest)).abs()
+    },
+};
 
 /// A meter of L with a calibration: L in, F_L out.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +55,96 @@ impl InductanceSensor {
     ///           its zero the length, and so the force, runs off to infinity.
     /// Accuracy: that of eq. 13's form, 0.3–0.4 % of F_nom over the paper's operating ranges.
     pub fn force(&self, inductance: &[f64]) -> Vec<f64> {
-        inductance.iter().map(|&value| self.spring.static_force(self.calibration.length(value))).collect()
+        inductance.iter().map(|&value| self.force_at(value)).collect()
     }
+
+    fn force_at(&self, inductance: f64) -> f64 {
+        self.spring.static_force(self.calibration.length(inductance))
+    }
+}
+
+/// Departure of measured springs from eq. (13)'s form, share of the travel: 0.3–2 % in measured runs (book: theory, section 5).
+const FITTED_FORM: f64 = 0.013;
+/// The same of a Maxwell sum without calibration: measured extension springs, uncalibrated Maxwell sum: 27, 33, 28 and 8 % of travel
+/// (book: theory, section 5). Most spring wire is magnetic, stainless wire too once it is drawn.
+const THEORY_FORM: f64 = 0.30;
+/// The same of a wire that is known not to be magnetic, which the sum's air coil is: the upper end of 1–14 %.
+const THEORY_FORM_IN_AIR: f64 = 0.14;
+/// A relative permeability so near to 1 changes no inductance of a coil by as much.
+const NOT_MAGNETIC: f64 = 0.01;
+
+/// How far a measured spring departs from the form of eq. (13), where nobody has measured it: standard deviation, a share of the travel \[1\].
+///
+/// 0.013 fitted; by theory alone 0.30, and 0.14 of a wire whose relative permeability is 1 within 0.01
+///
+/// - `uncalibrated`: whether eq. (13) is fitted to Maxwell's sum only, not to measured lengths; `wire`: of the spring
+///
+/// Source:   measured springs, listed in the book (theory, section 5).
+/// Valid:    extension springs of the sizes measured there.
+/// Accuracy: a rule of thumb, good to a factor of two.
+pub fn usual_form(uncalibrated: bool, wire: &Material) -> f64 {
+    let in_air = wire.relative_permeability().is_some_and(|relative| (relative - 1.0).abs() <= NOT_MAGNETIC);
+    match (uncalibrated, in_air) {
+        (false, _) => FITTED_FORM,
+        (true, false) => THEORY_FORM,
+        (true, true) => THEORY_FORM_IN_AIR,
+    }
+}
+
+/// A calibrated meter, and how far a measured spring departs from its calibration's form.
+#[derive(Debug, Clone)]
+struct OnCoil {
+    meter: InductanceSensor,
+    /// Share of the travel \[1\].
+    form: f64,
+}
+
+pub(super) fn on(site: &Site<'_>, form: f64) -> Result<Arc<dyn Sensor>, Error> {
+    let calibration = Calibration::theoretical(site.spring, site.coil, site.mean_length)?;
+    Ok(Arc::new(OnCoil { meter: InductanceSensor::new(site.spring, calibration), form }))
+}
+
+impl Sensor for OnCoil {
+    fn quantity<'a>(&self, signals: &'a Signals) -> Result<Cow<'a, [f64]>, Error> {
+        Ok(signals.channel(Channel::Inductance)?.into())
+    }
+
+    fn force_of(&self, reading: f64) -> f64 {
+        self.meter.force_at(reading)
+    }
+
+    fn zero(&self) -> f64 {
+        0.0
+    }
+
+    fn slope(&self) -> Option<f64> {
+        Some(self.meter.spring.stiffness())
+    }
+
+    /// How far eq. (13) is off in length, and which of two reasons says so.
+    ///
+    /// The larger of the departure of measured springs and that of the coil's own theory, uniform over the operating range: what was
+    /// measured holds the theory's part, so adding both would count it twice. It stands for all lengths in use, though a condition of
+    /// use visits those near its mean length only, where eq. (13) is forced to be right.
+    fn own_causes(&self, site: &Site<'_>) -> Vec<Cause> {
+        let measured = self.form * travel(site.spring);
+        let theory = misfit(site.spring, site.coil, self.meter.calibration());
+        let (name, form) =
+            if measured >= theory { (cause::MEASURED_FORM, measured) } else { (cause::THEORY_FORM, theory) };
+        Cause::normal(Place::Length, name, form).into_iter().collect()
+    }
+}
+
+/// Lengths at which the misfit of eq. (13) is taken.
+const MISFIT_LENGTHS: usize = 41;
+
+/// Rms departure \[m\] of eq. (13) from the theory of the coil, over lengths from end to end of the operating range.
+fn misfit(spring: &Spring, coil: &MaxwellSum, calibration: &Calibration) -> f64 {
+    let (shortest, longest) = spring.operating_range();
+    let step = (longest - shortest) / (MISFIT_LENGTHS - 1) as f64;
+    let departures = (0..MISFIT_LENGTHS).map(|index| {
+        let length = shortest + index as f64 * step;
+        calibration.length(coil.at_length(length)) - length
+    });
+    (departures.map(|d| d * d).sum::<f64>() / MISFIT_LENGTHS as f64).sqrt()
 }

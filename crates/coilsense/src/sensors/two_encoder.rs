@@ -2,8 +2,27 @@
 //!
 //! Next door: encoders right at the spring's ends (`deflection`), what each encoder makes of its position (`readout`).
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use super::Quantity;
+use super::cause;
+use super::deflection::travel;
+use super::measurement::{Cause, Place};
+use super::sensor::{Native, Row, Sensor, Site};
 use crate::error::{Error, all_bounded, count, finite, not_negative};
+use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
+
+/// How far a drive train's compliance may be off, either way, as a share \[1\]: it is seldom known better.
+pub const USUAL_COMPLIANCE_TOLERANCE: f64 = 0.1;
+
+pub(super) const ROW: Row = Row {
+    word: "two-encoder",
+    native: Native::Length,
+    watches: &[Channel::U1, Channel::U2, Channel::InputForce],
+    natural_range: |spring, _| travel(spring),
+};
 
 /// An encoder on the motor's side of the drive train and one at end 2, of a series elastic actuator.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,7 +119,58 @@ impl TwoEncoder {
     /// Valid:    slow changes; loads on the side of the gap on which it was zeroed, else it is off by k_s b.
     /// Accuracy: rounding of the difference of lengths.
     pub fn force(&self, elongation: &[f64]) -> Vec<f64> {
-        elongation.iter().map(|length| self.stiffness * (length - self.zero)).collect()
+        elongation.iter().map(|&length| self.force_at(length)).collect()
+    }
+
+    fn force_at(&self, elongation: f64) -> f64 {
+        self.stiffness * (elongation - self.zero)
+    }
+}
+
+/// Two encoders, and how far their drive train may be off.
+#[derive(Debug, Clone)]
+struct OnDriveTrain {
+    encoders: TwoEncoder,
+    /// Of the compliance, as a share \[1\].
+    tolerance: f64,
+}
+
+pub(super) fn on(site: &Site<'_>, compliance: f64, tolerance: f64, backlash: f64) -> Result<Arc<dyn Sensor>, Error> {
+    let encoders = TwoEncoder::new(site.spring, compliance, backlash, site.mean_length)?;
+    Ok(Arc::new(OnDriveTrain { encoders, tolerance }))
+}
+
+/// A drive train without play, and none.
+pub(super) fn alternatives(compliance: f64, compliance_tolerance: f64) -> Vec<(&'static str, Quantity)> {
+    let without_play = |compliance| Quantity::TwoEncoder { compliance, compliance_tolerance, backlash: 0.0 };
+    vec![
+        ("a drive train without backlash", without_play(compliance)),
+        ("encoders on the spring's own ends", without_play(0.0)),
+    ]
+}
+
+impl Sensor for OnDriveTrain {
+    fn quantity<'a>(&self, signals: &'a Signals) -> Result<Cow<'a, [f64]>, Error> {
+        let (u1, u2) = (signals.channel(Channel::U1)?, signals.channel(Channel::U2)?);
+        Ok(self.encoders.elongation(u1, u2, signals.channel(Channel::InputForce)?)?.into())
+    }
+
+    fn force_of(&self, reading: f64) -> f64 {
+        self.encoders.force_at(reading)
+    }
+
+    fn zero(&self) -> f64 {
+        self.encoders.zero
+    }
+
+    fn slope(&self) -> Option<f64> {
+        Some(self.encoders.stiffness)
+    }
+
+    /// Set to zero at the mean length, a drive train that is softer than thought shows in what the force is off its mean.
+    fn own_causes(&self, _: &Site<'_>) -> Vec<Cause> {
+        let softer = self.tolerance * self.encoders.compliance;
+        Cause::within(Place::Compliance, cause::COMPLIANCE, softer).into_iter().collect()
     }
 }
 

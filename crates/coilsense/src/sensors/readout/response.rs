@@ -35,6 +35,29 @@ impl Readout {
         filtered * late * self.windows().map(|window| sinc(frequency * window)).product::<f64>()
     }
 
+    /// σ_B: what of the readings' noise lies below a bandwidth, rms in the quantity's unit.
+    ///
+    /// σ_B = σ √min(2B/f_s, 1); σ without a bandwidth
+    ///
+    /// - `bandwidth`: B \[Hz\]; `rate`: f_s of a readout without a sample rate of its own \[Hz\]
+    ///
+    /// Source:   white noise: its power is spread evenly up to f_s/2.
+    /// Valid:    a sharp filter at B; noise of samples that are drawn independently.
+    /// Accuracy: rounding.
+    ///
+    /// ```
+    /// use coilsense::sensors::{Readout, ReadoutParameters};
+    ///
+    /// let cell = Readout::new(ReadoutParameters { noise: 0.4, sample_rate: Some(800.0), ..Default::default() })?;
+    /// assert!((cell.noise_within(Some(100.0), 1e4) - 0.2).abs() < 1e-15);
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    pub fn noise_within(&self, bandwidth: Option<f64>, rate: f64) -> f64 {
+        let rate = self.parameters().sample_rate.unwrap_or(rate);
+        let share = bandwidth.map_or(1.0, |bandwidth| (2.0 * bandwidth / rate).min(1.0));
+        self.parameters().noise * share.sqrt()
+    }
+
     /// How late a sine at a frequency \[Hz\] comes \[s\]: its phase delay; at 0 Hz that of slow changes.
     ///
     /// −arg B(f)/ω + T_d + W/2 + 1/2f_s, with the phase of B unwrapped, and half a turn at each zero of a sinc not counted

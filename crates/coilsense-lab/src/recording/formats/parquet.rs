@@ -12,11 +12,11 @@ use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::ColumnDescriptor;
 
-use super::error::RecordingError;
+use super::super::error::RecordingError;
+use super::super::order::MOST_NUMBERS;
+use super::super::source::{Next, Source};
+use super::super::title::Title;
 use super::guarded::guarded;
-use super::order::MOST_NUMBERS;
-use super::source::{Next, Source};
-use super::title::Title;
 use crate::series::parquet::REMARKS;
 
 /// A Parquet file that is being read.
@@ -55,16 +55,6 @@ impl ParquetRows {
         let origins = vec![None; titles.len()];
         let (path, progress) = (path.to_owned(), [0, rows]);
         Ok(Self { path, reader, titles, remarks, origins, group: 0, columns: Vec::new(), row: 0, progress })
-    }
-
-    /// The columns that hold numbers.
-    pub fn numeric(&self) -> Vec<usize> {
-        let is_number = |column: &ColumnDescriptor| {
-            let kind = column.physical_type();
-            column.max_rep_level() == 0 && matches!(kind, Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64)
-        };
-        let columns = self.reader.metadata().file_metadata().schema_descr().columns().iter().enumerate();
-        columns.filter(|(_, column)| is_number(column)).map(|(index, _)| index).collect()
     }
 
     /// Reads the next row group that has rows; false where none is left.
@@ -123,6 +113,15 @@ impl Source for ParquetRows {
 
     fn progress(&self) -> [u64; 2] {
         self.progress
+    }
+
+    fn numeric(&self) -> Vec<usize> {
+        let is_number = |column: &ColumnDescriptor| {
+            let kind = column.physical_type();
+            column.max_rep_level() == 0 && matches!(kind, Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64)
+        };
+        let columns = self.reader.metadata().file_metadata().schema_descr().columns().iter().enumerate();
+        columns.filter(|(_, column)| is_number(column)).map(|(index, _)| index).collect()
     }
 
     fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {
@@ -214,5 +213,5 @@ fn all<T: DataType>(
 
 /// What a library says, on one line.
 fn one_line(error: &dyn std::fmt::Display) -> String {
-    super::error::shortened(&error.to_string())
+    super::super::error::shortened(&error.to_string())
 }

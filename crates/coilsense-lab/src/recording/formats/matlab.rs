@@ -9,11 +9,11 @@ use std::path::Path;
 use flate2::read::ZlibDecoder;
 use matfile::{Array, MatFile, NumericData};
 
-use super::error::RecordingError;
+use super::super::error::RecordingError;
+use super::super::selection::TIMES;
+use super::super::table::Table;
+use super::super::title::Title;
 use super::guarded::guarded;
-use super::selection::TIMES;
-use super::table::Table;
-use super::title::Title;
 
 /// Most bytes of such a file: all of it lies in memory.
 const MOST_BYTES: u64 = 1 << 30;

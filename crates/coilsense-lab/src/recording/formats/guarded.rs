@@ -7,7 +7,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::sync::Once;
 
-use super::error::RecordingError;
+use super::super::error::RecordingError;
 
 thread_local! {
     static GUARDED: Cell<bool> = const { Cell::new(false) };

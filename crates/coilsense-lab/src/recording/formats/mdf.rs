@@ -7,11 +7,11 @@ use std::path::Path;
 use falcon_mdf::blocks::{DataType, SyncType};
 use falcon_mdf::{ChannelGroup, Mf4Error, Mf4File};
 
-use super::error::{RecordingError, shortened};
+use super::super::error::{RecordingError, shortened};
+use super::super::order::MOST_NUMBERS;
+use super::super::table::Table;
+use super::super::title::Title;
 use super::guarded::guarded;
-use super::order::MOST_NUMBERS;
-use super::table::Table;
-use super::title::Title;
 
 /// A group of channels that were sampled together.
 struct Group {
