@@ -48,7 +48,7 @@ fn fitted_designs_beat_first_tries_on_a_few_seeds_of_the_stated_scenario() {
     assert_gain(&answer);
     assert_eq!((answer.left_out.len(), answer.runs), (0, 27));
     // Nothing is done about what is measured: noise comes out as it goes in.
-    let raw = answer.judged.iter().find(|(candidate, _)| candidate.name == "F_i as it is").unwrap();
+    let raw = answer.judged.iter().find(|(candidate, _)| candidate.name == "F_i, unfiltered").unwrap();
     assert!((raw.1.noise_gain - 1.0).abs() < 0.02 && raw.1.lag.abs() < 0.01_f64.to_radians(), "{:?}", raw.1);
     // 2τ is 46.24 samples, and their mean late by half of one less: 9.05 ms, 4.886° at 1.5 Hz.
     let mean = answer.judged.iter().find(|(candidate, _)| candidate.name == "mean over 2τ").unwrap();
@@ -106,8 +106,8 @@ fn a_spec_gets_its_ranking_its_advice_and_settings_to_paste() {
     let spec = spec(CONDITION);
     let answer = Study::of(&spec, &asked()).unwrap().run().unwrap();
     let text = mitigation_text(&answer);
-    assert!(text.starts_with("For F_i without its ringing, take the "), "{text}");
-    assert!(text.contains("\nFor the force at end 2, take the "), "{text}");
+    assert!(text.starts_with("Best filter of F_i: "), "{text}");
+    assert!(text.contains("\nBest estimator of F_o: "), "{text}");
     let json: serde_json::Value = serde_json::from_str(&mitigation_json(&answer).unwrap()).unwrap();
     assert_eq!(json["candidates"].as_array().unwrap().len(), answer.judged.len());
     let folder = tempfile::tempdir().unwrap();
@@ -142,7 +142,7 @@ fn a_log_is_judged_as_it_was_recorded() {
     let answer = study.run().unwrap();
     let error = |name: &str| answer.judged.iter().find(|(c, _)| c.name.starts_with(name)).unwrap().1.nominal;
     // No noise and a still spring: Z v = 1.76 N in a square wave that decays by ζω₁ = 3.4/s, 1.76/√(2 · 3.4) = 0.67 N over the second.
-    assert!((error("F_i as it is") - 0.67).abs() < 0.1, "{}", error("F_i as it is"));
+    assert!((error("F_i, unfiltered") - 0.67).abs() < 0.1, "{}", error("F_i, unfiltered"));
     assert!(error("mean over 2τ") < 0.2 && error("delay line") < 0.3);
     assert!(mitigation_text(&answer).contains("as recorded: no noise added"));
     let alone = Study::on(&spec(""), &asked(), &log(folder.path(), false)).unwrap().run().unwrap();

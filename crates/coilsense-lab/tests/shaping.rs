@@ -52,7 +52,7 @@ fn an_undamped_mode_rests_after_two_impulses_and_over_the_box_keeps_a_cosine() {
     assert!((samples(zv.delay) - 0.5 * HALF).abs() < 1e-9 && (samples(zvd.delay) - HALF).abs() < 1e-9);
     // A whole delay may be a rounding short of whole; its share of the sample before or behind then counts as the last.
     assert!((samples(zv.length) - HALF).abs() <= 1.0 && (samples(zvd.length) - 2.0 * HALF).abs() <= 1.0);
-    let plain = named(&answer, "the command as it is");
+    let plain = named(&answer, "the command, unshaped");
     assert!(plain.first == 1.0 && plain.delay == 0.0 && plain.settings().is_none() && zv.settings().is_some());
     // One mass has no other modes.
     assert_eq!(zv.higher_worst, 0.0);

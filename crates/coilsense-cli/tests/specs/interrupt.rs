@@ -17,7 +17,7 @@ fn slow() -> String {
 }
 
 /// A rig with so many runs that they take several seconds, none of them long.
-const SLOW_RIG: &str = "[mount]\ndamping_ratio = 0.01\n[rig]\ntaps = 300\n";
+const SLOW_RIG: &str = "[mount]\ndamping_ratio = 0.01\n[rig]\nhits = 300\n";
 
 #[test]
 fn ctrl_c_leaves_the_folder_as_it_was() {

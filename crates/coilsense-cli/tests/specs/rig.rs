@@ -5,7 +5,7 @@ use std::fs;
 use super::{coilsense, done, names, path, place, refused, text};
 
 /// A rig that is quick to run.
-const QUICK: &str = "\n[mount]\ndamping_ratio = 0.005\n\n[rig]\nduration = \"2 s\"\nreadings = 3\nfrequencies = 1\ntaps = 1\ntaps_per_run = 1\ncalibration_positions = 3\n";
+const QUICK: &str = "\n[mount]\ndamping_ratio = 0.005\n\n[rig]\nduration = \"2 s\"\nreadings = 3\nfrequencies = 1\nhits = 1\nhits_per_run = 1\ncalibration_positions = 3\n";
 
 #[test]
 fn it_says_what_it_wrote_and_the_same_seed_writes_the_same() {

@@ -31,7 +31,7 @@ fn without_a_damping_the_goal_is_judged_for_four_and_the_papers_is_marked() {
     let verdict = &analysis.verdicts[0];
     assert_eq!((verdict.meets.as_slice(), verdict.meets_always()), (&[false, true, true, true][..], Some(false)));
     let words = answer(&analysis).join("\n");
-    assert!(words.contains("ζ from 0 (the paper's case) to 0.02"), "{words}");
+    assert!(words.contains("ζ = 0 (the paper's case) to 0.02"), "{words}");
     assert!(words.contains("load-cell meets it at ζ = 0.001, ζ = 0.005, ζ = 0.02 only"), "{words}");
 }
 

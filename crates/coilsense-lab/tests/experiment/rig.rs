@@ -11,7 +11,7 @@ use coilsense_lab::spec::Spec;
 fn shows_what_figure_6_shows(settings: &str, seed: u64) {
     let place = tempfile::tempdir().unwrap();
     let spring = include_str!("../../data/springs/S_T.toml");
-    let text = format!("{spring}\n[mount]\ndamping_ratio = 0.005\n[rig]\ntaps = 0\n{settings}");
+    let text = format!("{spring}\n[mount]\ndamping_ratio = 0.005\n[rig]\nhits = 0\n{settings}");
     let spec = Spec::parse("rig.toml", &text, &|name| Err(name.to_owned())).unwrap();
     let mut output = Output::begin(place.path()).unwrap();
     Rig::new(&spec, seed).unwrap().write(&mut output, &|_, _| true).unwrap();

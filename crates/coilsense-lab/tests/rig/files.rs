@@ -2,10 +2,11 @@
 
 use coilsense_lab::output::Output;
 use coilsense_lab::rig::{Rig, RigError};
+use coilsense_lab::spec::Spec;
 
-use super::{PAPER, PERFECT, rig, spec};
+use super::{PAPER, PERFECT, S_T, rig, spec};
 
-const QUICK: &str = "\n[mount]\ndamping_ratio = 0.005\n[rig]\nduration = \"2 s\"\nreadings = 3\nfrequencies = 2\ntaps = 1\ntaps_per_run = 1\ncalibration_positions = 3\n";
+const QUICK: &str = "\n[mount]\ndamping_ratio = 0.005\n[rig]\nduration = \"2 s\"\nreadings = 3\nfrequencies = 2\nhits = 1\nhits_per_run = 1\ncalibration_positions = 3\n";
 
 /// Every file of a rig and its text, by name.
 fn files(tables: &str, seed: u64) -> Vec<(String, String)> {
@@ -108,7 +109,7 @@ fn what_a_rig_cannot_do_is_said() {
             "[rig] 38872881 samples in calibration, 838872881 in all: must be at most 4000000 and 200000000",
         ),
         (
-            format!("{PAPER}hits_per_run = 7\ntap_duration = \"600 ms\""),
+            format!("{PAPER}hits_per_run = 7\nhit_duration = \"600 ms\""),
             "[rig] hit_duration = 0.6 s: must be at most 0.571428571429 s",
         ),
         (format!("{QUICK}amplitude = \"7 mm\""), "u1 reaches 7.0"),
@@ -127,6 +128,23 @@ fn what_a_rig_cannot_do_is_said() {
         assert!(refusal.contains(expected), "{refusal:?} instead of {expected:?}");
         assert_eq!(refusal.lines().count(), 1);
     }
+}
+
+#[test]
+fn what_is_called_as_before_is_read_with_a_note() {
+    let before = QUICK.replace("hits_per_run", "taps_per_run").replace("hits = ", "taps = ");
+    let rigs = [rig(QUICK, 1), rig(&before, 1)];
+    assert_eq!(rigs[0].runs(), rigs[1].runs());
+    assert!(rigs[0].warnings().is_empty());
+    let note = |before: &str, now: &str| {
+        format!("[rig] {before} is called {now} now; the next release no longer reads {before}")
+    };
+    assert_eq!(rigs[1].warnings(), [note("taps", "hits"), note("taps_per_run", "hits_per_run")]);
+    // Under both names it would not be clear which holds.
+    let both = Spec::parse("S.toml", &format!("{S_T}{}", QUICK.replace("hits = 1", "hits = 1\ntaps = 2")), &|_| {
+        Err(String::new())
+    });
+    assert!(both.unwrap_err().to_string().contains("unknown key \"taps\" in [rig]"));
 }
 
 #[test]

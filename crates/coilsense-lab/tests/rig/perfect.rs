@@ -124,7 +124,7 @@ fn the_calibration_gives_back_stiffness_and_inductance() {
 
 #[test]
 fn after_a_hit_the_first_mode_decays_by_its_damping() {
-    let tables = PERFECT.replace("duration = \"8.9 s\"", "duration = \"8.9 s\"\ntaps = 3\ntaps_per_run = 2");
+    let tables = PERFECT.replace("duration = \"8.9 s\"", "duration = \"8.9 s\"\nhits = 3\nhits_per_run = 2");
     let (rig, spring) = (rig(&tables, 5), spec(&tables).spring.spring);
     let natural = coilsense::modes::ChainModes::of(&spring).frequencies()[0];
     let damped = natural * (1.0 - RATIO * RATIO).sqrt();

@@ -61,10 +61,11 @@ pub(super) fn conditions(answer: &Answer) -> String {
     )
 }
 
-/// A lag \[rad\] in degrees without a sign before a zero.
-pub(super) fn upright(lag: f64) -> f64 {
-    let lag = lag.to_degrees();
-    if lag.abs() < 0.005 { 0.0 } else { lag }
+/// A lag \[rad\] in degrees to so many decimals, without a sign before a zero.
+fn upright(lag: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", lag.to_degrees());
+    let is_zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
+    if is_zero { text.replace('-', "") } else { text }
 }
 
 /// An angle \[rad\] in degrees, without what its way there and back leaves behind the ninth decimal.
@@ -80,13 +81,13 @@ pub(super) fn percent(answer: &Answer, force: f64) -> f64 {
 fn line(answer: &Answer, candidate: &Candidate, judgement: &Judgement) -> String {
     let settling = format!("{:.1} ms", 1e3 * judgement.settling);
     format!(
-        "  {:60} {:9} {:8.4} {:8.4} {:8.4} {:8.2} {:7.3} {settling:>9}",
+        "  {:60} {:9} {:8.4} {:8.4} {:8.4} {:>8} {:7.3} {settling:>9}",
         candidate.name,
         candidate.origin.name(),
         percent(answer, judgement.nominal),
         percent(answer, judgement.worst),
         percent(answer, judgement.aligned),
-        upright(judgement.lag),
+        upright(judgement.lag, 2),
         judgement.noise_gain,
     )
 }
@@ -96,12 +97,12 @@ pub(super) fn advice(answer: &Answer) -> String {
     let sentence = |truth, opening: &str| {
         let (candidate, judgement) = answer.best(truth)?;
         let mut text = format!(
-            "{opening}: {}. Error {:.3} % of F_nom nominal, {:.3} % worst case ({}); lag {:.1}° at {:.3} Hz; passes {:.0} % of the noise.",
+            "{opening}: {}. Error {:.3} % of F_nom nominal, {:.3} % worst case ({}); lag {}° at {:.3} Hz; passes {:.0} % of the noise.",
             candidate.name,
             percent(answer, judgement.nominal),
             percent(answer, judgement.worst),
             judgement.worst_run,
-            upright(judgement.lag),
+            upright(judgement.lag, 1),
             answer.study.bandwidth,
             100.0 * judgement.noise_gain,
         );
