@@ -2,7 +2,7 @@
 //!
 //! Next door: the checks of the package (`package`), what PyO3 cannot know (`python/stubs/write.py`).
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 
@@ -38,6 +38,9 @@ pub fn agree(environment: &Environment) -> anyhow::Result<bool> {
 /// Writes the types into a file.
 fn generated(environment: &Environment, file: &Path) -> anyhow::Result<()> {
     let folder = root().join("target/stubs");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
     let mut account = environment.python();
     account.args(["-m", "maturin", "generate-stubs", "--profile", "release", "--quiet", "--interpreter", "python3"]);
     account.arg("--out").arg(&folder).current_dir(root().join(PROJECT));
@@ -45,9 +48,23 @@ fn generated(environment: &Environment, file: &Path) -> anyhow::Result<()> {
         bail!("PyO3's account of the module cannot be had");
     }
     let mut types = environment.python();
-    types.arg(root().join(PROJECT).join("write.py")).arg(folder.join("coilsense/_coilsense.pyi")).arg(file);
+    types.arg(root().join(PROJECT).join("write.py")).arg(account_in(&folder)?).arg(file);
     if !types.status().context("Python cannot be started")?.success() {
         bail!("the types are not all known");
     }
     Ok(())
+}
+
+/// The account's file: maturin calls it after the module or `__init__`, in a folder of the one or the other.
+fn account_in(folder: &Path) -> anyhow::Result<PathBuf> {
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            return account_in(&path);
+        }
+        if path.extension().is_some_and(|ending| ending == "pyi") {
+            return Ok(path);
+        }
+    }
+    bail!("{}: maturin has written no stub", folder.display())
 }
