@@ -88,13 +88,13 @@ test('delimiter and decimal sign can be told', async ({ page }) => {
   await drop(page, { 'odd.csv': text });
   await settled(page);
   await page.getByText('How the text is written').click();
-  await page.getByLabel('Columns are parted by').selectOption(';');
+  await page.getByLabel('Columns are separated by').selectOption(';');
   await page.getByLabel('Decimal sign').selectOption('.');
   await expect(page.locator('#panel-log .refusal').first()).toContainText('no row of numbers', { timeout: 30_000 });
   await page.getByLabel('Decimal sign').selectOption(',');
   await expect(page.getByRole('img', { name: 'Forces over time' })).toBeVisible({ timeout: 30_000 });
-  await page.getByLabel('Columns are parted by').selectOption(',');
-  await expect(page.locator('#panel-log .wrong .error')).toContainText('where columns are parted by commas', {
+  await page.getByLabel('Columns are separated by').selectOption(',');
+  await expect(page.locator('#panel-log .wrong .error')).toContainText('where columns are separated by commas', {
     timeout: 30_000,
   });
 });

@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return Ok(());
     }
     let _ = writeln!(out, "{account}");
-    let _ = writeln!(out, "{} in {:.2} s", arguments.out.display(), begun.elapsed().as_secs_f64());
+    let _ = writeln!(out, "wrote {} in {:.2} s", arguments.out.display(), begun.elapsed().as_secs_f64());
     Ok(())
 }
 

@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     // A reader that closes the pipe early has all it wants: the files are written.
     let _ = writeln!(
         anstream::stdout().lock(),
-        "{} runs, {rows} rows in {files} files in {folder} in {:.2} s, simulated with seed {seed}",
+        "wrote {files} files to {folder}: {} runs, {rows} rows, simulated with seed {seed}, in {:.2} s; next: coilsense experiment {folder}",
         rig.runs().len(),
         begun.elapsed().as_secs_f64()
     );

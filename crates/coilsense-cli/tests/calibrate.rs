@@ -129,7 +129,7 @@ fn the_measured_runs_come_out_as_their_authors_print_them() {
         assert!(all["inverse_length"]["rmse_m"].as_f64() < found["inverse_length"]["rmse_m"].as_f64());
         assert!(all["inverse_length"]["alpha_per_h_m_se"].as_f64().unwrap() > 0.0);
         let text = done(&log, &options);
-        let first = format!("good for {:.3} mm RMS", 1e3 * fit["rmse_m"].as_f64().unwrap());
+        let first = format!("residual {:.3} mm RMS", 1e3 * fit["rmse_m"].as_f64().unwrap());
         assert!(text.lines().next().unwrap().contains(&first), "{text}");
     }
 }

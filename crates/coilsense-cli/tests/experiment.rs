@@ -102,12 +102,12 @@ fn an_experiment_that_a_person_describes_is_worked_off() {
     }
     let text = experiment(place.path(), &["--out", out.to_str().unwrap()]);
     let text = String::from_utf8(text.stdout).unwrap();
-    assert!(text.lines().next().unwrap().starts_with("F_o and F_x part most at 8.00 Hz (shaken)"), "{text}");
-    assert!(text.contains("One run of hits is not looked at here") && !text.contains("next release"));
+    assert!(text.lines().next().unwrap().starts_with("F_o and F_x differ most at 8.00 Hz (shaken)"), "{text}");
+    assert!(text.contains("One run of hits is not evaluated here") && !text.contains("next release"));
     // The word of the release before is read, and said.
     let description = place.path().join("experiment.toml");
     fs::write(&description, DESCRIPTION.replace("\"hit\"", "\"tap\"")).unwrap();
-    let text = String::from_utf8(experiment(place.path(), &[]).stdout).unwrap();
+    let text = String::from_utf8(experiment(place.path(), &["--out", out.to_str().unwrap()]).stdout).unwrap();
     assert!(text.contains("One run of hits") && text.contains("kind = \"tap\" is called \"hit\" now"), "{text}");
 }
 

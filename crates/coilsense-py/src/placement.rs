@@ -27,7 +27,7 @@ getters! {
     /// The answer, a sentence each.
     answer: Vec<String> = coilsense_lab::placement::answer(&self.0);
     /// The force to feed back: that of the fastest loop with a sensitivity of at most 2 at every damping in which neither end force rises
-    /// above 3 times its static answer.
+    /// above 3 times its static response.
     feed_back: &'static str = self.0.candidates[self.0.best].channel.name();
     /// The loop's crossover as it is set, with a spring without mass [Hz].
     crossover: f64 = self.0.crossover;

@@ -49,7 +49,7 @@ export const GROUPS: readonly Group[] = [
       },
       {
         name: 'delimiter',
-        label: 'Columns are parted by',
+        label: 'Columns are separated by',
         words: [
           ['', 'what is found'],
           [',', 'comma'],

@@ -10,7 +10,7 @@ import { lag, mostLag, share, those, told, type Judged } from './ranking';
 /** In whose look candidates of an origin are drawn. */
 const LOOKS = [
   ['raw', 'F_L', true],
-  ['first try', 'F_i', 'hollow'],
+  ['textbook', 'F_i', 'hollow'],
   ['fitted', 'F_o', true],
 ] as const;
 

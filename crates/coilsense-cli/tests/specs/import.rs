@@ -26,7 +26,7 @@ fn a_log_of_another_country_comes_out_in_si_units_with_its_account() {
     assert_eq!(
         lines[..7],
         [
-            "run.csv: text, columns parted by \";\", decimal comma, header in line 1",
+            "run.csv: text, columns separated by \";\", decimal comma, header in line 1",
             "  time from column 1 \"Zeit\"",
             "  F_o  from column 2 \"LC\"",
             "  not taken: column 3 \"Weg\"",

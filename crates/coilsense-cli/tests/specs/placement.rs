@@ -170,12 +170,12 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
         }
     }
     let answer = result["answer"].to_string();
-    let calm = "up to there both ends stay within 3 times their static answer; at a crossover of";
+    let calm = "up to there both ends stay within 3 times their static response; at a crossover of";
     assert!(answer.contains(calm), "{answer}");
     // Half as fast again it rings, which is said where a person wants it so.
     let answer = judge(&format!("{STIFF}crossover = \"{} Hz\"\n", 1.5 * advised))["answer"].to_string();
     let loud = "more than the 3 that are within reason";
-    assert!(answer.contains("times its static answer at") && answer.contains(loud), "{answer}");
+    assert!(answer.contains("times its static response at") && answer.contains(loud), "{answer}");
     // A free mass takes no lasting force, so that the reference counts.
     let free = judge(&STIFF.replace("drive = \"velocity\"", "drive = \"velocity\"\nload_mass = \"2 kg\""));
     let none = best(&free)["calm_crossover_hz"] == 0.0;

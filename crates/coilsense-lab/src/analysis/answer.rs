@@ -37,8 +37,8 @@ fn wish(analysis: &Analysis, newton: f64) -> String {
 /// Which share of the specimens is inside the goal all the same.
 fn inside(verdict: &Verdict) -> String {
     match verdict.least_inside() {
-        Some(share) if share > 0.0 => format!("{} of the springs are inside", of_specimens(share)),
-        _ => "no spring is inside".to_owned(),
+        Some(share) if share > 0.0 => format!("{} of the springs meet it", of_specimens(share)),
+        _ => "no spring within tolerance meets it".to_owned(),
     }
 }
 
@@ -110,7 +110,7 @@ fn behind(analysis: &Analysis, verdict: &Verdict) -> String {
 fn specimens(verdict: &Verdict) -> String {
     let (worst, Some(inside)) = (verdict.at_worst(), verdict.least_inside()) else { return String::new() };
     format!(
-        ", over the springs that the spec allows: {} of them are inside the goal, the worst is {} N off, the nominal one {} N",
+        ", rms over the springs within tolerance: {} of them meet the goal, the worst errs by {} N, the nominal one by {} N",
         of_specimens(inside),
         digits(worst.worst),
         digits(worst.nominal),
@@ -264,17 +264,17 @@ fn damping(analysis: &Analysis) -> String {
 fn warned(analysis: &Analysis) -> String {
     let count = |subject| analysis.warnings.iter().filter(|warning| warning.subject == subject).count();
     let kinds = [
-        (Subject::Resonance, "a mode of the real spring may meet the input"),
+        (Subject::Resonance, "a natural frequency of the real spring may coincide with the input's"),
         (Subject::NoLimit, "the rms of a step has no limit"),
         (Subject::Clash, "windings touch"),
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Lift, "an end that only pushes would have to pull"),
         (Subject::Doubt, "values of the spring do not fit together"),
-        (Subject::Alias, "sampling folds surge lines down"),
+        (Subject::Alias, "surge lines alias"),
         (Subject::Range, "a load cell is overloaded"),
         (Subject::Temperature, "a drift with temperature is not known"),
-        (Subject::Neighbour, "torsional or lateral motion lies below the first surge"),
+        (Subject::Neighbour, "a torsional or lateral mode lies below the first surge frequency"),
     ];
     let each: Vec<&str> = kinds.into_iter().filter(|(subject, _)| count(*subject) > 0).map(|(_, text)| text).collect();
-    if each.is_empty() { "No warnings.".to_owned() } else { format!("Mind the warnings: {}.", each.join("; ")) }
+    if each.is_empty() { "No warnings.".to_owned() } else { format!("See the warnings: {}.", each.join("; ")) }
 }

@@ -20,7 +20,7 @@ pub fn answer(outcome: &Outcome) -> Vec<String> {
 fn curve(outcome: &Outcome) -> String {
     let (fit, points) = (&outcome.inverse_length, &outcome.measured.points);
     format!(
-        "1/l = αL + β {}: α = {} 1/(H m), β = {} 1/m, good for {} mm RMS of {} ({} % of the range of {} mm).",
+        "1/l = αL + β {}: α = {} 1/(H m), β = {} 1/m, residual {} mm RMS of {} ({} % of the range of {} mm).",
         outcome.plan.method.words(points.lengths().len()),
         with_error(fit.alpha, fit.alpha_se),
         with_error(fit.beta, fit.beta_se),
@@ -35,7 +35,7 @@ fn trust(outcome: &Outcome) -> String {
     let (worst, index) = outcome.worst();
     let place = 1e3 * outcome.measured.places()[index];
     let name = outcome.measured.place_name();
-    let mut text = format!("At most {} mm off, at {} mm of {name}", digits(1e3 * worst.abs()), digits(place));
+    let mut text = format!("Largest residual {} mm, at {} mm of {name}", digits(1e3 * worst.abs()), digits(place));
     let rmse = outcome.inverse_length.misfit.rmse;
     match outcome.noise() {
         Some(noise) if rmse > 2.0 * noise => text.push_str(&format!(

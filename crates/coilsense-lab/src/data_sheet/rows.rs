@@ -122,8 +122,8 @@ fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
             MM,
             "mm",
         ),
-        Row::new("clash_speed_at_min_m_per_s", "clash speed at the shortest length", speed(shortest), 1.0, "m/s"),
-        Row::new("clash_speed_at_max_m_per_s", "clash speed at the longest length", speed(longest), 1.0, "m/s"),
+        Row::new("clash_speed_at_min_m_per_s", "end speed at which coils clash, shortest", speed(shortest), 1.0, "m/s"),
+        Row::new("clash_speed_at_max_m_per_s", "end speed at which coils clash, longest", speed(longest), 1.0, "m/s"),
     ]);
     rows
 }
@@ -168,8 +168,20 @@ fn of_wave(spec: &SpringSpec) -> Vec<Row> {
             "Hz",
         ),
         Row::new("masses_per_winding", "masses of that chain per winding", spring.masses_per_winding() as f64, 1.0, ""),
-        Row::new("lowest_first_frequency_hz", "the coil's own, at least", spring.first_frequency_band().0, 1.0, "Hz"),
-        Row::new("highest_first_frequency_hz", "the coil's own, at most", spring.first_frequency_band().1, 1.0, "Hz"),
+        Row::new(
+            "lowest_first_frequency_hz",
+            "f1 of the real coil, lower bound",
+            spring.first_frequency_band().0,
+            1.0,
+            "Hz",
+        ),
+        Row::new(
+            "highest_first_frequency_hz",
+            "f1 of the real coil, upper bound",
+            spring.first_frequency_band().1,
+            1.0,
+            "Hz",
+        ),
         Row::new(
             "surge_frequency_en13906_hz",
             "the same by EN 13906-1, from wire and coil",

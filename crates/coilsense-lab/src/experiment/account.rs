@@ -11,15 +11,16 @@ impl Experiment {
         let left_out: usize = self.runs.iter().map(|run| run.fast.left_out).sum();
         let samples: usize = self.runs.iter().map(|run| run.fast.output.samples).sum();
         lines.push(format!(
-            "{samples} samples of {} runs; {left_out} behind the last whole period of a sine are left out.",
+            "{samples} samples of {} runs; {left_out} after the last whole period of a sine are left out.",
             self.runs.len()
         ));
         match self.hits {
             0 => {}
-            1 => lines
-                .push("One run of hits is not looked at here: `coilsense identify` reads damping from it.".to_owned()),
+            1 => lines.push(
+                "One run of hits is not evaluated here: `coilsense identify` estimates the damping from it.".to_owned(),
+            ),
             hits => lines.push(format!(
-                "{hits} runs of hits are not looked at here: `coilsense identify` reads damping from them."
+                "{hits} runs of hits are not evaluated here: `coilsense identify` estimates the damping from them."
             )),
         }
         if self.curve.is_none() {

@@ -33,7 +33,7 @@ fn parting(experiment: &Experiment, findings: &Findings) -> String {
         String::new()
     };
     format!(
-        "F_o and F_x part most at {} Hz ({}): RMSD {} of F_nom{beside}{neighbours}, largest difference {}.",
+        "F_o and F_x differ most at {} Hz ({}): RMSD {} of F_nom{beside}{neighbours}, largest difference {}.",
         digits(run.spec.frequency),
         run.spec.name,
         percent(run.fast.deviation.rmsd),
@@ -59,7 +59,7 @@ fn means(experiment: &Experiment, findings: &Findings) -> Option<String> {
 fn against(experiment: &Experiment, offset: Offset) -> String {
     let numbers = format!("{} mN", pair(1e3 * offset.value, 1e3 * offset.error));
     if !offset.is_seen() {
-        return format!("does not differ ({numbers})");
+        return format!("no significant difference ({numbers})");
     }
     let way = if offset.value < 0.0 { "low" } else { "high" };
     let percent = digits(experiment.percent(offset.value.abs()));

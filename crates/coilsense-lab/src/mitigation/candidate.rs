@@ -51,7 +51,7 @@ impl Origin {
     pub fn name(self) -> &'static str {
         match self {
             Self::Raw => "raw",
-            Self::FirstTry => "first try",
+            Self::FirstTry => "textbook",
             Self::Fitted => "fitted",
         }
     }

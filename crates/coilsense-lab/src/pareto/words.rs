@@ -18,7 +18,7 @@ pub fn answer(study: &Study) -> Vec<String> {
     let mut lines = vec![match count {
         1 => format!("One design of {compared} is best in every respect: row {}, {}.", study.rows[0], of(0)),
         _ => format!(
-            "{count} of {compared} designs are beaten by none; the knee between them is row {}: {}.",
+            "{count} of {compared} designs are Pareto-optimal; the knee of the front is row {}: {}.",
             study.rows[study.knee],
             of(study.knee)
         ),

@@ -45,7 +45,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     }
     match placement.confirmed {
         Some(true) => lines.push(
-            "Run over time in samples, that loop stays at 0.98 and runs away at 1.02 of the limit predicted for it."
+            "In a time simulation of the sampled loop it is stable at 0.98 and unstable at 1.02 times its predicted limit."
                 .to_owned(),
         ),
         Some(false) => lines
@@ -63,10 +63,10 @@ fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
     let (fastest, rings) = best.rings?;
     let (force, size, at) = (rings.force.name(), digits(rings.over_static), digits(rings.at));
     let fastest = format!("a crossover of {} Hz", digits(fastest));
-    let limit = format!("{MOST_PEAK} times their static answer");
+    let limit = format!("{MOST_PEAK} times their static response");
     Some(match (best.calm_crossover, placement.control.crossover) {
         (0.0, _) => format!(
-            "Yet at {fastest} {force} peaks at {size} times its static answer at {at} Hz; no slower loop keeps both ends within {limit}."
+            "Yet at {fastest} {force} peaks at {size} times its static response at {at} Hz; no slower loop keeps both ends within {limit}."
         ),
         (calm, None) => format!(
             "Take a crossover of {} Hz: up to there both ends stay within {limit}; at {fastest} {force} peaks at {size} times at {at} Hz.",
@@ -119,7 +119,7 @@ fn set_line(placement: &Placement, best: &Candidate) -> String {
     let loud = peaks.iter().max_by(|a, b| a.over_static.total_cmp(&b.over_static));
     let loud = loud.filter(|peak| given && peak.over_static > MOST_PEAK).map_or_else(String::new, |peak| {
         format!(
-            "; {} peaks at {} times its static answer at {} Hz, more than the {MOST_PEAK} that are within reason",
+            "; {} peaks at {} times its static response at {} Hz, above the limit of {MOST_PEAK}",
             peak.force.name(),
             digits(peak.over_static),
             digits(peak.at)
@@ -146,7 +146,9 @@ fn passivity_line(placement: &Placement, best: &Candidate) -> Option<String> {
     best.judged.first()?.passivity.as_ref()?;
     let up_to = digits(placement.control.passive_up_to);
     Some(match first {
-        None => format!("The impedance rendered at end 2 is passive up to {up_to} Hz at every damping."),
+        None => format!(
+            "The impedance rendered at end 2 is passive at every damping over the range examined, up to {up_to} Hz."
+        ),
         Some(band) => format!(
             "The impedance rendered at end 2 is not passive from {} to {} Hz: some passive environment makes the loop unstable there.",
             digits(band[0]),

@@ -73,7 +73,7 @@ impl Layout {
         };
         let decimal = if self.decimal_comma { ", decimal comma" } else { "" };
         let header = self.header.map_or("no header".to_owned(), |line| format!("header in line {line}"));
-        format!("text, columns parted by {parted}{decimal}, {header}")
+        format!("text, columns separated by {parted}{decimal}, {header}")
     }
 }
 

@@ -54,7 +54,7 @@ impl<'a> Rows<'a> {
             taken: selection.taken(source.titles()),
             not_taken: not_taken(source, &selection),
             notes: super::simulated(source.remarks())
-                .map(|remark| format!("by its own words: {remark}"))
+                .map(|remark| format!("its header says: {remark}"))
                 .into_iter()
                 .collect(),
             ..Account::default()

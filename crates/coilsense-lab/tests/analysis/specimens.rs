@@ -46,7 +46,7 @@ fn a_line_inside_the_band_of_a_mode_is_in_the_headline_and_one_outside_is_not() 
     let near = driven(0.97, "stiffness_tolerance = \"10 %\"\n");
     assert!(warns(&near));
     let words = answer(&near).join("\n");
-    assert!(words.contains("a mode of the real spring may meet the input"), "{words}");
+    assert!(words.contains("a natural frequency of the real spring may coincide with the input's"), "{words}");
     // The second mode counts as well; half of the first frequency is far from any.
     assert!(warns(&driven(1.97, "stiffness_tolerance = \"10 %\"\n")));
     assert!(!warns(&driven(0.5, "stiffness_tolerance = \"10 %\"\n")));

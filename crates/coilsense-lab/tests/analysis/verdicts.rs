@@ -72,9 +72,8 @@ fn who_misses_is_told_why() {
     let strict = "[goal]\nerror = \"0.1 %\"\nbandwidth = \"20 Hz\"\n";
     let lines = words(&format!("{CELL}{SLOW}"), strict);
     assert!(
-        lines[1].contains(
-            "cell (0.702 N in impact, mostly sensor: accuracy of full scale; 10 % of the springs are inside)"
-        ),
+        lines[1]
+            .contains("cell (0.702 N in impact, mostly sensor: accuracy of full scale; 10 % of the springs meet it)"),
         "{lines:?}"
     );
     let loose = "[goal]\nerror = \"1 %\"\nbandwidth = \"20 Hz\"\n";

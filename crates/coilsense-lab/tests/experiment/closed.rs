@@ -73,7 +73,7 @@ fn a_steady_drift_is_no_bias_and_a_bias_is_no_drift() {
     assert!(trend.rises == -15 && (trend.p - 2.0 / 720.0).abs() < 1e-12);
     assert!(drift(Channel::InductanceForce).trend.unwrap().slope.abs() < 1e-9);
     let said = answer(&experiment, &findings);
-    assert!(said[0].contains("part most at 20.0 Hz") && !said[0].contains("imulated"), "{said:?}");
+    assert!(said[0].contains("differ most at 20.0 Hz") && !said[0].contains("imulated"), "{said:?}");
     assert!(said[1].contains("F_L is biased low by 0.0500 % of F_nom"), "{said:?}");
     assert!(said[2].contains("F_o −50"), "{said:?}");
 }
@@ -122,7 +122,7 @@ fn a_sine_is_cut_behind_its_last_whole_period_and_what_is_left_out_is_counted() 
     assert_eq!((run.fast.output.samples, run.fast.left_out), (kept, SAMPLES - kept));
     // What a period that is not a whole number of samples leaves: half a sample of 0.8 N in 4 s.
     assert!(experiment.difference(run, Channel::OutputForce).unwrap().abs() < 0.8 * 0.5 / kept as f64);
-    assert!(experiment.account()[0].contains(&format!("{} behind the last whole period", SAMPLES - kept)));
+    assert!(experiment.account()[0].contains(&format!("{} after the last whole period", SAMPLES - kept)));
     // Uncut, the mean would be off by A (1 − cos 2π·0.2)/(2π·27.2), which is more.
     assert!(0.8 * (1.0 - (TAU * 0.2).cos()) / (TAU * 27.2) > 10.0 * 0.8 * 0.5 / kept as f64);
 }

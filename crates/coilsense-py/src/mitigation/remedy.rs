@@ -67,7 +67,7 @@ getters! {
     PyRemedy, self;
     /// In words.
     pub name: &str = &self.candidate().name;
-    /// Where it comes from: "raw", "first try" or "fitted".
+    /// Where it comes from: "raw", "textbook" or "fitted".
     origin: &'static str = self.candidate().origin.name();
     /// What its force is to be: "k·Δl" or "F_o".
     against: &'static str = self.candidate().truth.name();

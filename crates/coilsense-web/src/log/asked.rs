@@ -99,7 +99,7 @@ impl Asked {
         format.delimiter = self.word("delimiter", &delimiters)?.or(format.delimiter);
         format.decimal_comma = self.word("decimal", &[(".", false), (",", true)])?.or(format.decimal_comma);
         if (format.delimiter, format.decimal_comma) == (Some(','), Some(true)) {
-            return Err("decimal: must be \".\" where columns are parted by commas, got \",\"".to_owned());
+            return Err("decimal: must be \".\" where columns are separated by commas, got \",\"".to_owned());
         }
         format.sample_rate = self.rate("sample-rate")?.or(format.sample_rate);
         self.columns("column", mapping)

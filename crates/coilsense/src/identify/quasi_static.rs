@@ -95,7 +95,7 @@ impl Stiffness {
             return Err(moved);
         }
         if spread / count < SLOW_SHARE * (power - noise_variance(&length)) {
-            return Err("the ends move quickly for the most part: no stiffness without a slow motion".to_owned());
+            return Err("the ends move too fast in most of the record; a stiffness needs a slow motion".to_owned());
         }
         let k = product / spread;
         let residuals: Vec<f64> = lengths.iter().zip(&forces).map(|(l, f)| f - f_mean - k * (l - l_mean)).collect();

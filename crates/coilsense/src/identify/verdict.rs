@@ -211,7 +211,7 @@ fn next(found: &Identification, answer: Answer) -> Vec<String> {
         next.push("record the forces at both ends (F_i and F_o): the spring's modes alternate in sign between them, other resonances do not".to_owned());
     }
     if found.stiffness.is_err() {
-        next.push("move one end slowly over the range in use, with u1 and u2 recorded: gives stiffness, and with it the mass that rings".to_owned());
+        next.push("move one end slowly over the range in use and record both positions (u1, u2) and the force: this gives the stiffness and, with f1, the mass that vibrates".to_owned());
     }
     if answer == Answer::Undecided && found.predicted.is_none() {
         next.push("weigh the coil or give its spec (--mass, --spec): f1 can then be predicted".to_owned());

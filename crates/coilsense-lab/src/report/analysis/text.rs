@@ -48,8 +48,8 @@ pub fn analysis_text(analysis: &Analysis) -> String {
     }
     let _ = writeln!(
         text,
-        "u: combined standard uncertainty in the worst case, rms over the springs that the spec allows; nominal, worst: of the spec's own \
-         spring and of the worst one; inside: share of them that meets the goal in every case; F_nom = {} N",
+        "u: combined standard uncertainty in the worst case, rms over the springs within tolerance, which is compared with the goal; nominal, \
+         worst: the error of the nominal and of the worst spring; inside: share of the springs that meet the goal in every case; F_nom = {} N",
         digits(nominal)
     );
     text += &changes(analysis, widest);
@@ -69,7 +69,7 @@ fn changes(analysis: &Analysis, widest: usize) -> String {
     let wide = rows.iter().map(|(_, fix)| change(*fix).chars().count()).max().unwrap_or(0).max(25);
     let mut text = format!(
         "\n{BOLD}{:widest$}  {:wide$}  {:>8}  {:>12}{BOLD:#}\n",
-        "misses the goal", "what would make it meet", "u [N]", "later [ms]"
+        "misses the goal", "what would make it meet", "u [N]", "lag [ms]"
     );
     for (sensor, fix) in rows {
         let number = |of: fn(&Fix) -> String| fix.map_or_else(|| "–".to_owned(), of);

@@ -36,7 +36,7 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
     let _ = writeln!(text, "  * the spec's own mount");
     let _ = writeln!(
         text,
-        "\n{BOLD}Neighbours{BOLD:#} that the axial model leaves out (estimates; ends held in place, free to tilt)"
+        "\n{BOLD}Lateral and torsional modes{BOLD:#}, not in the axial model (estimates; ends held in place, free to tilt)"
     );
     for neighbour in &sheet.neighbours {
         let shown =

@@ -31,8 +31,8 @@ pub fn identification_text(identified: &Identified) -> String {
     if !found.lines.is_empty() {
         let _ = writeln!(
             text,
-            "\n{BOLD}{:>24}  {:>24}  {:>11}  {:12}  what it is{BOLD:#}",
-            "line [Hz]", "ζ", "largest [N]", "ends pull"
+            "\n{BOLD}{:>24}  {:>24}  {:>11}  {:12}  identified as{BOLD:#}",
+            "line [Hz]", "ζ", "peak [N]", "ends pull"
         );
     }
     for line in &found.lines {

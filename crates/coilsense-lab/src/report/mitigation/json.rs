@@ -52,7 +52,7 @@ impl Outcome for MitigationOutcome {
 #[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 struct CandidateRow {
     name: String,
-    /// "raw", "first try" or "fitted".
+    /// "raw", "textbook" or "fitted".
     origin: &'static str,
     /// The true force that it is held against: "k·Δl" or "F_o".
     against: &'static str,

@@ -33,7 +33,7 @@ pub(super) fn conditions(answer: &Answer) -> String {
     if let Some(recorded) = &study.recorded {
         return format!(
             "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there; k·Δl is of the nominal spring;\n\
-             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; advised: at most {}° late.",
+             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; best: of those with a lag of at most {}°.",
             recorded.name,
             recorded.measured.len(),
             study.rate,
@@ -46,8 +46,8 @@ pub(super) fn conditions(answer: &Answer) -> String {
     }
     format!(
         "Conditions: {}, at {} Hz with {:.3} N rms of noise, seeds: {}; worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
-         aligned: the truth shifted by the delay that fits best; settling: after an impact, to a tenth of it; advised: the least at worst of those at\n\
-         most {}° late.",
+         aligned: the reference shifted by the delay that fits best; settling: time after an impact until the error falls to a tenth; best: the smallest\n\
+         worst case of those with a lag of at most {}°.",
         study.conditions.iter().map(|condition| condition.0.as_str()).collect::<Vec<_>>().join(", "),
         study.rate,
         study.noise,

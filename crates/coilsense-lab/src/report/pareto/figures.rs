@@ -64,7 +64,7 @@ fn panel(study: &Study, units: &[Shown], pair: [usize; 2], every: usize) -> Pane
         curves: if units.len() == 2 { vec![stairs(&x.front, &y.front)] } else { Vec::new() },
         points: vec![
             cloud,
-            points("beaten by none", &drawn, Colour::Blue, Marker::Disc),
+            points("Pareto-optimal", &drawn, Colour::Blue, Marker::Disc),
             points("best in one respect", &ends, Colour::Green, Marker::Square),
             points("knee", &[study.knee], Colour::Red, Marker::Diamond),
         ],

@@ -40,7 +40,7 @@ pub fn pareto_text(study: &Study) -> String {
         let _ = writeln!(text, "{line}{}{role}", if role.is_empty() { "" } else { "  " });
     }
     if places.len() < study.rows.len() {
-        let _ = writeln!(text, "{} of {} designs on the front", places.len(), study.rows.len());
+        let _ = writeln!(text, "{} of the {} designs on the front are listed", places.len(), study.rows.len());
     }
     text
 }

@@ -75,7 +75,7 @@ fn rows(placement: &Placement) -> Vec<Value> {
                 sensitivity => when(margins.stable, digits(1.0 / margins.modulus)),
                 peak => judged.peaks.map_or_else(|| "–".to_owned(), |[_, load]| format!("{} at {}", digits(load.size), digits(load.at))),
                 passive => judged.passivity.as_ref().filter(|_| margins.stable).map(|passivity| {
-                    passivity.active.first().map_or_else(|| format!("{} up", digits(passivity.up_to)), |band| digits(band[0]))
+                    passivity.active.first().map_or_else(|| format!("≥ {}", digits(passivity.up_to)), |band| digits(band[0]))
                 }),
             }
         })

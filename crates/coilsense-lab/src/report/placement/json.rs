@@ -18,7 +18,7 @@ pub struct PlacementOutcome<'a> {
     feed_back: &'static str,
     /// Of the loop as it is set, with a spring without mass.
     crossover_hz: f64,
-    /// How far an end force may exceed its static answer.
+    /// How far an end force may exceed its static response.
     most_peak: f64,
     /// In `command_unit` per newton.
     proportional_gain: f64,

@@ -29,7 +29,7 @@ pub fn placement_text(placement: &Placement) -> String {
         "rings at [Hz]",
         "as set",
         "phase [°]",
-        "both calm [Hz]",
+        "ends calm to",
         "peak of F_i [1]",
         "peak of F_o [1]"
     );
