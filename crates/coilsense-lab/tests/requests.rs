@@ -80,7 +80,7 @@ fn the_schemas_in_the_repository_are_those_of_the_code() {
     }
     for (name, schema) in &written {
         let kept = std::fs::read_to_string(folder.join(format!("{name}.json"))).unwrap_or_default();
-        assert_eq!(kept, pretty(schema), "schemas/{name}.json: COILSENSE_WRITE_DOCS=1 writes it anew");
+        assert!(kept == pretty(schema), "schemas/{name}.json: COILSENSE_WRITE_DOCS=1 writes it anew");
     }
     let files = std::fs::read_dir(&folder).unwrap().count();
     assert_eq!(files, written.len(), "schemas/ holds a file that the code does not know");

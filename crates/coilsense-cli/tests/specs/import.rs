@@ -35,7 +35,7 @@ fn a_log_of_another_country_comes_out_in_si_units_with_its_account() {
             "  from 0 s to 0.2 s",
         ]
     );
-    assert!(lines[7].starts_with("out.csv in "));
+    assert!(lines[7].starts_with("wrote out.csv in "));
     assert_eq!(String::from_utf8(csv).unwrap(), "time [s],F_o [N]\n0,1.5\n0.1,1.6\n0.2,1.7\n");
 }
 

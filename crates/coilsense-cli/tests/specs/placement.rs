@@ -165,7 +165,7 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
     for damping in best(&result)["dampings"].as_array().unwrap() {
         for peak in ["drive_peak", "load_peak"] {
             let size = damping["as_set"][peak].as_f64().unwrap();
-            // Of a velocity drive the static answer is the reference.
+            // Of a velocity drive the static response is the reference.
             assert!(size <= 3.0 * (1.0 + 1e-6), "{peak} {size} at {advised} Hz");
         }
     }
@@ -174,7 +174,7 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
     assert!(answer.contains(calm), "{answer}");
     // Half as fast again it rings, which is said where a person wants it so.
     let answer = judge(&format!("{STIFF}crossover = \"{} Hz\"\n", 1.5 * advised))["answer"].to_string();
-    let loud = "more than the 3 that are within reason";
+    let loud = "above the limit of 3";
     assert!(answer.contains("times its static response at") && answer.contains(loud), "{answer}");
     // A free mass takes no lasting force, so that the reference counts.
     let free = judge(&STIFF.replace("drive = \"velocity\"", "drive = \"velocity\"\nload_mass = \"2 kg\""));

@@ -13,7 +13,7 @@ fn it_says_what_it_wrote_and_the_same_seed_writes_the_same() {
     let [first, second] = ["first", "second"].map(|name| place.path().join(name));
     let told = done(&["rig", path(&spec), "--out", path(&first), "--seed", "5"]);
     assert!(told.starts_with("wrote 11 files to ") && told.contains(": 5 runs, "), "{told}");
-    assert!(told.ends_with(", simulated with seed 5\n"), "{told}");
+    assert!(told.contains(", simulated with seed 5, in "), "{told}");
     done(&["rig", path(&spec), "--out", path(&second), "--seed", "5"]);
     assert_eq!(names(&first), names(&second));
     assert_eq!(names(&first).len(), 11);
