@@ -10,7 +10,7 @@
 //! chain, sample to sample without error for an ideal velocity source, and [`simulate()`] runs it on the engine of [`crate::motion::Live`].
 //!
 //! ```
-//! # let spring = coilsense::Spring::new(coilsense::SpringParameters { ! #     coil_radius: 0.008, ! #     max_length: 0.264, ..coilsense::paper::S_T })?;
+//! # let spring = coilsense::paper::s_t();
 //! use coilsense::control::{Controller, Drive, Environment, ForceLoop, Plant};
 //! use coilsense::{Channel, Damping};
 //!

@@ -5,7 +5,7 @@
 //! springs have closed forms, modal ratios the full sum over modes.
 //!
 //! ```
-//! # let spring = coilsense::Spring::new(coilsense::SpringParameters { ! #     coil_radius: 0.008, ! #     max_length: 0.264, ..coilsense::paper::S_T })?;
+//! # let spring = coilsense::paper::s_t();
 //! use coilsense::Damping;
 //! use coilsense::two_port::{Load, TwoPort};
 //!
