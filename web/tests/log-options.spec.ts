@@ -6,10 +6,10 @@ import { apart, drop, saved } from './jobs';
 import { folder, rigLogs, settled, told, type, written } from './logs';
 import { expect, test } from './page';
 
-let tap = '';
+let hit = '';
 test.beforeAll(() => {
   rigLogs();
-  tap = readFileSync(join(folder, 'tap.csv'), 'utf8');
+  hit = readFileSync(join(folder, 'hit.csv'), 'utf8');
 });
 
 const identified = async (page: Page) => {
@@ -21,7 +21,7 @@ const SAME = 1e-7;
 
 test('windings, mass, end 2, accuracies, tolerances and repairs do what the command’s do', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
-  await drop(page, { 'tap.csv': tap });
+  await drop(page, { 'hit.csv': hit });
   await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
   await type(page, 'The spring', 'Active windings', '52');
   await type(page, 'The spring', 'Mass of the coil', '65 g');
@@ -30,26 +30,26 @@ test('windings, mass, end 2, accuracies, tolerances and repairs do what the comm
   await type(page, 'How exact', 'Position sensors', '0.2 %');
   await type(page, 'How exact', 'A force is trusted up to', '3 %');
   await type(page, 'How exact', 'A predicted f1 may be off by', '2 %');
-  await type(page, 'What may be mended', 'Fill gaps up to', '10 ms');
-  await type(page, 'What may be mended', 'Leave out before', '1 s');
-  await type(page, 'What may be mended', 'and after', '39 s');
+  await type(page, 'What may be cleaned up', 'Fill gaps up to', '10 ms');
+  await type(page, 'What may be cleaned up', 'Leave out before', '1 s');
+  await type(page, 'What may be cleaned up', 'and after', '39 s');
   await settled(page);
   await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('make 3.00 % of error');
   const options =
     '--windings 52 --mass 65g --end2 held --accuracy-force 0.5% --accuracy-position 0.2% --tolerance 3% --prediction-tolerance 2% --fill-gaps 10ms --from 1s --to 39s';
-  const there = JSON.parse(told('identify', 'tap.csv', ...options.split(' '), '--json')) as unknown;
+  const there = JSON.parse(told('identify', 'hit.csv', ...options.split(' '), '--json')) as unknown;
   expect(apart(await identified(page), there)).toBeLessThan(SAME);
 });
 
 test('a wrong option is red with what is allowed, and the last good result stays', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
-  await drop(page, { 'tap.csv': tap });
+  await drop(page, { 'hit.csv': hit });
   await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
   for (const [group, label, text, reason] of [
     ['The spring', 'Mass of the coil', '65 mm', /^must be a mass with its unit .* got "65 mm"$/],
     ['The spring', 'Active windings', 'many', /^must be a number from 1 to 1000000, got "many"$/],
     ['How exact', 'A force is trusted up to', '0 %', /^must be above 0 % and below 100 %, got "0 %"$/],
-    ['What may be mended', 'Resample to', '2 s', /^must be a frequency with its unit .* got "2 s"$/],
+    ['What may be cleaned up', 'Resample to', '2 s', /^must be a frequency with its unit .* got "2 s"$/],
   ] as const) {
     await type(page, group, label, text);
     const field = page.getByLabel(label, { exact: true });
@@ -62,7 +62,7 @@ test('a wrong option is red with what is allowed, and the last good result stays
 });
 
 test('a mapping file beside the log says which column is what, and its faults are told by line', async ({ page }) => {
-  const rows = tap.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
+  const rows = hit.split('\n').filter((line) => line !== '' && !line.startsWith('#'));
   const text = ['Zeit;LC;Laser', ...rows.slice(1).map((row) => row.replaceAll(',', ';').replaceAll('.', ','))].join(
     '\n',
   );
@@ -101,16 +101,16 @@ test('delimiter and decimal sign can be told', async ({ page }) => {
 
 test('choices stay in the address, and go with undo', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
-  await drop(page, { 'tap.csv': tap });
+  await drop(page, { 'hit.csv': hit });
   await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
   await type(page, 'The spring', 'Active windings', '52');
   await page.getByLabel('u1 [mm] is', { exact: true }).selectOption('');
-  await page.getByText('What may be mended').click();
+  await page.getByText('What may be cleaned up').click();
   await page.getByLabel('put rows into the order of their times').check();
   await settled(page);
   await expect.poll(() => decodeURIComponent(page.url())).toContain('"is+u1+[mm]":"-"');
   await page.reload();
-  await drop(page, { 'tap.csv': tap });
+  await drop(page, { 'hit.csv': hit });
   await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
   await expect(page.getByLabel('Active windings')).toHaveValue('52');
   await expect(page.getByLabel('put rows into the order of their times')).toBeChecked();
@@ -118,7 +118,7 @@ test('choices stay in the address, and go with undo', async ({ page }) => {
   const there = JSON.parse(
     told(
       'identify',
-      'tap.csv',
+      'hit.csv',
       '--windings',
       '52',
       '--sort',

@@ -10,11 +10,11 @@ test.beforeAll(rigLogs);
 
 test('a dropped log is identified with the numbers of the command', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
-  await drop(page, { 'tap.csv': readFileSync(join(folder, 'tap.csv'), 'utf8') });
-  await expect(page.locator('#panel-log .verdict')).toContainText('spring: 12 lines that die out', { timeout: 60_000 });
+  await drop(page, { 'hit.csv': readFileSync(join(folder, 'hit.csv'), 'utf8') });
+  await expect(page.locator('#panel-log .verdict')).toContainText('spring: 12 decaying lines', { timeout: 60_000 });
   await expect(page.locator('[data-quantity=first_frequency_hz] td').first()).toHaveText(/^54\.0\d+ Hz$/);
   const here = JSON.parse(await saved(page, 'Everything (JSON)')) as unknown;
-  const difference = apart(here, JSON.parse(told('identify', 'tap.csv', '--json')));
+  const difference = apart(here, JSON.parse(told('identify', 'hit.csv', '--json')));
   console.log(`identify: largest relative difference ${difference.toExponential(1)}`);
   // Fits end where steps become small: 1e-8 of what is fitted.
   expect(difference).toBeLessThan(1e-7);
@@ -22,7 +22,7 @@ test('a dropped log is identified with the numbers of the command', async ({ pag
 
 test('columns are mapped, and a wrong log is refused with its row and column', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
-  const rows = readFileSync(join(folder, 'tap.csv'), 'utf8')
+  const rows = readFileSync(join(folder, 'hit.csv'), 'utf8')
     .split('\n')
     .filter((line) => !line.startsWith('#'))
     .slice(0, 20_001);
@@ -77,7 +77,7 @@ for (const [width, colorScheme] of [
     await page.setViewportSize({ width, height: 900 });
     await page.emulateMedia({ colorScheme });
     await page.goto('./#S_T&@tab="log"');
-    await page.locator('#log-file').setInputFiles(join(folder, 'tap.csv'));
+    await page.locator('#log-file').setInputFiles(join(folder, 'hit.csv'));
     await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
     const fine = async (tab: string) => {
       expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth), tab).toBeLessThanOrEqual(0);
@@ -94,7 +94,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await page.goto('./#S_T&@tab="log"');
     await expect(page.getByRole('region', { name: 'What a log tells' })).toBeVisible();
     expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([]);
-    await page.locator('#log-file').setInputFiles(join(folder, 'tap.csv'));
+    await page.locator('#log-file').setInputFiles(join(folder, 'hit.csv'));
     await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });
     for (const summary of await page.locator('#panel-log summary').all()) await summary.click();
     await page.getByLabel('Coil radius', { exact: true }).fill('8 kg');

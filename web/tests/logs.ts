@@ -9,12 +9,12 @@ import { expect } from './page';
 
 export const { folder, told } = folderOf('log');
 
-/** `tap.csv` of the virtual rig, once. */
+/** `hit.csv` of the virtual rig, once. */
 export function rigLogs(): void {
-  const tap = join(folder, 'tap.csv');
-  if (existsSync(tap)) return;
+  const hit = join(folder, 'hit.csv');
+  if (existsSync(hit)) return;
   told('rig', example('virtual-rig'), '--out', 'rig');
-  writeFileSync(tap, readFileSync(join(folder, 'rig', 'tap-1-fast.csv')));
+  writeFileSync(hit, readFileSync(join(folder, 'rig', 'hit-1-fast.csv')));
 }
 
 /** A file for the command, and its text. */
