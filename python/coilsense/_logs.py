@@ -84,7 +84,7 @@ def identification_plot(identification: Identification, axes: matplotlib.axes.Ax
         # The mean's line says nothing.
         shown = (frequencies > 0) & (frequencies <= highest)
         amplitude = numpy.sqrt(density[shown])
-        axes.semilogy(frequencies[shown], amplitude, color=colour, linewidth=1, label=f"ends pull {part}")
+        axes.semilogy(frequencies[shown], amplitude, color=colour, linewidth=1, label=f"{part} component")
         floor, peak = min(floor, numpy.quantile(amplitude, 0.05)), max(peak, amplitude.max())
     if peak > 0:
         axes.set_ylim(max(0.5 * floor, 1e-9 * peak), 4 * peak)

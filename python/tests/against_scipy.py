@@ -163,7 +163,7 @@ def density() -> float:
     """`Identification.spectra` of ½(F_o − F_i), slow motion taken out <-> `scipy.signal.welch(window="hann")`"""
     signals = hit_log()
     found = coilsense.identify(signals)
-    frequencies, ours = found.spectra["in turn"]
+    frequencies, ours = found.spectra["antisymmetric"]
     length = round(found.sample_rate / frequencies[1])
     half = 0.5 * (signals["F_o"] - signals["F_i"])
     # What is slower than 0.4 s is taken out beforehand.

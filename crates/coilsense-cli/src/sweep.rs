@@ -160,7 +160,9 @@ impl Told<'_> {
         let plural = |count: u64, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
         let (rows, files) = (plural(tally.rows, "row"), plural(plan.chunks(), "file"));
         let (ok, clash, refused) = (tally.ok, tally.clash, tally.refused);
-        let mut text = format!("{rows} in {folder} ({files}): {ok} ok, {clash} clash, {refused} refused\n");
+        let mut text = format!(
+            "{rows} in {folder} ({files}): {ok} ok, {clash} in which windings would touch, {refused} that could not be judged\n"
+        );
         for (count, reason) in tally.reasons.iter().take(SHOWN) {
             text.push_str(&format!("  {count} × such as: {reason}\n"));
         }

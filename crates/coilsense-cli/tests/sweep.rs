@@ -65,7 +65,7 @@ fn a_sweep_says_how_its_rows_went_and_how_to_read_them() {
     assert!(printed.starts_with("300 rows in out (3 files): "), "{printed}");
     // Masses from -1 to 20 g in 300 parts: those of one in 21, 14 or 15 parts, are not above zero.
     let refused = |count: u32| {
-        printed.contains(&format!(" 0 clash, {count} refused\n  {count} × such as: spec.toml:8: mass = \"-"))
+        printed.contains(&format!(" 0 in which windings would touch, {count} that could not be judged\n  {count} × such as: spec.toml:8: mass = \"-"))
     };
     assert!(refused(14) || refused(15), "{printed}");
     assert!(printed.contains("300 designs in ") && printed.contains("pandas.read_parquet(\"out\")"), "{printed}");

@@ -107,7 +107,7 @@ impl PyIdentification {
         Ok(Some(dict))
     }
 
-    /// Power spectral densities of the parts of the forces: for each part frequencies [Hz] and density [N²/Hz], shape (lines,).
+    /// Power spectral densities of the antisymmetric and symmetric component of the forces, or of the one force there is: for each frequencies [Hz] and density [N²/Hz], shape (lines,).
     ///
     /// Notes
     /// -----
@@ -118,7 +118,7 @@ impl PyIdentification {
         for (part, welch) in &self.0.found.spectra {
             let frequencies: Vec<f64> = (0..welch.density.len()).map(|line| line as f64 * welch.spacing).collect();
             let density: Density<'py> = (frequencies.into_pyarray(py), PyArray1::from_slice(py, &welch.density));
-            dict.set_item(coilsense_lab::identification::part_name(Some(*part)), density)?;
+            dict.set_item(coilsense_lab::identification::component_name(Some(*part)), density)?;
         }
         Ok(dict)
     }

@@ -18,8 +18,8 @@ pub fn answer(identified: &Identified) -> Vec<String> {
         let percent = digits(100.0 * trust.tolerance);
         let if_spring = if verdict.answer == Answer::Spring { "" } else { ", if it is the spring," };
         lines.push(format!(
-            "Trust{if_spring} F_o as the force at the driven end up to {} Hz, F_x up to {} Hz (F_x as the force at the held end up to {} Hz): \
-             there the spring's own dynamics make {percent} % of error, f1 being {} Hz.",
+            "Dynamic error at most {percent} % of a force's amplitude{if_spring}: F_o in place of the force at the driven end up to {} Hz, F_x in its \
+             place up to {} Hz, F_x in place of the force at the held end up to {} Hz (a sinusoid, f1 = {} Hz, no damping).",
             digits(trust.output_for_input),
             digits(trust.deflection_for_input),
             digits(trust.deflection_for_output),
@@ -60,12 +60,12 @@ pub(crate) fn interval(estimate: &Estimate, scale: f64) -> String {
     with_error(scale * estimate.value, Some(scale * estimate.expanded))
 }
 
-/// A part of the forces, as tables call it.
-pub fn part_name(part: Option<Part>) -> &'static str {
+/// A component of the two ends' forces, as tables call it; mixed where one end pulls more than the other.
+pub fn component_name(part: Option<Part>) -> &'static str {
     match part {
-        Some(Part::Difference) => "in turn",
-        Some(Part::Sum) => "together",
+        Some(Part::Difference) => "antisymmetric",
+        Some(Part::Sum) => "symmetric",
         Some(Part::Single(channel)) => channel.name(),
-        None => "one end more",
+        None => "mixed",
     }
 }

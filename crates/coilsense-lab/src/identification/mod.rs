@@ -6,7 +6,7 @@ mod answer;
 mod spec_file;
 
 pub(crate) use answer::interval;
-pub use answer::{answer, part_name};
+pub use answer::{answer, component_name};
 pub use spec_file::{Coil, SpecFileError, spec_file};
 
 use coilsense::Signals;

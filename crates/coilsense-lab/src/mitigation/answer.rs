@@ -40,8 +40,8 @@ impl Answer {
     }
 
     /// The best of what one tries first that is not too late.
-    pub fn best_first_try(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
-        self.in_time(truth, |candidate| candidate.origin == Origin::FirstTry).next()
+    pub fn best_textbook(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
+        self.in_time(truth, |candidate| candidate.origin == Origin::Textbook).next()
     }
 
     /// Those that give `truth`, are `wanted` and not too late, best first.

@@ -41,7 +41,7 @@ pub enum Origin {
     /// Nothing done.
     Raw,
     /// What one tries first, from a textbook.
-    FirstTry,
+    Textbook,
     /// Designed for the noise, the shocks and the tolerances at hand.
     Fitted,
 }
@@ -51,7 +51,7 @@ impl Origin {
     pub fn name(self) -> &'static str {
         match self {
             Self::Raw => "raw",
-            Self::FirstTry => "textbook",
+            Self::Textbook => "textbook",
             Self::Fitted => "fitted",
         }
     }

@@ -70,7 +70,7 @@ impl Candidates {
         self.add("Butterworth of order 2 at f1/2", |name| filter(name, low_pass(2, 0.5 * first, rate)?));
         self.add("notch at f1, Q = 2", |name| filter(name, vec![notch(first, 2.0, rate)?]));
         self.add("five notches n·f1, Q = 3", |name| filter(name, surge_notches(spring, 5, 3.0)?));
-        self.add("mean over 2τ", |name| Ok(Candidate::new(name, Origin::FirstTry, Truth::Static, surge_mean(spring))));
+        self.add("mean over 2τ", |name| Ok(Candidate::new(name, Origin::Textbook, Truth::Static, surge_mean(spring))));
     }
 
     fn fitted_filters(&mut self, brief: &Brief<'_>) {
@@ -97,13 +97,13 @@ impl Candidates {
         self.add("Kalman filter, 3 modes, no bias", |name| {
             let mut filter: ModalKalman<f64, 3> = modal_kalman(spring, &noise)?;
             filter.bias_gain = 0.0;
-            Ok(Candidate::new(name, Origin::FirstTry, truth, filter))
+            Ok(Candidate::new(name, Origin::Textbook, truth, filter))
         });
         self.add("Kalman filter, 3 modes, bias", |name| {
-            Ok(Candidate::new(name, Origin::FirstTry, truth, modal_kalman::<3>(spring, &noise)?))
+            Ok(Candidate::new(name, Origin::Textbook, truth, modal_kalman::<3>(spring, &noise)?))
         });
         self.add("delay line", |name| {
-            Ok(Candidate::new(name, Origin::FirstTry, truth, delay_line_observer(spring, 1.0)?))
+            Ok(Candidate::new(name, Origin::Textbook, truth, delay_line_observer(spring, 1.0)?))
         });
     }
 
@@ -137,7 +137,7 @@ impl Candidates {
 /// Sections as a cascade: one, two or five of them.
 fn cascade(name: &str, sections: &[Biquad<f64>]) -> Result<Candidate, Error> {
     let made = |start| Ok(start);
-    let (origin, truth) = (Origin::FirstTry, Truth::Static);
+    let (origin, truth) = (Origin::Textbook, Truth::Static);
     match sections {
         [a] => made(Candidate::new(name, origin, truth, Cascade { sections: [*a] })),
         [a, b] => made(Candidate::new(name, origin, truth, Cascade { sections: [*a, *b] })),

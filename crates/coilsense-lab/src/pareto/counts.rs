@@ -22,17 +22,17 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// What became of the rows, in words: `3000 rows: 12 clash, 2988 are compared`.
+    /// What became of the rows, in words: `3000 rows: 12 in which windings would touch, 2988 compared`.
     pub fn account(&self) -> String {
         let parts = [
-            (self.planned - self.rows, "are not there yet"),
-            (self.clash, "clash"),
-            (self.refused, "are refused"),
-            (self.excluded, "fail a condition"),
-            (self.without_number, "lack a number for an objective"),
+            (self.planned - self.rows, "not computed yet"),
+            (self.clash, "in which windings would touch"),
+            (self.refused, "that could not be judged"),
+            (self.excluded, "that fail a condition"),
+            (self.without_number, "without a number for an objective"),
         ];
         let told = parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}"));
-        let told: Vec<String> = told.chain([format!("{} are compared", self.compared)]).collect();
+        let told: Vec<String> = told.chain([format!("{} compared", self.compared)]).collect();
         format!("{} rows: {}", self.planned, told.join(", "))
     }
 }

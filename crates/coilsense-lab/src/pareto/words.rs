@@ -13,12 +13,16 @@ pub fn answer(study: &Study) -> Vec<String> {
             values.map(|((value, objective), shown)| format!("{} {}", objective.name(), shown.with_unit(*value)));
         said.collect::<Vec<_>>().join(", ")
     };
+    let wanted: Vec<String> =
+        study.question.objectives.iter().map(|own| format!("{} {}", own.best_word(), own.name())).collect();
     let count = study.rows.len();
     let compared = study.counts.compared;
     let mut lines = vec![match count {
         1 => format!("One design of {compared} is best in every respect: row {}, {}.", study.rows[0], of(0)),
         _ => format!(
-            "{count} of {compared} designs are Pareto-optimal; the knee of the front is row {}: {}.",
+            "{count} of {compared} designs are Pareto-optimal for {}: none betters one of them in one respect without a loss in another. The knee of \
+             the front is row {}: {}.",
+            wanted.join(", "),
             study.rows[study.knee],
             of(study.knee)
         ),

@@ -81,7 +81,11 @@ pub fn account(study: &Study) -> String {
     let of_base = study.variables.len() as u64 + 2;
     let mut text = format!("{} base rows of {of_base} designs each", counts.planned / of_base);
     let away = counts.planned - counts.rows;
-    let lost = [(counts.clash, "clash"), (counts.refused, "are refused"), (away, "are not there yet")];
+    let lost = [
+        (counts.clash, "in which windings would touch"),
+        (counts.refused, "that could not be judged"),
+        (away, "not computed yet"),
+    ];
     let lost: Vec<String> =
         lost.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
     if lost.is_empty() {

@@ -49,7 +49,7 @@ fn the_fastest_of_soft_springs_are_those_of_least_mass() {
     // Of 121 rows those of masses −10 and 0 g are refused, those of 10 and 20 g fail the condition.
     let counts = study.counts;
     assert_eq!((counts.rows, counts.refused, counts.excluded, counts.compared), (121, 22, 22, 77));
-    assert_eq!(counts.account(), "121 rows: 22 are refused, 22 fail a condition, 77 are compared");
+    assert_eq!(counts.account(), "121 rows: 22 that could not be judged, 22 that fail a condition, 77 compared");
     let span = &study.spans[1];
     assert!((span.all[0] - 0.03).abs() < 1e-12 && (span.all[1] - 0.09).abs() < 1e-12 && span.front[1] < 0.031);
 }
@@ -206,7 +206,7 @@ fn what_cannot_be_asked_is_refused_in_one_line() {
     let none = Question::new(dataset.plan(), &all(&["mass"]), &[], &all(&["mass > 1"])).unwrap();
     assert_eq!(
         pareto::Study::of(&dataset, none).unwrap_err().to_string(),
-        "no design is left to compare: 121 rows: 22 are refused, 99 fail a condition, 0 are compared"
+        "no design is left to compare: 121 rows: 22 that could not be judged, 99 that fail a condition, 0 compared"
     );
     let of_grid = sensitivity::Study::of(&dataset, &[], Resampling::default()).unwrap_err().to_string();
     assert_eq!(of_grid, "sensitivity indices need a sweep with --sampling saltelli, this one is grid");

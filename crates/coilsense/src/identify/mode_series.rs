@@ -180,18 +180,23 @@ fn assign(
     for entry in &mut modes {
         entry.2 = first * series.multiple(entry.1, chain);
     }
-    let taken: Vec<usize> = modes.iter().map(|entry| entry.0).collect();
     let aliases = if modes.len() > 1 || windings.is_some() {
+        let taken: Vec<usize> = modes.iter().map(|entry| entry.0).collect();
         folded(lines, series, first, chain, rate, &taken)
     } else {
         Vec::new()
     };
+    let score = score(lines, series, &modes);
+    Match { mode_series: series, first, windings: chain, modes, aliases, score }
+}
+
+/// What the lines that a series explains weigh, less what the modes below its highest cost that should be there and are not.
+fn score(lines: &[Observation], series: ModeSeries, modes: &[(usize, usize, f64)]) -> f64 {
     let highest = modes.last().map_or(0, |entry| entry.1);
     let unseen = (1..highest)
         .filter(|mode| fits_any(lines, series, *mode) && !modes.iter().any(|entry| entry.1 == *mode))
         .count();
-    let score = modes.iter().map(|(line, _, _)| (1.0 + lines[*line].weight).ln()).sum::<f64>() - UNSEEN * unseen as f64;
-    Match { mode_series: series, first, windings: chain, modes, aliases, score }
+    modes.iter().map(|(line, _, _)| (1.0 + lines[*line].weight).ln()).sum::<f64>() - UNSEEN * unseen as f64
 }
 
 /// How far a step may be off \[1\] because N follows from lines that are not sure: f_j/f1 = j (1 − (j² − 1) π²/24N²) to first order.

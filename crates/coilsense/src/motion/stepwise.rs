@@ -13,19 +13,7 @@ use crate::{Damping, FarEnd, Mount};
 
 /// S_T of the paper with any number of windings.
 fn s_t(windings: f64) -> Spring {
-    Spring::new(SpringParameters {
-        rest_length: 0.104,
-        windings,
-        coil_radius: 0.008,
-        wire_radius: 0.001,
-        mass: 0.065,
-        stiffness: 760.0,
-        min_length: 0.196,
-        max_length: 0.264,
-        nominal_force: None,
-        inductance_windings: None,
-    })
-    .unwrap()
+    Spring::new(SpringParameters { windings, ..crate::paper::S_T }).unwrap()
 }
 
 /// A start that makes every mode ring.

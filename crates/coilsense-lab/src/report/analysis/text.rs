@@ -69,7 +69,7 @@ fn changes(analysis: &Analysis, widest: usize) -> String {
     let wide = rows.iter().map(|(_, fix)| change(*fix).chars().count()).max().unwrap_or(0).max(25);
     let mut text = format!(
         "\n{BOLD}{:widest$}  {:wide$}  {:>8}  {:>12}{BOLD:#}\n",
-        "misses the goal", "what would make it meet", "u [N]", "lag [ms]"
+        "misses the goal", "remedy", "u [N]", "lag [ms]"
     );
     for (sensor, fix) in rows {
         let number = |of: fn(&Fix) -> String| fix.map_or_else(|| "–".to_owned(), of);

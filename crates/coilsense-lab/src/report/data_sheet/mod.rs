@@ -29,7 +29,9 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
     for mount in &sheet.surge {
         let mode = |(chain, continuous): (&f64, &f64)| format!("{:>18}", format!("{chain:.2} ({continuous:.2})"));
         let modes: String = mount.chain_hz.iter().zip(&mount.continuous_hz).map(mode).collect();
-        let rule = mount.third_rule_error_percent.map_or(String::new(), |error| format!("   ⅓-rule {error:+.2} %"));
+        let rule = mount
+            .third_rule_error_percent
+            .map_or(String::new(), |error| format!("   with m/3 at the end {error:+.2} %"));
         let star = if mount.is_the_specs { "*" } else { " " };
         let _ = writeln!(text, "{star} {:34}{modes}{rule}", mount.mount);
     }

@@ -5,7 +5,7 @@
 use coilsense::identify::Line;
 use minijinja::{AutoEscape, Environment, Value, context};
 
-use crate::identification::{Identified, answer, interval, part_name};
+use crate::identification::{Identified, answer, component_name, interval};
 use crate::quantity::digits;
 use crate::report::prose::{file_name, signed, unbroken};
 use crate::report::{Drawn, ReportError};
@@ -46,7 +46,7 @@ fn line_value(line: &Line) -> Value {
         half_power => half.ok().map(|ratio| signed(&interval(ratio, 1.0))),
         refused => half.err(),
         amplitude => digits(line.amplitude),
-        part => part_name(line.part),
+        part => component_name(line.part),
         reason => unbroken(&signed(&line.reason)),
         known => line.mode().is_some(),
     }

@@ -5,7 +5,7 @@
 use coilsense::identify::{Estimate, Identification, Line, Meaning, ModeSeries, Trust};
 use serde::Serialize;
 
-use crate::identification::{Identified, answer, part_name};
+use crate::identification::{Identified, answer, component_name};
 use crate::report::outcome::{Outcome, to_json};
 
 /// What a log says of its spring; null for what was not found.
@@ -90,8 +90,8 @@ struct LineRow<'a> {
     decays: bool,
     /// Right after a hit, or of a steady line.
     amplitude_n: f64,
-    /// How the two ends pull.
-    ends_pull: &'static str,
+    /// "antisymmetric" (½(F_o − F_i), odd modes between held ends), "symmetric" (½(F_o + F_i)), a channel, or "mixed".
+    component: &'static str,
     /// How many hits its fit took.
     hits: usize,
     /// "mode", "alias", "mains", "follows the ends" or "unknown".
@@ -181,7 +181,7 @@ impl<'a> LineRow<'a> {
             no_half_power_because: line.half_power.as_ref().err().map(String::as_str),
             decays: line.decays,
             amplitude_n: line.amplitude,
-            ends_pull: part_name(line.part),
+            component: component_name(line.part),
             hits: line.hits,
             kind,
             number,

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::{AnsiColor, Style};
 use coilsense::identify::Answer;
 
-use crate::identification::{Identified, answer, interval, part_name};
+use crate::identification::{Identified, answer, component_name, interval};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -31,18 +31,18 @@ pub fn identification_text(identified: &Identified) -> String {
     if !found.lines.is_empty() {
         let _ = writeln!(
             text,
-            "\n{BOLD}{:>24}  {:>24}  {:>11}  {:12}  identified as{BOLD:#}",
-            "line [Hz]", "ζ", "peak [N]", "ends pull"
+            "\n{BOLD}{:>24}  {:>24}  {:>11}  {:13}  identified as{BOLD:#}",
+            "line [Hz]", "ζ", "peak [N]", "component"
         );
     }
     for line in &found.lines {
         let ratio = line.ratio.filter(|_| line.decays).map_or("–".to_owned(), |ratio| interval(&ratio, 1.0));
         let _ = writeln!(
             text,
-            "{:>24}  {ratio:>24}  {:>11}  {:12}  {}",
+            "{:>24}  {ratio:>24}  {:>11}  {:13}  {}",
             interval(&line.frequency, 1.0),
             digits(line.amplitude),
-            part_name(line.part),
+            component_name(line.part),
             line.reason
         );
     }

@@ -28,7 +28,7 @@ pub(super) fn trade_off(answer: &Answer) -> Figure {
         y: axis("Worst error [% of F_{nom}]".to_owned(), None, Scale::Log10),
         points: vec![
             points(truth, Origin::Raw, "nothing done", Colour::Ink, Marker::Disc),
-            points(truth, Origin::FirstTry, "textbook", Colour::Blue, Marker::Square),
+            points(truth, Origin::Textbook, "textbook", Colour::Blue, Marker::Square),
             points(truth, Origin::Fitted, "fitted", Colour::Red, Marker::Diamond),
         ],
         ..Panel::default()

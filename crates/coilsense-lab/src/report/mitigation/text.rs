@@ -106,7 +106,7 @@ pub(super) fn advice(answer: &Answer) -> String {
             answer.study.bandwidth,
             100.0 * judgement.noise_gain,
         );
-        if let Some((first, tried)) = answer.best_first_try(truth).filter(|_| candidate.origin == Origin::Fitted) {
+        if let Some((first, tried)) = answer.best_textbook(truth).filter(|_| candidate.origin == Origin::Fitted) {
             let _ = write!(
                 text,
                 " Best textbook choice: {}, {:.3} % nominal, {:.3} % worst case.",

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::Style;
 
 use super::bounded;
-use crate::placement::{Judged, Placement, answer};
+use crate::placement::{Judged, MOST_PEAK, Placement, answer};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -21,7 +21,7 @@ pub fn placement_text(placement: &Placement) -> String {
     }
     let _ = writeln!(
         text,
-        "\n{BOLD}{:5}  {:12}  {:>14}  {:>14}  {:>12}  {:>8}  {:>9}  {:>14}  {:>15}  {:>15}{BOLD:#}",
+        "\n{BOLD}{:5}  {:12}  {:>14}  {:>14}  {:>12}  {:>8}  {:>9}  {:>15}  {:>15}  {:>15}{BOLD:#}",
         "fed",
         "damping",
         "stable to [Hz]",
@@ -29,7 +29,7 @@ pub fn placement_text(placement: &Placement) -> String {
         "rings at [Hz]",
         "as set",
         "phase [°]",
-        "ends calm to",
+        "ends quiet [Hz]",
         "peak of F_i [1]",
         "peak of F_o [1]"
     );
@@ -38,7 +38,7 @@ pub fn placement_text(placement: &Placement) -> String {
             let margins = &judged.margins;
             let _ = writeln!(
                 text,
-                "{:5}  {:12}  {:>14}  {:>14}  {:>13}  {:>8}  {:>9}  {:>14}  {:>15}  {:>15}",
+                "{:5}  {:12}  {:>14}  {:>14}  {:>13}  {:>8}  {:>9}  {:>15}  {:>15}  {:>15}",
                 candidate.channel.name(),
                 damping.label,
                 bounded(judged.stable_crossover, digits),
@@ -59,7 +59,11 @@ pub fn placement_text(placement: &Placement) -> String {
     let unit = placement.control.drive.command_unit();
     let _ = writeln!(
         text,
-        "Crossovers are those of the loop with a spring without mass. As set: {} Hz, a proportional gain of {} {unit} per N.",
+        "stable to, sens. 2, ends quiet: the largest crossover, that of the loop with a spring without mass, up to which the loop is stable, \
+         its sensitivity |1/(1 + L)| at most 2, and both ends' forces at every damping within {:.0} times their static response. rings at: where \
+         the loop oscillates at the limit of stability. phase: the phase margin; peak: largest force over its static response, both at the \
+         crossover as set, {} Hz (a proportional gain of {} {unit} per N).",
+        MOST_PEAK,
         digits(placement.crossover),
         significant(placement.gain),
     );
