@@ -10,12 +10,12 @@ L as the sum over the N - 1 pitches of a uniform coil, eqs. (8) and (9) as print
 0.5 (l_min + l_max) and Table I are exact doubles, the 101 lengths exact divisions between them.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
 
 from maxwell_sum import mutual
+from golden import SCIENCE
 from springs import SPRINGS
 
 mp.dps = 100
@@ -67,7 +67,7 @@ def main():
         " constrained least squares of eq. 13 by its KKT system; uniform windings at 101 lengths from l_min to l_max",
         "spring,self distance,preload length [m],alpha [1/(H m)],beta [1/m],largest |F_L - F_x| [N]",
     ]
-    Path(__file__).with_suffix(".csv").write_text("\n".join(header + rows) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "calibration.csv").write_text("\n".join(header + rows) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -8,10 +8,11 @@ beta sin(x) - (m/M) cos(x), which is monotonic in x, at 80 digits. Checked again
 m/M is a double, written with repr(); the roots are those of that double exactly.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 80
 RATIOS = sorted({float(f"1e{p}") for p in range(-9, 10)} | {1 / 3, 0.5, 2.0, 3.0, 65.0 / 760.0})
@@ -40,7 +41,7 @@ def main():
             rows.append(f"{ratio!r},{mode},{mp.nstr(beta, 40)}")
     head = f"# mpmath {mpmath.__version__}; 40 digits; reference/continuous_modes.py; bisection"
     text = "\n".join([head, "mass ratio [-],mode,beta [-]", *rows]) + "\n"
-    Path(__file__).with_suffix(".csv").write_text(text)
+    (SCIENCE / "continuous_modes.csv").write_text(text)
 
 
 if __name__ == "__main__":

@@ -14,10 +14,11 @@ D is integrated by itself: nothing cancels at kc = 1. Checked below against mpma
 kc is a double, written with repr(); the sums use that double exactly.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 60
 STEP = mp.mpf(1) / 16  # exp(-pi^2 * 16) = 1e-68
@@ -69,7 +70,7 @@ def main():
         values = elliptic(kc)
         check(kc, values)
         lines.append(",".join([repr(kc)] + [mp.nstr(v, 40, strip_zeros=False) for v in values]))
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "elliptic.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -13,12 +13,13 @@ evaluation in doubles by Horner's rule with and without fused multiply-add, over
 """
 
 import sys
-from pathlib import Path
 
 import gmpy2
 import mpmath
 import numpy as np
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 60
 SMALLEST = mp.mpf(10) ** -12
@@ -177,7 +178,7 @@ def main(degree=10):
         "degree [-],P [-],Q [-]",
     ]
     lines += [f"{i},{p[i]!r},{q[i]!r}" for i in range(degree + 1)]
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "elliptic_d_fit.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -13,11 +13,12 @@ double sum over points of both helices (no use of the helix's symmetry) and, of 
 Inputs are doubles, written with repr(), used exactly; mu0 = 4 pi 1e-7 H/m exactly.
 """
 
-from pathlib import Path
 
 import mpmath
 import numpy as np
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 40
 
@@ -130,7 +131,7 @@ def main():
         inputs = ",".join(repr(value) for value in coil)
         lines.append(inputs + "," + ",".join(mp.nstr(value, 25, strip_zeros=False) for value in values))
         print(lines[-1], flush=True)
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "helix.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -9,11 +9,12 @@ trapezoidal rule, for q = 0.1...100. Neither is the form that the program uses.
 h/r is a double, written with repr().
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
 from mutual_inductance import by_equation_8
+
+from golden import SCIENCE
 
 DIGITS = 40
 
@@ -71,7 +72,7 @@ def main():
             for ours, theirs in zip(values, by_neumann(ratio)):
                 assert abs(ours / theirs - 1) < mp.mpf(10) ** -35, (ratio, ours, theirs)
         lines.append(",".join([repr(ratio)] + [mp.nstr(v, DIGITS, strip_zeros=False) for v in values]))
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "inductance_derivatives.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

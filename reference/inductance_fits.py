@@ -13,12 +13,13 @@ logarithm to 0.0861 twice at most: n/w lies within 2^+-(1/2 + 0.0861) of that po
 Route: Remez exchange at 60 digits of `elliptic_d_fit.py`, rounded from the lowest degree up. The script asserts the errors.
 """
 
-from pathlib import Path
 
 import mpmath
 import numpy as np
 from elliptic_d_fit import Fit, fit_points
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 60
 DEGREE = 10
@@ -96,7 +97,7 @@ def main():
     ]
     for i in range(DEGREE + 1):
         lines.append(f"{i},{p[i]!r},{q[i]!r},{logs[i]!r}" if i < len(logs) else f"{i},{p[i]!r},{q[i]!r},")
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "inductance_fits.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,10 @@
 """Small logs as other programs write them, for the readers of coilsense-lab to be held against.
 
-Writes into reference/logs. `motion.csv` holds the values as 17-digit decimals, which bring back the same doubles; every other
+Writes into the golden logs of the crate coilsense-lab. `motion.csv` holds the values as 17-digit decimals, which bring back the same doubles; every other
 file holds the same values, or what is told here of its narrower type.
 """
 
 import datetime
-from pathlib import Path
 
 import asammdf
 import h5py
@@ -15,7 +14,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import scipy.io
 
-OUT = Path(__file__).parent / "logs"
+from golden import LAB
+
+OUT = LAB / "logs"
 ROWS = 50
 
 

@@ -12,15 +12,15 @@ Positions: x_i = l (i - 1/2)/N + A (l/N) sin(w (i - 1/2)), rounded to double; th
 Route: eqs. (8) and (9) as printed at 100 digits, every pair by itself.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
 
+from golden import SCIENCE
 from springs import S_A, S_T, SPRINGS
 
 mp.dps = 100
-FOLDER = Path(__file__).parent
+FOLDER = SCIENCE
 MU0 = 4 * mp.pi / 10**7
 
 # configuration, length [m], A [-], w [rad]

@@ -11,16 +11,16 @@ shocks as a white uniform velocity of all windings (projected on the shapes); a 
 The residual of the Riccati equation is checked here.
 """
 
-from pathlib import Path
 
 import numpy as np
 import scipy
 from scipy.linalg import expm, solve_discrete_are
 from scipy.signal import butter, freqz, freqz_sos, iirnotch
 
+from golden import SCIENCE
 from springs import S_A, S_T
 
-FOLDER = Path(__file__).parent
+FOLDER = SCIENCE
 RATE = 2500.0
 FREQUENCIES = [0.1, 1.0, 5.0, 27.0, 54.0, 54.0654, 100.0, 333.0, 900.0, 1249.0]
 LOW_PASSES = [(1, 27.0), (2, 27.0), (3, 100.0), (4, 10.0), (5, 400.0), (8, 60.0), (8, 1100.0)]

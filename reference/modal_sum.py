@@ -14,7 +14,6 @@ u(t) = mean + amplitude sin(2 pi frequency t + phase). All inputs (Table I, case
 the decimals of the files, parsed as doubles, are those numbers.
 """
 
-from pathlib import Path
 from typing import NamedTuple
 
 import flint
@@ -22,11 +21,12 @@ import mpmath
 from flint import arb, arb_mat
 from mpmath import mp
 
+from golden import SCIENCE
 from springs import SPRINGS, Spring
 
 flint.ctx.prec = 768
 mp.dps = 60
-FOLDER = Path(__file__).parent
+FOLDER = SCIENCE
 
 EARLY = [0, 1, 2, 3, 7, 20, 55, 148, 403, 1000, 2500, 5000, 7499]
 LATE = [7500, 7501, 7517, 7554, 7600, 7683, 7777, 7850, 7919, 8000, 8128, 8191, 8283, 8400, 8500, 8611, 8713, 8888]

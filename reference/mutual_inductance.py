@@ -12,10 +12,11 @@ against the limits ln(8r/h) - 2 and (pi/2)(r/h)^3, and against four values of an
 h/r is a double, written with repr(); the formula uses that double exactly. With mu0 = 4 pi 1e-7 H/m exactly.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 140
 
@@ -73,7 +74,7 @@ def main():
         value = by_equation_8(ratio)
         check(ratio, value)
         lines.append(f"{ratio!r},{mp.nstr(value, 40, strip_zeros=False)}")
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "mutual_inductance.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

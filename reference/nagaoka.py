@@ -13,10 +13,11 @@ and by the limits 1 - 4d/(3 pi l) + d^2/(8 l^2) (long) and (2 l / (pi d)) (ln(4 
 l/d is a double, written with repr(); the formula uses that double exactly.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 120
 
@@ -73,7 +74,7 @@ def main():
         value = coefficient(ratio)
         check(ratio, value)
         lines.append(f"{ratio!r},{mp.nstr(value, 40, strip_zeros=False)}")
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "nagaoka.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

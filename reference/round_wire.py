@@ -9,10 +9,11 @@ R_i is the geometric mean distance of two strips of width 1 in one plane whose c
 at 60 digits. It is checked below against the double integral that defines it, and k_m against its limit ln 2 pi - 3/2.
 """
 
-from pathlib import Path
 
 import mpmath
 from mpmath import mp
+
+from golden import SCIENCE
 
 mp.dps = 60
 
@@ -46,7 +47,7 @@ def main():
     ]
     for turns in [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 25, 30, 39, 42, 50, 52, 75, 100, 200, 500, 1000]:
         lines.append(f"{turns},{mp.nstr(correction(turns), 40, strip_zeros=False)}")
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    (SCIENCE / "round_wire.csv").write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

@@ -6,13 +6,14 @@ values (the estimators of Saltelli 2010, centred values), and the exact indices 
 """
 
 from importlib.metadata import version
-from pathlib import Path
 
 import platform
 
 import numpy as np
 from SALib.analyze import sobol as analysis
 from SALib.sample import sobol as sampling
+
+from golden import LAB
 
 BASE = 128
 G = np.array([0.0, 1.0, 4.5, 9.0, 99.0, 99.0])
@@ -59,8 +60,8 @@ def main():
         for i in range(len(bounds)):
             row = [found["S1"][i], found["ST"][i], first[i], total[i]]
             indices.append(f"{name},x{i + 1}," + ",".join(repr(float(value)) for value in row))
-    Path(__file__).with_suffix(".csv").write_text("\n".join(values) + "\n")
-    Path(__file__).with_name("sensitivity_indices.csv").write_text("\n".join(indices) + "\n")
+    (LAB / "sensitivity.csv").write_text("\n".join(values) + "\n")
+    (LAB / "sensitivity_indices.csv").write_text("\n".join(indices) + "\n")
 
 
 main()

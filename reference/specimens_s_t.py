@@ -7,12 +7,12 @@ One load cell at end 2 with 0.1 % of full scale; a sine of 0.5 % of the range, s
 
 import math
 import platform
-from pathlib import Path
 
 import numpy as np
 import scipy
 
 from specimens import judge
+from golden import LAB
 
 CASES = [(0.5, 0.1), (0.8, 0.1), (0.9, 0.1), (0.93, 0.1), (0.95, 0.1), (0.94, 0.08), (0.96, 0.05), (1.07, 0.1), (1.0, 0.1), (1.9, 0.1), (0.95, 0.0)]
 F1 = 0.5 * math.sqrt(760 / 0.065)
@@ -42,7 +42,7 @@ def main():
         (found,) = judge(spec(frequency, tolerance), 52, 1).values()
         values = [found[key] for key in ("rms", "share", "worst", "nominal")]
         rows.append(",".join([f"{frequency}", f"{tolerance}", *(f"{value:.5g}" for value in values)]))
-    Path(__file__).with_name("specimens.csv").write_text("\n".join(rows) + "\n")
+    (LAB / "specimens.csv").write_text("\n".join(rows) + "\n")
 
 
 if __name__ == "__main__":

@@ -16,15 +16,15 @@ calibration.csv (both routes see the other's errors), the cells against the prin
 """
 
 import csv
-from pathlib import Path
 
 import numpy as np
 import scipy
 from scipy.special import ellipe, ellipkm1
 
+from golden import LAB, SCIENCE
 from springs import S_A, SPRINGS
 
-FOLDER = Path(__file__).parent
+FOLDER = SCIENCE
 TIMES = np.arange(7500, 10001) / 10000
 CONDITIONS = ("heel strike", "end stop max", "end stop min", "half resonance", "resonance")
 FORCES = ("F_i", "F_o", "F_L")
@@ -208,7 +208,7 @@ def main():
         " SVD modes and SciPy elliptic integrals in double precision",
         "table,spring,condition,force,text_percent [% F_nom],tables_percent [% F_nom]",
     ]
-    Path(__file__).with_suffix(".csv").write_text("\n".join(header + rows) + "\n", encoding="utf-8", newline="\n")
+    (LAB / "tables.csv").write_text("\n".join(header + rows) + "\n", encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

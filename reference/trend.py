@@ -3,13 +3,14 @@
 Each row holds the number of values n, S, p of the two-sided test, the slope, and the n values. Values are distinct.
 """
 
-from pathlib import Path
 
 import platform
 
 import numpy as np
 import scipy
 from scipy import stats
+
+from golden import SCIENCE
 
 LONGEST = 40
 
@@ -33,7 +34,7 @@ def main():
     head = f"# {versions}; 16 digits; trend.py: kendalltau (exact) and theilslopes\nn,s,p,slope," + ",".join(f"x{index}" for index in range(LONGEST))
     lines = [",".join(repr(float(v)) if isinstance(v, (float, np.floating)) else str(v) for v in r) for r in rows]
     lines = [line + "," * (LONGEST - r[0]) for line, r in zip(lines, rows)]
-    Path(__file__).with_suffix(".csv").write_text(head + "\n" + "\n".join(lines) + "\n")
+    (SCIENCE / "trend.csv").write_text(head + "\n" + "\n".join(lines) + "\n")
 
 
 main()

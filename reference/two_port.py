@@ -14,13 +14,13 @@ two exponentials; modal ratios by the digamma function, the last ratio going on 
 Loads at end 2: an end mass of 0.04 kg; a stiffness of 310 + 95j N/m. All inputs are doubles, used exactly.
 """
 
-from pathlib import Path
 
 import flint
 import mpmath
 from flint import acb, acb_mat, arb
 from mpmath import mp, mpc, mpf
 
+from golden import SCIENCE
 from springs import S_A, S_T
 
 flint.ctx.prec = 512
@@ -245,7 +245,7 @@ def main():
                     answers = wave_row(spring, kind, value, omega)
                 shown = [mp.nstr(part, 25) for answer in map(mpc, answers) for part in (answer.real, answer.imag)]
                 lines.append(",".join([spring.name, str(n), kind, repr(value), repr(omega), *shown]))
-    Path(__file__).with_suffix(".csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (SCIENCE / "two_port.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -143,7 +143,7 @@ def main(folder, check):
     write(folder, pairs["reference"], reference_inductance.reduced_mutual(distances[:: pairs["reference_stride"]], radius))
 
     (folder / "jobs.json").write_text(json.dumps([*motions, coil, pairs], indent=1) + "\n", encoding="utf-8")
-    reference_motion.check_against_golden(motions, folder, ROOT / "reference")
+    reference_motion.check_against_golden(motions, folder, ROOT / "crates" / "coilsense" / "tests" / "golden")
     if check:
         reference_motion.check_recorded_without_modes(motions[3], u1, folder)
     # Last, so that a folder with this file is a whole and checked one.

@@ -5,7 +5,7 @@ s_j = sin(j pi / 2N). With y the winding displacements from the straight line be
 q_j'' + omega_j^2 q_j = -g_j u1'' and F_i = F_x + 2Nk sum s_j q_j, F_o = F_x -+ 2Nk sum s_j q_j (j odd: -, even: +).
 Sample n is at exactly n / rate seconds.
 
-Checked on every run against reference/modal_sum.csv (matrix exponential in Arb, no modes).
+Checked on every run against crates/coilsense/tests/golden/modal_sum.csv (matrix exponential in Arb, no modes).
 """
 
 import csv
@@ -131,7 +131,7 @@ def peaks(job, forces, u1):
 
 
 def check_against_golden(jobs, folder, golden):
-    """The three jobs that reference/modal_sum.csv also has, at its 40 instants."""
+    """The three jobs that crates/coilsense/tests/golden/modal_sum.csv also has, at its 40 instants."""
     names = {"impact": "impact", "end-stop": "end-stop-max-linear", "resonance": "resonance-tables"}
     with open(golden / "modal_sum.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))

@@ -177,7 +177,7 @@ fn what_an_earlier_run_left_does_not_stand_beside_the_new_report() {
 fn a_damaged_log_is_refused_in_one_line_whatever_its_decoder_does() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let log = place.path().join("run.parquet");
-    let good = include_bytes!("../../../reference/logs/motion.parquet");
+    let good = include_bytes!("../../coilsense-lab/tests/golden/logs/motion.parquet");
     let out = place.path().join("run.csv");
     let decoder_panics = [3653, 3654, 3754, 3759, 3760];
     for index in decoder_panics {

@@ -3,7 +3,7 @@
 //! | ours | theirs |
 //! |---|---|
 //! | tables protocol, Table II | the printed cells of `data/paper/table-2.csv`, 0.02 points |
-//! | both protocols, both tables | `reference/tables.csv`: NumPy and SciPy, no code in common |
+//! | both protocols, both tables | `tests/golden/tables.csv`: NumPy and SciPy, no code in common |
 
 use coilsense::Channel;
 use coilsense_lab::published::Table;
@@ -28,7 +28,7 @@ fn all_30_cells_of_table_ii_come_out_by_the_tables_protocol() {
 #[test]
 fn every_cell_of_both_protocols_agrees_with_an_independent_program() {
     let reproduction = reproduction();
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference/tables.csv");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/tables.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).expect(path);
     let mut seen = 0;
     for row in reader.deserialize() {

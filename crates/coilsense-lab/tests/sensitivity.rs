@@ -7,7 +7,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 
 fn table(name: &str) -> Vec<Vec<String>> {
-    let path = format!("{}/../../reference/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/golden/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     text.lines().skip(2).map(|line| line.split(',').map(str::to_owned).collect()).collect()
 }

@@ -17,7 +17,7 @@ use coilsense::{Calibration, EndInput, Excitation, Motion, Spring, Start, Veloci
 
 /// Rows of a golden file by column name without its unit. A missing file fails.
 fn golden(name: &str) -> Vec<BTreeMap<String, String>> {
-    let path = format!("{}/../../reference/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/golden/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(&path).expect(&path);
     let bare = |header: &str| header.split(" [").next().unwrap_or_default().to_owned();
     let headers: Vec<String> = reader.headers().expect(&path).iter().map(bare).collect();

@@ -193,7 +193,7 @@ fn the_calibrated_sensor_is_exact_at_its_preload_and_off_by_the_misfit_elsewhere
         .map(|k| 0.196 + 0.068 * f64::from(k) / 100.0)
         .map(|length| (sensor.force(&[coil.at_length(length)])[0] - spring.static_force(length)).abs())
         .fold(0.0, f64::max);
-    // reference/calibration.csv, S_T, as printed, preload 0.23 m: largest |F_L − F_x|.
+    // tests/golden/calibration.csv, S_T, as printed, preload 0.23 m: largest |F_L − F_x|.
     assert_relative_eq!(worst, 0.388_959_953_766_290_5, max_relative = 1e-9);
     assert_relative_eq!(worst / spring.nominal_force(), 0.0032, max_relative = 0.01);
 }

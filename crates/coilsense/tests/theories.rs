@@ -16,7 +16,7 @@ use coilsense::inductance::{MU_0, MaxwellSum, SelfDistance, elliptic};
 
 /// Rows of numbers of a golden file. A missing file fails.
 fn golden(name: &str) -> Vec<Vec<f64>> {
-    let path = format!("{}/../../reference/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/golden/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(&path).expect(&path);
     let rows: Vec<Vec<f64>> =
         reader.records().map(|row| row.expect(&path).iter().map(|text| text.parse().expect(text)).collect()).collect();

@@ -8,7 +8,7 @@ use rand_pcg::rand_core::SeedableRng;
 
 #[test]
 fn the_exact_test_and_the_slope_are_those_of_scipy() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference/trend.csv");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/trend.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
     let mut rows = 0;
     for record in reader.records() {

@@ -1,6 +1,6 @@
 //! Answers that hold for real springs: over tolerances, over the model's doubt, with masses enough.
 //!
-//! Numbers of `reference/specimens.csv` come from a Monte Carlo in Python that shares no code with this one; three hundred random specs
+//! Numbers of `tests/golden/specimens.csv` come from a Monte Carlo in Python that shares no code with this one; three hundred random specs
 //! are compared by `reference/specimens.py`.
 
 use coilsense_lab::analysis::{Analysis, Subject, answer};
@@ -8,7 +8,7 @@ use coilsense_lab::spec::Spec;
 
 use super::{HEEL_STRIKE, S_T, STILL, close, line, run, undamped, verdict};
 
-const GOLDEN: &str = include_str!("../../../../reference/specimens.csv");
+const GOLDEN: &str = include_str!("../golden/specimens.csv");
 
 /// S_T under a sine near its first surge, and a load cell at its far end.
 fn driven(frequency: f64, spring: &str) -> Analysis {

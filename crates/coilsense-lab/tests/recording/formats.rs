@@ -8,7 +8,7 @@ use coilsense_lab::recording::{Mapping, Recording, Repairs, Table};
 use super::fixtures::mapping;
 
 fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reference/logs").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/logs").join(name)
 }
 
 fn read(name: &str, mapping: &Mapping, repairs: &Repairs) -> Result<Recording, String> {

@@ -286,7 +286,7 @@ fn survives(bytes: &[u8]) {
 fn good() -> Vec<Vec<u8>> {
     let names =
         ["motion.parquet", "narrow.parquet", "motion-v5.mat", "motion-v7.mat", "motion.mf4", "motion-packed.mf4"];
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../reference/logs");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/logs");
     let read = |name: &str| std::fs::read(folder.join(name)).expect("a reference log");
     [GOOD.as_bytes().to_vec(), GOOD.replace(',', ";").replace('.', ",").into_bytes()]
         .into_iter()

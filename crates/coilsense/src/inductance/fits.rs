@@ -90,10 +90,10 @@ mod tests {
 
     #[test]
     fn the_coefficients_are_those_of_the_generators() {
-        let d = include_str!("../../../../reference/elliptic_d_fit.csv");
+        let d = include_str!("../../tests/golden/elliptic_d_fit.csv");
         assert_eq!(column(d, 1), D_REGULAR);
         assert_eq!(column(d, 2), D_LOGARITHM);
-        let fits = include_str!("../../../../reference/inductance_fits.csv");
+        let fits = include_str!("../../tests/golden/inductance_fits.csv");
         assert_eq!(column(fits, 1), B_REGULAR);
         assert_eq!(column(fits, 2), B_LOGARITHM);
         assert_eq!(column(fits, 3), INVERSE_TANGENT);

@@ -10,7 +10,7 @@ use crate::relative;
 
 #[test]
 fn roots_with_an_end_mass_hold_to_the_last_bits() {
-    let path = format!("{}/../../reference/continuous_modes.csv", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/golden/continuous_modes.csv", env!("CARGO_MANIFEST_DIR"));
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(&path).expect(&path);
     // τ = 1 s, so that frequencies are β.
     let spring = Spring::new(s_t_with(|p| (p.mass, p.stiffness) = (1.0, 1.0))).unwrap();

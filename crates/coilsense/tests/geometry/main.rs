@@ -2,7 +2,7 @@
 //!
 //! | ours | theirs |
 //! |---|---|
-//! | `modes::continuous_frequencies` | mpmath, bisection at 80 digits (`reference/continuous_modes.csv`) |
+//! | `modes::continuous_frequencies` | mpmath, bisection at 80 digits (`tests/golden/continuous_modes.csv`) |
 //! | `modes::continuous_frequencies` | `ChainModes` as N grows |
 //! | `Geometry` | Table I of the paper; the wave impedance; Castigliano's integral; finite differences |
 //! | `neighbours` | the limits string and beam; Haringx's buckling |

@@ -8,7 +8,7 @@ use super::{paper_springs, sampled_at};
 
 /// Rows of a CSV of `reference/` after its two header lines.
 fn rows(name: &str) -> Vec<Vec<String>> {
-    let path = format!("{}/../../reference/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/tests/golden/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     let rows: Vec<Vec<String>> =
         text.lines().skip(2).map(|line| line.split(',').map(str::to_owned).collect()).collect();

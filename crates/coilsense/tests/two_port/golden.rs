@@ -1,4 +1,4 @@
-//! Against `reference/two_port.csv`.
+//! Against `tests/golden/two_port.csv`.
 
 use coilsense::Damping;
 use coilsense::two_port::TwoPort;
@@ -9,7 +9,7 @@ use super::{EACH, answers, distance, with_windings};
 
 /// Two-port, ω, expected answers and whether k_t is a sum over modes, for each golden row. A missing file fails.
 fn golden() -> Vec<(String, TwoPort, f64, Vec<Complex64>, bool)> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference/two_port.csv");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/two_port.csv");
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(path).unwrap();
     let rows = reader.records().map(|record| {
         let row: Vec<String> = record.unwrap().iter().map(str::to_owned).collect();
