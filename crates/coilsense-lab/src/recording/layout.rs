@@ -1,13 +1,12 @@
 //! How a text is written: what parts its columns, its decimal sign, where its titles are. Told by the mapping, else found out from its
 //! first lines.
 //!
-//! Next door: one way of parting it (`trial`), single cells (`cell`), the rows below (`text`).
+//! Next door: how that is found out (`trial`), single cells (`cell`), the rows below (`text`).
 
 use super::cell::{Delimiter, words};
-use super::error::{clipped, shortened};
+use super::error::shortened;
 use super::mapping::Format;
 use super::title::Title;
-use super::trial::Trial;
 
 /// How a text is written.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,29 +40,6 @@ pub(super) fn comment<'a>(line: &'a [u8], own: Option<&str>) -> Option<&'a [u8]>
 }
 
 impl Layout {
-    /// Finds out how a text is written from its first lines.
-    pub fn detect(head: &[Line<'_>], format: &Format) -> Result<Self, String> {
-        let own = format.comment.as_deref();
-        let content: Vec<Line<'_>> = head
-            .iter()
-            .filter(|(_, line)| !line.trim_ascii().is_empty() && comment(line, own).is_none())
-            .copied()
-            .collect();
-        let (last, none) = (head.last().map_or(0, |line| line.0), "has no rows: it is empty, or holds comments only");
-        if content.is_empty() {
-            return Err(none.to_owned());
-        }
-        let best = candidates(format)
-            .into_iter()
-            .map(|(delimiter, comma)| Trial::of(&content, delimiter, comma))
-            .reduce(|best, next| if next.score > best.score { next } else { best });
-        let Some(trial) = best.filter(|trial| trial.first.is_some()) else {
-            let first = content.first().map(|(_, line)| clipped(&words(line))).unwrap_or_default();
-            return Err(format!("no row of numbers is in its first {last} lines; the first begins with {first}"));
-        };
-        trial.layout(head, &content, format)
-    }
-
     /// In words, for people.
     pub fn description(&self) -> String {
         let parted = match self.delimiter {
@@ -75,22 +51,6 @@ impl Layout {
         let header = self.header.map_or("no header".to_owned(), |line| format!("header in line {line}"));
         format!("text, columns separated by {parted}{decimal}, {header}")
     }
-}
-
-/// Delimiter and decimal comma, in the order in which they are preferred.
-fn candidates(format: &Format) -> Vec<(Delimiter, bool)> {
-    let sign = |sign: char| if sign == ' ' { Delimiter::Space } else { Delimiter::Sign(sign as u8) };
-    let delimiters: Vec<Delimiter> = match format.delimiter {
-        Some(told) => vec![sign(told)],
-        None => ['\t', ';', '|', ',', ' '].map(sign).to_vec(),
-    };
-    let commas: &[bool] = match format.decimal_comma {
-        Some(true) => &[true],
-        Some(false) => &[false],
-        None => &[false, true],
-    };
-    let pairs = delimiters.into_iter().flat_map(|delimiter| commas.iter().map(move |comma| (delimiter, *comma)));
-    pairs.filter(|(delimiter, comma)| !(*comma && *delimiter == Delimiter::Sign(b','))).collect()
 }
 
 /// Most remarks that are kept.

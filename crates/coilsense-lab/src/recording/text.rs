@@ -14,6 +14,7 @@ use super::layout::{Layout, Line, comment};
 use super::mapping::Format;
 use super::source::{Next, Source};
 use super::title::Title;
+use super::trial::detect;
 
 /// A text file that is being read.
 pub(super) struct Text {
@@ -49,7 +50,7 @@ impl Text {
         (&mut file).take(HEAD).read_to_end(&mut head).map_err(unreadable)?;
         let whole = (head.len() as u64) < HEAD;
         let layout = text_only(&head)
-            .and_then(|()| Layout::detect(&lines(&head, whole), format))
+            .and_then(|()| detect(&lines(&head, whole), format))
             .map_err(|message| RecordingError::of_file(path, message))?;
         let size = file.metadata().map_or(0, |metadata| metadata.len());
         file.seek(SeekFrom::Start(0)).map_err(unreadable)?;
@@ -61,7 +62,7 @@ impl Text {
         let head = &text[..text.len().min(HEAD as usize)];
         let whole = head.len() == text.len();
         let layout = text_only(head)
-            .and_then(|()| Layout::detect(&lines(head, whole), format))
+            .and_then(|()| detect(&lines(head, whole), format))
             .map_err(|message| RecordingError::of_file(name, message))?;
         let size = text.len() as u64;
         Ok(Self::begin(name, Box::new(Cursor::new(text)), size, layout, format))

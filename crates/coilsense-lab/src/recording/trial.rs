@@ -1,13 +1,53 @@
-//! One way of parting a text into cells, and what its first lines look like then.
+//! Finds out how a text is written: each way of parting it into cells, and what its first lines look like then.
 //!
-//! Next door: which ways are tried (`layout`), single cells (`cell`).
+//! Next door: what is found (`layout`), single cells (`cell`).
 
 use std::ops::Range;
 
 use super::cell::{Cell, Delimiter, split, words};
+use super::error::clipped;
 use super::layout::{Layout, Line, MOST_COLUMNS, comment, remarks};
 use super::mapping::Format;
 use super::title::Title;
+
+/// Finds out how a text is written from its first lines.
+pub(super) fn detect(head: &[Line<'_>], format: &Format) -> Result<Layout, String> {
+    let own = format.comment.as_deref();
+    let content: Vec<Line<'_>> = head
+        .iter()
+        .filter(|(_, line)| !line.trim_ascii().is_empty() && comment(line, own).is_none())
+        .copied()
+        .collect();
+    let (last, none) = (head.last().map_or(0, |line| line.0), "has no rows: it is empty, or holds comments only");
+    if content.is_empty() {
+        return Err(none.to_owned());
+    }
+    let best = candidates(format)
+        .into_iter()
+        .map(|(delimiter, comma)| Trial::of(&content, delimiter, comma))
+        .reduce(|best, next| if next.score > best.score { next } else { best });
+    let Some(trial) = best.filter(|trial| trial.first.is_some()) else {
+        let first = content.first().map(|(_, line)| clipped(&words(line))).unwrap_or_default();
+        return Err(format!("no row of numbers is in its first {last} lines; the first begins with {first}"));
+    };
+    trial.layout(head, &content, format)
+}
+
+/// Delimiter and decimal comma, in the order in which they are preferred.
+fn candidates(format: &Format) -> Vec<(Delimiter, bool)> {
+    let sign = |sign: char| if sign == ' ' { Delimiter::Space } else { Delimiter::Sign(sign as u8) };
+    let delimiters: Vec<Delimiter> = match format.delimiter {
+        Some(told) => vec![sign(told)],
+        None => ['\t', ';', '|', ',', ' '].map(sign).to_vec(),
+    };
+    let commas: &[bool] = match format.decimal_comma {
+        Some(true) => &[true],
+        Some(false) => &[false],
+        None => &[false, true],
+    };
+    let pairs = delimiters.into_iter().flat_map(|delimiter| commas.iter().map(move |comma| (delimiter, *comma)));
+    pairs.filter(|(delimiter, comma)| !(*comma && *delimiter == Delimiter::Sign(b','))).collect()
+}
 
 /// What a text looks like when its cells are parted in one way.
 pub(super) struct Trial {

@@ -4,13 +4,9 @@
 
 use coilsense::{Channel, Deviation};
 
-use super::reason::Differing;
+use super::reason::{Differing, TOLERANCE_POINTS};
 use super::{CaseResult, Condition, Protocol, Reason};
 use crate::published::{PublishedCell, Table};
-
-/// A computed cell differs from the printed one when it is further off than this \[percentage points\]: the print's rounding
-/// (0.005) and the freedom of where its samples fell.
-pub const TOLERANCE_POINTS: f64 = 0.02;
 
 /// A cell of Table II or III.
 #[derive(Debug, Clone, PartialEq)]

@@ -18,10 +18,10 @@ use rayon::prelude::*;
 pub use crate::condition::Condition;
 pub(crate) use case::all_file_stems;
 pub use case::{Case, CaseResult, Maxima};
-pub use cell::{Cell, TOLERANCE_POINTS};
+pub use cell::Cell;
 pub use figures::NamedFigure;
 pub use protocol::{PAPER_NOMINAL_FORCE_FACTOR, Protocol};
-pub use reason::Reason;
+pub use reason::{Reason, TOLERANCE_POINTS};
 
 use crate::published::{PublishedError, published_cells};
 use crate::spec::{SpecError, SpringSpec};

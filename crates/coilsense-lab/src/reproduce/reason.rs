@@ -2,8 +2,12 @@
 //!
 //! Next door: the cells (`cell`), the readings of the paper (`protocol`).
 
-use super::{Condition, Protocol, TOLERANCE_POINTS};
+use super::{Condition, Protocol};
 use crate::published::{PublishedCell, Table};
+
+/// A computed cell differs from the printed one when it is further off than this \[percentage points\]: the print's rounding
+/// (0.005) and the freedom of where its samples fell.
+pub const TOLERANCE_POINTS: f64 = 0.02;
 
 /// One place where text and printed numbers part, or where a number cannot be pinned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -5,8 +5,9 @@
 use rayon::prelude::*;
 
 use super::SweepError;
+use super::column::Kind;
 use super::design::{self, Result as Cell, Row, Status};
-use super::plan::Plan;
+use super::plan::{Plan, titles};
 use super::variable;
 use crate::spec::{Draft, Files};
 use crate::study::enough_masses;
@@ -58,27 +59,6 @@ impl Data {
             _ => {}
         }
     }
-}
-
-/// What kind of values a column holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Whole,
-    Numbers,
-    Texts,
-    Flags,
-}
-
-/// Titles of all columns of a plan, and what they hold.
-pub(super) fn titles(plan: &Plan) -> Vec<(String, Kind)> {
-    let of = |numeric: bool| if numeric { Kind::Numbers } else { Kind::Texts };
-    let mut titles = vec![("row".to_owned(), Kind::Whole)];
-    titles.extend(plan.catalogue.iter().flat_map(|table| table.titles()).map(|(title, n)| (title.to_owned(), of(n))));
-    let variables = plan.variables.iter().map(|variable| !variable.is_text()).zip(&plan.variables);
-    titles.extend(variables.map(|(numeric, variable)| (variable.target.title(numeric), of(numeric))));
-    titles.extend(["status", "reason"].map(|title| (title.to_owned(), Kind::Texts)));
-    titles.extend(plan.columns.iter().map(|(title, column)| (title.clone(), column.kind())));
-    titles
 }
 
 impl Plan {

@@ -5,9 +5,17 @@
 use coilsense::Channel;
 
 use super::SweepError;
-use super::chunk::Kind;
 use crate::likeness::nearest;
 use crate::spec::SpringSpec;
+
+/// What kind of values a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Whole,
+    Numbers,
+    Texts,
+    Flags,
+}
 
 /// A column of results.
 #[derive(Debug, Clone, PartialEq)]

@@ -33,9 +33,9 @@ mod values;
 mod variable;
 
 pub use catalogue::Catalogue;
-#[cfg(feature = "parquet")]
-pub(crate) use chunk::Kind;
 pub use chunk::{Chunk, Data};
+#[cfg(feature = "parquet")]
+pub(crate) use column::Kind;
 pub use column::column_words;
 #[cfg(feature = "parquet")]
 pub use dataset::{Dataset, Tally};

@@ -3,10 +3,11 @@
 //! Next door: the folder (`dataset`), what is asked (`crate::pareto`, `crate::sensitivity`).
 
 use super::SweepError;
-use super::chunk::{Chunk, Data, Kind, titles};
+use super::chunk::{Chunk, Data};
+use super::column::Kind;
 use super::dataset::Dataset;
 use super::encoded;
-use super::plan::Plan;
+use super::plan::{Plan, titles};
 use crate::likeness::nearest;
 use crate::quantity::without_unit;
 

@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 
 use super::SweepError;
 use super::catalogue::{Catalogue, Ready};
-use super::column::{self, Column, Names, Needs};
+use super::column::{self, Column, Kind, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
 use super::{sobol, variable};
@@ -210,7 +210,7 @@ impl Plan {
 
     /// Titles of all columns, in order, each with its unit in brackets where it holds numbers.
     pub fn titles(&self) -> Vec<String> {
-        super::chunk::titles(self).into_iter().map(|(title, _)| title).collect()
+        titles(self).into_iter().map(|(title, _)| title).collect()
     }
 
     /// What a row's design replaces in the spec, and by what; the catalogue's first.
@@ -372,4 +372,16 @@ fn columns(words: &[String], names: &Names, spec_file: &str) -> Result<Vec<(Stri
         return Err(SweepError(format!("{}: no [[condition]] says what is done to the spring", spec_file)));
     }
     Ok(columns)
+}
+
+/// Titles of all columns of a plan, and what they hold.
+pub(super) fn titles(plan: &Plan) -> Vec<(String, Kind)> {
+    let of = |numeric: bool| if numeric { Kind::Numbers } else { Kind::Texts };
+    let mut titles = vec![("row".to_owned(), Kind::Whole)];
+    titles.extend(plan.catalogue.iter().flat_map(|table| table.titles()).map(|(title, n)| (title.to_owned(), of(n))));
+    let variables = plan.variables.iter().map(|variable| !variable.is_text()).zip(&plan.variables);
+    titles.extend(variables.map(|(numeric, variable)| (variable.target.title(numeric), of(numeric))));
+    titles.extend(["status", "reason"].map(|title| (title.to_owned(), Kind::Texts)));
+    titles.extend(plan.columns.iter().map(|(title, column)| (title.clone(), column.kind())));
+    titles
 }

@@ -6,13 +6,13 @@ use std::f64::consts::{PI, TAU};
 
 use num_complex::Complex64;
 
+use super::drive::Drive;
 use super::environment::Environment;
 use super::estimator::Estimator;
 use super::force_loop::ForceLoop;
 use super::kicked::{Mode, modes};
 use super::margins::Margins;
 use super::rational::Difference;
-use super::simulate::far_end;
 use super::trace::Trace;
 use crate::error::{Error, above_zero, check};
 use crate::mount::FarEnd;
@@ -157,4 +157,27 @@ impl SampledLoop {
     pub fn margins(&self) -> Result<Margins, Error> {
         Margins::of(&self.trace()?, |frequency| self.at(frequency))
     }
+}
+
+/// What end 2 of a loop that can be run is tied to.
+pub(super) fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
+    let plant = sampled.continuous.plant();
+    let bandwidth = match plant.drive() {
+        Drive::Velocity { bandwidth } => bandwidth.unwrap_or(f64::INFINITY),
+        Drive::Force { bandwidth, .. } => bandwidth.unwrap_or(0.0),
+    };
+    let only = "that of an ideal velocity source for a run over time";
+    check(bandwidth.is_infinite(), "drive bandwidth", bandwidth, "Hz", only)?;
+    let far_end = match *plant.environment() {
+        Environment::Held => FarEnd::Position,
+        Environment::Impedance { mass, damping, stiffness } => {
+            check(damping == 0.0, "load damping", damping, "N s/m", "zero for a run over time")?;
+            check(stiffness == 0.0, "load stiffness", stiffness, "N/m", "zero for a run over time")?;
+            FarEnd::Mass(mass)
+        }
+    };
+    let feedback = sampled.continuous.feedback();
+    let simple = [Channel::InputForce, Channel::OutputForce].contains(&feedback)
+        || (feedback == Channel::DeflectionForce && far_end == FarEnd::Position);
+    if simple { Ok(far_end) } else { Err(Error::MissingSignal(feedback.name())) }
 }

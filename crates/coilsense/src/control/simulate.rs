@@ -4,10 +4,8 @@
 
 use std::collections::VecDeque;
 
-use super::drive::Drive;
-use super::environment::Environment;
 use super::rational::Difference;
-use super::sampled::SampledLoop;
+use super::sampled::{SampledLoop, far_end};
 use crate::error::{Error, check};
 use crate::motion::{ForceSample, Live};
 use crate::mount::{FarEnd, Mount};
@@ -104,27 +102,4 @@ pub fn simulate(sampled: &SampledLoop, gain: f64, reference: f64, samples: usize
         force = spring.advance([-stroke, 0.0])?;
     }
     Ok(run)
-}
-
-/// What end 2 of a loop that can be run is tied to.
-pub(super) fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
-    let plant = sampled.continuous.plant();
-    let bandwidth = match plant.drive() {
-        Drive::Velocity { bandwidth } => bandwidth.unwrap_or(f64::INFINITY),
-        Drive::Force { bandwidth, .. } => bandwidth.unwrap_or(0.0),
-    };
-    let only = "that of an ideal velocity source for a run over time";
-    check(bandwidth.is_infinite(), "drive bandwidth", bandwidth, "Hz", only)?;
-    let far_end = match *plant.environment() {
-        Environment::Held => FarEnd::Position,
-        Environment::Impedance { mass, damping, stiffness } => {
-            check(damping == 0.0, "load damping", damping, "N s/m", "zero for a run over time")?;
-            check(stiffness == 0.0, "load stiffness", stiffness, "N/m", "zero for a run over time")?;
-            FarEnd::Mass(mass)
-        }
-    };
-    let feedback = sampled.continuous.feedback();
-    let simple = [Channel::InputForce, Channel::OutputForce].contains(&feedback)
-        || (feedback == Channel::DeflectionForce && far_end == FarEnd::Position);
-    if simple { Ok(far_end) } else { Err(Error::MissingSignal(feedback.name())) }
 }

@@ -2,7 +2,6 @@
 //!
 //! Next door: the prediction (`whitening`), a record that begins with ringing (`beginning`), what rings after them (`lines`, `refine`).
 
-use super::beginning;
 use super::ringing::Series;
 use super::sampling::Sampling;
 use super::whitening::ORDER;
@@ -40,15 +39,12 @@ pub struct Hit {
     pub strength: f64,
 }
 
-/// The hits of a record, first to last, by each series' surprises (`innovations`); of a record that begins with ringing, its beginning.
+/// The hits of a record, first to last, by each series' surprises (`innovations`).
 pub(super) fn find(series: &[Series], sampling: &Sampling) -> Vec<Hit> {
     let squares = squares(series, sampling);
     let expected = (WINDOW * series.len()) as f64;
     let energy: Vec<f64> = squares.windows(WINDOW).map(|window| window.iter().sum::<f64>() / expected).collect();
     let mut hits = between_edges(&energy, sampling);
-    if hits.is_empty() {
-        hits.extend(beginning::of(series, sampling));
-    }
     if hits.len() > MOST {
         hits.sort_by(|a, b| b.strength.total_cmp(&a.strength));
         hits.truncate(MOST);

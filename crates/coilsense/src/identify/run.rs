@@ -11,7 +11,7 @@ use super::mode_series::{Match, Observation, best, mass_ratio_of};
 use super::refine::{Fitted, Refiner};
 use super::ringing::{Part, Series, series};
 use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict};
-use super::{half_power, hits, naming, ring_down, verdict};
+use super::{beginning, half_power, hits, naming, ring_down, verdict};
 use crate::error::Error;
 use crate::measures::alias_of;
 use crate::mount::FarEnd;
@@ -45,7 +45,10 @@ impl Identification {
         let sampling = Sampling::of(signals)?;
         let stiffness = Stiffness::of(signals, &sampling, &settings);
         let series = series(signals, &sampling, stiffness.as_ref().ok())?;
-        let hits = hits::find(&series, &sampling);
+        let mut hits = hits::find(&series, &sampling);
+        if hits.is_empty() {
+            hits.extend(beginning::of(&series, &sampling));
+        }
         let mut spectra = Vec::new();
         let mut steady_peaks = Vec::new();
         for (index, one) in series.iter().enumerate() {

@@ -3,13 +3,11 @@
 //! Next door: the mutual inductance of one pair (`mutual`), the distance of a winding from itself (`self_term`).
 
 use super::carry::Carry;
-use super::evaluation::Evaluation;
+use super::coil::Coil;
 use super::mutual::{MU_0, mutual_inductance};
 use super::pairs;
 use super::self_term::SelfDistance;
-use super::theories::Coil;
 use super::uniform;
-use crate::motion::Windings;
 use crate::spring::Spring;
 
 /// The inductance of a spring by Maxwell's sum over its windings.
@@ -77,22 +75,6 @@ impl MaxwellSum {
         // Uniform windings repeat each distance: Σ_{i<j} is a sum over N − 1 distances.
         let pairs = uniform::sums(self.places.len(), self.coil_radius, &pitches);
         pairs.into_iter().map(|sum| self.self_part + 4.0 * MU_0 * self.coil_radius * sum).collect()
-    }
-
-    /// L \[H\] of every sample of a motion, shape `samples`; infinite where two turns coincide.
-    ///
-    /// Many samples share, for each number of turns apart, one polynomial over the distances that occur.
-    ///
-    /// Source:   as [`MaxwellSum`]; polynomials through Chebyshev's points, off by at most 2e-16 of L (`[Trefethen2013]` theorem 8.2).
-    /// Valid:    as [`MaxwellSum`]; where neighbours' distances differ by a factor of some nine and more, turn by turn.
-    /// Accuracy: 5e-15 relative, against 40 digits and against [`Self::at_positions`] (tests).
-    pub fn series(&self, windings: &Windings) -> Vec<f64> {
-        let mut series = Vec::with_capacity(windings.samples());
-        let mut evaluation = Evaluation::new(self);
-        self.for_each_block(windings, |block, alone| {
-            series.extend_from_slice(&evaluation.exact(block, alone)[..block.samples]);
-        });
-        series
     }
 
     /// L \[H\] of turns at given positions \[m\], in any order, one per turn of the coil (round(N_L)).

@@ -6,6 +6,7 @@
 
 mod carry;
 mod chebyshev;
+mod coil;
 mod derivatives;
 mod distances;
 pub mod elliptic;

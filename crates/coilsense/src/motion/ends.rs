@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::closed::Closed;
 use super::forces::{is_equidistant, modal_terms};
-use super::modal_block::{WIDTH, row_of};
+use super::modal_rows::{WIDTH, row_of};
 use super::phasor_sum::{Function, Grid, Target, Term, add};
 use super::{Motion, check_times, step_of};
 use crate::error::Error;

@@ -11,6 +11,7 @@ mod forces;
 mod kicked_blocks;
 mod march;
 mod modal_block;
+mod modal_rows;
 mod oscillator;
 mod panel;
 mod phasor_sum;
@@ -29,7 +30,7 @@ mod truncated;
 mod turns;
 mod windings;
 
-pub(crate) use modal_block::WIDTH;
+pub(crate) use modal_rows::WIDTH;
 use placing::Placing;
 pub use stream::{ForceSample, Live, Stream};
 pub use windings::Windings;

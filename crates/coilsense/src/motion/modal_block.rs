@@ -7,12 +7,10 @@ use aligned_vec::{AVec, avec};
 
 use super::closed::ModalState;
 use super::forces::is_equidistant;
+use super::modal_rows::{WIDTH, row_of};
 use super::stretch::Stretch;
 use super::{Motion, check_times, in_order, step_of};
 use crate::error::Error;
-
-/// Samples of a block, the last of which may be left as they were.
-pub(crate) const WIDTH: usize = 64;
 
 /// Some samples' modal coordinates.
 pub(super) struct ModalBlock<'a> {
@@ -20,11 +18,6 @@ pub(super) struct ModalBlock<'a> {
     pub samples: &'a [usize],
     /// q_j, shape `count × WIDTH`: modes 1, 3, 5 … first, then modes 2, 4, 6 … (see [`row_of`]).
     pub coordinates: &'a [f64],
-}
-
-/// Where a mode, counted from zero, has its row among so many modes.
-pub(super) fn row_of(mode: usize, modes: usize) -> usize {
-    if mode.is_multiple_of(2) { mode / 2 } else { modes.div_ceil(2) + mode / 2 }
 }
 
 impl Motion {

@@ -6,7 +6,8 @@
 use aligned_vec::{AVec, avec};
 use pulp::{Simd, WithSimd};
 
-use super::modal_block::{ModalBlock, WIDTH, row_of};
+use super::modal_block::ModalBlock;
+use super::modal_rows::{WIDTH, row_of};
 use super::panel::{Panel, ROWS};
 use crate::simd::dispatch;
 

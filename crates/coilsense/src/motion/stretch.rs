@@ -8,7 +8,7 @@ use pulp::{Simd, WithSimd};
 
 use super::closed::{Closed, Drive, Segment};
 use super::exponentials::Exponentials;
-use super::modal_block::{WIDTH, row_of};
+use super::modal_rows::{WIDTH, row_of};
 use super::oscillator::{divided_exponential, exponential};
 use super::phasors::{Phasors, Steps};
 use crate::simd::dispatch;

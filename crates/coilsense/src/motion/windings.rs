@@ -2,7 +2,7 @@
 //!
 //! Next door: how they got there (the parent), whether they touch (`measures`), what they do to a coil (`inductance`).
 
-use super::modal_block::WIDTH;
+use super::modal_rows::WIDTH;
 use crate::error::{Error, all_finite, check};
 
 /// Positions of both ends and of all windings over time \[m\].

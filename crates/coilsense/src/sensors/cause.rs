@@ -1,6 +1,8 @@
-//! What the causes are called by which a force errs: the lines of a budget.
+//! Something by which a force errs, where it acts, and what the usual ones are called: the lines of a budget.
 //!
 //! Next door: how each acts on the force (`measurement`).
+
+use crate::uncertainty::{Distribution, Input};
 
 /// Noise of the readings.
 pub const NOISE: &str = "sensor: noise";
@@ -26,3 +28,54 @@ pub const REST_LENGTH: &str = "tolerance of the rest length";
 pub const INITIAL_TENSION: &str = "tolerance of the initial tension";
 /// Nor the compliance of the drive train.
 pub const COMPLIANCE: &str = "tolerance of the drive train's compliance";
+
+/// Where an input acts in the model, in the order in which budgets list them and Monte Carlos draw them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Place {
+    /// Added to the force \[N\]: oscillation.
+    Force,
+    /// Added to the reading, in the native unit.
+    Reading,
+    /// A share of the reading, counted from the instrument's zero.
+    Gain,
+    /// Added to the length that is read from something else \[m\].
+    Length,
+    /// \[K\].
+    Temperature,
+    /// A share of the stiffness.
+    Stiffness,
+    /// Added to the rest length \[m\].
+    RestLength,
+    /// A share of the initial tension.
+    InitialTension,
+    /// Added to the compliance in series with the spring \[m/N\].
+    Compliance,
+}
+
+/// Something by which a force errs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cause {
+    /// Where it acts.
+    pub place: Place,
+    /// What it is called, one of this module's or a kind's own.
+    pub name: &'static str,
+    /// How far it may be off, in the unit of its place.
+    pub distribution: Distribution,
+}
+
+impl Cause {
+    /// A normal one of that standard deviation; `None` of nothing.
+    pub fn normal(place: Place, name: &'static str, standard: f64) -> Option<Self> {
+        (standard > 0.0).then_some(Self { place, name, distribution: Distribution::Normal { standard } })
+    }
+
+    /// Anything within ±`half_width` alike; `None` of nothing.
+    pub fn within(place: Place, name: &'static str, half_width: f64) -> Option<Self> {
+        (half_width > 0.0).then_some(Self { place, name, distribution: Distribution::Rectangular { half_width } })
+    }
+
+    /// As the input of a model.
+    pub fn into_input(self) -> Input {
+        Input::new(self.name, 0.0, self.distribution)
+    }
+}

@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::cause;
+use super::cause::{Cause, Place};
 use super::deflection::travel;
-use super::measurement::{Cause, Place};
 use super::sensor::{Native, Row, Sensor, Site};
 use crate::calibrate::Calibration;
 use crate::error::Error;

@@ -3,61 +3,9 @@
 //! Next door: what a kind of sensor adds (one file a kind), what the inputs are called (`cause`), budgets and Monte Carlo of such a model
 //! (`crate::uncertainty`).
 
-use super::cause;
+use super::cause::{self, Cause, Place};
 use super::instrument::Instrument;
 use super::sensor::Site;
-use crate::uncertainty::{Distribution, Input};
-
-/// Where an input acts in the model, in the order in which budgets list them and Monte Carlos draw them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Place {
-    /// Added to the force \[N\]: oscillation.
-    Force,
-    /// Added to the reading, in the native unit.
-    Reading,
-    /// A share of the reading, counted from the instrument's zero.
-    Gain,
-    /// Added to the length that is read from something else \[m\].
-    Length,
-    /// \[K\].
-    Temperature,
-    /// A share of the stiffness.
-    Stiffness,
-    /// Added to the rest length \[m\].
-    RestLength,
-    /// A share of the initial tension.
-    InitialTension,
-    /// Added to the compliance in series with the spring \[m/N\].
-    Compliance,
-}
-
-/// Something by which a force errs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Cause {
-    /// Where it acts.
-    pub place: Place,
-    /// What it is called, one of [`cause`] or a kind's own.
-    pub name: &'static str,
-    /// How far it may be off, in the unit of its place.
-    pub distribution: Distribution,
-}
-
-impl Cause {
-    /// A normal one of that standard deviation; `None` of nothing.
-    pub fn normal(place: Place, name: &'static str, standard: f64) -> Option<Self> {
-        (standard > 0.0).then_some(Self { place, name, distribution: Distribution::Normal { standard } })
-    }
-
-    /// Anything within ±`half_width` alike; `None` of nothing.
-    pub fn within(place: Place, name: &'static str, half_width: f64) -> Option<Self> {
-        (half_width > 0.0).then_some(Self { place, name, distribution: Distribution::Rectangular { half_width } })
-    }
-
-    /// As the input of a model.
-    pub fn into_input(self) -> Input {
-        Input::new(self.name, 0.0, self.distribution)
-    }
-}
 
 /// How far an instrument may be off, as a data sheet says it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

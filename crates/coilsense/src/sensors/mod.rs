@@ -20,10 +20,11 @@ mod readout;
 mod sensor;
 mod two_encoder;
 
+pub use cause::{Cause, Place};
 pub use deflection::deflection_force;
 pub use inductance::{InductanceSensor, usual_form};
 pub use instrument::Instrument;
-pub use measurement::{Cause, Limits, Measurement, Place, SpringDoubt};
+pub use measurement::{Limits, Measurement, SpringDoubt};
 pub use readout::{MAX_ORDER, Readout, ReadoutParameters};
 pub use sensor::{Native, Sensor, Site};
 pub use two_encoder::{TwoEncoder, USUAL_COMPLIANCE_TOLERANCE};

@@ -5,7 +5,7 @@
 use std::borrow::Cow;
 use std::fmt::Debug;
 
-use super::measurement::Cause;
+use super::cause::Cause;
 use crate::error::Error;
 use crate::inductance::MaxwellSum;
 use crate::signals::{Channel, Signals};

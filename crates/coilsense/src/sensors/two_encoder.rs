@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use super::Quantity;
 use super::cause;
+use super::cause::{Cause, Place};
 use super::deflection::travel;
-use super::measurement::{Cause, Place};
 use super::sensor::{Native, Row, Sensor, Site};
 use crate::error::{Error, all_bounded, count, finite, not_negative};
 use crate::signals::{Channel, Signals};

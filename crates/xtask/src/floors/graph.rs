@@ -24,28 +24,41 @@ pub struct Graph {
 impl Graph {
     /// Of the crate whose `lib.rs` lies in this folder.
     pub fn of(folder: &Path) -> Result<Self, String> {
-        let root = read(&folder.join("lib.rs"), &[])?;
+        Self::within(folder, &[])
+    }
+
+    /// Of the files that a module consists of, itself above them all.
+    pub fn within(folder: &Path, module: &[String]) -> Result<Self, String> {
+        let file = if module.is_empty() { folder.join("lib.rs") } else { file_of(folder, module)? };
+        let root = read(&file, module)?;
         let mut graph = Self { modules: root.modules.clone(), files: 1, ..Self::default() };
-        for module in &root.modules {
-            graph.follow(folder, &root, std::slice::from_ref(&module.name))?;
+        for child in root.modules.iter().filter(|child| child.in_own_file) {
+            graph.follow(folder, &root, &[module, std::slice::from_ref(&child.name)].concat(), module.len())?;
         }
         Ok(graph)
     }
 
-    /// Takes a module's file and those of the modules in it.
-    fn follow(&mut self, folder: &Path, root: &Source, path: &[String]) -> Result<(), String> {
+    /// Takes a module's file and those of the modules in it; modules are told apart by the name at a depth of their paths.
+    fn follow(&mut self, folder: &Path, root: &Source, path: &[String], depth: usize) -> Result<(), String> {
         let file = file_of(folder, path)?;
         let source = read(&file, path)?;
         self.files += 1;
         for mention in &source.mentions {
             let place = format!("{}:{}", file.strip_prefix(folder).unwrap_or(&file).display(), mention.line);
-            let target = target(root, &mention.path).map_err(|unknown| format!("{place}: {unknown}"))?;
-            if let Some(target) = target.filter(|target| *target != path[0]) {
-                self.arrows.entry([path[0].clone(), target]).or_default().push(place);
+            let Some(below) = mention.path.strip_prefix(&path[..depth]).filter(|below| !below.is_empty()) else {
+                continue;
+            };
+            let target = match target(root, below, depth) {
+                // What a module's own file holds stands above its children.
+                Err(_) if depth > 0 => continue,
+                target => target.map_err(|unknown| format!("{place}: {unknown}"))?,
+            };
+            if let Some(target) = target.filter(|target| *target != path[depth]) {
+                self.arrows.entry([path[depth].clone(), target]).or_default().push(place);
             }
         }
         for module in source.modules.iter().filter(|module| module.in_own_file) {
-            self.follow(folder, root, &[path, std::slice::from_ref(&module.name)].concat())?;
+            self.follow(folder, root, &[path, std::slice::from_ref(&module.name)].concat(), depth)?;
         }
         Ok(())
     }
@@ -94,13 +107,13 @@ fn closed(arrows: &BTreeSet<&Arrow>, first: &Arrow) -> Option<Vec<Arrow>> {
 }
 
 /// The top-level module that a path from the root leads to, also by a name that `lib.rs` exports; none for what `lib.rs` has from elsewhere.
-fn target(root: &Source, path: &[String]) -> Result<Option<String>, String> {
+fn target(root: &Source, path: &[String], depth: usize) -> Result<Option<String>, String> {
     let is_module = |name: &str| root.modules.iter().any(|module| module.name == name);
     if is_module(&path[0]) {
         return Ok(Some(path[0].clone()));
     }
     match root.exports.iter().find(|(name, _)| *name == path[0]) {
-        Some((_, origin)) => Ok(Some(origin[0].clone()).filter(|origin| is_module(origin))),
+        Some((_, origin)) => Ok(origin.get(depth).cloned().filter(|origin| is_module(origin))),
         None => Err(format!("lib.rs has neither a module nor an export `{}`", path[0])),
     }
 }

@@ -39,6 +39,33 @@ fn no_module_names_one_that_names_it_back() {
     );
 }
 
+/// Folders with modules in a crate, as paths of names from its root.
+fn folders(graph: &Graph, source: &std::path::Path, at: &[String]) -> Vec<Vec<String>> {
+    let children = graph.modules.iter().map(|child| [at, std::slice::from_ref(&child.name)].concat());
+    let is_folder =
+        |path: &Vec<String>| source.join(path.iter().collect::<std::path::PathBuf>()).join("mod.rs").is_file();
+    let below = |path: Vec<String>| {
+        let inner = Graph::within(source, &path).unwrap_or_else(|error| panic!("{}: {error}", path.join("::")));
+        [vec![path.clone()], folders(&inner, source, &path)].concat()
+    };
+    children.filter(is_folder).flat_map(below).collect()
+}
+
+#[test]
+fn no_file_names_one_beside_it_that_names_it_back() {
+    let mut found = Vec::new();
+    for name in ["coilsense", "coilsense-lab", "coilsense-figure"] {
+        let source = crate::root().join("crates").join(name).join("src");
+        for path in folders(&graph_of(name), &source, &[]) {
+            let graph = Graph::within(&source, &path).unwrap();
+            let told =
+                |arrows: &Vec<graph::Arrow>| format!("{name}::{}:\n{}", path.join("::"), graph.described(arrows));
+            found.extend(graph.loops().iter().map(told));
+        }
+    }
+    assert!(found.is_empty(), "{} loops of files:\n{}", found.len(), found.join("\n"));
+}
+
 #[test]
 fn lib_rs_says_in_a_line_what_each_module_is() {
     for name in ["coilsense", "coilsense-lab", "coilsense-figure"] {

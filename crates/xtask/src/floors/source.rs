@@ -32,7 +32,7 @@ pub struct Source {
     pub modules: Vec<Module>,
     /// What it mentions.
     pub mentions: Vec<Mention>,
-    /// What it exports under a name of its own: the name, and the path from the root that it stands for.
+    /// What it has under a name of its own by `use`: the name, and the path from the root that it stands for.
     pub exports: Vec<(String, Vec<String>)>,
 }
 
@@ -82,8 +82,9 @@ impl Source {
             }
             return 3;
         }
-        if is_word(tokens.first(), "use") && path.is_empty() {
-            let end = tokens.iter().position(|token| is_point(Some(token), ';')).unwrap_or(tokens.len());
+        if is_word(tokens.first(), "use") && (path.is_empty() || !begins_at_root(&tokens[1..])) {
+            // Without a semicolon it is what a type captures.
+            let Some(end) = tokens.iter().position(|token| is_point(Some(token), ';')) else { return 1 };
             let mut leaves = Vec::new();
             walk(&tokens[1..end], path, &mut leaves);
             let named = leaves.into_iter().filter_map(|leaf| Some((leaf.path.last()?.clone(), leaf.path)));

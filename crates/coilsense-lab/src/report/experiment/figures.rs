@@ -5,14 +5,13 @@
 use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Panel, Stroke};
 
 use super::means;
+use super::style::{WIDTH, marked};
 use crate::experiment::{Experiment, Findings, Run};
 use crate::quantity::digits;
 
 /// Names of all figures that there may be.
 pub(super) const NAMES: [&str; 3] = ["figure-5", "figure-6", "means-in-order"];
 
-/// Width of a figure \[px\].
-pub(super) const WIDTH: f64 = 760.0;
 /// Frequencies of Fig. 5 over that at which forces part most: 4.5, 20.2 and 27.0 Hz in the paper.
 const SHOWN: [f64; 3] = [2.0 / 12.0, 9.0 / 12.0, 1.0];
 
@@ -36,15 +35,6 @@ pub(super) fn all(experiment: &Experiment, findings: &Findings) -> Vec<(String, 
                    slope. Bars: standard errors over blocks of whole periods.";
     add(NAMES[2], caption.to_owned(), means::in_order(experiment));
     figures
-}
-
-/// What every figure of simulated data says on its face.
-pub(super) fn marked(experiment: &Experiment, title: &str) -> String {
-    match (experiment.simulated, title.is_empty()) {
-        (false, _) => title.to_owned(),
-        (true, true) => "simulated data".to_owned(),
-        (true, false) => format!("{title}, simulated data"),
-    }
 }
 
 /// The sines whose frequencies are nearest to those of Fig. 5, slowest first.

@@ -1,11 +1,11 @@
 //! Figures of an experiment's deviations and means.
 //!
-//! Next door: raw forces, captions and the mark of simulated data (`figures`).
+//! Next door: raw forces and captions (`figures`), the mark of simulated data (`style`).
 
 use coilsense::Channel;
 use coilsense_figure::{Axis, Colour, Figure, HorizontalMark, Marker, Panel, Points};
 
-use super::figures::{WIDTH, marked};
+use super::style::{WIDTH, marked};
 use crate::experiment::{Experiment, FORCES, Run};
 use crate::spec::RunKind;
 

@@ -6,6 +6,7 @@ mod figures;
 mod html;
 mod json;
 mod means;
+mod style;
 mod text;
 
 pub use json::{ExperimentOutcome, experiment_json};

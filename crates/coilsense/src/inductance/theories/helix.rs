@@ -4,7 +4,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::coil::Coil;
+use super::Coil;
 use crate::inductance::MU_0;
 use crate::quadrature::panel;
 

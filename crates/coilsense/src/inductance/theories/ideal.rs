@@ -2,7 +2,7 @@
 //!
 //! Next door: what its ends do (`nagaoka`).
 
-use super::coil::Coil;
+use super::Coil;
 use crate::inductance::MU_0;
 
 /// Inductance of an ideal solenoid \[H\]: the field of an endless one over its whole length.

@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use super::coil::Coil;
+use super::Coil;
 use super::ideal::ideal_solenoid;
 use crate::inductance::MU_0;
 

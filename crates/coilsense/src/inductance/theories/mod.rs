@@ -3,7 +3,6 @@
 //! Lengths are those of the coil, end of wire to end of wire along the axis: N pitches. How far each is from a measured spring is judged
 //! in `crate::calibrate`. Next door: windings that are not spread uniformly (`super::MaxwellSum`).
 
-mod coil;
 mod helix;
 mod ideal;
 mod lundin;
@@ -12,7 +11,7 @@ mod round_wire;
 mod theory;
 mod wheeler;
 
-pub use coil::Coil;
+pub use super::coil::Coil;
 pub use helix::{HelixSelf, ReturnPath, helix};
 pub use ideal::ideal_solenoid;
 pub use lundin::lundin;

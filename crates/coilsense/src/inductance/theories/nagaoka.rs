@@ -4,7 +4,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use super::coil::Coil;
+use super::Coil;
 use super::ideal::ideal_solenoid;
 use crate::inductance::elliptic::{complete_d, complete_e};
 

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use super::coil::Coil;
+use super::Coil;
 use super::nagaoka::nagaoka;
 use crate::inductance::MU_0;
 

@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use super::coil::Coil;
+use super::Coil;
 use crate::inductance::MU_0;
 
 /// Inductance of a long coil \[H\] by Wheeler's formula of 1928.
