@@ -7,10 +7,12 @@ use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::{Instrument, Readout};
 use coilsense::signals::sampled_window;
 
-use super::case::judged;
-use super::judge::{Counted, Judge, Over, Scene};
-use super::response::{Moments, needs_coil};
+use super::band::judged;
+use super::case::Scene;
+use super::judge::{Counted, Judge, Over};
+use super::moments::Moments;
 use super::specimen::{MANY, Springs};
+use super::trial_run::needs_coil;
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
 use crate::study::{self, Coil, Method, Setup};

@@ -7,6 +7,9 @@ use std::ops::Range;
 use coilsense::Error;
 use coilsense::sensors::{MAX_ORDER, Readout, ReadoutParameters};
 
+/// Filters have forgotten all but 6e-6 of what was before so many of their times: an error may be a thousandth of what is filtered.
+const FORGOTTEN: f64 = 12.0;
+
 /// `errors` \[N\] of a whole run at `times` \[s\] (both of shape `samples`) as they count in the `judged` samples: shape `judged`.
 ///
 /// e − mean through a Butterworth low-pass of order 8 at the bandwidth \[Hz\], at rest before t = 0, and the mean of the judged samples
@@ -52,5 +55,20 @@ pub(super) fn lag(bandwidth: Option<f64>) -> f64 {
 
 /// How long it remembers \[s\].
 pub(super) fn memory(bandwidth: f64) -> f64 {
-    super::trial_run::low_pass(MAX_ORDER, bandwidth)
+    low_pass(MAX_ORDER, bandwidth)
+}
+
+/// How long a Butterworth low-pass remembers \[s\]: its slowest pole decays with ω_c sin(π/2n).
+pub(super) fn low_pass(order: usize, bandwidth: f64) -> f64 {
+    let slowest = std::f64::consts::TAU * bandwidth * (0.5 * std::f64::consts::PI / order.max(1) as f64).sin();
+    FORGOTTEN / slowest
+}
+
+/// The samples inside of a window \[s\], both ends included.
+pub(super) fn judged(times: &[f64], (from, to): (f64, f64)) -> Range<usize> {
+    // A bound that rounds just past a sample still means that sample.
+    let slack = if times.len() > 1 { 1e-6 * (times[1] - times[0]) } else { 0.0 };
+    let start = times.partition_point(|&time| time < from - slack);
+    let end = times.partition_point(|&time| time <= to + slack);
+    start.min(times.len().saturating_sub(1))..end.max(start + 1).min(times.len())
 }

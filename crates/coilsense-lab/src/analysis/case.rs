@@ -10,12 +10,21 @@ use coilsense::sensors::{Instrument, Site};
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Clash, Deviation, Error, Signals};
 
+use super::band::judged;
 use super::frames::Frames;
-use super::judge::Scene;
-use super::response::needs_coil;
+use super::trial_run::needs_coil;
 use crate::series::{Column, Run};
 use crate::spec::{SensorSpec, Spec};
 use crate::study::{self, Coil, Method, Setup, Simulation};
+
+/// What of a case a sensor is judged by.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    /// Number of the condition in the spec.
+    pub condition: usize,
+    pub signals: &'a Signals,
+    pub judged: &'a Range<usize>,
+}
 
 /// A simulation that was run.
 #[derive(Debug, Clone)]
@@ -178,15 +187,6 @@ pub(super) fn force_of_coil<'a>(
         Err(error) if needs_coil(spec, &each) => Err(error),
         Err(_) => Ok(None),
     }
-}
-
-/// The samples inside of a window \[s\], both ends included.
-pub(super) fn judged(times: &[f64], (from, to): (f64, f64)) -> Range<usize> {
-    // A bound that rounds just past a sample still means that sample.
-    let slack = if times.len() > 1 { 1e-6 * (times[1] - times[0]) } else { 0.0 };
-    let start = times.partition_point(|&time| time < from - slack);
-    let end = times.partition_point(|&time| time <= to + slack);
-    start.min(times.len().saturating_sub(1))..end.max(start + 1).min(times.len())
 }
 
 fn lengths(signals: &Signals) -> Result<(f64, f64), Error> {

@@ -2,7 +2,7 @@
 //!
 //! Next door: where samples are taken (`refinement`), what the curves are for (`response`).
 
-use super::response::Moments;
+use super::moments::Moments;
 
 /// Mean and variance of an error over a coordinate, through samples in order; the nominal spring is at zero.
 #[derive(Debug, Clone)]

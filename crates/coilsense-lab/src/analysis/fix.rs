@@ -5,37 +5,17 @@
 use coilsense::Error;
 use coilsense::sensors::ReadoutParameters;
 
+use super::change::{Change, Fix, written};
 use super::judge::Judge;
 use super::specimen::{MANY, Springs};
 use super::tighter;
 use super::verdict::Verdict;
 use crate::quantity::Dimension;
 use crate::quantity::digits;
-use crate::spec::{SensorSpec, Spec};
-
-/// A change with which a sensor meets the goal.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
-pub struct Fix {
-    /// What is changed, as a noun.
-    pub change: String,
-    /// The largest combined uncertainty with it \[N\].
-    #[serde(rename = "combined_n")]
-    pub combined: f64,
-    /// How much later the force then comes \[s\].
-    #[serde(rename = "lag_s")]
-    pub lag: f64,
-}
+use crate::spec::SensorSpec;
 
 /// Most changes that are named.
 const MOST_NAMED: usize = 3;
-
-/// Something to try: a sensor, and where the change is not the sensor's, what the spec then says.
-pub(super) struct Change {
-    pub words: String,
-    pub sensor: SensorSpec,
-    pub spec: Option<Spec>,
-}
 
 /// Single changes with which a sensor meets the goal under every damping, the quickest first.
 pub(super) fn of(judge: &Judge<'_>, sensor: &SensorSpec, verdict: &Verdict) -> Result<Vec<Fix>, Error> {
@@ -54,11 +34,6 @@ pub(super) fn of(judge: &Judge<'_>, sensor: &SensorSpec, verdict: &Verdict) -> R
     fixes.sort_by(|a, b| a.lag.total_cmp(&b.lag));
     fixes.truncate(MOST_NAMED);
     Ok(fixes)
-}
-
-/// `text` as a spec may hold it, and the value that it then has: what is named is what is tried.
-pub(super) fn written(dimension: Dimension, text: String) -> Option<(f64, String)> {
-    dimension.parse(&text).map(|value| (value, text))
 }
 
 /// Changes of place and of dynamics.

@@ -3,19 +3,18 @@
 //! Next door: what is said of it (`verdict`), what makes a force uncertain (`budget`), sensors tried out (`trial`), the judgement by itself
 //! (`assessed`).
 
-use std::ops::Range;
-
+use coilsense::Error;
 use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::{Instrument, MAX_ORDER, Measurement, Readout, Site};
-use coilsense::{Error, Signals};
 
 use super::band;
 use super::budget::{CHAIN, Model, OSCILLATION, SensorBudget, doubt, with_bias};
-use super::case::Case;
-use super::fix;
-use super::response::{Asked, Moments, Responses};
+use super::case::{Case, Scene};
+use super::moments::Moments;
+use super::response::Responses;
 use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
+use super::trial_run::Asked;
 use super::verdict::{Assessment, GoalFilter, Verdict};
 use crate::spec::{SensorSpec, Spec};
 
@@ -28,15 +27,6 @@ pub(super) struct Judge<'a> {
     pub springs: &'a Springs,
 }
 
-/// What of a case a sensor is judged by.
-#[derive(Clone, Copy)]
-pub(super) struct Scene<'a> {
-    /// Number of the condition in the spec.
-    pub condition: usize,
-    pub signals: &'a Signals,
-    pub judged: &'a Range<usize>,
-}
-
 impl Judge<'_> {
     /// The verdict on a sensor of the analysis; `responses` are those of all its sensors in each case.
     pub fn verdict(&self, index: usize, sensor: &SensorSpec, responses: &[Responses]) -> Result<Verdict, Error> {
@@ -47,7 +37,7 @@ impl Judge<'_> {
         let bandwidth = readout.bandwidth_3db();
         let wanted = self.spec.goal.bandwidth;
         let filter = self.filter(&assessments);
-        let mut verdict = Verdict {
+        Ok(Verdict {
             sensor: index,
             meets: self.meets(&assessments),
             assessments,
@@ -58,11 +48,7 @@ impl Judge<'_> {
             filter,
             too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
             fixes: Vec::new(),
-        };
-        if verdict.meets_always() == Some(false) {
-            verdict.fixes = fix::of(self, sensor, &verdict)?;
-        }
-        Ok(verdict)
+        })
     }
 
     /// The combined uncertainty of the worst case \[N\], and whether every case meets the goal.

@@ -19,10 +19,12 @@ mod assessed;
 mod band;
 mod budget;
 mod case;
+mod change;
 mod curve;
 mod fix;
 mod frames;
 mod judge;
+mod moments;
 mod refinement;
 mod resonance;
 mod response;
@@ -42,7 +44,7 @@ pub use answer::{answer, changes_that_meet};
 pub(crate) use assessed::{Assessed, assess};
 pub use budget::SensorBudget;
 pub use case::{Case, Reading};
-pub use fix::Fix;
+pub use change::Fix;
 pub use frames::Frames;
 pub use single::Single;
 pub use verdict::{Assessment, GoalFilter, Verdict};
@@ -57,7 +59,8 @@ use rayon::prelude::*;
 use crate::data_sheet::DataSheet;
 use crate::spec::{Quantity, SensorSpec, Spec, Tolerances};
 use crate::study::{self, Masses};
-use response::{Moments, Responses};
+use moments::Moments;
+use response::Responses;
 use specimen::{MANY, SOME, Specimens, Springs};
 
 /// Why an analysis did not come to its end.
@@ -263,7 +266,16 @@ impl Analysis {
         let responses = over(&springs)?;
         let mut verdicts: Vec<Verdict> = (0..sensors.len())
             .into_par_iter()
-            .map(|index| go_on().and_then(|()| Ok(judge.verdict(index, &sensors[index], &responses)?)))
+            .map(|index| {
+                go_on()?;
+                let verdict = judge.verdict(index, &sensors[index], &responses)?;
+                let fixes = if verdict.meets_always() == Some(false) {
+                    fix::of(&judge, &sensors[index], &verdict)?
+                } else {
+                    Vec::new()
+                };
+                Ok(Verdict { fixes, ..verdict })
+            })
             .collect::<Result<_, AnalysisError>>()?;
         verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
         let if_usual = match &usual {

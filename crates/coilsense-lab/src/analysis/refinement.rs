@@ -4,7 +4,7 @@
 
 use coilsense::Error;
 
-use super::response::Moments;
+use super::moments::Moments;
 
 /// A search for places enough for one sensor: which others are asked for makes no difference.
 pub(super) struct Refinement<'a> {

@@ -6,14 +6,15 @@ use std::cell::RefCell;
 
 use coilsense::excitation::Content;
 use coilsense::modes::ChainModes;
-use coilsense::{Channel, End, Error, FarEnd, Mount};
+use coilsense::{End, Error, FarEnd, Mount};
 
 use super::curve::Curve;
+use super::moments::Moments;
 use super::refinement::Refinement;
 use super::specimen::{Specimen, Specimens};
-use super::trial_run::TrialRun;
+use super::trial_run::{Asked, TrialRun, needs_coil};
 use super::ways::{Way, changed, ways};
-use crate::spec::{ConditionSpec, SensorSpec, Spec};
+use crate::spec::{ConditionSpec, Spec};
 
 /// How far the sensors of a case are off over the springs that tolerances allow.
 #[derive(Debug, Clone)]
@@ -32,42 +33,6 @@ struct Axis {
     curves: Vec<Curve>,
     /// The factor of the surge frequencies where each is largest.
     loudest: Vec<f64>,
-}
-
-/// Mean and spread of an error over time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Moments {
-    /// Mean \[N\].
-    pub mean: f64,
-    /// Variance about it \[N²\].
-    pub variance: f64,
-}
-
-impl Moments {
-    pub fn of(errors: &[f64]) -> Self {
-        let count = errors.len().max(1) as f64;
-        let mean = errors.iter().sum::<f64>() / count;
-        Self { mean, variance: errors.iter().map(|error| (error - mean).powi(2)).sum::<f64>() / count }
-    }
-
-    /// Mean square \[N²\].
-    pub fn square(&self) -> f64 {
-        self.variance + self.mean * self.mean
-    }
-}
-
-/// What a case's responses are found for.
-pub(super) struct Asked<'a> {
-    pub spec: &'a Spec,
-    pub coil: &'a coilsense::inductance::MaxwellSum,
-    pub condition: usize,
-    pub damping: usize,
-    pub sensors: &'a [&'a SensorSpec],
-    /// One per sensor: the variance \[N²\] beside which its oscillation need not be known better, and its errors on the nominal spring by
-    /// the whole run.
-    pub known: &'a [(f64, Moments)],
-    /// The goal \[N\], where the share of springs inside it is wanted.
-    pub goal: Option<f64>,
 }
 
 /// Runs along a way, each made once for all sensors.
@@ -240,10 +205,4 @@ const MOST_EVEN: f64 = 16.0;
 /// Half width of a resonance, as a share of its frequency: by damping, or by the time it has.
 fn width(ratio: f64, angular: f64, duration: f64) -> f64 {
     ratio.max(2.0 / (angular * duration)).max(1e-6)
-}
-
-/// Forces that are looked at: which the goal calls true.
-pub(super) fn needs_coil(spec: &Spec, sensors: &[&SensorSpec]) -> bool {
-    let by_coil = |sensor: &&SensorSpec| sensor.quantity.of_kind().watches(Channel::Inductance);
-    spec.goal.force == Channel::InductanceForce || sensors.iter().any(by_coil)
 }

@@ -5,8 +5,10 @@
 
 use coilsense::Spring;
 
-use super::ways::Change;
 use crate::spec::{Departure, Spec, TOLERANCE_DIMENSIONS, Tolerances};
+
+/// A change of stiffness at the same surge frequencies, and of surge frequencies at the same stiffness: ln κ and ln s.
+pub(super) type Change = [f64; 2];
 
 /// A spring that the tolerances allow.
 #[derive(Debug, Clone, Copy, PartialEq)]

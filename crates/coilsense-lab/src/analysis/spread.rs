@@ -2,7 +2,8 @@
 //!
 //! Next door: the springs (`specimen`), the error on each (`response`), the budget that it goes into (`budget`).
 
-use super::response::{Moments, Responses};
+use super::moments::Moments;
+use super::response::Responses;
 use super::specimen::{Specimen, Specimens};
 
 /// The error over time of a sensor in a case, over all specimens.

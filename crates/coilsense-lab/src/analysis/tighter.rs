@@ -4,7 +4,7 @@
 
 use coilsense::sensors::cause;
 
-use super::fix::{Change, written};
+use super::change::{Change, written};
 use super::verdict::Verdict;
 use crate::quantity::Dimension;
 use crate::spec::{SensorSpec, Spec};

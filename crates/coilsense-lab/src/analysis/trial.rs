@@ -7,7 +7,7 @@ use coilsense::sensors::Readout;
 
 use super::band;
 use super::judge::{Judge, Over};
-use super::response::Moments;
+use super::moments::Moments;
 use crate::spec::SensorSpec;
 
 /// A sensor tried out, which meets the goal.

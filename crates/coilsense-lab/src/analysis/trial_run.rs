@@ -6,16 +6,29 @@ use std::ops::Range;
 
 use coilsense::sensors::{ReadoutParameters, Site};
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Error, Spring};
+use coilsense::{Calibration, Channel, Error, Spring};
 
 use super::band;
-use super::response::{Asked, Moments, needs_coil};
+use super::moments::Moments;
+use crate::spec::{SensorSpec, Spec};
 use crate::study::{self, Coil, Method, Setup};
 
-/// Filters have forgotten all but 6e-6 of what was before so many of their times: an error may be a thousandth of what is filtered.
-const FORGOTTEN: f64 = 12.0;
 /// L to second order is good enough for how an error changes.
 const ANY: f64 = 1.0;
+
+/// What a case's responses are found for.
+pub(super) struct Asked<'a> {
+    pub spec: &'a Spec,
+    pub coil: &'a coilsense::inductance::MaxwellSum,
+    pub condition: usize,
+    pub damping: usize,
+    pub sensors: &'a [&'a SensorSpec],
+    /// One per sensor: the variance \[N²\] beside which its oscillation need not be known better, and its errors on the nominal spring by
+    /// the whole run.
+    pub known: &'a [(f64, Moments)],
+    /// The goal \[N\], where the share of springs inside it is wanted.
+    pub goal: Option<f64>,
+}
 
 /// A case, ready to be run on other springs.
 pub(super) struct TrialRun<'a> {
@@ -38,7 +51,7 @@ impl<'a> TrialRun<'a> {
         let each: Vec<f64> = each.collect();
         let first = each.iter().copied().fold(f64::INFINITY, f64::min);
         let times = sampled_window(rate, first / rate, condition.window.1)?;
-        let judged = super::case::judged(&times, condition.window);
+        let judged = band::judged(&times, condition.window);
         let begins = each.iter().map(|begin| (begin - first) as usize).collect();
         Ok(Self { asked, times, judged, begins, by_coil: needs_coil(asked.spec, asked.sensors) })
     }
@@ -75,12 +88,12 @@ impl<'a> TrialRun<'a> {
 
 /// How long ago an instrument still remembers \[s\].
 fn memory(settings: &ReadoutParameters) -> f64 {
-    let low_pass = settings.bandwidth.map_or(0.0, |bandwidth| low_pass(settings.order, bandwidth));
+    let low_pass = settings.bandwidth.map_or(0.0, |bandwidth| band::low_pass(settings.order, bandwidth));
     low_pass + settings.delay + settings.averaging.unwrap_or(0.0) + settings.sample_rate.map_or(0.0, f64::recip)
 }
 
-/// How long a Butterworth low-pass remembers \[s\]: its slowest pole decays with ω_c sin(π/2n).
-pub(super) fn low_pass(order: usize, bandwidth: f64) -> f64 {
-    let slowest = std::f64::consts::TAU * bandwidth * (0.5 * std::f64::consts::PI / order.max(1) as f64).sin();
-    FORGOTTEN / slowest
+/// Whether the coil's inductance is needed: the goal calls F_L true, or a sensor watches L.
+pub(super) fn needs_coil(spec: &Spec, sensors: &[&SensorSpec]) -> bool {
+    let by_coil = |sensor: &&SensorSpec| sensor.quantity.of_kind().watches(Channel::Inductance);
+    spec.goal.force == Channel::InductanceForce || sensors.iter().any(by_coil)
 }

@@ -3,7 +3,7 @@
 //! Next door: how it is found (`judge`), what makes a force uncertain (`budget`), what would help (`fix`).
 
 use super::budget::SensorBudget;
-use super::fix::Fix;
+use super::change::Fix;
 
 /// What the analysis says of one sensor.
 #[derive(Debug, Clone)]

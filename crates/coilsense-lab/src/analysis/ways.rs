@@ -8,10 +8,7 @@
 use coilsense::modes::ChainModes;
 use coilsense::{Error, FarEnd, Spring, SpringParameters};
 
-use super::specimen::Specimens;
-
-/// A change of stiffness at the same surge frequencies, and of surge frequencies at the same stiffness: ln κ and ln s.
-pub(super) type Change = [f64; 2];
+use super::specimen::{Change, Specimens};
 
 /// A way in which frequencies move.
 #[derive(Debug, Clone)]
