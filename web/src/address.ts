@@ -1,6 +1,6 @@
 // The whole state in the address: a preset, what differs from it, and what of it is shown. `#S_T&spring.mass=70+g&@condition=1`
 //
-// Next door: who keeps the state (`state`).
+// Next door: what it is (`state`), who keeps it (`store`).
 
 import { flatten, sections, unflatten, type Flat, type Value } from './document';
 import { preset } from './presets';

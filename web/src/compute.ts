@@ -7,7 +7,8 @@ import { toToml } from './document';
 import engineAddress from './engine/coilsense_web_bg.wasm?url';
 import { Lane, type Reply } from './lane';
 import { preset } from './presets';
-import { isOther, type State, type Store } from './state';
+import { isOther, type State } from './state';
+import type { Store } from './store';
 
 /** A state rests after so long [ms]. */
 const REST = 140;

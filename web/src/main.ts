@@ -6,7 +6,7 @@ import 'uplot/dist/uPlot.min.css';
 import { Compute } from './compute';
 import { byId, make } from './dom';
 import { readInk } from './plots/looks';
-import { Store } from './state';
+import { Store } from './store';
 import { TABS } from './tabs/all';
 import type { Tab } from './tabs/tab';
 

@@ -6,7 +6,8 @@ import { sections } from '../document';
 import { make } from '../dom';
 import { TEMPLATES } from '../fields';
 import { PRESETS } from '../presets';
-import type { State, Store } from '../state';
+import type { State } from '../state';
+import type { Store } from '../store';
 import { withCondition } from './panels';
 
 const NEW = 'new:';

@@ -6,7 +6,8 @@ import { valueAt, withValue } from '../document';
 import { make } from '../dom';
 import type { Field } from '../fields';
 import { preset } from '../presets';
-import type { State, Store } from '../state';
+import type { State } from '../state';
+import type { Store } from '../store';
 import { fromSlider, read, shown, STEPS, toSlider, typed, type Quantity } from './quantity';
 
 export class Control {

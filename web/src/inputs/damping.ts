@@ -5,7 +5,8 @@
 import type { Facts } from '../answer';
 import { section, withValue } from '../document';
 import { clamp, make } from '../dom';
-import type { State, Store } from '../state';
+import type { State } from '../state';
+import type { Store } from '../store';
 
 /** The highest ζ of the slider; its square root is even, so that small ones can be told apart. */
 const MOST = 0.1;

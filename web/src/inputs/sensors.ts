@@ -5,7 +5,7 @@
 import { sections } from '../document';
 import { make } from '../dom';
 import { SENSOR, type Field } from '../fields';
-import type { Store } from '../state';
+import type { Store } from '../store';
 
 type Sensors = ReturnType<typeof sections>;
 

@@ -5,7 +5,7 @@
 import { parse } from 'smol-toml';
 import type { Job } from '../answer';
 import { toToml, type Spec } from '../document';
-import type { Store } from '../state';
+import type { Store } from '../store';
 
 /** A simulated log of the spring and the condition that are shown. */
 export function trialJob({ state }: Store): Job {

@@ -2,7 +2,8 @@
 //
 // Next door: the fields (`form`), the state (`state`).
 
-import type { State, Store } from '../state';
+import type { State } from '../state';
+import type { Store } from '../store';
 
 /** Beside the options: what it is judged on, the precision of settings, which candidate is picked. */
 export type Name =

@@ -4,7 +4,7 @@
 
 import type { Shown } from '../compute';
 import { make } from '../dom';
-import type { Store } from '../state';
+import type { Store } from '../store';
 import type { ForcePlot } from './forces';
 
 export class Views {

@@ -5,7 +5,7 @@ import { toToml } from '../document';
 import { download, make } from '../dom';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
-import type { Store } from '../state';
+import type { Store } from '../store';
 import { forcesSvg } from './svg';
 
 export class Downloads {

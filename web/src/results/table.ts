@@ -6,7 +6,7 @@ import type { Answer, Deviation, ExactFacts, Facts } from '../answer';
 import { fixed, make, rich } from '../dom';
 import { FORCE_LINES, type Line } from '../plots/lines';
 import { sample } from '../plots/looks';
-import type { Store } from '../state';
+import type { Store } from '../store';
 
 interface Row extends Line {
   off: Deviation | null;

@@ -5,7 +5,7 @@
 import type { Facts } from '../answer';
 import type { Shown } from '../compute';
 import { clamp, digits, fixed, make, rich } from '../dom';
-import type { Store } from '../state';
+import type { Store } from '../store';
 import { drawSpring } from './draw';
 import { label, nearest, survey, type Scene } from './scene';
 

@@ -16,7 +16,7 @@ import { Results } from '../log/results';
 import { inPageWords } from '../log/options';
 import { openSpec, trialJob } from '../log/spec';
 import { readInk } from '../plots/looks';
-import type { Store } from '../state';
+import type { Store } from '../store';
 
 export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   readInk();

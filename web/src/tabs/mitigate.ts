@@ -15,7 +15,7 @@ import { Found } from '../mitigate/found';
 import { Progress } from '../mitigate/progress';
 import type { Facts, Judged, Ranking } from '../mitigate/ranking';
 import { readInk } from '../plots/looks';
-import type { Store } from '../state';
+import type { Store } from '../store';
 
 /** Fields are looked at once they rest for so long [ms]. */
 const REST = 250;

@@ -3,7 +3,7 @@
 // Next door: the list of tabs (`all`), the page around them (`main`).
 
 import type { Compute } from '../compute';
-import type { Store } from '../state';
+import type { Store } from '../store';
 
 export interface Tab {
   /** As it stands in an address. */
