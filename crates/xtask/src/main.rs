@@ -7,6 +7,8 @@ mod commands;
 mod floors;
 mod from_python;
 mod goals;
+#[cfg(test)]
+mod links;
 mod logs;
 mod package;
 mod packed;
