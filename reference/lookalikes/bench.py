@@ -39,8 +39,8 @@ def ask(command, path, arguments):
     said = json.loads(done.stdout)
     named = {"first": "first_frequency_hz", "mass": "mass_kg", "stiffness": "stiffness_n_per_m", "zeta": "damping_ratio"}
     numbers = {name: said.get(key) for name, key in named.items()}
-    words = " ".join(said.get("answer", []) + said.get("evidence", []) + said.get("record_next", []))
-    return {"verdict": said["verdict"], "why": "; ".join(said.get("evidence", [])), "words": words, "seconds": seconds} | numbers
+    sentences = said.get("answer", []) + said.get("evidence", []) + said.get("record_next", [])
+    return {"verdict": said["verdict"], "why": "; ".join(said.get("evidence", [])), "sentences": sentences, "seconds": seconds} | numbers
 
 
 def judge(task, command, seed, keep):

@@ -5,6 +5,7 @@ Next door: who is asked (bench.py), what is true (record.py).
 
 import csv
 import math
+import re
 
 OFF = 0.01  # how far f1 may be off, relative
 COVERED = ("first", "mass", "stiffness")
@@ -15,6 +16,11 @@ def inside(answer, truth, others=()):
     if answer is None or truth is None:
         return None
     return any(answer["low"] <= value <= answer["high"] for value in (truth, *others))
+
+
+def turn_said(sentence, channel):
+    """Whether a sentence speaks of a channel's sign."""
+    return channel in sentence and re.search(r"\bsigns?\b|\bturned\b", sentence) is not None
 
 
 def row(kind, number, log, answer):
@@ -48,7 +54,7 @@ def row(kind, number, log, answer):
         "f1 off": None if math.isnan(off) else off,
         "found": right,
         "wrong": wrong,
-        "turn said": bool(truth.turned) and any(word in answer.get("words", "") for word in ("sign", "turned")),
+        "turn said": bool(truth.turned) and any(turn_said(sentence, truth.turned) for sentence in answer.get("sentences", ())),
         **cover,
         "runtime [s]": round(answer["seconds"], 4),
         "why": answer["why"],
