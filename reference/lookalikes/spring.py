@@ -1,6 +1,6 @@
 """A random spring in a random rig: hits on windings or at end 1, a slow motion of end 1, and the forces at both ends.
 
-By default f1 14 to 150 Hz (a third of them the thesis spring: 54.06 Hz, 65 g, 760 N/m), 100 masses, 4 to 7 hits in 20 s.
+By default f1 14 to 150 Hz (a third of them S_T: 54.06 Hz, 65 g, 760 N/m), 100 masses, 4 to 7 hits in 20 s.
 Next door: the mounts that kinds put it on (mount_kinds.py), what their channels do to it (channel_kinds.py).
 """
 
