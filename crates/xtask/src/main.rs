@@ -17,6 +17,7 @@ mod stubs;
 mod sweep;
 mod test;
 mod toolchain;
+mod viewer;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -38,6 +39,8 @@ enum Chore {
     Bench(bench::Arguments),
     /// Build the page into web/dist, for any static host
     Page,
+    /// Write the interactive part of reports, from the page's modules
+    Viewer,
     /// Write the types of the Python module, from what PyO3 tells of it
     Stubs,
 }
@@ -47,6 +50,7 @@ fn main() -> ExitCode {
         Chore::Test(arguments) => test::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
         Chore::Page => page_chore(),
+        Chore::Viewer => viewer::write(),
         Chore::Stubs => stubs::write(),
     };
     match result {
