@@ -45,6 +45,7 @@ export interface Results {
 export const results = (folder: string): Results =>
   JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as Results;
 export const resultsOf = (example: string): Results => results(join(out, example));
+export const reportOf = (example: string): string => join(out, example, 'report.html');
 
 /** `coilsense analyze` of every preset's example. */
 export default function setup(): void {

@@ -232,21 +232,21 @@ test('a log is judged with the numbers of the command, its columns by name or by
   await page.getByRole('button', { name: 'Judge', exact: true }).click();
   await expect(page.locator(`${panel} .refusal`).filter({ hasText: 'Drop a log first' })).toBeVisible();
   await drop(page, { 'motion-heel-strike-zeta-0.005.csv': text }, `${panel} .drop`);
-  await expect(page.getByLabel('Column of F_i')).toHaveValue('4', { timeout: 20_000 });
+  await expect(page.getByLabel('F_i [N] is, to judge on')).toHaveValue('F_i', { timeout: 20_000 });
   await judge(page);
   const log = ['--log', 'motion-heel-strike-zeta-0.005.csv'];
   expect(await difference(page, example('sea-ankle'), ...log)).toBeLessThan(SAME);
   // The same without names, and without F_o: filters alone.
   const nameless = text.replace(/^.*$/m, (titles) => titles.replace('F_i [N],F_o [N]', 'force,other'));
   await drop(page, { 'nameless.csv': nameless }, `${panel} .drop`);
-  await expect(page.getByLabel('Column of F_i')).toHaveValue('', { timeout: 20_000 });
+  await expect(page.getByLabel('force is, to judge on')).toHaveValue('', { timeout: 20_000 });
   await page.getByRole('button', { name: 'Judge', exact: true }).click();
   await expect(page.locator(`${panel} .refusal`).filter({ hasText: 'nameless.csv' })).toContainText('F_i');
-  await page.getByLabel('Column of F_i').selectOption('force');
-  await page.getByLabel('Unit of F_i').fill('kN');
-  await page.getByLabel('Unit of F_i').press('Tab');
-  await page.getByLabel('Unit of F_i').fill('N');
-  await page.getByLabel('Unit of F_i').press('Tab');
+  await page.getByLabel('force is, to judge on').selectOption('F_i');
+  await page.getByLabel('Unit of force, to judge on').fill('kN');
+  await page.getByLabel('Unit of force, to judge on').press('Tab');
+  await page.getByLabel('Unit of force, to judge on').fill('N');
+  await page.getByLabel('Unit of force, to judge on').press('Tab');
   await judge(page);
   const here = JSON.parse(await saved(page, 'Everything (JSON)')) as { candidates: { against: string }[] };
   const there = JSON.parse(told('mitigate', example('sea-ankle'), ...log, '--json')) as typeof here;

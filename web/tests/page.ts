@@ -17,7 +17,8 @@ export const test = base.extend<{ watched: string[] }>({
       page.on('pageerror', (error) => complaints.push(`error: ${error.message}`));
       page.on('request', (request) => {
         const { protocol, origin: asked } = new URL(request.url());
-        if (asked !== origin && !['data:', 'blob:'].includes(protocol)) complaints.push(`request: ${request.url()}`);
+        if (asked !== origin && !['data:', 'blob:', 'file:'].includes(protocol))
+          complaints.push(`request: ${request.url()}`);
       });
       await use(complaints);
       expect(complaints, 'what the page complained of or asked for elsewhere').toEqual([]);

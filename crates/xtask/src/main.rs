@@ -19,6 +19,7 @@ mod stubs;
 mod sweep;
 mod test;
 mod toolchain;
+mod viewer;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -40,6 +41,8 @@ enum Chore {
     Bench(bench::Arguments),
     /// Build the page into web/dist, for any static host
     Page,
+    /// Write the interactive part of reports, from the page's modules
+    Viewer,
     /// Write the types of the Python module, from what PyO3 tells of it
     Stubs,
 }
@@ -49,6 +52,7 @@ fn main() -> ExitCode {
         Chore::Test(arguments) => test::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
         Chore::Page => page_chore(),
+        Chore::Viewer => viewer::write(),
         Chore::Stubs => stubs::write(),
     };
     match result {

@@ -24,9 +24,11 @@ const OLDEST_NODE: u32 = 20;
 
 /// What is missing to build the page and how to get it, after installing what may be installed.
 pub fn missing(may_install: bool) -> Option<String> {
-    if let Some(compiler) = TARGET.missing(may_install) {
-        return Some(compiler);
-    }
+    TARGET.missing(may_install).or_else(|| missing_node(may_install))
+}
+
+/// What is missing of that to run the page's tools.
+pub fn missing_node(may_install: bool) -> Option<String> {
     if !(has_node() || may_install && typed("apt-get update") && typed(INSTALL_NODE) && has_node()) {
         return Some(format!(
             "no Node of version {OLDEST_NODE} or later with npm; install it from https://nodejs.org or with: {INSTALL_NODE}"
@@ -45,12 +47,17 @@ pub fn missing_for_tests(may_install: bool) -> Option<String> {
 
 /// Builds `web/dist` from source; whether that succeeds.
 pub fn build() -> anyhow::Result<bool> {
-    let tools = !root().join("web/node_modules/.package-lock.json").is_file() || is_older();
     Ok(engine("engine", &[])?
         && engine("workshop", &["--features", "workshop"])?
-        && (!tools || npm(&["ci"])?)
+        && tools()?
         && npm(&["run", "types"])?
         && npm(&["run", "build"])?)
+}
+
+/// Installs the packages that the page is built with, where they are not there as they are wanted.
+pub fn tools() -> anyhow::Result<bool> {
+    let wanted = !root().join("web/node_modules/.package-lock.json").is_file() || is_older();
+    Ok(!wanted || npm(&["ci"])?)
 }
 
 /// Builds the page and tries it out; whether all of it is as it should be.
@@ -88,7 +95,7 @@ fn is_older() -> bool {
     changed("node_modules/.package-lock.json") < changed("package-lock.json")
 }
 
-fn npm(arguments: &[&str]) -> anyhow::Result<bool> {
+pub fn npm(arguments: &[&str]) -> anyhow::Result<bool> {
     Ok(in_web("npm", arguments).status().context("cannot start npm")?.success())
 }
 

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands, package, packed, page, robot};
+use crate::{browser, cargo, commands, package, packed, page, robot, viewer};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -245,11 +245,11 @@ fn python(_: &Arguments) -> anyhow::Result<Outcome> {
     }
 }
 
-/// The page for the browser, from its source to its tests; what that needs is installed where that is asked for.
+/// The page for the browser, from its source to its tests, and what of it is in reports; what that needs is installed where that is asked for.
 fn page(arguments: &Arguments) -> anyhow::Result<Outcome> {
     match page::missing_for_tests(strict() || arguments.install) {
         Some(missing) => Ok(Outcome::Missing(missing)),
-        None => passed(page::check()?),
+        None => passed(viewer::agrees()? && page::check()?),
     }
 }
 

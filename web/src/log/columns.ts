@@ -1,6 +1,6 @@
 // Which column of a log is which channel in which unit: a table, as the titles say it until the user says otherwise.
 //
-// Next door: what else is said of a log (`form`).
+// Next door: what else is said of a log (`form`), a log to judge on (`mitigate/drop`).
 
 import { make } from '../dom';
 
@@ -56,6 +56,7 @@ export class ColumnTable {
     const shown = ({ key, select, unit }: Row) =>
       make('tr', {}, make('th', { scope: 'row' }, key), make('td', {}, select), make('td', {}, unit));
     const heads = ['Column', 'is', 'Unit'].map((word) => make('th', { scope: 'col' }, word));
+    this.element.hidden = columns.length === 0;
     this.element.replaceChildren(
       make(
         'table',

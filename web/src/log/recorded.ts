@@ -2,23 +2,18 @@
 //
 // Next door: which channels there are (`coilsense-web`, `log/recorded`), what they say (`found`).
 
-import uPlot from 'uplot';
+import type uPlot from 'uplot';
 import type { Series } from '../answer';
 import { make, rich } from '../dom';
-import { axis, chart, curve, LARGER, plain } from '../plots/chart';
-import { ink, look, sample, type Look } from '../plots/looks';
+import { axis, curve, LARGER, plain } from '../plots/chart';
+import { ink, look, sample } from '../plots/looks';
+import { Timeline, type Times } from '../plots/timeline';
 import { button, card } from './found';
 import type { Recorded } from './identification';
 
-/** Times [s]; none for the whole log. */
-export interface Range {
-  min: number;
-  max: number;
-}
-
 interface Curve {
   label: string;
-  look: string | Look;
+  look: string;
   values: Float64Array;
 }
 
@@ -27,9 +22,6 @@ interface Quantity {
   label: string;
   curves: Curve[];
 }
-
-const U1: Look = { colour: 'blue', dash: [], width: 1.2 };
-const U2: Look = { colour: 'red', dash: [], width: 1.2 };
 
 const [least, most] = [Math.min, Math.max].map(
   (pick) => (values: Float64Array) => values.reduce((a, b) => pick(a, b), values[0] ?? 0),
@@ -40,18 +32,18 @@ function quantities(series: Series): Quantity[] {
   const of = (name: string, factor: number) => series[`recorded ${name}`]?.map((value) => factor * value);
   const positions = (['u1', 'u2'] as const).flatMap((name) => {
     const values = of(name, 1e3);
-    return values ? [{ name, values, look: name === 'u1' ? U1 : U2 }] : [];
+    return values ? [{ name, values }] : [];
   });
   // Two ends are farther apart than either moves: each is then drawn about its middle.
   const spread = Math.max(...positions.map(({ values }) => most(values) - least(values)));
   const middles = positions.map(({ values }) => Math.round((most(values) + least(values)) / 2));
   const apart = positions.length === 2 && Math.abs((middles[0] ?? 0) - (middles[1] ?? 0)) > spread;
-  const moved = positions.map(({ name, values, look }, index) => {
+  const moved = positions.map(({ name, values }, index) => {
     const middle = apart ? (middles[index] ?? 0) : 0;
     const sign = middle < 0 ? '+' : '−';
     return {
       label: middle === 0 ? name : `${name} ${sign} ${Math.abs(middle)} mm`,
-      look,
+      look: name,
       values: values.map((value) => value - middle),
     };
   });
@@ -68,43 +60,39 @@ function quantities(series: Series): Quantity[] {
   return all.filter(({ curves }) => curves.length > 0);
 }
 
-/** `kept` is the part that was shown before, `keep` hears of another. */
+/** The smallest part that can be shown, of all of it [1]. */
+const LEAST = 1e-4;
+
+/** `kept` is the part that was shown before, none for the whole log; `keep` hears of another. */
 export function showRecorded(
   host: HTMLElement,
   facts: Recorded,
   series: Series,
-  kept: Range | null,
-  keep: (range: Range | null) => void,
+  kept: Times | null,
+  keep: (times: Times | null) => void,
 ): void {
   const time = series['recorded time'] ?? new Float64Array();
-  const whole = { min: time[0] ?? 0, max: time[time.length - 1] ?? 1 };
-  let shown = whole;
-  const plots: uPlot[] = [];
+  const whole: Times = [time[0] ?? 0, time[time.length - 1] ?? 1];
   const said = make('span', { class: 'hint', 'aria-live': 'polite' });
-  const show = (min: number, max: number) => {
-    const wide = Math.min(Math.max(max - min, 1e-4 * (whole.max - whole.min)), whole.max - whole.min);
-    const from = Math.min(Math.max(min, whole.min), whole.max - wide);
-    shown = { min: from, max: from + wide };
-    keep(wide < whole.max - whole.min ? shown : null);
-    for (const plot of plots) plot.setScale('x', shown);
+  const show = (times: Times | null) => {
+    const [from, to] = times ?? whole;
+    timeline.show([from, to], whole, LEAST * (whole[1] - whole[0]));
+    keep(to - from < whole[1] - whole[0] ? [from, to] : null);
     const short = (value: number) => plain(Number(value.toFixed(4)));
-    said.textContent = `${short(shown.min)} s to ${short(shown.max)} s`;
+    said.textContent = `${short(from)} s to ${short(to)} s`;
   };
+  const timeline = new Timeline({ zoom: show, point: () => {} });
   const by = (label: string, title: string, factor: number, shift: number) => {
-    const one = button(label, () => {
-      const half = (factor * (shown.max - shown.min)) / 2;
-      const middle = (shown.max + shown.min) / 2 + shift * (shown.max - shown.min);
-      show(middle - half, middle + half);
-    });
+    const one = button(label, () => timeline.zoomBy(factor, shift));
     one.setAttribute('aria-label', title);
     return one;
   };
   const tools = make(
     'div',
     { class: 'downloads', role: 'group', 'aria-label': 'Which part is shown' },
-    button('Whole log', () => show(whole.min, whole.max)),
-    by('+', 'Zoom in', 0.5, 0),
-    by('−', 'Zoom out', 2, 0),
+    button('Whole log', () => show(null)),
+    by('+', 'Zoom in', 2, 0),
+    by('−', 'Zoom out', 0.5, 0),
     by('←', 'Earlier', 1, -0.4),
     by('→', 'Later', 1, 0.4),
     said,
@@ -130,42 +118,25 @@ export function showRecorded(
   host.replaceChildren(card('What was recorded', tools, make('p', { class: 'hint' }, hint), ...figures));
   all.forEach(({ label, curves }, index) => {
     const plotHost = hosts[index];
-    if (plotHost) {
-      const back = () => show(whole.min, whole.max);
-      plots.push(draw(plotHost, label, time, curves, hits, index === all.length - 1, show, back));
-    }
+    if (plotHost) draw(timeline, plotHost, label, time, curves, hits, index === all.length - 1);
   });
-  show(kept?.min ?? whole.min, kept?.max ?? whole.max);
+  show(kept);
 }
 
 function draw(
+  timeline: Timeline,
   host: HTMLElement,
   label: string,
   time: Float64Array,
   curves: Curve[],
   hits: number[],
   isLast: boolean,
-  show: (min: number, max: number) => void,
-  back: () => void,
-): uPlot {
-  const chosen = (plot: uPlot) => {
-    const { left, width } = plot.select;
-    if (width < 4) return;
-    show(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x'));
-    plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-  };
+): void {
   const forces = label.startsWith('Force');
-  return chart(
+  timeline.add(
     host,
     {
-      scales: { x: { time: false, auto: false } },
-      hooks: { setSelect: [chosen], draw: [(plot) => mark(plot, hits, forces)] },
-      cursor: {
-        drag: { x: true, y: false, setScale: false },
-        points: { show: false },
-        y: false,
-        bind: { dblclick: () => () => (back(), null) },
-      },
+      hooks: { draw: [(plot) => mark(plot, hits, forces)] },
       axes: [
         axis('Time [s]', isLast ? 36 : 22, { space: 60 * LARGER, ...(isLast ? {} : { labelSize: 0, label: '' }) }),
         axis(label, 60, { space: 22 * LARGER, values: (_, ticks) => ticks.map(plain) }),
@@ -173,7 +144,7 @@ function draw(
       series: [{}, ...curves.map(({ look, label }) => ({ ...curve(look, label), dash: [], width: LARGER }))],
     },
     [time, ...curves.map(({ values }) => values)] as unknown as uPlot.AlignedData,
-  ).plot;
+  );
 }
 
 /** Where it was struck: a thin line through all plots, an arrow head above the forces. */

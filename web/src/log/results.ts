@@ -4,10 +4,11 @@
 
 import type { Answer } from '../answer';
 import { digits, make } from '../dom';
+import type { Times } from '../plots/timeline';
 import { showCalibration } from './calibration';
 import { card, showFound, type Ways } from './found';
 import { saysSomething, type Recorded, type Said } from './identification';
-import { showRecorded, type Range } from './recorded';
+import { showRecorded } from './recorded';
 
 export class Results {
   private readonly clock = make('div', { class: 'found' });
@@ -24,7 +25,7 @@ export class Results {
   readonly element = make('div', { class: 'told' }, this.note, ...this.ofLog, this.calibration);
 
   /** The times that are shown of the log. */
-  private range: Range | null = null;
+  private range: Times | null = null;
   private isEmpty = true;
 
   /** `empty` makes what stands here before any log does. */

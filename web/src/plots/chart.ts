@@ -1,6 +1,6 @@
-// A uPlot that fills its host, follows light and dark, and knows nothing of forces.
+// A uPlot that fills its host, follows light and dark, goes with its host, and knows nothing of forces.
 //
-// Next door: what is drawn (`forces`, `spectrum`, `paper`).
+// Next door: what is drawn (`forces`, `spectrum`, `curves`).
 
 import uPlot from 'uplot';
 import { ink, look, type Look } from './looks';
@@ -42,30 +42,30 @@ export function curve(name: string | Look, label: string): uPlot.Series {
   };
 }
 
-export interface Chart {
-  plot: uPlot;
-  /** The same picture again: colours or overlays have changed. */
-  redraw(): void;
-}
-
 /** The chart in its host, whose size it follows. `height` is that of plot and axes [CSS pixels]. */
 export function chart(
   host: HTMLElement,
   options: Omit<uPlot.Options, 'width' | 'height'>,
   data: uPlot.AlignedData,
-): Chart {
+): uPlot {
   const size = () => ({ width: Math.max(host.clientWidth, 120), height: Math.max(host.clientHeight, 120) });
   const plot = new uPlot({ legend: { show: false }, pxAlign: 0, ...options, ...size() }, data, host);
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  const repaint = () => requestAnimationFrame(() => plot.redraw(false, true));
+  dark.addEventListener('change', repaint);
   let wide = 0;
-  new ResizeObserver(() => {
+  const sizes = new ResizeObserver(() => {
     const next = size();
+    // Its host is gone: nothing may keep the chart and its data.
+    if (!host.isConnected) {
+      sizes.disconnect();
+      dark.removeEventListener('change', repaint);
+      return plot.destroy();
+    }
     if (next.width === wide || host.clientWidth === 0) return;
     wide = next.width;
     plot.setSize(next);
-  }).observe(host);
-  const redraw = () => plot.redraw(false, false);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
-    requestAnimationFrame(() => plot.redraw(false, true)),
-  );
-  return { plot, redraw };
+  });
+  sizes.observe(host);
+  return plot;
 }

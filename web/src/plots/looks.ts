@@ -6,11 +6,14 @@ export interface Look {
   width: number;
 }
 
-const FORCES: Record<string, Look> = {
+/** What is drawn in a look of its own. */
+export const KNOWN: Readonly<Record<string, Look>> = {
   F_i: { colour: 'blue', dash: [9, 3, 2, 3], width: 1.6 },
   F_o: { colour: 'red', dash: [], width: 1.6 },
   F_x: { colour: 'green', dash: [2, 2.5], width: 2 },
   F_L: { colour: 'ink', dash: [7, 4], width: 1.4 },
+  u1: { colour: 'blue', dash: [], width: 1.4 },
+  u2: { colour: 'red', dash: [7, 4], width: 1.4 },
 };
 
 /** What sensors read: thin, without a dash, in colours that no force has. */
@@ -26,12 +29,12 @@ export const MEANING: Record<string, string> = {
 
 export const FORCE_NAMES = ['F_i', 'F_o', 'F_x', 'F_L'] as const;
 
-/** Of a force, or of the series `reading 0` …; anything else is drawn in ink. A look is itself. */
+/** Of what is known, or of the series `reading 0` …; anything else is drawn in ink. A look is itself. */
 export function look(name: string | Look): Look {
   if (typeof name !== 'string') return name;
   const number = /^reading (\d+)$/.exec(name)?.[1];
   const colour = number === undefined ? 'ink' : (READING[Number(number) % READING.length] ?? 'ink');
-  return FORCES[name] ?? { colour, dash: [], width: number === undefined ? 1.4 : 1 };
+  return KNOWN[name] ?? { colour, dash: [], width: number === undefined ? 1.4 : 1 };
 }
 
 const COLOURS = [

@@ -4,7 +4,7 @@
 
 import uPlot from 'uplot';
 import type { Answer, Facts } from '../answer';
-import { axis, chart, curve, font, LARGER, type Chart } from './chart';
+import { axis, chart, curve, font, LARGER } from './chart';
 import { FORCE_NAMES, ink } from './looks';
 
 /** Shown up to so many surge frequencies. */
@@ -13,11 +13,11 @@ const LINES = 8.5;
 const RANGE = 1e-4;
 
 export class SpectrumPlot {
-  private readonly chart: Chart;
+  readonly plot: uPlot;
   private facts: Facts | null = null;
 
   constructor(host: HTMLElement) {
-    this.chart = chart(host, this.options(), [
+    this.plot = chart(host, this.options(), [
       [0, 1],
       ...FORCE_NAMES.map(() => [null, null]),
     ] as unknown as uPlot.AlignedData);
@@ -42,7 +42,7 @@ export class SpectrumPlot {
         (values) => values?.map((value) => Math.max(value, most * RANGE)) ?? new Array(count - 1).fill(null),
       ),
     ];
-    const { plot } = this.chart;
+    const { plot } = this;
     plot.batch(() => {
       FORCE_NAMES.forEach((name, index) => {
         const show = !hidden.includes(name);
@@ -52,10 +52,6 @@ export class SpectrumPlot {
       plot.setScale('x', { min: 0, max: Math.min(last, frequency[frequency.length - 1] ?? last) });
       plot.setScale('y', { min: most * RANGE, max: most * 2 });
     });
-  }
-
-  get plot(): uPlot {
-    return this.chart.plot;
   }
 
   private options(): Omit<uPlot.Options, 'width' | 'height'> {

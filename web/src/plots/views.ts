@@ -24,8 +24,8 @@ export class Views {
         this.store.setView({ times: condition()?.window ?? null }),
       ),
       button('All', 'All that was simulated', () => this.store.setView({ times: [0, condition()?.duration ?? 1] })),
-      button('+', 'Zoom in', () => forces.zoomBy(2)),
-      button('−', 'Zoom out', () => forces.zoomBy(0.5)),
+      button('+', 'Zoom in', () => forces.timeline.zoomBy(2)),
+      button('−', 'Zoom out', () => forces.timeline.zoomBy(0.5)),
     );
   }
 

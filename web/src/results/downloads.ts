@@ -6,7 +6,6 @@ import { download, make } from '../dom';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
 import type { Store } from '../store';
-import { forcesSvg } from './svg';
 
 export class Downloads {
   private shown: Shown | null = null;
@@ -23,7 +22,7 @@ export class Downloads {
       make('span', {}, 'Take along: '),
       button('Spec (TOML)', 'For the command: coilsense analyze', () => this.spec()),
       button('Series (CSV)', 'Every signal and reading, as coilsense simulate writes them', () => void this.csv()),
-      button('Forces (SVG)', 'The picture above', () => this.svg()),
+      button('Forces (SVG)', 'The picture above', () => void this.svg()),
       button(
         'Link',
         'Copies the address, which holds the whole state',
@@ -55,16 +54,15 @@ export class Downloads {
     if ('bytes' in reply) download(`${this.name}.csv`, reply.bytes, 'text/csv');
   }
 
-  private svg(): void {
+  private async svg(): Promise<void> {
     if (!this.shown) return;
+    const { answer, exact, times } = this.shown;
     const { hidden, sensors } = this.store.state.view;
     const { width, height } = this.plot();
     const forces = FORCE_LINES.filter(({ name }) => !hidden.includes(name));
-    const lines = [...forces, ...readings(this.shown.exact?.facts ?? null, sensors)];
-    download(
-      `${this.name}.svg`,
-      forcesSvg(this.shown.answer, this.shown.times, lines, { width, height }),
-      'image/svg+xml',
-    );
+    const lines = [...forces, ...readings(exact?.facts ?? null, sensors)];
+    // Few take a picture along: what draws it is loaded when it is wanted.
+    const { forcesSvg } = await import('./svg');
+    download(`${this.name}.svg`, forcesSvg(answer, times, lines, { width, height }), 'image/svg+xml');
   }
 }

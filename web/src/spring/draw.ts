@@ -3,18 +3,17 @@
 //
 // Next door: its ends (`walls`), when it is drawn, and how fast time runs (`player`).
 
-import type { SpringFacts } from '../answer';
 import { clamp } from '../dom';
 import { LARGER } from '../plots/chart';
 import { ink } from '../plots/looks';
-import type { Scene } from './scene';
+import type { Coil, Scene } from './scene';
 import { drawEnds, drawRuler } from './walls';
 
 /** What is drawn at one moment. */
 export interface Moment extends Scene {
   /** u1, x_1…x_N, u2 [m]. */
   positions: Float32Array;
-  spring: SpringFacts;
+  spring: Coil;
   /** Forces at the ends [N]. */
   forces: [number, number];
 }

@@ -2,12 +2,9 @@
 //
 // Next door: how the spring is drawn (`draw`), what holds for all times (`scene`).
 
-import type { Facts } from '../answer';
-import type { Shown } from '../compute';
 import { clamp, digits, fixed, make, rich } from '../dom';
-import type { Store } from '../store';
 import { drawSpring } from './draw';
-import { label, nearest, survey, type Scene } from './scene';
+import { label, nearest, positionsAt, survey, type Coil, type Scene, type Seen } from './scene';
 
 const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 /** Where nobody chose, what is shown takes about so long [s]. */
@@ -18,7 +15,7 @@ const COUNTED = 2;
 const PAUSE = 120;
 
 export class Player {
-  private shown: Shown | null = null;
+  private shown: Seen | null = null;
   private time = 0;
   private playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
   private running = false;
@@ -40,7 +37,8 @@ export class Player {
   private readonly speed: HTMLSelectElement;
 
   constructor(
-    private readonly store: Store,
+    /** Seconds of the spring per second of the viewer, as the user chose it; 0 where nobody did. */
+    private readonly chosen: { slow: number },
     host: HTMLElement,
     private readonly canvas: HTMLCanvasElement,
     private readonly onTime: (time: number, told: boolean) => void,
@@ -52,7 +50,7 @@ export class Player {
       { 'aria-label': 'Speed' },
       ...SPEEDS.map((slow) => make('option', { value: slow }, words(slow))),
     );
-    this.speed.addEventListener('change', () => store.setView({ slow: Number(this.speed.value) }));
+    this.speed.addEventListener('change', () => (chosen.slow = Number(this.speed.value)));
     this.play.addEventListener('click', () => this.setPlaying(!this.playing));
     this.scrub.addEventListener('input', () => this.goTo(this.fromScrub()));
     const scale = make('span', {
@@ -83,12 +81,15 @@ export class Player {
     this.setPlaying(this.playing);
   }
 
-  show(shown: Shown): void {
+  show(shown: Seen): void {
     const sameFrames = shown.frames === this.shown?.frames;
     this.shown = shown;
     this.speed.value = String(this.slow(shown));
     if (!sameFrames) this.look(shown);
-    if (this.time < shown.times[0] || this.time > shown.times[1]) this.time = shown.times[0];
+    if (this.time < shown.times[0] || this.time > shown.times[1]) {
+      this.time = shown.times[0];
+      this.onTime(this.time, true);
+    }
     this.draw();
     this.run();
   }
@@ -117,9 +118,8 @@ export class Player {
   }
 
   /** Seconds of the spring per second of the viewer. */
-  private slow({ times }: Shown): number {
-    const chosen = this.store.state.view.slow;
-    if (chosen > 0) return chosen;
+  private slow({ times }: Seen): number {
+    if (this.chosen.slow > 0) return this.chosen.slow;
     const off = (slow: number) => Math.abs(Math.log((times[1] - times[0]) / slow / ROUND));
     return SPEEDS.reduce((best, slow) => (off(slow) < off(best) ? slow : best), 1);
   }
@@ -130,36 +130,45 @@ export class Player {
   }
 
   /** What holds for all of the shown times, and the words about it. */
-  private look(shown: Shown): void {
+  private look(shown: Seen): void {
     this.scene = survey(shown);
     const { peak, gain } = this.scene;
     const percent = `${digits(100 * peak, 2)} %`;
     this.low.textContent = `−${percent}`;
     this.high.textContent = `+${percent}`;
-    this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements are drawn ${gain} times larger`}; what changes in the arrows is enlarged.`;
+    this.enlarge(gain);
     const { facts } = shown.answer;
     this.touch.hidden = facts.clash.firstContact === null;
-    this.canvas.setAttribute('aria-label', label(facts, peak, facts.clash.firstContact));
+    this.canvas.setAttribute('aria-label', label(facts, peak));
   }
 
-  private draw(told = true): void {
+  /** By how much displacements are drawn larger. */
+  get enlarged(): number {
+    return this.scene.gain;
+  }
+
+  enlarge(gain: number): void {
+    this.scene.gain = gain;
+    this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements are drawn ${gain} times larger`}; what changes in the arrows is enlarged.`;
+  }
+
+  draw(told = true): void {
     const { shown } = this;
     if (!shown) return;
     const { frames, answer } = shown;
-    const frame = nearest(frames.times, this.time);
-    const positions = frames.positions.subarray(frame * frames.columns, (frame + 1) * frames.columns);
+    const { spring } = answer.facts;
     const at = nearest(answer.series['time'] ?? frames.times, this.time);
     const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
-    if (positions.length === frames.columns)
-      drawSpring(this.canvas, { positions, spring: answer.facts.spring, forces, ...this.scene });
-    if (told) this.tell(forces, answer.facts);
+    if (frames.times.length > 0)
+      drawSpring(this.canvas, { positions: positionsAt(frames, this.time), spring, forces, ...this.scene });
+    if (told) this.tell(forces, spring);
     const [from, to] = shown.times;
     this.scrub.value = String((1000 * (this.time - from)) / (to - from));
     this.scrub.setAttribute('aria-valuetext', `${fixed(1e3 * this.time, 1)} milliseconds`);
     this.clock.textContent = `${fixed(1e3 * this.time, 1)} ms`;
   }
 
-  private tell(forces: [number, number], { spring }: Facts): void {
+  private tell(forces: [number, number], spring: Coil): void {
     const decimals = clamp(2 - Math.floor(Math.log10(spring.nominalForce)) + 1, 0, 3);
     ['F_i', 'F_o'].forEach((name, end) =>
       this.ends[end]?.replaceChildren(

@@ -2,14 +2,37 @@
 //
 // Next door: one moment of it (`draw`), which moment (`player`).
 
-import type { Facts, Series } from '../answer';
-import type { Shown } from '../compute';
-import { digits, fixed } from '../dom';
+import type { Clash, Series, SpringFacts } from '../answer';
+import { clamp, digits, fixed } from '../dom';
 import { strains } from './draw';
 
 /** The largest strain is drawn as so much of a pitch. */
 const OPEN = 0.6;
-const GAINS = [200, 100, 50, 20, 10, 5, 2];
+/** So many frames tell the largest strain well enough for a colour. */
+const ENOUGH = 400;
+/** By how much displacements may be drawn larger. */
+export const GAINS = [1, 2, 5, 10, 20, 50, 100, 200];
+
+/** Positions u1, x_1…x_N, u2 [m] at some times [s]. */
+export interface Frames {
+  times: Float64Array;
+  positions: Float32Array;
+  columns: number;
+}
+
+/** What the spring needs of its dimensions to be drawn and spoken of. */
+export type Coil = Pick<
+  SpringFacts,
+  'name' | 'masses' | 'coilRadius' | 'wireDiameter' | 'contactPitch' | 'nominalForce'
+>;
+
+/** A motion, and which part of it is seen. */
+export interface Seen {
+  frames: Frames;
+  times: [number, number];
+  /** With time, F_i and F_o. */
+  answer: { series: Series; facts: { spring: Coil; clash: Pick<Clash, 'firstContact'> } };
+}
 
 export interface Scene {
   /** Ends over all of the shown times [m]. */
@@ -23,18 +46,18 @@ export interface Scene {
   departure: number;
 }
 
-export function survey({ frames, answer, times }: Shown): Scene {
+export function survey({ frames, answer, times }: Seen): Scene {
   const { positions, columns } = frames;
   let [left, right, peak] = [Infinity, -Infinity, 0];
+  const stride = Math.ceil(frames.times.length / ENOUGH);
   for (let frame = 0; frame < frames.times.length; frame++) {
     left = Math.min(left, positions[frame * columns] ?? 0);
     right = Math.max(right, positions[(frame + 1) * columns - 1] ?? 0);
-    // Every sixth frame tells the largest strain well enough for a colour.
-    if (frame % 6 === 0)
+    if (frame % stride === 0)
       for (const strain of strains(positions.subarray(frame * columns, (frame + 1) * columns)))
         peak = Math.max(peak, Math.abs(strain));
   }
-  const gain = peak > 0 ? (GAINS.find((gain) => gain * peak <= OPEN) ?? 1) : 1;
+  const gain = peak > 0 ? (GAINS.findLast((gain) => gain * peak <= OPEN) ?? 1) : 1;
   return { left, right, peak, gain, ...departures(answer.series, times) };
 }
 
@@ -49,19 +72,40 @@ function departures(series: Series, [from, to]: [number, number]): { mean: numbe
   return { mean, departure };
 }
 
-/** Number of the time that is nearest; times rise. */
-export function nearest(times: Float64Array, time: number): number {
-  let [low, high] = [0, times.length - 1];
+/** Number of the last time that is not later, or of the first; times rise. */
+function last(times: Float64Array, time: number): number {
+  let [low, high] = [0, times.length];
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if ((times[middle] ?? 0) <= time) low = middle;
     else high = middle;
   }
-  return time - (times[low] ?? 0) < (times[high] ?? 0) - time ? low : high;
+  return low;
 }
 
-export function label({ spring }: Facts, peak: number, contact: number | null): string {
+/** Number of the time that is nearest. */
+export function nearest(times: Float64Array, time: number): number {
+  const low = last(times, time);
+  const next = times[low + 1] ?? Infinity;
+  return next - time <= time - (times[low] ?? 0) ? low + 1 : low;
+}
+
+/** Positions at a time [m]: between frames along the straight line. */
+export function positionsAt({ times, positions, columns }: Frames, time: number): Float32Array {
+  const low = last(times, time);
+  const next = Math.min(low + 1, times.length - 1);
+  const [from, to] = [times[low] ?? 0, times[next] ?? 0];
+  const part = to > from ? clamp((time - from) / (to - from), 0, 1) : 0;
+  return Float32Array.from({ length: columns }, (_, node) => {
+    const start = positions[low * columns + node] ?? 0;
+    return start + part * ((positions[next * columns + node] ?? 0) - start);
+  });
+}
+
+export function label({ spring, clash: { firstContact } }: Seen['answer']['facts'], peak: number): string {
   const touch =
-    contact === null ? 'No windings touch in what is shown.' : `Windings touch from ${fixed(1e3 * contact, 1)} ms on.`;
+    firstContact === null
+      ? 'No windings touch in what is shown.'
+      : `Windings touch from ${fixed(1e3 * firstContact, 1)} ms on.`;
   return `The spring ${spring.name} with its ${spring.masses} windings, end 1 at the left, coloured by local pitch, which changes by up to ${digits(100 * peak, 2)} percent. ${touch}`;
 }

@@ -35,8 +35,16 @@ export const open: Open = (panel, store, compute) => {
     point: (time) => player.goTo(time),
   });
   const readOut = new ReadOut(parts.keys);
-  const player = new Player(store, parts.spring, parts.canvas, (time, told) => {
-    forces.moveMark(time);
+  const speed = {
+    get slow() {
+      return store.state.view.slow;
+    },
+    set slow(slow) {
+      store.setView({ slow });
+    },
+  };
+  const player = new Player(speed, parts.spring, parts.canvas, (time, told) => {
+    forces.timeline.moveMark(time);
     if (told) readOut.at(time);
   });
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);

@@ -52,10 +52,8 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         temperature => plainly(spec.uncertainty.temperature_change),
         remarks => remarks(spec),
         style => include_str!("../style.css"),
-        viewer_style => concat!(include_str!("../viewer/uPlot.min.css"), include_str!("../viewer/viewer.css")),
-        licence => include_str!("../viewer/uPlot.LICENSE"),
-        uplot => include_str!("../viewer/uPlot.iife.min.js"),
-        viewer => VIEWER,
+        viewer_style => include_str!("../viewer/viewer.css"),
+        viewer => include_str!("../viewer/viewer.js"),
         data => viewer_json(analysis)?,
     })?;
     Ok(page)
@@ -84,16 +82,6 @@ fn remarks(spec: &Spec) -> Vec<String> {
     }
     shared.into_iter().map(|(names, said)| format!("{}: {said}.", names.join(", "))).collect()
 }
-
-/// The interactive part: pieces of one function, which join in this order.
-const VIEWER: &str = concat!(
-    include_str!("../viewer/data.js"),
-    include_str!("../viewer/looks.js"),
-    include_str!("../viewer/charts.js"),
-    include_str!("../viewer/readout.js"),
-    include_str!("../viewer/spring.js"),
-    include_str!("../viewer/choice.js"),
-);
 
 fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
     let refuse = |source| ReportError::Figure { name: name.to_owned(), source };

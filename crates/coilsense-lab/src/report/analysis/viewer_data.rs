@@ -18,8 +18,9 @@ const LINES: usize = 8;
 /// The JSON block of the page, safe inside of a script element.
 pub(super) fn viewer_json(analysis: &Analysis) -> Result<String, serde_json::Error> {
     let value = json!({
-        "reference": analysis.spec.goal.force.name(),
+        "spring": analysis.spec.spring.name,
         "nominal_force_n": analysis.spec.spring.spring.nominal_force(),
+        "reference": analysis.spec.goal.force.name(),
         "cases": analysis.cases.iter().map(|case| case_value(analysis, case)).collect::<Vec<_>>(),
     });
     Ok(serde_json::to_string(&value)?.replace('<', "\\u003c"))
@@ -34,23 +35,27 @@ fn case_value(analysis: &Analysis, case: &Case) -> Value {
     let ideal = case.signals.channels().filter(|(channel, _)| *channel != Channel::Inductance);
     let ideal = ideal.map(|(channel, values)| {
         let kind = if channel.unit() == "m" { "position" } else { "force" };
-        signal(channel.name(), kind, channel.unit(), "ideal", &thin.series(&values[case.judged.clone()]))
+        signal(channel.name(), kind, &thin.series(&values[case.judged.clone()]))
     });
-    let sensors = analysis.sensors.iter().zip(&case.readings).map(|(sensor, reading)| {
-        signal(&sensor.name, "force", "N", "sensor", &thin.series(&reading.force[case.judged.clone()]))
-    });
+    let sensors = analysis
+        .sensors
+        .iter()
+        .zip(&case.readings)
+        .map(|(sensor, reading)| signal(&sensor.name, "force", &thin.series(&reading.force[case.judged.clone()])));
     let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
     let lines = modes.frequencies().iter().take(LINES).map(|angular| angular / std::f64::consts::TAU);
     json!({
         "id": format!("{}--{}", condition.stem(), damping.stem),
         "condition": condition.name,
-        "damping_label": damping.label,
-        "damping_ratio": damping.ratio,
-        "time": { "start_s": times[0], "step_s": step * thin.stride(), "count": thin.count() },
+        "damping": damping.label,
+        "start_s": times[0],
+        "step_s": step * thin.stride(),
+        "count": thin.count(),
         "signals": ideal.chain(sensors).collect::<Vec<_>>(),
-        "goal": spec.goal.error.map(|error| json!({ "error_n": error })),
-        "windings": windings(analysis, case),
+        "goal_n": spec.goal.error,
         "surge_lines_hz": lines.collect::<Vec<_>>(),
+        "first_contact_s": case.clash.first_contact,
+        "windings": windings(analysis, case),
     })
 }
 
@@ -89,13 +94,10 @@ impl Thinning {
     }
 }
 
-fn signal(name: &str, kind: &str, unit: &str, group: &str, values: &[f64]) -> Value {
+fn signal(name: &str, kind: &str, values: &[f64]) -> Value {
     let offset = values.iter().sum::<f64>() / values.len().max(1) as f64;
     let bytes: Vec<u8> = values.iter().flat_map(|value| ((value - offset) as f32).to_le_bytes()).collect();
-    json!({
-        "name": name, "label": name, "kind": kind, "unit": unit, "group": group,
-        "scale": 1.0, "offset": offset, "data": STANDARD.encode(bytes),
-    })
+    json!({ "name": name, "kind": kind, "offset": offset, "data": STANDARD.encode(bytes) })
 }
 
 fn windings(analysis: &Analysis, case: &Case) -> Value {
