@@ -2,6 +2,7 @@
 //!
 //! Next door: the commands that write reports.
 
+use coilsense_lab::request::{DATE, Given};
 use time::{Date, Month, OffsetDateTime};
 
 /// A date as a person writes it, `2026-11-21`.
@@ -20,6 +21,6 @@ pub fn parse(text: &str) -> Result<String, String> {
 }
 
 /// The date that is given, or today's.
-pub fn or_today(given: Option<&String>) -> String {
-    given.cloned().unwrap_or_else(|| OffsetDateTime::now_utc().date().to_string())
+pub fn or_today(given: &Given) -> String {
+    given.text(&DATE).unwrap_or_else(|| OffsetDateTime::now_utc().date().to_string())
 }

@@ -1,51 +1,40 @@
 //! `coilsense import`.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::{Account, ImportError, import, write_recording};
+use coilsense_lab::recording::request::{LOG, WITH};
+use coilsense_lab::recording::{Account, ImportError, Repairs, import, write_recording};
 use coilsense_lab::report::{ImportOutcome, to_json};
+use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::series::Format;
 
-use crate::log::LogArguments;
+use crate::log;
 use crate::progress::Watch;
 
-/// Options of `coilsense import`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    #[command(flatten)]
-    log: LogArguments,
-    /// File for time and channels in SI units; its ending says the format: csv, json or parquet
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-}
-
 /// Runs the command.
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let begun = Instant::now();
+pub fn run(given: &Given) -> anyhow::Result<()> {
+    let (begun, path) = (Instant::now(), given.needed(&OUT)?);
     let known = Format::ALL.iter().map(|(ending, _)| *ending).collect::<Vec<_>>().join(", ");
-    let ending = arguments.out.extension().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
-    let wrong = || format!("{}: must end in one of {known}", arguments.out.display());
+    let ending = path.extension().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
+    let wrong = || format!("{}: must end in one of {known}", path.display());
     let format = Format::of_ending(ending).with_context(wrong)?;
-    let Some(name) = arguments.out.file_name().and_then(std::ffi::OsStr::to_str) else {
-        bail!("{}: is no name of a file", arguments.out.display());
+    let Some(name) = path.file_name().and_then(std::ffi::OsStr::to_str) else {
+        bail!("{}: is no name of a file", path.display());
     };
-    let (mapping, repairs) = (arguments.log.mapping()?, arguments.log.repairs());
+    let (mapping, repairs) = (log::mapping(given)?, Repairs::of(given));
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("reading")?;
-    let folder = arguments.out.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut output = Output::begin(folder)?;
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
-    let imported = match arguments.log.has_second() {
-        true => write_recording(&arguments.log.recording()?, format, name, &mut output),
-        false => import(&arguments.log.log, &mapping, &repairs, &tell, format, name, &mut output),
+    let imported = match given.holds(&WITH) {
+        true => write_recording(&log::recording(given)?, format, name, &mut output),
+        false => import(given.needed(&LOG)?, &mapping, &repairs, &tell, format, name, &mut output),
     };
     watch.end();
     let account = imported.map_err(|error| match error {
@@ -55,12 +44,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output.commit()?;
     // A reader that closes the pipe early has all it wants: the file is written.
     let mut out = anstream::stdout().lock();
-    if arguments.json {
-        let _ = write!(out, "{}", to_json(outcome(&account, &arguments.out))?);
+    if given.holds(&JSON) {
+        let _ = write!(out, "{}", to_json(outcome(&account, path))?);
         return Ok(());
     }
     let _ = writeln!(out, "{account}");
-    let _ = writeln!(out, "wrote {} in {:.2} s", arguments.out.display(), begun.elapsed().as_secs_f64());
+    let _ = writeln!(out, "wrote {} in {:.2} s", path.display(), begun.elapsed().as_secs_f64());
     Ok(())
 }
 

@@ -1,38 +1,23 @@
 //! `coilsense init`.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::bail;
 use coilsense_lab::output::Output;
+use coilsense_lab::report::verbs::{FROM, SENSORS};
 use coilsense_lab::report::{InitOutcome, to_json};
+use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::spec;
 
-/// Options of `coilsense init`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// Start from a spring of the paper: S_T or S_A; without it, from a spring by geometry
-    #[arg(long, value_name = "NAME")]
-    from: Option<String>,
-    /// Write to this file, which must not be there yet, in place of the terminal
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
-    /// List the sensor catalogue in place of a spec
-    #[arg(long, conflicts_with_all = ["from", "out"])]
-    sensors: bool,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-}
-
 /// Runs the command.
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let text = if arguments.sensors { spec::classes()? } else { spec::template(arguments.from.as_deref())? };
-    let told = |file| match arguments.json {
+pub fn run(given: &Given) -> anyhow::Result<()> {
+    let text = if given.holds(&SENSORS) { spec::classes()? } else { spec::template(given.text(&FROM).as_deref())? };
+    let told = |file| match given.holds(&JSON) {
         true => to_json(InitOutcome { file, text: &text }),
         false => Ok(text.clone()),
     };
-    let Some(path) = &arguments.out else {
+    let Some(path) = given.file(&OUT) else {
         // A reader that closes the pipe early has all it wants.
         let _ = write!(anstream::stdout().lock(), "{}", told(None)?);
         return Ok(());
@@ -41,7 +26,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bail!("{}: is there already; name a file that is not, or remove it", path.display());
     }
     write_one(path, |file| file.write_all(text.as_bytes()))?;
-    if arguments.json {
+    if given.holds(&JSON) {
         let _ = write!(anstream::stdout().lock(), "{}", told(Some(path))?);
         return Ok(());
     }

@@ -17,7 +17,6 @@ mod options;
 mod pareto;
 mod placement;
 mod progress;
-mod repairs;
 mod reproduce;
 mod rig;
 mod sensitivity;
@@ -27,52 +26,49 @@ mod sweep;
 
 use std::process::ExitCode;
 
+use clap::Command;
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
 use coilsense_lab::analysis::AnalysisError;
+use coilsense_lab::report::verbs::VERBS;
+use coilsense_lab::request::{Given, Verb};
 
-/// How far can one trust a force measured through a coil spring?
-#[derive(Parser)]
-#[command(name = "coilsense", version, about, arg_required_else_help = true)]
-struct Arguments {
-    #[command(subcommand)]
-    command: Command,
+/// What runs a verb.
+type Run = fn(&Given) -> anyhow::Result<()>;
+
+/// Who runs which verb.
+const RUNS: [(&str, Run); VERBS.len()] = [
+    ("init", init::run),
+    ("spring", spring::run),
+    ("simulate", simulate::run),
+    ("analyze", analyze::run),
+    ("calibrate", calibrate::run),
+    ("identify", identify::run),
+    ("import", import::run),
+    ("rig", rig::run),
+    ("mitigate", mitigate::run),
+    ("placement", placement::run),
+    ("sweep", sweep::run),
+    ("sensitivity", sensitivity::run),
+    ("pareto", pareto::run),
+    ("experiment", experiment::run),
+    ("app", app::run),
+    ("reproduce", reproduce::run),
+];
+
+/// The command with a subcommand for each verb.
+fn command() -> Command {
+    let command = Command::new("coilsense")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about(env!("CARGO_PKG_DESCRIPTION"))
+        .subcommand_required(true)
+        .arg_required_else_help(true);
+    VERBS.iter().fold(command, |command, verb| command.subcommand(options::command(verb)))
 }
 
-#[derive(Subcommand)]
-enum Command {
-    /// Write a commented spec to start from
-    Init(init::Arguments),
-    /// The data sheet of a spec's spring: rate, mass, stress, lengths, surge frequencies and their neighbours
-    Spring(spring::Arguments),
-    /// Simulate a spec's conditions and write all signals and readings
-    Simulate(simulate::Arguments),
-    /// How far off is each force signal, why, and what to choose: simulate, judge, report
-    Analyze(analyze::Arguments),
-    /// From inductance to length and force: fit a measured log, say how far to trust it, and set the theories beside it
-    Calibrate(calibrate::Arguments),
-    /// Is it the spring that rings, how stiff, heavy and damped is it, and up to where can its forces be trusted: ask a measured log
-    Identify(identify::Arguments),
-    /// Read a log, clean it up as allowed, write it in SI units on one rising clock, and account for every row
-    Import(import::Arguments),
-    /// The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors
-    Rig(rig::Arguments),
-    /// What to do about ringing: every filter and observer on the spec's conditions, ranked, and settings to paste
-    Mitigate(mitigate::Arguments),
-    /// Which force to feed back, and how fast the loop may then be: limits, margins, rendered impedance
-    Placement(placement::Arguments),
-    /// Which of a million springs and sensors: vary a spec's values, judge every design, write rows as Parquet; a killed run is continued
-    Sweep(sweep::Arguments),
-    /// What the columns of a sweep hang on: first-order and total sensitivity indices of its variables
-    Sensitivity(sensitivity::Arguments),
-    /// Which designs of a sweep are worth a look: those that no other beats
-    Pareto(pareto::Arguments),
-    /// Work off an experiment: how load cell, position and inductance part, what is biased, what drifts
-    Experiment(experiment::Arguments),
-    /// The page: hit a spring in the browser and see its two ends disagree; needs a command built with the feature app
-    App(app::Arguments),
-    /// Reproduce the tables and figures of "Influence of Internal Oscillations on Force Sensing in Coil Springs"
-    Reproduce(reproduce::Arguments),
+/// The verb of a name, and who runs it.
+fn verb(name: &str) -> Option<(&'static Verb, Run)> {
+    let run = RUNS.into_iter().find(|(known, _)| *known == name)?.1;
+    VERBS.iter().find(|verb| verb.name == name).map(|verb| (verb, run))
 }
 
 /// Exit code of bad input and of output that cannot be written, as clap's own for bad arguments.
@@ -81,8 +77,8 @@ const BAD_INPUT: u8 = 2;
 const INTERRUPTED: u8 = 130;
 
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
-        Ok(arguments) => arguments,
+    let matches = match command().try_get_matches() {
+        Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::ValueValidation => {
             // What is wrong with a value is said in a line, as of a value in a file; the rest of clap's text points to the help.
             anstream::eprintln!("{}", error.render().ansi().to_string().lines().next().unwrap_or_default());
@@ -92,23 +88,9 @@ fn main() -> ExitCode {
     };
     // A wrong COILSENSE_SIMD is bad input like any other.
     let simd = coilsense::simd::SimdPath::selected().map_err(anyhow::Error::from);
-    let result = simd.and_then(|_| match arguments.command {
-        Command::Init(arguments) => init::run(&arguments),
-        Command::Spring(arguments) => spring::run(&arguments),
-        Command::Simulate(arguments) => simulate::run(&arguments),
-        Command::Analyze(arguments) => analyze::run(&arguments),
-        Command::Calibrate(arguments) => calibrate::run(&arguments),
-        Command::Identify(arguments) => identify::run(&arguments),
-        Command::Import(arguments) => import::run(&arguments),
-        Command::Rig(arguments) => rig::run(&arguments),
-        Command::Mitigate(arguments) => mitigate::run(&arguments),
-        Command::Placement(arguments) => placement::run(&arguments),
-        Command::Sweep(arguments) => sweep::run(&arguments),
-        Command::Sensitivity(arguments) => sensitivity::run(&arguments),
-        Command::Pareto(arguments) => pareto::run(&arguments),
-        Command::Experiment(arguments) => experiment::run(&arguments),
-        Command::App(arguments) => app::run(&arguments),
-        Command::Reproduce(arguments) => reproduce::run(&arguments),
+    let result = simd.and_then(|_| match matches.subcommand().and_then(|(name, said)| Some((verb(name)?, said))) {
+        Some(((verb, run), said)) => run(&options::given(verb, said)),
+        None => Ok(()),
     });
     match result {
         Ok(()) => ExitCode::SUCCESS,

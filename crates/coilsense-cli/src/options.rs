@@ -1,31 +1,136 @@
-//! Options that come from a verb's table: as arguments of the command, and back as values.
+//! A verb's table as a subcommand with its arguments, and back as what was given.
 //!
-//! Next door: the table of a verb (`coilsense_lab::request`), the command itself (`mitigate`).
+//! Next door: the tables (`coilsense_lab::report::verbs`), the verbs (`analyze` and others).
 
-use clap::builder::{StyledStr, ValueParser};
-use clap::{Arg, ArgMatches, Command};
-use coilsense_lab::request::{IfAbsent, Row};
+use clap::builder::{PathBufValueParser, PossibleValuesParser, StyledStr, TypedValueParser, ValueParser};
+use clap::{Arg, ArgAction, ArgMatches, Command};
+use coilsense_lab::request::{Door, Given, IfAbsent, Row, Takes, Value, Verb, Wrong};
 
-/// The command with an argument for each row.
-pub fn added(command: Command, rows: &'static [Row]) -> Command {
-    rows.iter().fold(command, |command, row| command.arg(argument(row)))
+use crate::date;
+
+/// The options of a verb that the command has.
+fn rows(verb: &Verb) -> impl Iterator<Item = &'static Row> + use<> {
+    verb.rows().filter(|row| row.elsewhere(Door::Command).is_none())
+}
+
+/// The subcommand of a verb.
+pub fn command(verb: &'static Verb) -> Command {
+    let command = Command::new(verb.name).about(verb.about);
+    let command = if verb.more.is_empty() { command } else { command.after_long_help(verb.more) };
+    rows(verb).fold(command, |command, row| command.arg(argument(row)))
 }
 
 fn argument(row: &'static Row) -> Arg {
-    let read = move |text: &str| row.read(text);
     let argument = Arg::new(row.name)
-        .long(row.flag())
-        .value_name(row.value_name())
-        .value_parser(ValueParser::new(read))
-        .allow_hyphen_values(true)
-        .help(StyledStr::from(row.help()));
-    match row.if_absent {
+        .help(StyledStr::from(row.help()))
+        .conflicts_with_all(row.conflicts)
+        .required(row.if_absent == IfAbsent::Refused);
+    let argument = if row.by_place { argument } else { argument.long(row.flag()) };
+    let argument = if row.heading.is_empty() { argument } else { argument.help_heading(row.heading) };
+    let argument = row.requires.iter().fold(argument, |argument, other| argument.requires(*other));
+    let argument = match row.if_absent {
         IfAbsent::Value(text) => argument.default_value(text),
-        IfAbsent::Found(_) => argument,
+        IfAbsent::RefusedWithout(other) => argument.required_unless_present(other),
+        IfAbsent::Nothing | IfAbsent::Found(_) | IfAbsent::Refused => argument,
+    };
+    match row.takes {
+        Takes::Flag => argument.action(ArgAction::SetTrue),
+        _ => argument
+            .value_name(row.value_name())
+            .action(if row.repeated { ArgAction::Append } else { ArgAction::Set })
+            .allow_hyphen_values(may_be_negative(row.takes))
+            .value_parser(parser(row)),
     }
 }
 
-/// What was given for each row, in SI units.
-pub fn values<const N: usize>(rows: &'static [Row; N], matches: &ArgMatches) -> [Option<f64>; N] {
-    rows.each_ref().map(|row| matches.get_one::<f64>(row.name).copied())
+/// Whether its values begin with a minus.
+fn may_be_negative(takes: Takes) -> bool {
+    matches!(takes, Takes::Quantity(_) | Takes::Number | Takes::Count | Takes::Form(..))
+}
+
+fn parser(row: &'static Row) -> ValueParser {
+    match row.takes {
+        Takes::Word(words) => ValueParser::new(PossibleValuesParser::new(words).map(Value::Text)),
+        Takes::File(_) => ValueParser::new(PathBufValueParser::new().map(Value::File)),
+        Takes::Date => ValueParser::new(|text: &str| date::parse(text).map(Value::Text)),
+        _ => ValueParser::new(move |text: &str| row.read(text)),
+    }
+}
+
+/// What was given of a verb's options.
+pub fn given(verb: &Verb, matches: &ArgMatches) -> Given {
+    let mut given = Given::default();
+    for row in rows(verb) {
+        match row.takes {
+            Takes::Flag if matches.get_flag(row.name) => given.set(row, Vec::new()),
+            Takes::Flag => (),
+            _ => {
+                let values = matches.get_many::<Value>(row.name);
+                values.into_iter().for_each(|values| given.set(row, values.cloned().collect()));
+            }
+        }
+    }
+    given
+}
+
+/// An option that cannot be, as the command has it.
+pub fn wrong(wrong: Wrong) -> anyhow::Error {
+    anyhow::anyhow!("--{wrong}")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use coilsense_lab::report::verbs::VERBS;
+
+    use super::*;
+
+    #[test]
+    fn the_command_has_the_options_of_the_tables_and_no_other() {
+        let mut whole = crate::command();
+        whole.build();
+        let named: Vec<&str> = whole.get_subcommands().map(Command::get_name).filter(|name| *name != "help").collect();
+        assert_eq!(named, VERBS.map(|verb| verb.name));
+        assert_eq!(crate::RUNS.map(|(name, _)| name), VERBS.map(|verb| verb.name));
+        for (verb, command) in VERBS.iter().zip(whole.get_subcommands()) {
+            let arguments = command.get_arguments().filter(|argument| argument.get_id() != "help");
+            let found: BTreeSet<&str> = arguments.map(|argument| argument.get_id().as_str()).collect();
+            assert_eq!(found, rows(verb).map(|row| row.name).collect(), "{}", verb.name);
+            for argument in command.get_arguments().filter(|argument| argument.get_id() != "help") {
+                let row = rows(verb).find(|row| row.name == argument.get_id().as_str()).unwrap();
+                assert_eq!(argument.get_long().map(str::to_owned), (!row.by_place).then(|| row.flag()));
+                let default = argument.get_default_values().first().and_then(|value| value.to_str());
+                let expected = if let IfAbsent::Value(text) = row.if_absent { Some(text) } else { None };
+                assert!(default == expected || matches!(row.takes, Takes::Flag), "{} {}", verb.name, row.name);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_given_comes_back_in_si_units_or_is_refused_in_a_line() {
+        let said = |words: &[&str]| {
+            let matches =
+                crate::command().try_get_matches_from([&["coilsense", "identify", "run.csv"], words].concat())?;
+            let verb = VERBS.iter().find(|verb| verb.name == "identify").unwrap();
+            Ok::<_, clap::Error>(given(verb, matches.subcommand().unwrap().1))
+        };
+        let read =
+            said(&["--from", "-20 ms", "--sort", "--mass", "65 g", "--column", "a=b", "--column", "c=d"]).unwrap();
+        use coilsense_lab::recording::request::{COLUMN, FROM, MERGE_REPEATED, SORT};
+        assert_eq!((read.number(&FROM), read.texts(&COLUMN).len()), (Some(-0.02), 2));
+        assert!(read.holds(&SORT) && !read.holds(&MERGE_REPEATED));
+        for words in [
+            ["--sample-rate", "-1 Hz"],
+            ["--fill-gaps", "0 s"],
+            ["--from", "NaN s"],
+            ["--windings", "-5"],
+            ["--tolerance", "100 %"],
+            ["--accuracy-force", "-1 %"],
+        ] {
+            let refused = said(&words).unwrap_err();
+            assert_eq!(refused.kind(), clap::error::ErrorKind::ValueValidation, "{words:?}");
+            assert!(refused.to_string().lines().next().unwrap().contains("must be "), "{refused}");
+        }
+    }
 }

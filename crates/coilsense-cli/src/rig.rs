@@ -1,43 +1,27 @@
 //! `coilsense rig`.
 
 use std::io::Write;
-use std::path::PathBuf;
 use std::time::Instant;
 
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
+use coilsense_lab::report::verbs::SEED;
 use coilsense_lab::report::{RigOutcome, to_json};
+use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::rig::{Rig, RigError};
 use coilsense_lab::spec::Spec;
 
 use crate::progress::Watch;
 
-/// Options of `coilsense rig`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// The spec: its spring, one damping in [mount], and what differs from the paper's rig in [rig]
-    #[arg(value_name = "SPEC")]
-    spec: PathBuf,
-    /// Folder for experiment.toml and two CSV files per run; its other files are left alone
-    #[arg(long, value_name = "DIR", default_value = "out/rig")]
-    out: PathBuf,
-    /// Seed of noise, of each instrument's own errors and of hits; without it, that of [uncertainty]
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-}
-
 /// Runs the command.
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+pub fn run(given: &Given) -> anyhow::Result<()> {
     let begun = Instant::now();
-    let spec = Spec::read(&arguments.spec)?;
-    let seed = arguments.seed.unwrap_or(spec.uncertainty.seed);
+    let (spec, out) = (Spec::read(given.needed(&SPEC)?)?, given.needed(&OUT)?);
+    let seed = given.count(&SEED).unwrap_or(spec.uncertainty.seed);
     let rig = Rig::new(&spec, seed)?;
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("running the rig")?;
-    let mut output = Output::begin(&arguments.out)?;
+    let mut output = Output::begin(out)?;
     let rows = rig.write(&mut output, &|done, of| watch.tell(done, of)).map_err(|error| match error {
         RigError::Interrupted => AnalysisError::Interrupted.into(),
         other => anyhow::Error::from(other),
@@ -47,16 +31,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return Err(AnalysisError::Interrupted.into());
     }
     let files = output.commit()?;
-    if arguments.json {
+    if given.holds(&JSON) {
         let (runs, warnings) = (rig.runs().len(), rig.warnings().iter().map(ToString::to_string).collect());
-        let text = to_json(RigOutcome { folder: &arguments.out, files, runs, rows: rows as u64, seed, warnings })?;
+        let text = to_json(RigOutcome { folder: out, files, runs, rows: rows as u64, seed, warnings })?;
         let _ = write!(anstream::stdout().lock(), "{text}");
         return Ok(());
     }
     for warning in rig.warnings() {
         anstream::eprintln!("warning: {warning}");
     }
-    let folder = arguments.out.display();
+    let folder = out.display();
     // A reader that closes the pipe early has all it wants: the files are written.
     let _ = writeln!(
         anstream::stdout().lock(),

@@ -7,44 +7,28 @@ use std::time::Instant;
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::{AnalysisError, simulate};
 use coilsense_lab::output::Output;
+use coilsense_lab::report::verbs::ONE_FILE;
 use coilsense_lab::report::{SimulationOutcome, to_json};
+use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::series::{self, Format, Run};
 use coilsense_lab::spec::Spec;
 
 use crate::progress::Watch;
 
-/// Options of `coilsense simulate`.
-#[derive(clap::Args)]
-pub struct Arguments {
-    /// The spec
-    #[arg(value_name = "SPEC")]
-    spec: PathBuf,
-    /// File for time, u1, u2, F_i, F_o, F_x, F_L, L and what each sensor reads; its ending says the format: csv, json or parquet.
-    /// Several conditions or dampings make one CSV each, named FILE-<condition>-<damping>.csv
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
-    /// Put everything into one CSV, with the columns condition and damping in front where there are several
-    #[arg(long)]
-    one_file: bool,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
-}
-
 /// Runs the command.
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let begun = Instant::now();
-    let (folder, stem, ending) = parts(&arguments.out)?;
+pub fn run(given: &Given) -> anyhow::Result<()> {
+    let (begun, out) = (Instant::now(), given.needed(&OUT)?);
+    let (folder, stem, ending) = parts(out)?;
     let known = Format::ALL.iter().map(|(ending, _)| *ending).collect::<Vec<_>>().join(", ");
-    let wrong = || format!("{}: must end in one of {known}", arguments.out.display());
+    let wrong = || format!("{}: must end in one of {known}", out.display());
     let format = Format::of_ending(&ending).with_context(wrong)?;
-    let spec = Spec::read(&arguments.spec)?;
+    let spec = Spec::read(given.needed(&SPEC)?)?;
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("simulating")?;
     let mut output = Output::begin(&folder)?;
     let cases = simulate(&spec, &|done, of| watch.tell(done, of))?;
     let runs: Vec<Run<'_>> = cases.iter().map(|case| case.series(&spec, &spec.sensors)).collect();
-    let apart = format == Format::Csv && runs.len() > 1 && !arguments.one_file;
+    let apart = format == Format::Csv && runs.len() > 1 && !given.holds(&ONE_FILE);
     if apart {
         for (case, run) in cases.iter().zip(&runs) {
             let damping = &spec.mount.cases[case.damping].stem;
@@ -62,7 +46,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let names = output.files().iter().map(|file| file.display().to_string()).collect();
     let files = output.commit()?;
     let samples: usize = cases.iter().map(|case| case.signals.time().len()).sum();
-    if arguments.json {
+    if given.holds(&JSON) {
         let (spec_file, runs) = (spec.file.as_str(), runs.len());
         let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples })?;
         let _ = write!(anstream::stdout().lock(), "{text}");

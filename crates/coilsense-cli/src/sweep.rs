@@ -1,73 +1,17 @@
 //! `coilsense sweep`.
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use anyhow::Context;
 use coilsense_lab::report::{ReasonRow, SweepOutcome, to_json};
+use coilsense_lab::request::{Given, JSON, OUT, SPEC};
+use coilsense_lab::sweep::request::{CATALOGUE, CHUNK, COLUMNS, JOBS, OVER, ROWS, SAMPLING, SEED};
 use coilsense_lab::sweep::{Catalogue, Dataset, Plan, PlanParameters, Sampling, Tally, column_words};
 
 use crate::progress::Watch;
-
-/// Options of `coilsense sweep`.
-#[derive(clap::Args)]
-#[command(after_long_help = GRAMMAR)]
-pub struct Arguments {
-    /// The spec whose values are varied
-    #[arg(value_name = "SPEC")]
-    spec: PathBuf,
-    /// What is varied, may be given several times: spring.stiffness="600..900 N/m", mount.damping_ratio="log 1e-3..5e-2"; see below
-    #[arg(long, value_name = "KEY=VALUES")]
-    over: Vec<String>,
-    /// A table whose titles are keys, such as "spring.stiffness [N/m]", and whose rows are designs: CSV or Parquet. With --over, every row of it
-    /// meets every row of the sampling
-    #[arg(long, value_name = "FILE")]
-    catalogue: Option<PathBuf>,
-    /// How rows are laid: grid, lhs (Latin hypercube), monte-carlo or sobol; without it a grid where all variables have points, else lhs
-    #[arg(long, value_name = "WORD", value_parser = sampling)]
-    sampling: Option<Sampling>,
-    /// How many rows; a grid has its own number
-    #[arg(long, value_name = "COUNT")]
-    rows: Option<u64>,
-    /// Of all randomness: row k is a function of this seed and k alone
-    #[arg(long, value_name = "NUMBER", default_value_t = 0)]
-    seed: u64,
-    /// What is recorded, with commas between: mass, F_o.rmsd, F_o.max[heel strike], F_L.bias, worst, clearance, laser.combined; see book/src/guide/sweep.md
-    #[arg(long, value_name = "WORDS")]
-    columns: Option<String>,
-    /// Rows of a file; without it by how long a row takes
-    #[arg(long, value_name = "COUNT")]
-    chunk: Option<u64>,
-    /// Threads; without it as many as there are cores
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u64).range(1..=1024))]
-    jobs: Option<u64>,
-    /// Print the summary as JSON
-    #[arg(long)]
-    json: bool,
-    /// Folder for the manifest and one Parquet file a chunk; a folder of the same sweep is continued
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
-}
-
-const GRAMMAR: &str = "\
-KEY is a key of the spec: spring.mass, condition.\"heel strike\".velocity or condition.1.velocity, sensor.laser.delay, goal.error.
-
-VALUES are one of
-  600..900 N/m               a range, uniform
-  600..900 N/m : 11          eleven points of it, as a grid needs
-  log 1e-3..5e-2             a range, uniform in the logarithm
-  600, 700, 800 N/m          a list; \"hooks\", \"open\" of texts
-  normal(760 N/m, 5 %)       mean and standard deviation, in its unit or in % of the mean
-  lognormal(760 N/m, 5 %)    median and standard deviation of the logarithm
-  triangular(600, 760, 900 N/m), uniform(600, 900 N/m)
-with the units that the spec takes for the key.";
-
-fn sampling(text: &str) -> Result<Sampling, String> {
-    let words = Sampling::ALL.map(|(word, _)| word).join(", ");
-    Sampling::named(text).ok_or_else(|| format!("must be one of {words}"))
-}
 
 /// Ctrl-C came; the chunks that are there stay.
 #[derive(Debug)]
@@ -85,12 +29,12 @@ impl std::fmt::Display for Interrupted {
 impl std::error::Error for Interrupted {}
 
 /// Runs the command.
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let plan = plan(arguments)?;
-    let threads = arguments.jobs.unwrap_or(0) as usize;
+pub fn run(given: &Given) -> anyhow::Result<()> {
+    let (plan, folder) = (plan(given)?, given.needed(&OUT)?);
+    let threads = given.count(&JOBS).unwrap_or(0) as usize;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
     let watch = Watch::begin_designs()?;
-    let dataset = Dataset::create_or_open(&arguments.out, &plan)?;
+    let dataset = Dataset::create_or_open(folder, &plan)?;
     let missing = dataset.missing();
     let length = |chunk: &u64| {
         let rows = plan.rows_of(*chunk);
@@ -116,8 +60,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let tally = dataset.tally()?;
     let made = plan.rows() - before;
     // A reader that closes the pipe early has all it wants.
-    let told = Told { folder: &arguments.out, plan: &plan, tally: &tally, made, seconds };
-    let text = if arguments.json { to_json(told.outcome())? } else { told.text() };
+    let told = Told { folder, plan: &plan, tally: &tally, made, seconds };
+    let text = if given.holds(&JSON) { to_json(told.outcome())? } else { told.text() };
     let _ = write!(anstream::stdout().lock(), "{text}");
     Ok(())
 }
@@ -125,19 +69,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// Rows from one look at the bar to the next.
 const TOLD: u64 = 16;
 
-fn plan(arguments: &Arguments) -> anyhow::Result<Plan> {
-    let catalogue = arguments.catalogue.as_deref().map(Catalogue::read).transpose()?;
+fn plan(given: &Given) -> anyhow::Result<Plan> {
+    let catalogue = given.file(&CATALOGUE).map(Catalogue::read).transpose()?;
     let parameters = PlanParameters {
-        over: arguments.over.clone(),
+        over: given.texts(&OVER),
         catalogue,
-        sampling: arguments.sampling,
-        rows: arguments.rows,
-        seed: arguments.seed,
-        columns: arguments.columns.as_deref().map_or_else(Vec::new, column_words),
-        chunk_rows: arguments.chunk,
+        sampling: given.text(&SAMPLING).and_then(|word| Sampling::named(&word)),
+        rows: given.count(&ROWS),
+        seed: given.count(&SEED).unwrap_or_default(),
+        columns: given.text(&COLUMNS).map_or_else(Vec::new, |words| column_words(&words)),
+        chunk_rows: given.count(&CHUNK),
         ..PlanParameters::default()
     };
-    Ok(Plan::new(parameters.with_spec(&arguments.spec)?)?)
+    Ok(Plan::new(parameters.with_spec(given.needed(&SPEC)?)?)?)
 }
 
 /// Most reasons that are shown.

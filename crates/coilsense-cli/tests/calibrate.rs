@@ -285,11 +285,14 @@ fn a_long_log_is_fitted_whole_and_what_is_judged_on_a_part_is_said() {
 #[test]
 fn what_does_not_go_together_is_said() {
     let (_place, path) = log(|_, _| None);
-    assert!(refused(&path, &PRESET[..2]).contains("--length-at-zero is needed"));
+    assert!(refused(&path, &PRESET[..2]).contains("--length-at-zero: is needed"));
     let with = |more: &[&str]| refused(&path, &[&PRESET[..], more].concat());
     assert!(with(&["--method", "through-preload"]).contains("preload: must be given"));
     assert!(with(&["--preload", "151 mm"]).contains("the nearest is 150 mm"));
-    assert!(with(&["--preload", "150 mm", "--method", "all"]).contains("goes with --method through-preload only"));
+    assert!(
+        with(&["--preload", "150 mm", "--method", "all"])
+            .contains("--preload: goes with the method through-preload only")
+    );
     assert!(with(&["--preload", "150 mm, 3 mm"]).contains("an inductance with its unit"));
     assert!(with(&["--wire", "2.8"]).contains("a length with its unit"));
     assert!(with(&["--wire", "2.8 mm"]).contains("--radius"));

@@ -4,19 +4,22 @@
 
 use std::sync::Arc;
 
-use coilsense::calibrate::Inversion;
 use coilsense::inductance::theories::Coil;
-use coilsense_lab::calibration::{Judged, Method, Outcome, Plan, Preload};
+use coilsense_lab::calibration::request::{
+    INVERSION, LENGTH_AT_ZERO, LENGTH_AT_ZERO_FORCE, METHOD, STIFFNESS, STIFFNESS_UNCERTAINTY,
+};
+use coilsense_lab::calibration::{Judged, Outcome, Plan, Preload};
 use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::request::PRESET;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::calibration::points::PointsArgument;
-use crate::errors::{Error, refused, unknown};
+use crate::errors::refused;
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, positive, share};
+use crate::quantity::{Quantity, given, positive, wrong};
 use crate::results::study_result;
 use crate::series::Series;
 use crate::spring_argument::SpringArgument;
@@ -202,21 +205,22 @@ pub fn calibrate(
     columns: Option<Bound<'_, PyDict>>,
     units: Option<Bound<'_, PyDict>>,
 ) -> PyResult<PyCalibration> {
-    let as_authors = preset.is_some();
-    let zero = positive(length_at_zero.as_ref(), "length_at_zero", Dimension::Length)?;
     let preload = preload.map(PreloadArgument::preload).transpose()?;
     let spring = spring.as_ref().map(SpringArgument::known).transpose()?;
-    let given = points::ForceArguments {
-        stiffness,
-        uncertainty: share(stiffness_uncertainty, "stiffness_uncertainty")?,
-        length_at_zero_force,
-    };
+    let given = given([
+        (&LENGTH_AT_ZERO, length_at_zero.into()),
+        (&METHOD, method.into()),
+        (&INVERSION, inversion.into()),
+        (&PRESET, preset.as_deref().into()),
+        (&STIFFNESS, stiffness.into()),
+        (&STIFFNESS_UNCERTAINTY, stiffness_uncertainty.into()),
+        (&LENGTH_AT_ZERO_FORCE, length_at_zero_force.into()),
+    ])?;
+    let zero = given.number(&LENGTH_AT_ZERO);
     let plan = Plan {
-        method: chosen(method, preload.as_ref(), as_authors)?,
-        preload,
-        inversion: turned(inversion, as_authors, zero)?,
         coil: spring.as_ref().map(|spec| Coil::of(&spec.spring)).transpose().map_err(refused)?,
         force: points::force(&given, spring.as_ref())?,
+        ..Plan::of(&given, preload).map_err(wrong)?
     };
     let measured = points::measured(py, points, zero, preset, columns, units)?;
     let outcome = interruptible(py, move || Outcome::new(measured, plan))?.map_err(refused)?;
@@ -238,31 +242,5 @@ impl PreloadArgument {
         };
         let inductance = positive(inductance.as_ref(), "preload[1]", Dimension::Inductance)?;
         Ok(Preload { length: length.positive("preload", Dimension::Length)?, inductance })
-    }
-}
-
-fn chosen(method: Option<&str>, preload: Option<&Preload>, as_authors: bool) -> PyResult<Method> {
-    let method = match method {
-        None if preload.is_some() => Method::ThroughPreload,
-        None if as_authors => Method::TwoPoint,
-        None => Method::All,
-        Some(word) => {
-            let found = Method::ALL.into_iter().find(|(name, _)| *name == word);
-            found.ok_or_else(|| unknown("method", &Method::ALL.map(|(name, _)| name), word))?.1
-        }
-    };
-    if preload.is_some() && method != Method::ThroughPreload {
-        return Err(Error::new_err("preload goes with method=\"through-preload\" only"));
-    }
-    Ok(method)
-}
-
-fn turned(inversion: Option<&str>, as_authors: bool, zero: Option<f64>) -> PyResult<Inversion> {
-    let needed = || Error::new_err("length_at_zero is needed, from which the 25 lengths start");
-    match inversion {
-        Some("exact") => Ok(Inversion::Exact),
-        None if !as_authors => Ok(Inversion::Exact),
-        Some("25-lengths") | None => Ok(Inversion::TwentyFiveLengths { zero_length: zero.ok_or_else(needed)? }),
-        Some(word) => Err(unknown("inversion", &["exact", "25-lengths"], word)),
     }
 }

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
-use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::Repairs;
+use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, RESAMPLE, SORT};
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 use coilsense_lab::rig::{Rig, RigError};
 use pyo3::prelude::*;
@@ -16,7 +16,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::{OutputError, refused};
 use crate::long_work::{interruptible, watched};
-use crate::quantity::{Quantity, positive, rate};
+use crate::quantity::{Quantity, given};
 use crate::results::study_result;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
@@ -160,14 +160,14 @@ pub fn experiment(
     fill_gaps: Option<Quantity>,
     resample: Option<Quantity>,
 ) -> PyResult<PyExperiment> {
-    let repairs = Repairs {
-        drop_incomplete,
-        sort,
-        merge_repeated,
-        fill_gaps: positive(fill_gaps.as_ref(), "fill_gaps", Dimension::Time)?,
-        resample: rate(resample.as_ref(), "resample")?,
-        ..Repairs::default()
-    };
+    let given = given([
+        (&DROP_INCOMPLETE, drop_incomplete.into()),
+        (&SORT, sort.into()),
+        (&MERGE_REPEATED, merge_repeated.into()),
+        (&FILL_GAPS, fill_gaps.into()),
+        (&RESAMPLE, resample.into()),
+    ])?;
+    let repairs = Repairs::of(&given);
     let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.map_err(refused)?;
     let findings = Findings::of(&experiment);
     Ok(PyExperiment(Arc::new((experiment, findings))))

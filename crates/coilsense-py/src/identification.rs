@@ -4,9 +4,10 @@
 
 use std::sync::Arc;
 
-use coilsense::FarEnd;
-use coilsense::identify::{Estimate, Settings};
-use coilsense::modes::ChainModes;
+use coilsense::identify::Estimate;
+use coilsense_lab::identification::request::{
+    ACCURACY_FORCE, ACCURACY_POSITION, END_MASS, END2, MASS, PREDICTION_TOLERANCE, TOLERANCE, WINDINGS, settings,
+};
 use coilsense_lab::identification::{Coil, Identified, spec_file};
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::report::{add_identification, identification_json, identification_text};
@@ -15,10 +16,10 @@ use pyo3::exceptions::PyDeprecationWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{Error, in_python, refused, unknown};
+use crate::errors::{Error, in_python, refused};
 use crate::estimate::PyEstimate;
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, open_share, positive, share};
+use crate::quantity::{Quantity, given, positive, wrong};
 use crate::recording::recording;
 use crate::results::study_result;
 use crate::spring_argument::SpringArgument;
@@ -245,30 +246,18 @@ pub fn identify(
     if known.is_some() && (mass.is_some() || windings.is_some()) {
         return Err(Error::new_err("spring says mass and windings, too; give one of them"));
     }
-    let predicted = known.as_ref().and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
-    let end_mass = positive(end_mass.as_ref(), "end_mass", Dimension::Mass)?;
-    let settings = Settings {
-        windings: known.as_ref().map(|spring| spring.whole_windings() as f64).or(windings),
-        mass: positive(mass.as_ref(), "mass", Dimension::Mass)?,
-        predicted: predicted.map(|angular| angular / std::f64::consts::TAU),
-        prediction_tolerance: open_share(prediction_tolerance, "prediction_tolerance")?,
-        far_end: far_end(end2, end_mass)?,
-        tolerance: open_share(tolerance, "tolerance")?,
-        accuracy_force: share(accuracy_force, "accuracy_force")?,
-        accuracy_position: share(accuracy_position, "accuracy_position")?,
-    };
+    let given = given([
+        (&MASS, mass.into()),
+        (&WINDINGS, windings.into()),
+        (&END2, end2.into()),
+        (&END_MASS, end_mass.into()),
+        (&PREDICTION_TOLERANCE, prediction_tolerance.into()),
+        (&TOLERANCE, tolerance.into()),
+        (&ACCURACY_FORCE, accuracy_force.into()),
+        (&ACCURACY_POSITION, accuracy_position.into()),
+    ])?;
+    let settings = settings(&given, known.as_ref()).map_err(wrong)?;
     let recording = recording(py, record)?;
     let identified = interruptible(py, move || Identified::of(recording, &settings))?.map_err(refused)?;
     Ok(PyIdentification(Arc::new(identified)))
-}
-
-fn far_end(end2: Option<&str>, mass: Option<f64>) -> PyResult<Option<FarEnd>> {
-    let known = ["held", "free", "mass"];
-    match (end2, mass) {
-        (None | Some("mass"), mass) => Ok(mass.map(FarEnd::Mass)),
-        (Some("held"), None) => Ok(Some(FarEnd::Position)),
-        (Some("free"), None) => Ok(Some(FarEnd::Force)),
-        (Some(word), _) if !known.contains(&word) => Err(unknown("end2", &known, word)),
-        _ => Err(Error::new_err("end_mass goes with end2=\"mass\" only")),
-    }
 }

@@ -5,11 +5,12 @@
 use std::path::PathBuf;
 
 use coilsense_lab::recording::Mapping;
+use coilsense_lab::recording::request::SAMPLE_RATE;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython};
-use crate::quantity::{Quantity, rate};
+use crate::quantity::{Quantity, given};
 
 /// Arguments of everything that reads a log.
 pub struct LogOptions<'py> {
@@ -34,7 +35,7 @@ enum Column {
 
 impl LogOptions<'_> {
     /// The mapping they make.
-    pub fn mapping(&self) -> PyResult<Mapping> {
+    pub fn mapping(self) -> PyResult<Mapping> {
         let mut mapping = match (&self.preset, &self.mapping) {
             (Some(_), Some(_)) => {
                 return Err(Error::new_err("preset and mapping say the same thing; give one of them"));
@@ -59,7 +60,8 @@ impl LogOptions<'_> {
             }
         }
         titles.iter().try_for_each(|(name, title)| mapping.set(&format!("{name}={title}")).python())?;
-        mapping.format.sample_rate = rate(self.sample_rate.as_ref(), "sample_rate")?.or(mapping.format.sample_rate);
+        let given = given([(&SAMPLE_RATE, self.sample_rate.into())])?;
+        mapping.format.sample_rate = given.number(&SAMPLE_RATE).or(mapping.format.sample_rate);
         Ok(mapping)
     }
 }

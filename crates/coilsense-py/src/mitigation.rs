@@ -8,15 +8,17 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use coilsense_lab::mitigation::export::Precision;
+use coilsense_lab::mitigation::request::{
+    BANDWIDTH, MASS_TOLERANCE, MOST_LAG, NOISE, RATE, SEEDS, STIFFNESS_TOLERANCE,
+};
 use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
-use coilsense_lab::quantity::Dimension;
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, finite, positive};
+use crate::quantity::{Quantity, given, wrong};
 use crate::recording::recording;
 use crate::results::{save, study_result};
 use crate::spec_argument::SpecArgument;
@@ -181,17 +183,16 @@ pub fn mitigate(
     if stated && record.is_some() {
         return Err(Error::new_err("record and stated are two things to judge on; give one of them"));
     }
-    let values = [
-        crate::quantity::rate(rate.as_ref(), "rate")?,
-        positive(noise.as_ref(), "noise", Dimension::Force)?,
-        positive(bandwidth.as_ref(), "bandwidth", Dimension::Frequency)?,
-        Some(stiffness_tolerance),
-        Some(mass_tolerance),
-        finite(most_lag.as_ref(), "most_lag", Dimension::Angle)?,
-        Some(seeds as f64),
-    ];
-    let asked =
-        Asked::of_values(values).map_err(|wrong| Error::new_err(format!("{} {}", wrong.option, wrong.reason)))?;
+    let given = given([
+        (&RATE, rate.into()),
+        (&NOISE, noise.into()),
+        (&BANDWIDTH, bandwidth.into()),
+        (&STIFFNESS_TOLERANCE, stiffness_tolerance.into()),
+        (&MASS_TOLERANCE, mass_tolerance.into()),
+        (&MOST_LAG, most_lag.into()),
+        (&SEEDS, seeds.into()),
+    ])?;
+    let asked = Asked::of(&given).map_err(wrong)?;
     let study = match (stated, record) {
         (true, _) => Study::stated(&spec.spring.spring).python()?,
         (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,

@@ -3,6 +3,7 @@
 //! Next door: series of numbers (`series`).
 
 use coilsense_lab::quantity::Dimension;
+use coilsense_lab::request::{Allowed, Given, Row, Takes, Value, Wrong};
 use pyo3::prelude::*;
 
 use crate::errors::Error;
@@ -17,66 +18,108 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// Its value in SI, any finite one; `name` is the argument's.
-    pub fn finite(&self, name: &str, dimension: Dimension) -> PyResult<f64> {
-        let wrong =
-            |what: &str, got: &dyn std::fmt::Display| Error::new_err(format!("{name} must be {what}, got {got}"));
-        let value = match self {
-            Self::Number(value) => *value,
-            Self::Text(text) => dimension.parse(text).ok_or_else(|| {
-                wrong(
-                    &format!("a number in {} or {}", dimension.si_unit(), dimension.expectation()),
-                    &format!("{text:?}"),
-                )
-            })?,
-        };
-        if value.is_finite() { Ok(value) } else { Err(wrong("finite", &value)) }
+    /// Its value in SI, any finite one.
+    pub fn finite(&self, name: &'static str, dimension: Dimension) -> PyResult<f64> {
+        self.checked(&Row { name, takes: Takes::Quantity(dimension), ..Row::PLAIN })
     }
 
     /// Its value in SI, above zero.
-    pub fn positive(&self, name: &str, dimension: Dimension) -> PyResult<f64> {
-        let value = self.finite(name, dimension)?;
-        let unit = dimension.si_unit();
-        if value > 0.0 {
-            Ok(value)
-        } else {
-            Err(Error::new_err(format!("{name} must be above zero, got {value} {unit}")))
-        }
+    pub fn positive(&self, name: &'static str, dimension: Dimension) -> PyResult<f64> {
+        let allowed = Allowed::AboveZero;
+        self.checked(&Row { name, takes: Takes::Quantity(dimension), allowed, ..Row::PLAIN })
     }
+
+    /// Its value in SI, where an option allows it.
+    fn checked(&self, row: &Row) -> PyResult<f64> {
+        let refused = |allowed: String, text: &str| row.wrong(format!("must be {allowed}, got {text:?}"));
+        let value = match (self, row.takes) {
+            (Self::Number(value), _) => Ok(*value),
+            (Self::Text(text), Takes::Quantity(dimension)) => dimension.parse(text).ok_or_else(|| {
+                refused(format!("a number in {} or {}", dimension.si_unit(), dimension.expectation()), text)
+            }),
+            (Self::Text(text), _) => Err(refused("a number".to_owned(), text)),
+        };
+        value.and_then(|value| row.checked(value)).map_err(wrong)
+    }
+}
+
+/// An exception for an option that cannot be.
+pub fn wrong(wrong: Wrong) -> PyErr {
+    // `from` is a word of the language.
+    let argument = if wrong.option == "from" { "from_" } else { wrong.option };
+    Error::new_err(format!("{argument} {}", wrong.reason))
+}
+
+/// What an argument says of an option.
+pub enum Said {
+    /// Nothing.
+    Nothing,
+    /// That it holds.
+    Yes,
+    /// A quantity, or a plain number.
+    Quantity(Quantity),
+    /// A whole number.
+    Count(u64),
+    /// A word.
+    Word(String),
+}
+
+impl<T: Into<Self>> From<Option<T>> for Said {
+    fn from(said: Option<T>) -> Self {
+        said.map_or(Self::Nothing, Into::into)
+    }
+}
+
+impl From<bool> for Said {
+    fn from(said: bool) -> Self {
+        if said { Self::Yes } else { Self::Nothing }
+    }
+}
+
+impl From<f64> for Said {
+    fn from(number: f64) -> Self {
+        Self::Quantity(Quantity::Number(number))
+    }
+}
+
+impl From<Quantity> for Said {
+    fn from(quantity: Quantity) -> Self {
+        Self::Quantity(quantity)
+    }
+}
+
+impl From<u64> for Said {
+    fn from(count: u64) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<&str> for Said {
+    fn from(word: &str) -> Self {
+        Self::Word(word.to_owned())
+    }
+}
+
+/// What arguments say of options, each as its row allows.
+pub fn given<const N: usize>(said: [(&Row, Said); N]) -> PyResult<Given> {
+    let mut given = Given::default();
+    for (row, said) in said {
+        let value = match said {
+            Said::Nothing => continue,
+            Said::Yes => {
+                given.set(row, Vec::new());
+                continue;
+            }
+            Said::Quantity(quantity) => Value::Number(quantity.checked(row)?),
+            Said::Count(count) => row.checked(count as f64).map(|_| Value::Count(count)).map_err(wrong)?,
+            Said::Word(word) => row.value(&word).map_err(wrong)?,
+        };
+        given.set(row, vec![value]);
+    }
+    Ok(given)
 }
 
 /// The value of an argument that may be left out, above zero.
-pub fn positive(argument: Option<&Quantity>, name: &str, dimension: Dimension) -> PyResult<Option<f64>> {
+pub fn positive(argument: Option<&Quantity>, name: &'static str, dimension: Dimension) -> PyResult<Option<f64>> {
     argument.map(|quantity| quantity.positive(name, dimension)).transpose()
-}
-
-/// The value of an argument that may be left out.
-pub fn finite(argument: Option<&Quantity>, name: &str, dimension: Dimension) -> PyResult<Option<f64>> {
-    argument.map(|quantity| quantity.finite(name, dimension)).transpose()
-}
-
-/// A rate that instruments have \[Hz\], where it is given.
-pub fn rate(argument: Option<&Quantity>, name: &str) -> PyResult<Option<f64>> {
-    let rate = finite(argument, name, Dimension::Frequency)?;
-    match rate.filter(|rate| !(1e-9..=1e9).contains(rate)) {
-        Some(rate) => Err(Error::new_err(format!("{name} must be from 1e-9 to 1e9 Hz, got {rate} Hz"))),
-        None => Ok(rate),
-    }
-}
-
-/// A share, from zero to below 1.
-pub fn share(value: f64, name: &str) -> PyResult<f64> {
-    if (0.0..1.0).contains(&value) {
-        return Ok(value);
-    }
-    Err(Error::new_err(format!("{name} must be from 0 to below 1, got {value}")))
-}
-
-/// A share above zero and below 1.
-pub fn open_share(value: f64, name: &str) -> PyResult<f64> {
-    if value > 0.0 && value < 1.0 {
-        Ok(value)
-    } else {
-        Err(Error::new_err(format!("{name} must be above 0 and below 1, got {value}")))
-    }
 }

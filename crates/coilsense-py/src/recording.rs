@@ -5,14 +5,15 @@
 use std::path::PathBuf;
 
 use coilsense_lab::quantity::Dimension;
-use coilsense_lab::recording::{Clock, Recording};
+use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, FROM, MERGE_REPEATED, RESAMPLE, SORT, TO};
+use coilsense_lab::recording::{Clock, Recording, Repairs};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, given};
 use crate::results::laid_out;
 use crate::signals::{PySignals, channel};
 use crate::value::getters;
@@ -252,15 +253,16 @@ pub fn open_log(
     to: Option<Quantity>,
 ) -> PyResult<PyRecording> {
     let mapping = LogOptions { columns, units, mapping, preset, sample_rate }.mapping()?;
-    let repairs = coilsense_lab::recording::Repairs {
-        drop_incomplete,
-        sort,
-        merge_repeated,
-        fill_gaps: crate::quantity::positive(fill_gaps.as_ref(), "fill_gaps", Dimension::Time)?,
-        resample: crate::quantity::rate(resample.as_ref(), "resample")?,
-        from: crate::quantity::finite(from_.as_ref(), "from_", Dimension::Time)?,
-        to: crate::quantity::finite(to.as_ref(), "to", Dimension::Time)?,
-    };
+    let given = given([
+        (&DROP_INCOMPLETE, drop_incomplete.into()),
+        (&SORT, sort.into()),
+        (&MERGE_REPEATED, merge_repeated.into()),
+        (&FILL_GAPS, fill_gaps.into()),
+        (&RESAMPLE, resample.into()),
+        (&FROM, from_.into()),
+        (&TO, to.into()),
+    ])?;
+    let repairs = Repairs::of(&given);
     interruptible(py, move || Recording::read(&path, &mapping, &repairs))?.python().map(PyRecording)
 }
 

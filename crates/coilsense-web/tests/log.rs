@@ -132,7 +132,7 @@ fn every_wrong_choice_is_refused_by_its_name_with_its_value_and_what_is_allowed(
         (json!({ "preload": "1 kg" }), "preload: must be "),
         (json!({ "preload": "200 mm", "method": "all" }), "preload: goes with"),
         (json!({ "method": "guess" }), "method: must be one of two-point, all, through-preload, got"),
-        (json!({ "inversion": "25-lengths" }), "length-at-zero: must be given"),
+        (json!({ "inversion": "25-lengths" }), "length-at-zero: is needed"),
     ] {
         let said = calibrate(asked).unwrap_err();
         assert!(said.starts_with(refusal), "{said}");

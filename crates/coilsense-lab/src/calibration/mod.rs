@@ -10,6 +10,7 @@ mod log;
 mod measured;
 mod outcome;
 mod plan;
+pub mod request;
 
 pub use answer::answer;
 pub(crate) use answer::with_error;

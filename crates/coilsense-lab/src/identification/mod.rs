@@ -3,6 +3,7 @@
 //! Next door: the science (`coilsense::identify`), where logs come from (`crate::recording`), its report (`crate::report`).
 
 mod answer;
+pub mod request;
 mod spec_file;
 
 pub(crate) use answer::interval;

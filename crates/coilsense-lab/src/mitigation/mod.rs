@@ -11,7 +11,7 @@ mod candidate;
 mod candidates;
 pub mod export;
 mod judge;
-mod request;
+pub mod request;
 mod residual;
 mod run;
 mod runs;

@@ -6,63 +6,101 @@ use coilsense::Error;
 use coilsense::mitigation::ToleranceBox;
 
 use crate::quantity::Dimension;
-use crate::request::{Allowed, IfAbsent, Row, Takes, Wrong, values};
+use crate::request::{Allowed, Door, Given, IfAbsent, Row, Takes, Wrong};
 
+/// What it is judged on in place of the spec's conditions.
+pub const BASIS: [Row; 2] = [STATED, LOG];
 /// The options, in the order in which they are told.
 pub const OPTIONS: [Row; 7] = [RATE, NOISE, BANDWIDTH, STIFFNESS_TOLERANCE, MASS_TOLERANCE, MOST_LAG, SEEDS];
 
+/// The stated scenario.
+pub const STATED: Row = Row {
+    name: "stated",
+    meaning: "Judge on the stated scenario in place of the spec's conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds",
+    conflicts: &["rate", "noise", "bandwidth", "stiffness_tolerance", "mass_tolerance", "most_lag", "seeds"],
+    elsewhere: &[(Door::Page, "Judge on")],
+    ..Row::PLAIN
+};
+/// A record.
+pub const LOG: Row = Row {
+    name: "log",
+    takes: Takes::File("LOG"),
+    meaning: "Judge on a log in place of the spec's conditions: F_i, u1, u2 and, for estimators, F_o, as `coilsense import` writes them",
+    conflicts: &["stated", "rate", "seeds"],
+    elsewhere: &[(Door::Python, "record"), (Door::Page, "Judge on")],
+    ..Row::PLAIN
+};
+/// In which numbers the target computes.
+pub const PRECISION: Row = Row {
+    name: "precision",
+    takes: Takes::Word(&["single", "double"]),
+    if_absent: IfAbsent::Value("single"),
+    meaning: "Numbers of the exported settings: f32 and float, or f64 and double",
+    elsewhere: &[(Door::Python, "Mitigation.save(precision=)"), (Door::Page, "its buttons that save")],
+    ..Row::PLAIN
+};
 /// How often the controller samples.
-pub(super) const RATE: Row = Row {
+pub const RATE: Row = Row {
     name: "rate",
     takes: Takes::Quantity(Dimension::Frequency),
     allowed: Allowed::AboveZero,
     if_absent: IfAbsent::Value("2.5 kHz"),
     meaning: "Sampling rate of the controller",
+    ..Row::PLAIN
 };
 /// White noise of F_i.
-pub(super) const NOISE: Row = Row {
+pub const NOISE: Row = Row {
     name: "noise",
     takes: Takes::Quantity(Dimension::Force),
     allowed: Allowed::AboveZero,
     if_absent: IfAbsent::Found("0.2 % of the nominal force"),
     meaning: "White noise of the force at end 1, rms per sample",
+    ..Row::PLAIN
 };
 /// Up to where the force is wanted.
-pub(super) const BANDWIDTH: Row = Row {
+pub const BANDWIDTH: Row = Row {
     name: "bandwidth",
     takes: Takes::Quantity(Dimension::Frequency),
     allowed: Allowed::AboveZero,
     if_absent: IfAbsent::Found("the goal's bandwidth, or f1/20"),
     meaning: "Highest frequency of the force itself, without ringing",
+    ..Row::PLAIN
 };
-const STIFFNESS_TOLERANCE: Row = Row {
+/// How far the stiffness may be off.
+pub const STIFFNESS_TOLERANCE: Row = Row {
     name: "stiffness_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
     if_absent: IfAbsent::Value("10 %"),
     meaning: "Tolerance of the stiffness, to either side",
+    ..Row::PLAIN
 };
-const MASS_TOLERANCE: Row = Row {
+/// How far the mass may be off.
+pub const MASS_TOLERANCE: Row = Row {
     name: "mass_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
     if_absent: IfAbsent::Value("10 %"),
     meaning: "Tolerance of the mass, to either side",
+    ..Row::PLAIN
 };
-const MOST_LAG: Row = Row {
+/// How late an advised candidate may be.
+pub const MOST_LAG: Row = Row {
     name: "most_lag",
     takes: Takes::Quantity(Dimension::Angle),
     allowed: Allowed::Any,
     if_absent: IfAbsent::Value("30 deg"),
     meaning: "Largest lag at the bandwidth that a recommendation may have",
+    ..Row::PLAIN
 };
 /// Series of noise.
-pub(super) const SEEDS: Row = Row {
+pub const SEEDS: Row = Row {
     name: "seeds",
     takes: Takes::Count,
     allowed: Allowed::Within(1.0, 1000.0),
     if_absent: IfAbsent::Value("5"),
     meaning: "Number of noise realisations",
+    ..Row::PLAIN
 };
 
 /// What is asked beside a spec.
@@ -83,30 +121,24 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// From texts, such as those of a form; `given` is nothing for an option that nobody set.
+    /// Of what was given; what was not holds as the table says.
     ///
     /// # Errors
-    /// [`Wrong`] for the first option that cannot be.
-    pub fn of(given: impl Fn(&Row) -> Option<String>) -> Result<Self, Wrong> {
-        Self::of_values(values(&OPTIONS, given)?)
-    }
-
-    /// From values in SI units, in the order of [`OPTIONS`]; what is not there holds as the table says.
-    ///
-    /// # Errors
-    /// [`Wrong`] for the first option that cannot be.
-    pub fn of_values(mut given: [Option<f64>; OPTIONS.len()]) -> Result<Self, Wrong> {
-        for (value, row) in given.iter_mut().zip(&OPTIONS) {
-            *value = value.or_else(|| row.default_value()).map(|value| row.checked(value)).transpose()?;
-        }
-        let [rate, noise, bandwidth, stiffness, mass, most_lag, seeds] = given;
-        let [rate, stiffness, mass, most_lag, seeds] =
-            [rate, stiffness, mass, most_lag, seeds].map(Option::unwrap_or_default);
-        let tolerances = ToleranceBox::new(stiffness, mass);
+    /// [`Wrong`] where the tolerances leave nothing between them.
+    pub fn of(given: &Given) -> Result<Self, Wrong> {
+        let number = |row: &Row| given.number(row).unwrap_or_default();
+        let tolerances = ToleranceBox::new(number(&STIFFNESS_TOLERANCE), number(&MASS_TOLERANCE));
         let tolerances = tolerances.map_err(|_| {
             STIFFNESS_TOLERANCE.wrong("must be above zero where the mass has no tolerance either: the box is empty")
         })?;
-        Ok(Self { rate, noise, bandwidth, tolerances, most_lag, seeds: seeds as u64 })
+        Ok(Self {
+            rate: number(&RATE),
+            noise: given.number(&NOISE),
+            bandwidth: given.number(&BANDWIDTH),
+            tolerances,
+            most_lag: number(&MOST_LAG),
+            seeds: given.count(&SEEDS).unwrap_or_default(),
+        })
     }
 }
 

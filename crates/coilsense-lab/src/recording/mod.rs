@@ -5,6 +5,7 @@
 //! | `mapping`, `mapping_file`, `quantity`, `title` | which column is which channel, in which unit |
 //! | `selection` | finding those columns in a file |
 //! | `source`, `text`, `layout`, `trial`, `cell`, `stamp`, `formats`, `table`, `whole` | where rows come from |
+//! | `request` | what may be asked of a log |
 //! | `repairs`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is mended on their way |
 //! | `account`, `telling` | what became of every row |
 //! | `points` | logs without a clock |
@@ -28,6 +29,7 @@ mod pipeline;
 mod points;
 mod quantity;
 mod repairs;
+pub mod request;
 mod row;
 mod selection;
 mod source;

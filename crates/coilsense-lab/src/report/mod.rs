@@ -15,11 +15,15 @@ mod outcome;
 mod pareto;
 mod placement;
 mod prose;
+#[cfg(all(feature = "reference", feature = "parquet"))]
+mod reference;
 mod reproduction;
 #[cfg(feature = "reference")]
 mod schemas;
 #[cfg(feature = "parquet")]
 mod sensitivity;
+#[cfg(all(feature = "reference", feature = "parquet"))]
+pub mod verbs;
 
 pub use analysis::{AnalysisOutcome, add_analysis, analysis_json, analysis_text};
 pub use calibration::{CalibrationOutcome, add_calibration, calibration_json, calibration_text};
@@ -34,6 +38,8 @@ pub use outcome::{Headed, Outcome, to_json};
 #[cfg(feature = "parquet")]
 pub use pareto::{ParetoOutcome, add_pareto, pareto_json, pareto_text};
 pub use placement::{PlacementOutcome, add_placement, placement_json, placement_text};
+#[cfg(all(feature = "reference", feature = "parquet"))]
+pub use reference::options_markdown;
 pub use reproduction::{add_reproduction, reproduction_json, reproduction_text};
 #[cfg(feature = "reference")]
 pub use schemas::schemas;

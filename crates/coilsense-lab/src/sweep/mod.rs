@@ -26,6 +26,7 @@ mod permutation;
 #[cfg(feature = "parquet")]
 mod picked;
 mod plan;
+pub mod request;
 mod sampling;
 mod sobol;
 mod spread;

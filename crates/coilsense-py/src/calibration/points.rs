@@ -5,16 +5,17 @@
 use std::path::PathBuf;
 
 use coilsense::calibrate::CalibrationPoints;
+use coilsense_lab::calibration::request::{LENGTH_AT_ZERO_FORCE, STIFFNESS};
 use coilsense_lab::calibration::{ForceLaw, Measured, read_lab_data};
-use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::request::LAB_DATA;
 use coilsense_lab::recording::{Points, Repairs};
+use coilsense_lab::request::Given;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython, refused};
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, positive};
 use crate::recording::PyRecording;
 use crate::series::Series;
 use crate::spring_argument::Known;
@@ -48,13 +49,13 @@ pub fn measured(
             Measured::of_log(&Points::of(&recording.get().0), zero).map_err(refused)
         }
         PointsArgument::Arrays(lengths, inductances) => of_arrays(&lengths.values(), &inductances.values(), zero),
-        PointsArgument::Path(path) if preset.is_some() => {
+        PointsArgument::Path(path) if preset.as_deref() == Some(LAB_DATA) => {
             let needed = "length_at_zero is needed: the file holds displacements, the curve is one of lengths";
             let zero = zero.ok_or_else(|| Error::new_err(needed))?;
             interruptible(py, move || read_lab_data(&path, zero))?.map_err(refused)
         }
         PointsArgument::Path(path) => {
-            let options = LogOptions { columns, units, mapping: None, preset: None, sample_rate: None };
+            let options = LogOptions { columns, units, mapping: None, preset, sample_rate: None };
             let mapping = options.mapping()?;
             let points = interruptible(py, move || Points::read(&path, &mapping, &Repairs::default()))?.python()?;
             Measured::of_log(&points, zero).map_err(refused)
@@ -76,19 +77,11 @@ fn of_arrays(lengths: &[f64], inductances: &[f64], zero: Option<f64>) -> PyResul
     })
 }
 
-/// What goes on to force, as Python gives it.
-pub struct ForceArguments {
-    pub stiffness: Option<Quantity>,
-    pub uncertainty: f64,
-    pub length_at_zero_force: Option<Quantity>,
-}
-
 /// The law by arguments, or by a spec's spring with its tolerances taken as evenly spread.
-pub fn force(given: &ForceArguments, spec: Option<&Known>) -> PyResult<Option<ForceLaw>> {
-    let stiffness = positive(given.stiffness.as_ref(), "stiffness", Dimension::Stiffness)?;
-    let rest_length = positive(given.length_at_zero_force.as_ref(), "length_at_zero_force", Dimension::Length)?;
-    match (spec, stiffness, rest_length) {
-        (Some(spec), None, None) => {
+pub fn force(given: &Given, spec: Option<&Known>) -> PyResult<Option<ForceLaw>> {
+    let told = [&STIFFNESS, &LENGTH_AT_ZERO_FORCE].map(|row| given.holds(row));
+    match (spec, told) {
+        (Some(spec), [false, false]) => {
             let (stiffness, even) = (spec.spring.stiffness(), 1.0 / 3.0_f64.sqrt());
             Ok(Some(ForceLaw {
                 stiffness,
@@ -98,11 +91,7 @@ pub fn force(given: &ForceArguments, spec: Option<&Known>) -> PyResult<Option<Fo
             }))
         }
         (Some(_), ..) => Err(Error::new_err("spring and stiffness say the same thing; give one of them")),
-        (None, Some(stiffness), Some(rest_length)) => {
-            let stiffness_u = stiffness * given.uncertainty;
-            Ok(Some(ForceLaw { stiffness, stiffness_u, rest_length, rest_length_u: 0.0 }))
-        }
-        (None, None, None) => Ok(None),
+        (None, [true, true] | [false, false]) => Ok(ForceLaw::given(given)),
         _ => Err(Error::new_err("stiffness and length_at_zero_force go together")),
     }
 }

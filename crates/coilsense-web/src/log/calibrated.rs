@@ -2,11 +2,11 @@
 //!
 //! Next door: the pairs and the fits (`coilsense_lab::calibration`), what was asked (`asked`).
 
-use coilsense::calibrate::Inversion;
 use coilsense::inductance::theories::{Coil, Theory};
-use coilsense_lab::calibration::{ForceLaw, Measured, Method, Outcome, Plan, Preload, lab_data_of_text};
-use coilsense_lab::quantity::Dimension;
+use coilsense_lab::calibration::request::{LENGTH_AT_ZERO, OPTIONS};
+use coilsense_lab::calibration::{ForceLaw, Measured, Outcome, Plan, lab_data_of_text};
 use coilsense_lab::recording::Points;
+use coilsense_lab::recording::request::{LAYOUT, is_lab_data};
 use coilsense_lab::report::calibration_json;
 use serde_json::json;
 
@@ -22,15 +22,19 @@ const DRAWN: usize = 81;
 /// One line, with the name of the log or the option.
 pub fn calibrate((name, text): Named, asked: &Asked) -> Result<Answer, String> {
     let spec = asked.spring()?;
-    let zero_length = asked.above_zero("length-at-zero", Dimension::Length)?;
-    let mut plan = plan(asked, zero_length)?;
+    let given = asked.given(OPTIONS.iter().chain(&LAYOUT))?;
+    let zero_length = given.number(&LENGTH_AT_ZERO);
+    let mut plan = Plan::of(&given, None).map_err(|wrong| wrong.to_string())?;
     let known = asked.coil(spec.as_ref().map(|spec| &spec.spring))?;
     let coil = known.map(|coil| Coil::new(coil.windings, coil.coil_radius, coil.wire_radius));
     plan.coil = coil.transpose().map_err(|error| error.to_string())?;
     plan.force = spec.as_ref().map(ForceLaw::of);
-    let measured = match (asked.is_lab_data(), zero_length) {
+    let measured = match (is_lab_data(&given), zero_length) {
         (true, Some(zero)) => lab_data_of_text(&name, text, zero),
-        (true, None) => return Err(needed("the file holds displacements, the curve is one of lengths")),
+        (true, None) => {
+            let needed = "is needed: the file holds displacements, the curve is one of lengths";
+            return Err(LENGTH_AT_ZERO.wrong(needed).to_string());
+        }
         (false, _) => {
             let points = Points::of_text(&name, text, &asked.mapping()?, &asked.repairs()?);
             Measured::of_log(&points.map_err(|error| error.to_string())?, zero_length)
@@ -40,42 +44,6 @@ pub fn calibrate((name, text): Named, asked: &Asked) -> Result<Answer, String> {
         Outcome::new(measured.map_err(|error| error.to_string())?, plan).map_err(|error| error.to_string())?;
     let told = calibration_json(&outcome, None).map_err(|error| error.to_string())?;
     Ok(Answer::new(&json!({ "json": told }), curves(&outcome)))
-}
-
-fn needed(why: &str) -> String {
-    format!("length-at-zero: must be given: {why}")
-}
-
-/// As the command's options are read; the measured runs are processed as their authors do unless told otherwise.
-fn plan(asked: &Asked, zero_length: Option<f64>) -> Result<Plan, String> {
-    let preload = asked.text("preload").map(preload).transpose()?;
-    let method = match asked.word("method", &Method::ALL)? {
-        Some(method) => method,
-        None if preload.is_some() => Method::ThroughPreload,
-        None if asked.is_lab_data() => Method::TwoPoint,
-        None => Method::All,
-    };
-    if preload.is_some() && method != Method::ThroughPreload {
-        return Err("preload: goes with the method through-preload only".to_owned());
-    }
-    let coarse = asked.word("inversion", &[("exact", false), ("25-lengths", true)])?;
-    let inversion = match (coarse.unwrap_or(asked.is_lab_data()), zero_length) {
-        (false, _) => Inversion::Exact,
-        (true, Some(zero_length)) => Inversion::TwentyFiveLengths { zero_length },
-        (true, None) => return Err(needed("the 25 lengths start from it")),
-    };
-    Ok(Plan { method, preload, inversion, coil: None, force: None })
-}
-
-/// `141.8 mm`, or with its inductance `141.8 mm, 3.35 uH`.
-fn preload(text: &str) -> Result<Preload, String> {
-    let above_zero = |dimension: Dimension, part: &str| {
-        let value = dimension.parse(part).filter(|value| value.is_finite() && *value > 0.0);
-        value.ok_or_else(|| format!("preload: must be {} above zero, got {part:?}", dimension.expectation()))
-    };
-    let (length, inductance) = text.split_once(',').map_or((text, None), |(at, henry)| (at, Some(henry)));
-    let inductance = inductance.map(|henry| above_zero(Dimension::Inductance, henry)).transpose()?;
-    Ok(Preload { length: above_zero(Dimension::Length, length)?, inductance })
 }
 
 /// `length` and `inductance` of the points; `drawn length`, and over it `fit` and `theory 0` …

@@ -27,7 +27,7 @@ pub fn study(spec: &Spec, given: &Asked) -> Result<Study, String> {
 /// # Errors
 /// One line, which begins with the option's name and a colon.
 pub fn asked(given: &Asked) -> Result<Options, String> {
-    Options::of(|row| given.text(&row.flag()).map(str::to_owned)).map_err(|wrong| wrong.to_string())
+    Options::of(&given.given(&OPTIONS)?).map_err(|wrong| wrong.to_string())
 }
 
 /// What the options are where nothing is said (`usual`), and what is wrong with those that are given (`wrong`), by their names.

@@ -1,0 +1,388 @@
+//! All verbs and what may be asked of each: of it are made the command's arguments and `book/src/reference/options.md`.
+//!
+//! Next door: the tables of those verbs that Python or the page ask, too (`recording::request`, `identification::request`,
+//! `calibration::request`, `mitigation::request`, `sweep::request`), what a row says (`crate::request`), the page of the book (`reference`).
+
+use crate::request::{Allowed, DATE, Door, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
+use crate::{calibration, identification, mitigation, recording, sweep};
+
+/// The verbs, in the order of the command's help.
+pub const VERBS: [Verb; 16] = [
+    Verb { name: "init", about: "Write a commented spec to start from", groups: &[&INIT], more: "" },
+    Verb {
+        name: "spring",
+        about: "The data sheet of a spec's spring: rate, mass, stress, lengths, surge frequencies and their neighbours",
+        groups: &[&SPRING],
+        more: "",
+    },
+    Verb {
+        name: "simulate",
+        about: "Simulate a spec's conditions and write all signals and readings",
+        groups: &[&SIMULATE],
+        more: "",
+    },
+    Verb {
+        name: "analyze",
+        about: "How far off is each force signal, why, and what to choose: simulate, judge, report",
+        groups: &[&ANALYZE],
+        more: "",
+    },
+    Verb {
+        name: "calibrate",
+        about: "From inductance to length and force: fit a measured log, say how far to trust it, and set the theories beside it",
+        groups: &[
+            &recording::request::LAYOUT,
+            &recording::request::CLEANING,
+            &recording::request::WINDOW,
+            &recording::request::SECOND,
+            &calibration::request::OPTIONS,
+            &[JSON, FIGURES, DATE],
+        ],
+        more: "",
+    },
+    Verb {
+        name: "identify",
+        about: "Is it the spring that rings, how stiff, heavy and damped is it, and up to where can its forces be trusted: ask a measured log",
+        groups: &[
+            &recording::request::LAYOUT,
+            &recording::request::CLEANING,
+            &recording::request::WINDOW,
+            &recording::request::SECOND,
+            &identification::request::OPTIONS,
+            &[JSON, FIGURES, DATE],
+        ],
+        more: "",
+    },
+    Verb {
+        name: "import",
+        about: "Read a log, clean it up as allowed, write it in SI units on one rising clock, and account for every row",
+        groups: &[
+            &recording::request::LAYOUT,
+            &recording::request::CLEANING,
+            &recording::request::WINDOW,
+            &recording::request::SECOND,
+            &IMPORT,
+        ],
+        more: "",
+    },
+    Verb {
+        name: "rig",
+        about: "The paper's experiment on a virtual rig: write the files that a real one would, with every instrument's errors",
+        groups: &[&RIG],
+        more: "",
+    },
+    Verb {
+        name: "mitigate",
+        about: "What to do about ringing: every filter and observer on the spec's conditions, ranked, and settings to paste",
+        groups: &[&[SPEC], &mitigation::request::BASIS, &mitigation::request::OPTIONS, &MITIGATE],
+        more: "",
+    },
+    Verb {
+        name: "placement",
+        about: "Which force to feed back, and how fast the loop may then be: limits, margins, rendered impedance",
+        groups: &[&PLACEMENT],
+        more: "",
+    },
+    Verb {
+        name: "sweep",
+        about: "Which of a million springs and sensors: vary a spec's values, judge every design, write rows as Parquet; a killed run is continued",
+        groups: &[&[VARIED], &sweep::request::OPTIONS, &SWEEP],
+        more: sweep::request::GRAMMAR,
+    },
+    Verb {
+        name: "sensitivity",
+        about: "What the columns of a sweep hang on: first-order and total sensitivity indices of its variables",
+        groups: &[&SENSITIVITY],
+        more: "",
+    },
+    Verb {
+        name: "pareto",
+        about: "Which designs of a sweep are worth a look: those that no other beats",
+        groups: &[&PARETO],
+        more: "",
+    },
+    Verb {
+        name: "experiment",
+        about: "Work off an experiment: how load cell, position and inductance part, what is biased, what drifts",
+        groups: &[&[FOLDER], &recording::request::CLEANING, &EXPERIMENT],
+        more: "",
+    },
+    Verb {
+        name: "app",
+        about: "The page: hit a spring in the browser and see its two ends disagree; needs a command built with the feature app",
+        groups: &[&APP],
+        more: "",
+    },
+    Verb {
+        name: "reproduce",
+        about: "Reproduce the tables and figures of \"Influence of Internal Oscillations on Force Sensing in Coil Springs\"",
+        groups: &[&REPRODUCE],
+        more: "",
+    },
+];
+
+/// The folder of a report with figures.
+const FIGURES: Row =
+    out("Folder for report.html, results.json and figures; its other files are left alone", IfAbsent::Nothing);
+/// The date of a report that is written only where a folder is named.
+const DATE_OF_OUT: Row = Row { requires: &["out"], ..DATE };
+
+/// A spring of the paper.
+pub const FROM: Row = Row {
+    name: "from",
+    takes: Takes::Text("NAME"),
+    if_absent: IfAbsent::Found("from a spring by geometry"),
+    meaning: "Start from a spring of the paper: S_T or S_A",
+    ..Row::PLAIN
+};
+/// The catalogue.
+pub const SENSORS: Row = Row {
+    name: "sensors",
+    meaning: "List the sensor catalogue in place of a spec",
+    conflicts: &["from", "out"],
+    ..Row::PLAIN
+};
+const INIT: [Row; 4] = [
+    FROM,
+    Row {
+        takes: Takes::File("FILE"),
+        ..out("Write to this file, which must not be there yet, in place of the terminal", IfAbsent::Nothing)
+    },
+    SENSORS,
+    JSON,
+];
+
+/// The material table.
+pub const MATERIALS: Row = Row {
+    name: "materials",
+    meaning: "List the material table in place of a data sheet",
+    conflicts: &["spec", "json"],
+    ..Row::PLAIN
+};
+const SPRING: [Row; 3] = [
+    Row {
+        if_absent: IfAbsent::RefusedWithout("materials"),
+        meaning: "The spec; its [spring] and [mount] make the sheet, its conditions say how many masses its chain needs",
+        ..SPEC
+    },
+    JSON,
+    MATERIALS,
+];
+
+/// All runs in one file.
+pub const ONE_FILE: Row = Row {
+    name: "one_file",
+    meaning: "Put everything into one CSV, with the columns condition and damping in front where there are several",
+    ..Row::PLAIN
+};
+const SIMULATE: [Row; 4] = [
+    SPEC,
+    Row {
+        takes: Takes::File("FILE"),
+        ..out(
+            "File for time, u1, u2, F_i, F_o, F_x, F_L, L and what each sensor reads; its ending says the format: csv, json or parquet. Several conditions or dampings make one CSV each, named FILE-<condition>-<damping>.csv",
+            IfAbsent::Refused,
+        )
+    },
+    ONE_FILE,
+    JSON,
+];
+const ANALYZE: [Row; 4] = [
+    SPEC,
+    out(
+        "Folder for report.html, results.json and signals.parquet; its other files are left alone",
+        IfAbsent::Value("out/analysis"),
+    ),
+    Row { meaning: "Print JSON, as it stands in results.json", ..JSON },
+    DATE,
+];
+const IMPORT: [Row; 2] = [
+    Row {
+        takes: Takes::File("FILE"),
+        ..out(
+            "File for time and channels in SI units; its ending says the format: csv, json or parquet",
+            IfAbsent::Refused,
+        )
+    },
+    JSON,
+];
+
+/// Of the rig's randomness.
+pub const SEED: Row = Row {
+    name: "seed",
+    takes: Takes::Count,
+    if_absent: IfAbsent::Found("that of [uncertainty]"),
+    meaning: "Seed of noise, of each instrument's own errors and of hits",
+    ..Row::PLAIN
+};
+const RIG: [Row; 4] = [
+    Row {
+        meaning: "The spec: its spring, one damping in [mount], and what differs from the paper's rig in [rig]",
+        ..SPEC
+    },
+    Row {
+        elsewhere: &[],
+        ..out(
+            "Folder for experiment.toml and two CSV files per run; its other files are left alone",
+            IfAbsent::Value("out/rig"),
+        )
+    },
+    SEED,
+    JSON,
+];
+const MITIGATE: [Row; 4] = [
+    out(
+        "Folder for report.html, results.json, the trade-off as a figure, and settings as JSON, C header and Rust constant; its other files are left alone",
+        IfAbsent::Nothing,
+    ),
+    DATE_OF_OUT,
+    mitigation::request::PRECISION,
+    JSON,
+];
+const PLACEMENT: [Row; 4] = [
+    Row { meaning: "The spec; its table [control] describes the loop", ..SPEC },
+    out("Folder for report.html and results.json; its other files are left alone", IfAbsent::Nothing),
+    JSON,
+    DATE_OF_OUT,
+];
+const VARIED: Row = Row { meaning: "The spec whose values are varied", ..SPEC };
+const SWEEP: [Row; 2] = [
+    Row { meaning: "Print the summary as JSON", ..JSON },
+    out(
+        "Folder for the manifest and one Parquet file a chunk; a folder of the same sweep is continued",
+        IfAbsent::Refused,
+    ),
+];
+
+/// A sweep that was made.
+pub const DATASET: Row = Row {
+    name: "sweep",
+    takes: Takes::File("DIR"),
+    if_absent: IfAbsent::Refused,
+    meaning: "Folder of a sweep, as `coilsense sweep --out` makes it",
+    by_place: true,
+    ..Row::PLAIN
+};
+/// Columns that are asked for.
+pub const OF: Row = Row {
+    name: "of",
+    takes: Takes::Text("COLUMN"),
+    if_absent: IfAbsent::Found("all that hold numbers"),
+    meaning: "Column to ask for, such as F_o.rmsd; may be given several times",
+    repeated: true,
+    ..Row::PLAIN
+};
+/// Draws of the intervals.
+pub const RESAMPLES: Row = Row {
+    name: "resamples",
+    takes: Takes::Count,
+    if_absent: IfAbsent::Value("1000"),
+    meaning: "How often base rows are drawn anew for the intervals",
+    ..Row::PLAIN
+};
+/// Seed of these draws.
+pub const DRAWS_SEED: Row = Row {
+    name: "seed",
+    takes: Takes::Count,
+    if_absent: IfAbsent::Value("0"),
+    meaning: "Seed of these draws",
+    ..Row::PLAIN
+};
+const SENSITIVITY: [Row; 7] = [
+    Row { meaning: "Folder of a sweep that was made with --sampling saltelli", ..DATASET },
+    OF,
+    RESAMPLES,
+    DRAWS_SEED,
+    out("Folder for report.html and results.json; its other files are left alone", IfAbsent::Nothing),
+    JSON,
+    DATE_OF_OUT,
+];
+
+/// A row of columns or conditions.
+const COLUMN: Row = Row { takes: Takes::Text("COLUMN"), repeated: true, ..Row::PLAIN };
+/// Columns of which little is wanted.
+pub const MINIMIZE: Row = Row {
+    name: "minimize",
+    meaning: "Column of which little is wanted, such as F_o.rmsd or mass; may be given several times",
+    ..COLUMN
+};
+/// Columns of which much is wanted.
+pub const MAXIMIZE: Row = Row { name: "maximize", meaning: "Column of which much is wanted, such as f1", ..COLUMN };
+/// What designs have to meet.
+pub const WHERE: Row = Row {
+    name: "where",
+    takes: Takes::Text("CONDITION"),
+    meaning: "What a design has to meet, such as 'mass < 100 g' or 'F_o.rmsd <= 2'; may be given several times",
+    ..COLUMN
+};
+/// Rows whose specs are written.
+pub const SPEC_ROW: Row = Row {
+    name: "spec_row",
+    takes: Takes::Text("ROW|knee"),
+    meaning: "Write the spec of a row, or of the knee, into the folder of --out, for `coilsense analyze`; may be given several times",
+    requires: &["out"],
+    elsewhere: &[(Door::Python, "SweepPlan.spec_of")],
+    ..COLUMN
+};
+const PARETO: [Row; 8] = [
+    DATASET,
+    MINIMIZE,
+    MAXIMIZE,
+    WHERE,
+    out(
+        "Folder for report.html, pareto.csv, pareto.parquet, results.json and the figure; its other files are left alone",
+        IfAbsent::Nothing,
+    ),
+    SPEC_ROW,
+    JSON,
+    DATE_OF_OUT,
+];
+
+/// Where the experiment lies.
+pub const FOLDER: Row = Row {
+    name: "folder",
+    takes: Takes::File("DIR"),
+    if_absent: IfAbsent::Refused,
+    meaning: "Folder with experiment.toml, which lists the logs: see book/src/guide/experiment.md",
+    by_place: true,
+    ..Row::PLAIN
+};
+const EXPERIMENT: [Row; 3] = [JSON, Row { if_absent: IfAbsent::Value("out/experiment"), ..FIGURES }, DATE];
+
+/// Where the page is served.
+pub const PORT: Row = Row {
+    name: "port",
+    takes: Takes::Count,
+    allowed: Allowed::Within(0.0, 65535.0),
+    if_absent: IfAbsent::Value("0"),
+    meaning: "Port of 127.0.0.1 on which the page is; 0 is a free one",
+    ..Row::PLAIN
+};
+/// Whether the browser stays as it is.
+pub const NO_OPEN: Row = Row { name: "no_open", meaning: "Only say where the page is", ..Row::PLAIN };
+const APP: [Row; 2] = [PORT, NO_OPEN];
+
+/// How the paper is read.
+pub const PROTOCOL: Row = Row {
+    name: "protocol",
+    takes: Takes::Word(&["text", "tables", "both"]),
+    if_absent: IfAbsent::Value("both"),
+    meaning: "How to read the paper: by its literal words, by what makes its printed tables come out, or both",
+    ..Row::PLAIN
+};
+/// Other springs.
+pub const SPRINGS: Row = Row {
+    name: "springs",
+    takes: Takes::File("DIR"),
+    meaning: "Folder with S_T.toml and S_A.toml to use in place of the built-in springs of Table I",
+    ..Row::PLAIN
+};
+const REPRODUCE: [Row; 4] = [
+    out(
+        "Folder for report.html, tables.json, figures/ and signals/; its other files are left alone",
+        IfAbsent::Value("out/paper"),
+    ),
+    PROTOCOL,
+    JSON,
+    SPRINGS,
+];

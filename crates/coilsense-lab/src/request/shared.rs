@@ -1,0 +1,43 @@
+//! Options that many verbs share: what is read, where it is written, what a report carries.
+//!
+//! Next door: the tables of the verbs (`report::VERBS`).
+
+use super::{Door, IfAbsent, Row, Takes};
+
+/// The spec.
+pub const SPEC: Row = Row {
+    name: "spec",
+    takes: Takes::File("SPEC"),
+    if_absent: IfAbsent::Refused,
+    meaning: "The spec",
+    by_place: true,
+    ..Row::PLAIN
+};
+/// Where files are written; what they are is said by each verb, see [`out`].
+pub const OUT: Row = Row {
+    name: "out",
+    takes: Takes::File("DIR"),
+    elsewhere: &[(Door::Python, "the result's method `save`"), (Door::Page, "its buttons that save")],
+    ..Row::PLAIN
+};
+/// What programs read.
+pub const JSON: Row = Row {
+    name: "json",
+    meaning: "Print JSON",
+    elsewhere: &[(Door::Python, "the result's method `to_dict`"), (Door::Page, "its buttons that save")],
+    ..Row::PLAIN
+};
+/// The date of a report.
+pub const DATE: Row = Row {
+    name: "date",
+    takes: Takes::Date,
+    if_absent: IfAbsent::Found("today's"),
+    meaning: "Date that the report carries, such as 2026-11-21",
+    elsewhere: &[(Door::Python, "the result's method `save`"), (Door::Page, "today")],
+    ..Row::PLAIN
+};
+
+/// The folder of a verb's files.
+pub const fn out(meaning: &'static str, if_absent: IfAbsent) -> Row {
+    Row { meaning, if_absent, ..OUT }
+}
