@@ -70,6 +70,35 @@ def test_what_is_wrong_is_named_with_the_argument_that_mends_it(tmp_path: pathli
         coilsense.open_log(path, fill_gaps=-1)
 
 
+def test_what_the_command_refuses_is_refused_in_the_same_words(tmp_path: pathlib.Path) -> None:
+    path = tmp_path / "run.csv"
+    path.write_text("F_o [N]\n1\n2\n")
+    nan = float("nan")
+    for name, value, reason in [
+        ("sample_rate", -1, "must be from 1e-9 to 1e9 Hz, got -1 Hz"),
+        ("resample", 1e12, "must be from 1e-9 to 1e9 Hz, got 1000000000000 Hz"),
+        ("resample", nan, "must be finite, got NaN Hz"),
+        ("fill_gaps", 0, "must be above zero, got 0 s"),
+        ("from_", nan, "must be finite, got NaN s"),
+        ("to", float("inf"), "must be finite, got inf s"),
+    ]:
+        with pytest.raises(coilsense.Error, match=f"^{name} {reason}$"):
+            coilsense.open_log(path, **{name: value})
+    for name, value, reason in [
+        ("windings", 0.5, "must be from 1 to 1000000, got 0.5"),
+        ("mass", -1, "must be above zero, got -1 kg"),
+        ("tolerance", 0, "must be above 0 and below 1, got 0"),
+        ("prediction_tolerance", nan, "must be finite, got NaN"),
+        ("accuracy_force", 1, "must be from 0 to below 1, got 1"),
+    ]:
+        with pytest.raises(coilsense.Error, match=f"^{name} {reason}$"):
+            coilsense.identify(hit_log(), **{name: value})
+    with pytest.raises(coilsense.Error, match="^end_mass goes with a mass at end 2 only$"):
+        coilsense.identify(hit_log(), end2="held", end_mass=1)
+    with pytest.raises(coilsense.LogError, match="no preset of that name; there are: lab-data"):
+        coilsense.calibrate(path, preset="x")
+
+
 def test_two_devices_are_put_on_one_clock() -> None:
     signals = hit_log(0.0, 4)
     first = coilsense.Recording(coilsense.Signals(signals.time, {"F_i": signals["F_i"]}), "first")
