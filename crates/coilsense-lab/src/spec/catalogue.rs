@@ -6,21 +6,18 @@ use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use coilsense::geometry::MaterialParameters;
-use coilsense::sensors::Quantity;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::SpecError;
-use super::document::Document;
 use super::measurand::KINDS;
-use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
 
 /// The material of a spec that names none.
 pub const USUAL_MATERIAL: &str = "steel EN 10270-1";
 
 const MATERIALS: &str = include_str!("../../data/materials.toml");
-const SENSORS: &str = include_str!("../../data/sensors.toml");
+pub(super) const SENSORS: &str = include_str!("../../data/sensors.toml");
 
 /// A material or a class of sensors: its keys and their values, as the table writes them.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +38,7 @@ impl Row {
     }
 
     /// The value of a key that every row has.
-    fn needed(&self, key: &str) -> &str {
+    pub(super) fn needed(&self, key: &str) -> &str {
         self.get(key).unwrap_or_default()
     }
 }
@@ -131,25 +128,6 @@ pub(super) fn kind_of(name: &str) -> Option<&'static str> {
     let all = sensor_rows().ok()?;
     let class = all.iter().find(|row| row.needed("class") == name)?;
     KINDS.into_iter().find(|kind| *kind == class.needed("kind"))
-}
-
-/// A sensor of a class; the error says which there are of its kind.
-pub(super) fn class(name: &str, quantity: Quantity, range: f64) -> Result<SensorSpec, String> {
-    let text = |error: SpecError| error.to_string();
-    let all = sensor_rows().map_err(text)?;
-    let kind = quantity.kind();
-    let Some(place) = all.iter().position(|row| row.needed("class") == name && row.needed("kind") == kind) else {
-        let names: Vec<String> = all
-            .iter()
-            .filter(|row| row.needed("kind") == kind)
-            .map(|row| format!("{:?}", row.needed("class")))
-            .collect();
-        return Err(format!("no class of that name for kind \"{kind}\"; there are {}", names.join(", ")));
-    };
-    let document = Document::catalogue("data/sensors.toml", SENSORS).map_err(text)?;
-    let sections = document.sections("sensor").map_err(text)?;
-    let section = sections.get(place).ok_or("data/sensors.toml of this program is damaged")?;
-    SensorSpec::perfect(name, quantity, range).with_keys(section).map_err(text)
 }
 
 /// The material table, as people read it.

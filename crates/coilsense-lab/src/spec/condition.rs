@@ -7,11 +7,10 @@ use coilsense::{EndInput, Error, Excitation, FarEnd, Spring, Start, VelocityProf
 
 use super::document::Document;
 use super::drive::{self, DRIVES};
-use super::mount::MountSpec;
 use super::recorded::Recorded;
-use super::recordings::Recordings;
 use super::section::Section;
-use super::{Files, SpecError, size};
+use super::setting::Setting;
+use super::{SpecError, size};
 use crate::quantity::Dimension;
 
 /// Every kind of condition, by its word in a spec.
@@ -43,7 +42,11 @@ impl About {
     fn read(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Self, SpecError> {
         match kind {
             "impact" | "end-stop" => Ok(Self::Moving),
-            "recorded" => Recorded::read(section, setting).map(Self::Recorded),
+            "recorded" => {
+                let file = section.text("file")?;
+                let recorded = setting.recordings.of(&file, setting.mount.far_end(), setting.files);
+                recorded.map(Self::Recorded).map_err(|message| section.refuse("file", message))
+            }
             other => match drive::named(other) {
                 Some(read) => Ok(Self::Driven(read)),
                 None => Err(section.refuse("kind", "is no kind of condition".to_owned())),
@@ -71,14 +74,6 @@ pub struct ConditionSpec {
     pub remarks: Vec<String>,
 }
 
-/// What conditions are read against.
-pub(super) struct Setting<'a> {
-    pub spring: &'a Spring,
-    pub mount: &'a MountSpec,
-    pub files: &'a Files<'a>,
-    pub recordings: &'a Recordings,
-}
-
 impl ConditionSpec {
     pub(super) fn parse_all(document: &Document<'_>, setting: &Setting<'_>) -> Result<Vec<Self>, SpecError> {
         let mut conditions: Vec<Self> = Vec::new();
@@ -92,7 +87,8 @@ impl ConditionSpec {
                 return Err(section.refuse("name", text));
             }
             conditions.push(condition);
-            size::check_total(&section, setting, &conditions)?;
+            let samples = conditions.iter().map(|condition| condition.duration * condition.sample_rate).sum();
+            size::check_total(&section, setting, samples)?;
         }
         Ok(conditions)
     }

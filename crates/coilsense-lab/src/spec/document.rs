@@ -7,9 +7,9 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::keys::{EXPERIMENT_TABLES, TABLES, Table};
+use super::keys::{EXPERIMENT_TABLES, TABLES, Table, springs};
 use super::section::{Section, clipped};
-use super::{SpecError, former, located, spring, synonyms};
+use super::{SpecError, former, located, synonyms};
 use crate::likeness::nearest;
 use crate::quantity::with_point;
 
@@ -235,7 +235,7 @@ fn like_one_of(known: &[&str], name: &str) -> String {
 fn kind_of<'t>(documented: &Table, table: &'t DeTable<'_>) -> Option<&'t str> {
     let word = |key: &str| table.get(key).and_then(|value| value.get_ref().as_str());
     match documented.name {
-        "spring" => Some(spring::kind(|key| table.contains_key(key))),
+        "spring" => Some(springs::way(|key| table.contains_key(key))),
         "mount" => Some(word("end2").unwrap_or("held")),
         "control" => word("drive"),
         _ => word("kind"),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use coilsense::Channel;
 use toml::de::DeValue;
 
-use super::condition::{ConditionSpec, Setting};
+use super::condition::ConditionSpec;
 use super::control::ControlSpec;
 use super::document::Document;
 use super::goal::{Goal, UncertaintySpec};
@@ -16,6 +16,7 @@ use super::mount::MountSpec;
 use super::recordings::Recordings;
 use super::rig::RigSpec;
 use super::sensor::SensorSpec;
+use super::setting::Setting;
 use super::spring::SpringSpec;
 use super::synonyms::synonym;
 use super::{Files, Spec, SpecError};

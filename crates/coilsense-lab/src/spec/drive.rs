@@ -5,8 +5,8 @@
 use coilsense::{EndInput, FarEnd};
 
 use super::SpecError;
-use super::condition::Setting;
 use super::section::Section;
+use super::setting::Setting;
 use crate::quantity::Dimension;
 
 /// Quantities of the science and the keys that set them, where the words differ.

@@ -23,8 +23,11 @@ mod recordings;
 mod replaced;
 mod rig;
 mod run;
+#[cfg(feature = "reference")]
+mod schema;
 mod section;
 mod sensor;
+mod setting;
 mod size;
 mod spring;
 mod synonyms;
@@ -41,11 +44,13 @@ pub use experiment::ExperimentSpec;
 pub use goal::{Goal, UncertaintySpec};
 pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table};
 #[cfg(feature = "reference")]
-pub use keys::{experiment_file_schema, experiment_markdown, markdown, spec_schema};
+pub use keys::{experiment_markdown, markdown};
 pub use measurand::KINDS as SENSOR_KINDS;
 pub use mount::{BAND, DampingCase, MountSpec};
 pub use rig::RigSpec;
 pub use run::{RunKind, RunSpec};
+#[cfg(feature = "reference")]
+pub use schema::{experiment_file_schema, spec_schema};
 pub use sensor::SensorSpec;
 pub use spring::SpringSpec;
 pub use template::template;

@@ -5,9 +5,6 @@
 use coilsense::excitation::Sampled;
 use coilsense::{EndInput, FarEnd};
 
-use super::SpecError;
-use super::condition::Setting;
-use super::section::Section;
 use crate::quantity::Dimension;
 
 /// A recorded motion of one end or both, or of end 1 and the force at end 2.
@@ -29,12 +26,6 @@ struct Column {
 }
 
 impl Recorded {
-    pub fn read(section: &Section<'_>, setting: &Setting<'_>) -> Result<Self, SpecError> {
-        let file = section.text("file")?;
-        let recorded = setting.recordings.of(&file, setting.mount.far_end(), setting.files);
-        recorded.map_err(|message| section.refuse("file", message))
-    }
-
     /// The time of the last sample \[s\].
     pub fn duration(&self) -> f64 {
         self.last

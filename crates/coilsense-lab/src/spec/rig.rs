@@ -6,7 +6,6 @@ use coilsense::End;
 use coilsense::sensors::{Kind, Quantity};
 
 use super::SpecError;
-use super::catalogue;
 use super::document::Document;
 use super::sensor::SensorSpec;
 use crate::quantity::Dimension;
@@ -127,7 +126,7 @@ impl RigSpec {
 const CONVERTER_STEP: f64 = 2.0 / 65536.0;
 
 fn class(name: &str, quantity: Quantity, range: f64) -> Result<SensorSpec, SpecError> {
-    catalogue::class(name, quantity, range).map_err(SpecError)
+    SensorSpec::of_class(name, quantity, range).map_err(SpecError)
 }
 
 /// FUTEK LSB200 of 110 N. Noise and limits of error are chosen as typical: the paper and our catalogue have none.

@@ -88,11 +88,30 @@ impl SensorSpec {
         let range = section.above_zero("range", dimension(kind))?.unwrap_or(natural);
         let base = match class {
             Some(class) => {
-                catalogue::class(&class, quantity, range).map_err(|message| section.refuse("class", message))?
+                Self::of_class(&class, quantity, range).map_err(|message| section.refuse("class", message))?
             }
             None => Self::perfect(word, quantity, range),
         };
         base.with_keys(section)
+    }
+
+    /// A sensor of a class; the error says which there are of its kind.
+    pub(super) fn of_class(name: &str, quantity: Quantity, range: f64) -> Result<Self, String> {
+        let text = |error: SpecError| error.to_string();
+        let all = catalogue::sensor_rows().map_err(text)?;
+        let kind = quantity.kind();
+        let Some(place) = all.iter().position(|row| row.needed("class") == name && row.needed("kind") == kind) else {
+            let names: Vec<String> = all
+                .iter()
+                .filter(|row| row.needed("kind") == kind)
+                .map(|row| format!("{:?}", row.needed("class")))
+                .collect();
+            return Err(format!("no class of that name for kind \"{kind}\"; there are {}", names.join(", ")));
+        };
+        let document = Document::catalogue("data/sensors.toml", catalogue::SENSORS).map_err(text)?;
+        let sections = document.sections("sensor").map_err(text)?;
+        let section = sections.get(place).ok_or("data/sensors.toml of this program is damaged")?;
+        Self::perfect(name, quantity, range).with_keys(section).map_err(text)
     }
 
     /// An instrument without any limits of its own; `range` is its full scale in the native unit.

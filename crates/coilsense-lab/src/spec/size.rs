@@ -3,8 +3,8 @@
 //! Next door: what is done to the spring (`condition`).
 
 use super::SpecError;
-use super::condition::{ConditionSpec, Setting};
 use super::section::Section;
+use super::setting::Setting;
 use crate::quantity::Dimension;
 
 /// Fewest samples of a condition and of its window: what a spectrum needs.
@@ -57,15 +57,10 @@ pub(super) fn check(section: &Section<'_>, setting: &Setting<'_>, samples: f64) 
     Err(section.refuse(size_key(section), text))
 }
 
-/// All conditions so far have no more samples than can be kept.
-pub(super) fn check_total(
-    section: &Section<'_>,
-    setting: &Setting<'_>,
-    conditions: &[ConditionSpec],
-) -> Result<(), SpecError> {
+/// All conditions so far, with so many samples under each damping, have no more than can be kept.
+pub(super) fn check_total(section: &Section<'_>, setting: &Setting<'_>, samples: f64) -> Result<(), SpecError> {
     let dampings = setting.mount.cases.len();
-    let samples = |condition: &ConditionSpec| condition.duration * condition.sample_rate;
-    let total = dampings as f64 * conditions.iter().map(samples).sum::<f64>();
+    let total = dampings as f64 * samples;
     if total <= MOST_IN_ALL {
         return Ok(());
     }

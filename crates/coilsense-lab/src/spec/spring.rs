@@ -9,6 +9,7 @@ use coilsense::inductance::SelfDistance;
 use coilsense::{Spring, SpringParameters};
 
 use super::document::Document;
+use super::keys::springs;
 use super::material::material;
 use super::section::Section;
 use super::tolerance::Tolerances;
@@ -44,15 +45,6 @@ pub struct SpringSpec {
 
 /// Most masses for a winding that a spec may ask for.
 const MOST_MASSES_PER_WINDING: u64 = 64;
-/// The two ways to describe a spring.
-const BY_VALUES: &str = "by values";
-const BY_GEOMETRY: &str = "by geometry";
-
-/// The way by which the keys that a table `has` describe a spring.
-pub(super) fn kind(has: impl Fn(&str) -> bool) -> &'static str {
-    if has("wire_diameter") || has("coil_diameter") { BY_GEOMETRY } else { BY_VALUES }
-}
-
 /// Words for how the wire ends.
 const ENDS: [(&str, EndType); 5] = [
     ("hooks", EndType::Hooks),
@@ -124,8 +116,8 @@ impl SpringSpec {
 
     /// Reads the table `[spring]`.
     pub(super) fn of(section: &Section<'_>) -> Result<Self, SpecError> {
-        let kind = kind(|key| section.has(key));
-        let by_geometry = kind == BY_GEOMETRY;
+        let kind = springs::way(|key| section.has(key));
+        let by_geometry = kind == springs::BY_GEOMETRY;
         let whose = match by_geometry {
             true => "a spring by geometry (which wire_diameter or coil_diameter makes it)",
             false => "a spring by values (without wire_diameter and coil_diameter)",

@@ -7,17 +7,13 @@ mod control;
 mod domain;
 mod experiment;
 mod rig;
-#[cfg(feature = "reference")]
-mod schema;
 mod sensors;
-mod springs;
+pub(super) mod springs;
 
 pub(crate) use domain::Domain;
 pub use experiment::EXPERIMENT_TABLES;
 #[cfg(feature = "reference")]
 pub use experiment::experiment_markdown;
-#[cfg(feature = "reference")]
-pub use schema::{experiment_file_schema, spec_schema};
 
 /// One key of a table.
 #[derive(Debug, Clone, Copy)]

@@ -3,8 +3,16 @@
 use super::{Table, needed, optional, told};
 
 /// The ways to describe a spring.
-const TABLE_I: &[&str] = &["by values"];
-const GEOMETRY: &[&str] = &["by geometry"];
+const BY_VALUES: &str = "by values";
+/// By wire, coil and material.
+pub(crate) const BY_GEOMETRY: &str = "by geometry";
+const TABLE_I: &[&str] = &[BY_VALUES];
+const GEOMETRY: &[&str] = &[BY_GEOMETRY];
+
+/// The way by which the keys that a table `has` describe a spring.
+pub(crate) fn way(has: impl Fn(&str) -> bool) -> &'static str {
+    if has("wire_diameter") || has("coil_diameter") { BY_GEOMETRY } else { BY_VALUES }
+}
 
 pub(super) const SPRING: Table = Table {
     name: "spring",

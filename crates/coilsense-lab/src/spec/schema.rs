@@ -1,11 +1,11 @@
 //! The JSON Schema of a spec and of an `experiment.toml`, by which editors complete keys and mark those that are unknown.
 //!
-//! Next door: the keys themselves (the parent), what each takes (`domain`), the schemas of what comes out (`crate::report`).
+//! Next door: the keys themselves and what each takes (`keys`), the schemas of what comes out (`crate::report`).
 
 use serde_json::{Map, Value, json};
 
-use super::{Domain, EXPERIMENT_TABLES, Key, TABLES, Table};
-use crate::spec::{CONDITION_KINDS, SENSOR_KINDS, SPEC_VERSION};
+use super::keys::{Domain, EXPERIMENT_TABLES, Key, TABLES, Table};
+use super::{CONDITION_KINDS, SENSOR_KINDS, SPEC_VERSION};
 
 const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 
