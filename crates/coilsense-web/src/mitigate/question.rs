@@ -41,6 +41,7 @@ pub fn usual(spec: &Spec, given: &Asked) -> Result<Answer, String> {
         (_, "noise") => format!("{} N", plainly(plain.noise)),
         (_, "bandwidth") => format!("{} Hz", plainly(plain.bandwidth)),
         (IfAbsent::Found(words), _) => words.to_owned(),
+        (IfAbsent::Nothing | IfAbsent::Refused | IfAbsent::RefusedWithout(_), _) => String::new(),
     };
     let usual: Map<String, Value> = OPTIONS.iter().map(|row| (row.flag(), json!(found(row)))).collect();
     let refused = |row: &Row| row.value(given.text(&row.flag())?).err().map(|wrong| wrong.to_string());
