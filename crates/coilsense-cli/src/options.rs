@@ -108,6 +108,30 @@ mod tests {
     }
 
     #[test]
+    fn a_row_of_the_table_is_all_that_an_option_takes() {
+        use coilsense_lab::quantity::Dimension;
+        use coilsense_lab::request::Allowed;
+        const TOY: Row = Row {
+            name: "toy_force",
+            takes: Takes::Quantity(Dimension::Force),
+            allowed: Allowed::AboveZero,
+            if_absent: IfAbsent::Value("2 N"),
+            meaning: "A toy",
+            ..Row::PLAIN
+        };
+        const VERB: Verb = Verb { name: "toy", about: "Toys", groups: &[&[TOY]], more: "" };
+        let said = |words: &[&str]| command(&VERB).try_get_matches_from([&["toy"], words].concat());
+        let number = |words: &[&str]| given(&VERB, &said(words).unwrap()).number(&TOY);
+        assert_eq!((number(&[]), number(&["--toy-force", "3 kN"])), (Some(2.0), Some(3000.0)));
+        assert!(said(&["--toy-force", "0 N"]).unwrap_err().to_string().contains("must be above zero"));
+        let help = command(&VERB).render_long_help().to_string();
+        assert!(
+            help.contains("--toy-force <FORCE>") && help.contains("A toy") && help.contains("2 N"),
+            "{help}"
+        );
+    }
+
+    #[test]
     fn what_is_given_comes_back_in_si_units_or_is_refused_in_a_line() {
         let said = |words: &[&str]| {
             let matches =
