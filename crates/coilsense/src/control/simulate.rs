@@ -8,7 +8,7 @@ use super::drive::Drive;
 use super::environment::Environment;
 use super::rational::Difference;
 use super::sampled::SampledLoop;
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 use crate::motion::{ForceSample, Live};
 use crate::mount::{FarEnd, Mount};
 use crate::signals::Channel;
@@ -70,7 +70,7 @@ impl<'a> Filter<'a> {
 pub fn simulate(sampled: &SampledLoop, gain: f64, reference: f64, samples: usize) -> Result<Run, Error> {
     let plant = sampled.continuous.plant();
     check(samples <= MOST_SAMPLES, "samples", samples as f64, "", format!("at most {MOST_SAMPLES}"))?;
-    check(gain.is_finite() && gain >= 0.0, "gain factor", gain, "", "finite and not below zero")?;
+    check(gain.is_finite() && gain >= 0.0, called("gain", "gain factor"), gain, "", "finite and not below zero")?;
     check(reference.is_finite(), "reference", reference, "N", "finite")?;
     let far_end = far_end(sampled)?;
     let mount = Mount::new(far_end, plant.damping().clone())?;
@@ -114,12 +114,18 @@ pub(super) fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
         Drive::Force { bandwidth, .. } => bandwidth.unwrap_or(0.0),
     };
     let only = "that of an ideal velocity source for a run over time";
-    check(bandwidth.is_infinite(), "drive bandwidth", bandwidth, "Hz", only)?;
+    check(bandwidth.is_infinite(), called("bandwidth", "drive bandwidth"), bandwidth, "Hz", only)?;
     let far_end = match *plant.environment() {
         Environment::Held => FarEnd::Position,
         Environment::Impedance { mass, damping, stiffness } => {
-            check(damping == 0.0, "load damping", damping, "N s/m", "zero for a run over time")?;
-            check(stiffness == 0.0, "load stiffness", stiffness, "N/m", "zero for a run over time")?;
+            check(damping == 0.0, called("damping", "load damping"), damping, "N s/m", "zero for a run over time")?;
+            check(
+                stiffness == 0.0,
+                called("stiffness", "load stiffness"),
+                stiffness,
+                "N/m",
+                "zero for a run over time",
+            )?;
             FarEnd::Mass(mass)
         }
     };
