@@ -27,7 +27,11 @@ pub struct Arguments {
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let text = if arguments.sensors { spec::classes()? } else { spec::template(arguments.from.as_deref())? };
+    let text = if arguments.sensors {
+        spec::classes()?
+    } else {
+        spec::template(arguments.from.as_deref()).map_err(|error| anyhow::anyhow!("--from {error}"))?
+    };
     let told = |file| match arguments.json {
         true => to_json(InitOutcome { file, text: &text }),
         false => Ok(text.clone()),

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::calibration::points::PointsArgument;
-use crate::errors::{Error, refused, unknown};
+use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, positive, share};
 use crate::results::study_result;
@@ -219,7 +219,7 @@ pub fn calibrate(
         force: points::force(&given, spring.as_ref())?,
     };
     let measured = points::measured(py, points, zero, preset, columns, units)?;
-    let outcome = interruptible(py, move || Outcome::new(measured, plan))?.map_err(refused)?;
+    let outcome = interruptible(py, move || Outcome::new(measured, plan))?.python()?;
     Ok(PyCalibration(Arc::new(outcome)))
 }
 

@@ -14,7 +14,7 @@ use coilsense_lab::rig::{Rig, RigError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{OutputError, refused};
+use crate::errors::{IntoPython, OutputError, refused};
 use crate::long_work::{interruptible, watched};
 use crate::quantity::{Quantity, positive, rate};
 use crate::results::study_result;
@@ -168,7 +168,7 @@ pub fn experiment(
         resample: rate(resample.as_ref(), "resample")?,
         ..Repairs::default()
     };
-    let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.map_err(refused)?;
+    let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.python()?;
     let findings = Findings::of(&experiment);
     Ok(PyExperiment(Arc::new((experiment, findings))))
 }

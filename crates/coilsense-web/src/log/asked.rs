@@ -6,6 +6,7 @@ use coilsense::identify::Settings;
 use coilsense::modes::ChainModes;
 use coilsense::{FarEnd, Spring};
 use coilsense_lab::identification::Coil;
+use coilsense_lab::message::{Door, Message};
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::{Clock, Mapping, Repairs};
 use coilsense_lab::spec::SpringSpec;
@@ -18,7 +19,8 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// From `{"column": ["F_o=#3 [N]"], "sample-rate": "2.5 kHz", "spec": "[spring] …", "drop-incomplete": true, …}`.
+    /// From `{"column": ["F_o=#3 [N]"], "sample-rate": "2.5 kHz", "spec": "[spring] …", "drop-incomplete": true, …}`, and
+    /// `"labels"`, which says what the page calls each option.
     ///
     /// # Errors
     /// One line for what is no JSON.
@@ -28,6 +30,12 @@ impl Asked {
 
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         self.value.get(name).and_then(Value::as_str).map(str::trim).filter(|text| !text.is_empty())
+    }
+
+    /// An error in the page's words: what it calls the options stands under `labels`.
+    pub(crate) fn said(&self, error: impl Into<Message>) -> String {
+        let label = |name: &str| self.value.get("labels")?.get(name)?.as_str().map(str::to_owned);
+        error.into().told(Door::Page(&label))
     }
 
     fn holds(&self, name: &str) -> bool {
@@ -90,8 +98,8 @@ impl Asked {
     pub(crate) fn mapping(&self) -> Result<Mapping, String> {
         let mut mapping = match (self.text("preset"), self.text("mapping")) {
             (Some(_), Some(_)) => return Err("mapping: cannot be given beside a preset".to_owned()),
-            (Some(name), None) => Mapping::preset(name).map_err(|error| format!("preset: {error}"))?,
-            (None, Some(text)) => Mapping::parse("mapping", text).map_err(|error| error.to_string())?,
+            (Some(name), None) => Mapping::preset(name).map_err(|error| format!("preset: {}", self.said(error)))?,
+            (None, Some(text)) => Mapping::parse("mapping", text).map_err(|error| self.said(error))?,
             (None, None) => Mapping::default(),
         };
         let delimiters = [(",", ','), (";", ';'), ("|", '|'), ("tab", '\t'), ("space", ' ')];
@@ -112,7 +120,7 @@ impl Asked {
 
     fn columns(&self, name: &str, mut mapping: Mapping) -> Result<Mapping, String> {
         for column in self.value.get(name).and_then(Value::as_array).into_iter().flatten() {
-            mapping.set(column.as_str().unwrap_or_default()).map_err(|error| error.to_string())?;
+            mapping.set(column.as_str().unwrap_or_default()).map_err(|error| self.said(error))?;
         }
         Ok(mapping)
     }
