@@ -12,7 +12,11 @@ use coilsense_lab::spec;
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
-    let text = if given.holds(&SENSORS) { spec::classes()? } else { spec::template(given.text(&FROM).as_deref())? };
+    let text = if given.holds(&SENSORS) {
+        spec::classes()?
+    } else {
+        spec::template(given.text(&FROM).as_deref()).map_err(|error| anyhow::anyhow!("--from {error}"))?
+    };
     let told = |file| match given.holds(&JSON) {
         true => to_json(InitOutcome { file, text: &text }),
         false => Ok(text.clone()),

@@ -125,10 +125,7 @@ mod tests {
         assert_eq!((number(&[]), number(&["--toy-force", "3 kN"])), (Some(2.0), Some(3000.0)));
         assert!(said(&["--toy-force", "0 N"]).unwrap_err().to_string().contains("must be above zero"));
         let help = command(&VERB).render_long_help().to_string();
-        assert!(
-            help.contains("--toy-force <FORCE>") && help.contains("A toy") && help.contains("2 N"),
-            "{help}"
-        );
+        assert!(help.contains("--toy-force <FORCE>") && help.contains("A toy") && help.contains("2 N"), "{help}");
     }
 
     #[test]

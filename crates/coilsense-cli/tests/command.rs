@@ -1,5 +1,6 @@
 //! The command as a person meets it.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -49,6 +50,53 @@ fn reproduce_prints_the_answer_first_and_writes_the_folder() {
     assert!(!printed.contains('\u{1b}'), "colour although it is no terminal");
     assert!(out.join("report.html").is_file());
     assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1, "something was left beside the folder");
+}
+
+/// The names that the lab's sources give to hints of options.
+fn hinted() -> BTreeSet<String> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("../coilsense-lab/src")];
+    let mut names = BTreeSet::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if entry.is_dir() {
+                folders.push(entry);
+            } else if entry.extension().is_some_and(|kind| kind == "rs") {
+                let source = fs::read_to_string(entry).unwrap();
+                for hint in source.split("Hint::").skip(1).filter(|hint| !hint.starts_with("Column")) {
+                    names.extend(
+                        hint.split_once("(\"")
+                            .filter(|(kind, _)| kind.len() < 7)
+                            .map(|(_, rest)| rest.split('"').next().unwrap().to_owned()),
+                    );
+                }
+            }
+        }
+    }
+    names
+}
+
+/// An option that a message advises is one that the command and Python have.
+#[test]
+fn every_option_that_is_advised_is_there() {
+    let stub = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../python/coilsense/_coilsense.pyi"));
+    let stub = stub.unwrap();
+    let helps: String =
+        ["import", "identify", "calibrate", "sweep"].map(|verb| text(&coilsense(&[verb, "--help"]).stdout)).concat();
+    let names = hinted();
+    assert!(names.contains("drop_incomplete") && names.contains("over") && names.len() > 12, "{names:?}");
+    for name in names {
+        assert!(
+            helps.contains(&format!("--{} ", name.replace('_', "-")))
+                || helps.contains(&format!("--{}\n", name.replace('_', "-"))),
+            "--{name}"
+        );
+        let argument = match name.as_str() {
+            "from" => "from_",
+            "column" => "columns",
+            name => name,
+        };
+        assert!(stub.contains(&format!(" {argument}: ")), "{argument} in Python");
+    }
 }
 
 #[test]

@@ -14,6 +14,9 @@ mod likeness;
 /// A number with a unit as people write it to its SI value, and back.
 pub mod quantity;
 
+/// What is said to a user, with options as each door calls them.
+pub mod message;
+
 /// What may be asked of a verb to checked values.
 pub mod request;
 

@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::calibration::points::PointsArgument;
-use crate::errors::refused;
+use crate::errors::{IntoPython, refused};
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, given, positive, wrong};
 use crate::results::study_result;
@@ -223,7 +223,7 @@ pub fn calibrate(
         ..Plan::of(&given, preload).map_err(wrong)?
     };
     let measured = points::measured(py, points, zero, preset, columns, units)?;
-    let outcome = interruptible(py, move || Outcome::new(measured, plan))?.map_err(refused)?;
+    let outcome = interruptible(py, move || Outcome::new(measured, plan))?.python()?;
     Ok(PyCalibration(Arc::new(outcome)))
 }
 

@@ -1,7 +1,9 @@
-//! Exceptions: `coilsense.Error` is a `ValueError`, and each kind of input has a subclass; the text is Rust's.
+//! Exceptions: `coilsense.Error` is a `ValueError`, and each kind of input has a subclass; the text is Rust's, with options as
+//! arguments.
 //!
 //! Next door: `TypeError`, which PyO3 raises by itself with the argument's name, and `series` for arrays.
 
+use coilsense_lab::message::{Door, Message};
 use pyo3::create_exception;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -80,78 +82,42 @@ impl<T> IntoPython<T> for Result<T, coilsense_lab::report::ReportError> {
 
 impl<T> IntoPython<T> for Result<T, coilsense_lab::recording::RecordingError> {
     fn python(self) -> PyResult<T> {
-        self.map_err(|error| LogError::new_err(in_python(&error.to_string())))
+        self.map_err(|error| LogError::new_err(in_python(error)))
     }
 }
 
-/// An exception with the text of an error that has no subclass of its own.
-pub fn refused(error: impl std::fmt::Display) -> PyErr {
-    Error::new_err(in_python(&error.to_string()))
-}
-
-/// What the command calls an option, and what it is here.
-const OPTIONS: [(&str, &str); 20] = [
-    ("--mass, --spec", "mass=, spring="),
-    ("--drop-incomplete", "drop_incomplete=True"),
-    ("--merge-repeated", "merge_repeated=True"),
-    ("--sort", "sort=True"),
-    ("--fill-gaps ", "fill_gaps="),
-    ("--resample ", "resample="),
-    ("--sample-rate", "sample_rate="),
-    ("--length-at-zero", "length_at_zero="),
-    ("--preset ", "preset="),
-    ("--clock ", "clock="),
-    ("--from", "from_="),
-    ("--to", "to="),
-    ("--over KEY=VALUES", "over"),
-    ("--over", "over"),
-    ("--catalogue FILE", "catalogue"),
-    ("--sampling", "sampling"),
-    ("--rows", "rows"),
-    ("--seed", "seed"),
-    ("--columns", "columns"),
-    ("--chunk", "chunk"),
-];
-
-/// A text with an option replaced where it stands by itself: what only looks like it, as in the name of a file `run--torque.csv`, stays.
-fn replaced(text: &str, option: &str, argument: &str) -> String {
-    let of_a_word = |c: char| c.is_alphanumeric() || ['-', '_', '/', '\\'].contains(&c);
-    let goes_on = |after: &str| {
-        let after = after.strip_prefix('.').unwrap_or(after);
-        after.starts_with(of_a_word)
-    };
-    let (mut made, mut rest) = (String::with_capacity(text.len()), text);
-    while let Some(place) = rest.find(option) {
-        let (before, after) = (&rest[..place], &rest[place + option.len()..]);
-        // Before it may stand what was looked at already.
-        let begins = !before.chars().next_back().or_else(|| made.chars().next_back()).is_some_and(of_a_word);
-        let ends = option.ends_with(' ') || !goes_on(after);
-        made.push_str(before);
-        made.push_str(if begins && ends { argument } else { option });
-        rest = after;
+impl<T> IntoPython<T> for Result<T, coilsense_lab::calibration::CalibrationError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| Error::new_err(in_python(error)))
     }
-    made + rest
 }
 
-/// A message that names options of the command, with the arguments of Python in their place.
-pub fn in_python(message: &str) -> String {
-    let named = OPTIONS.iter().fold(message.to_owned(), |text, (option, argument)| replaced(&text, option, argument));
-    // `--column F_o="title [N]"` is an entry of a dict.
-    match named.split_once("--column ") {
-        Some((before, rest)) => match rest.split_once('=') {
-            Some((channel, title)) if !channel.contains(['"', ' ']) => {
-                format!("{before}columns={{{channel:?}: {title}}}")
-            }
-            _ => format!("{before}columns: {rest}"),
-        },
-        None => named,
+impl<T> IntoPython<T> for Result<T, coilsense_lab::identification::IdentificationError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| Error::new_err(in_python(error)))
+    }
+}
+
+impl<T> IntoPython<T> for Result<T, coilsense_lab::experiment::ExperimentError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| Error::new_err(in_python(error)))
     }
 }
 
 impl<T> IntoPython<T> for Result<T, coilsense_lab::sweep::SweepError> {
     fn python(self) -> PyResult<T> {
-        self.map_err(|error| SweepError::new_err(in_python(&error.to_string())))
+        self.map_err(|error| SweepError::new_err(in_python(error)))
     }
+}
+
+/// The text of an error, with options as arguments.
+fn in_python(error: impl Into<Message>) -> String {
+    error.into().told(Door::Python)
+}
+
+/// An exception with the text of an error that has no subclass of its own and advises no option.
+pub fn refused(error: impl std::fmt::Display) -> PyErr {
+    Error::new_err(error.to_string())
 }
 
 /// An exception for a word that is none of those that are known.

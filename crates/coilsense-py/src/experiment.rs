@@ -14,7 +14,7 @@ use coilsense_lab::rig::{Rig, RigError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{OutputError, refused};
+use crate::errors::{IntoPython, OutputError, refused};
 use crate::long_work::{interruptible, watched};
 use crate::quantity::{Quantity, given};
 use crate::results::study_result;
@@ -168,7 +168,7 @@ pub fn experiment(
         (&RESAMPLE, resample.into()),
     ])?;
     let repairs = Repairs::of(&given);
-    let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.map_err(refused)?;
+    let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.python()?;
     let findings = Findings::of(&experiment);
     Ok(PyExperiment(Arc::new((experiment, findings))))
 }

@@ -16,7 +16,7 @@ use pyo3::exceptions::PyDeprecationWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{Error, in_python, refused};
+use crate::errors::{Error, IntoPython, refused};
 use crate::estimate::PyEstimate;
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, given, positive, wrong};
@@ -42,9 +42,9 @@ getters! {
     /// Why, the weightiest first.
     evidence: Vec<String> = self.0.found.verdict.evidence.clone();
     /// What to record next; empty where nothing is missing.
-    record_next: Vec<String> = self.0.found.verdict.next.iter().map(|next| in_python(next)).collect();
+    record_next: Vec<String> = self.0.found.verdict.next.clone();
     /// The answer, a sentence each, the verdict first.
-    answer: Vec<String> = coilsense_lab::identification::answer(&self.0).iter().map(|line| in_python(line)).collect();
+    answer: Vec<String> = coilsense_lab::identification::answer(&self.0);
     /// f1: frequency of the first mode with both ends held, undamped [Hz].
     first_frequency: Option<PyEstimate> = estimate(self.0.found.first_frequency);
     /// ζ: damping ratio of the lowest mode that was found [1].
@@ -258,6 +258,6 @@ pub fn identify(
     ])?;
     let settings = settings(&given, known.as_ref()).map_err(wrong)?;
     let recording = recording(py, record)?;
-    let identified = interruptible(py, move || Identified::of(recording, &settings))?.map_err(refused)?;
+    let identified = interruptible(py, move || Identified::of(recording, &settings))?.python()?;
     Ok(PyIdentification(Arc::new(identified)))
 }

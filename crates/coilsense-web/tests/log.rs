@@ -139,6 +139,27 @@ fn every_wrong_choice_is_refused_by_its_name_with_its_value_and_what_is_allowed(
     }
 }
 
+/// What a log lacks is advised in the words of the page that asks, and by no name of the command.
+#[test]
+fn an_error_calls_options_as_the_page_does() {
+    let labels =
+        json!({ "drop-incomplete": "“leave out rows”", "sort": "“put in order”", "column": "the table of columns" });
+    for (text, with, without) in [
+        (
+            "time [s],F_o [N]\n0,1\n1,x\n",
+            "“leave out rows” leaves such rows out",
+            "; drop incomplete leaves such rows out",
+        ),
+        ("time [s],F_o [N]\n1,1\n0,2\n", "“put in order” puts the rows in order", "; sort puts the rows in order"),
+        ("time [s],a\n0,1\n", "as in F_o=\"a\" in the table of columns", "as in F_o=\"a\" in column"),
+    ] {
+        let said = |asked: &Value| identify(text, None, asked).unwrap_err();
+        let (named, unnamed) = (said(&json!({ "labels": labels })), said(&json!({})));
+        assert!(named.ends_with(with), "{named}");
+        assert!(unnamed.ends_with(without) && !unnamed.contains("--"), "{unnamed}");
+    }
+}
+
 #[test]
 fn a_log_that_can_be_read_but_says_nothing_still_shows_its_channels() {
     let answer = identify("time [s],u1 [mm]\n0,1\n0.1,2\n0.2,3\n", None, &json!({})).unwrap();

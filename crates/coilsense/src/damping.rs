@@ -2,7 +2,7 @@
 //!
 //! Next door: the mount that carries it (`mount`), the motion under it (`motion`), its effect over frequency (`two_port`).
 
-use crate::error::{Error, check, count, not_negative};
+use crate::error::{Error, called, check, count, entry, not_negative};
 
 /// Damping of the windings.
 ///
@@ -49,22 +49,22 @@ impl Damping {
         match &self {
             Self::None => {}
             Self::Modal(ratio) => {
-                not_negative("damping ratio", *ratio, "")?;
+                not_negative("damping_ratio", *ratio, "")?;
             }
             Self::ModalEach(ratios) => {
                 for (index, &ratio) in ratios.iter().enumerate() {
                     let holds = ratio.is_finite() && ratio >= 0.0;
-                    check(holds, format!("damping ratio[{index}]"), ratio, "", "finite and not below zero")?;
+                    check(holds, entry("damping_ratio", index), ratio, "", "finite and not below zero")?;
                 }
             }
             Self::MassProportional { rate } => {
-                not_negative("mass-proportional damping", *rate, "1/s")?;
+                not_negative(called("rate", "mass-proportional damping"), *rate, "1/s")?;
             }
             Self::StiffnessProportional { time } => {
-                not_negative("stiffness-proportional damping", *time, "s")?;
+                not_negative(called("time", "stiffness-proportional damping"), *time, "s")?;
             }
             Self::Hysteretic { loss_factor } => {
-                not_negative("loss factor", *loss_factor, "")?;
+                not_negative("loss_factor", *loss_factor, "")?;
             }
         }
         Ok(self)
@@ -92,14 +92,14 @@ impl Damping {
             Self::None => vec![0.0; frequencies.len()],
             Self::Modal(ratio) => vec![*ratio; frequencies.len()],
             Self::ModalEach(ratios) => {
-                count("damping ratios", ratios.len(), frequencies.len())?;
+                count("damping_ratios", ratios.len(), frequencies.len())?;
                 ratios.clone()
             }
             Self::MassProportional { rate } => each.map(|frequency| 0.5 * rate / frequency).collect(),
             Self::StiffnessProportional { time } => each.map(|frequency| 0.5 * time * frequency).collect(),
             Self::Hysteretic { loss_factor } => {
                 let allowed = "zero for a motion over time: it has a meaning over frequency only";
-                check(*loss_factor == 0.0, "loss factor", *loss_factor, "", allowed)?;
+                check(*loss_factor == 0.0, "loss_factor", *loss_factor, "", allowed)?;
                 vec![0.0; frequencies.len()]
             }
         })

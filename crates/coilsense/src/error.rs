@@ -11,6 +11,8 @@ pub enum Error {
     /// A value outside of what its quantity allows.
     #[error("{quantity} must be {allowed}, got {}", number(*.value, .unit))]
     Value {
+        /// The parameter as the public struct or function calls it (`coil_radius`); `None` of what is no parameter.
+        field: Option<&'static str>,
         /// The quantity in words, an index in brackets where it is one of a series.
         quantity: Cow<'static, str>,
         /// The value that was sent.
@@ -23,6 +25,8 @@ pub enum Error {
     /// A series of the wrong length.
     #[error("{quantity} must hold {allowed} values, got {found}")]
     Count {
+        /// The parameter as the public struct or function calls it; `None` of what is no parameter.
+        field: Option<&'static str>,
         /// The quantity in words.
         quantity: Cow<'static, str>,
         /// How many values it holds.
@@ -43,6 +47,48 @@ pub enum Error {
     MissingSignal(&'static str),
 }
 
+impl Error {
+    /// The parameter that it is about, as the public struct or function calls it; `None` where it is about no single one.
+    pub fn field(&self) -> Option<&'static str> {
+        match self {
+            Self::Value { field, .. } | Self::Count { field, .. } => *field,
+            Self::Simd { .. } | Self::MissingSignal(_) => None,
+        }
+    }
+}
+
+/// What an error is about: a parameter's name, whose words are its own (`coil_radius`); words with a blank in them, where it is no
+/// parameter; or both, see [`called`].
+#[derive(Debug, Clone)]
+pub(crate) struct Subject {
+    field: Option<&'static str>,
+    words: Cow<'static, str>,
+}
+
+impl From<&'static str> for Subject {
+    fn from(name: &'static str) -> Self {
+        let words = if name.contains('_') { name.replace('_', " ").into() } else { name.into() };
+        Self { field: (!name.contains(' ')).then_some(name), words }
+    }
+}
+
+impl From<String> for Subject {
+    fn from(words: String) -> Self {
+        Self { field: None, words: words.into() }
+    }
+}
+
+/// One of a series, by its index from zero.
+pub(crate) fn entry(quantity: impl Into<Subject>, index: usize) -> Subject {
+    let Subject { field, words } = quantity.into();
+    Subject { field, words: format!("{words}[{index}]").into() }
+}
+
+/// A parameter that people call otherwise.
+pub(crate) fn called(field: &'static str, words: &'static str) -> Subject {
+    Subject { field: Some(field), words: words.into() }
+}
+
 /// Above this a number is written with an exponent.
 const LONGEST: f64 = 1e15;
 
@@ -56,8 +102,8 @@ fn number(value: f64, unit: &str) -> String {
 const LARGEST: f64 = 1e9;
 
 /// Lets through a value above zero, of a size that springs have.
-pub(crate) fn above_zero(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
-    check(value.is_finite() && value > 0.0, quantity, value, unit, "above zero and finite")?;
+pub(crate) fn above_zero(quantity: impl Into<Subject> + Clone, value: f64, unit: &'static str) -> Result<f64, Error> {
+    check(value.is_finite() && value > 0.0, quantity.clone(), value, unit, "above zero and finite")?;
     // The text is made only where it is needed: this is asked at every step of a stream.
     if (1.0 / LARGEST..=LARGEST).contains(&value) {
         return Ok(value);
@@ -66,8 +112,8 @@ pub(crate) fn above_zero(quantity: &'static str, value: f64, unit: &'static str)
 }
 
 /// Lets through a finite value.
-pub(crate) fn finite(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
-    check(value.is_finite(), quantity, value, unit, "finite")?;
+pub(crate) fn finite(quantity: impl Into<Subject> + Clone, value: f64, unit: &'static str) -> Result<f64, Error> {
+    check(value.is_finite(), quantity.clone(), value, unit, "finite")?;
     if value.abs() <= LARGEST {
         return Ok(value);
     }
@@ -77,7 +123,7 @@ pub(crate) fn finite(quantity: &'static str, value: f64, unit: &'static str) -> 
 /// Lets `value` through where `holds`, else says what is `allowed`.
 pub(crate) fn check(
     holds: bool,
-    quantity: impl Into<Cow<'static, str>>,
+    quantity: impl Into<Subject>,
     value: f64,
     unit: &'static str,
     allowed: impl Into<Cow<'static, str>>,
@@ -85,7 +131,8 @@ pub(crate) fn check(
     if holds {
         return Ok(value);
     }
-    Err(Error::Value { quantity: quantity.into(), value, unit, allowed: allowed.into() })
+    let Subject { field, words } = quantity.into();
+    Err(Error::Value { field, quantity: words, value, unit, allowed: allowed.into() })
 }
 
 /// Whether all values pass a test, looked at in chunks without leaving early: so the compiler takes several at once.
@@ -94,53 +141,81 @@ fn every(values: &[f64], test: impl Fn(f64) -> bool) -> bool {
 }
 
 /// Lets through a series of finite values; the error names the first that is not, by its index from zero.
-pub(crate) fn all_finite(quantity: &'static str, values: &[f64], unit: &'static str) -> Result<(), Error> {
+pub(crate) fn all_finite(quantity: impl Into<Subject>, values: &[f64], unit: &'static str) -> Result<(), Error> {
     if every(values, |value| value.is_finite()) {
         return Ok(());
     }
     match values.iter().position(|value| !value.is_finite()) {
         None => Ok(()),
-        Some(index) => Err(Error::Value {
-            quantity: format!("{quantity}[{index}]").into(),
-            value: values[index],
-            unit,
-            allowed: "finite".into(),
-        }),
+        Some(index) => check(false, entry(quantity, index), values[index], unit, "finite").map(|_| ()),
     }
 }
 
 /// Lets through a series of values of a size that springs have; the error names the first that is not, by its index from zero.
-pub(crate) fn all_bounded(quantity: &'static str, values: &[f64], unit: &'static str) -> Result<(), Error> {
+pub(crate) fn all_bounded(
+    quantity: impl Into<Subject> + Clone,
+    values: &[f64],
+    unit: &'static str,
+) -> Result<(), Error> {
     if every(values, |value| value.abs() <= LARGEST) {
         return Ok(());
     }
-    all_finite(quantity, values, unit)?;
+    all_finite(quantity.clone(), values, unit)?;
     match values.iter().position(|value| value.abs() > LARGEST) {
         None => Ok(()),
         Some(index) => {
             let allowed = format!("at most {LARGEST:e} either way");
-            check(false, format!("{quantity}[{index}]"), values[index], unit, allowed).map(|_| ())
+            check(false, entry(quantity, index), values[index], unit, allowed).map(|_| ())
         }
     }
 }
 
 /// Lets through a finite value that is zero or above.
-pub(crate) fn not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Error> {
+pub(crate) fn not_negative(quantity: impl Into<Subject>, value: f64, unit: &'static str) -> Result<f64, Error> {
     check(value.is_finite() && value >= 0.0, quantity, value, unit, "finite and not below zero")
 }
 
+/// Lets through a value that is zero or above, of a size that springs have.
+pub(crate) fn from_zero(quantity: impl Into<Subject> + Clone, value: f64, unit: &'static str) -> Result<f64, Error> {
+    finite(quantity.clone(), not_negative(quantity, value, unit)?, unit)
+}
+
 /// Lets through a series that is not empty.
-pub(crate) fn at_least_one(quantity: &'static str, found: usize) -> Result<(), Error> {
-    if found > 0 {
-        return Ok(());
-    }
-    Err(Error::Count { quantity: quantity.into(), found, allowed: "at least 1".into() })
+pub(crate) fn at_least_one(quantity: impl Into<Subject>, found: usize) -> Result<(), Error> {
+    if found > 0 { Ok(()) } else { Err(number_of(quantity, found, "at least 1")) }
 }
 
 /// Lets through a series of exactly `expected` values.
-pub(crate) fn count(quantity: &'static str, found: usize, expected: usize) -> Result<(), Error> {
-    if found == expected {
-        return Ok(());
+pub(crate) fn count(quantity: impl Into<Subject>, found: usize, expected: usize) -> Result<(), Error> {
+    if found == expected { Ok(()) } else { Err(number_of(quantity, found, expected.to_string())) }
+}
+
+/// That a series holds so many values, and how many are allowed.
+pub(crate) fn number_of(quantity: impl Into<Subject>, found: usize, allowed: impl Into<Cow<'static, str>>) -> Error {
+    let Subject { field, words } = quantity.into();
+    Error::Count { field, quantity: words, found, allowed: allowed.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_names_its_parameter_and_says_it_in_words() {
+        let refused = |subject: Subject| check(false, subject, 0.0, "", "above zero").unwrap_err();
+        for (subject, field, words) in [
+            ("coil_radius".into(), Some("coil_radius"), "coil radius"),
+            (called("from", "first frequency"), Some("from"), "first frequency"),
+            (entry("times", 3), Some("times"), "times[3]"),
+            // What follows from several parameters is none of them.
+            ("combined uncertainty".into(), None, "combined uncertainty"),
+            (format!("damping ratio of mode {}", 2).into(), None, "damping ratio of mode 2"),
+        ] {
+            let error = refused(subject);
+            assert_eq!(error.field(), field);
+            assert_eq!(error.to_string(), format!("{words} must be above zero, got 0"));
+        }
+        assert_eq!(count("end_shapes", 1, 2).unwrap_err().field(), Some("end_shapes"));
+        assert_eq!(Error::MissingSignal("u1").field(), None);
     }
-    Err(Error::Count { quantity: quantity.into(), found, allowed: expected.to_string().into() })
 }

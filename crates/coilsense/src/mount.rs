@@ -31,7 +31,7 @@ impl Mount {
     /// [`Error::Value`] for an end mass that is not above zero, or damping below zero.
     pub fn new(far_end: FarEnd, damping: Damping) -> Result<Self, Error> {
         if let FarEnd::Mass(mass) = far_end {
-            above_zero("end mass", mass, "kg")?;
+            above_zero("end_mass", mass, "kg")?;
         }
         Ok(Self { far_end, damping: damping.checked()? })
     }

@@ -2,7 +2,7 @@
 //!
 //! Next door: the force of a spring that does not (`spring`), who has to tell that loss from a sensor's (`coilsense-lab`'s rig).
 
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, called, check};
 
 /// Loss of force with the logarithm of time.
 ///
@@ -27,8 +27,14 @@ impl Relaxation {
     /// # Errors
     /// [`Error::Value`] for a share outside of that, or an age that is not above zero.
     pub fn new(per_decade: f64, age: f64) -> Result<Self, Error> {
-        check((0.0..=1.0).contains(&per_decade), "relaxation per decade", per_decade, "", "from 0 to 1")?;
-        Ok(Self { per_decade, age: above_zero("age of the preload", age, "s")? })
+        check(
+            (0.0..=1.0).contains(&per_decade),
+            called("per_decade", "relaxation per decade"),
+            per_decade,
+            "",
+            "from 0 to 1",
+        )?;
+        Ok(Self { per_decade, age: above_zero(called("age", "age of the preload"), age, "s")? })
     }
 
     /// Share of the force lost since time began to count \[1\].

@@ -2,7 +2,7 @@
 //!
 //! Next door: who makes them (`motion`, `sensors`), who judges them (`measures`).
 
-use crate::error::{Error, all_finite, check, count};
+use crate::error::{Error, all_finite, called, check, count, entry};
 
 /// Name of a signal; the same word everywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -89,8 +89,8 @@ impl Signals {
     /// # Errors
     /// [`Error::Count`] where `values` has not one value per time; [`Error::Value`] for the first that is not finite.
     pub fn insert(&mut self, channel: Channel, values: Vec<f64>) -> Result<(), Error> {
-        count(channel.name(), values.len(), self.time.len())?;
-        all_finite(channel.name(), &values, channel.unit())?;
+        count(called("values", channel.name()), values.len(), self.time.len())?;
+        all_finite(called("values", channel.name()), &values, channel.unit())?;
         self.channels.retain(|(present, _)| *present != channel);
         self.channels.push((channel, values));
         self.channels.sort_by_key(|(present, _)| *present);
@@ -136,7 +136,7 @@ pub(crate) fn increasing(times: &[f64]) -> Result<&[f64], Error> {
         None => Ok(times),
         Some(index) => {
             let allowed = format!("above its predecessor of {} s", times[index - 1]);
-            check(false, format!("time[{index}]"), times[index], "s", allowed).map(|_| times)
+            check(false, entry("time", index), times[index], "s", allowed).map(|_| times)
         }
     }
 }
@@ -155,10 +155,16 @@ pub(crate) fn increasing(times: &[f64]) -> Result<&[f64], Error> {
 /// # Ok::<(), coilsense::Error>(())
 /// ```
 pub fn sampled_window(rate: f64, from: f64, to: f64) -> Result<Vec<f64>, Error> {
-    crate::error::above_zero("sample rate", rate, "Hz")?;
+    crate::error::above_zero(called("rate", "sample rate"), rate, "Hz")?;
     let starts = from.is_finite() && from >= 0.0;
-    check(starts, "window start", from, "s", "finite and not below zero")?;
-    check(to.is_finite() && to >= from, "window end", to, "s", format!("not before its start of {from} s"))?;
+    check(starts, called("from", "window start"), from, "s", "finite and not below zero")?;
+    check(
+        to.is_finite() && to >= from,
+        called("to", "window end"),
+        to,
+        "s",
+        format!("not before its start of {from} s"),
+    )?;
     // A bound that rounds just past a sample still means that sample.
     let first = (from * rate - 1e-6).ceil();
     let last = (to * rate + 1e-6).floor();

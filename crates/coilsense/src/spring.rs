@@ -68,7 +68,7 @@ impl Spring {
     /// or an operating range that is empty or reversed.
     pub fn new(parameters: SpringParameters) -> Result<Self, Error> {
         let p = &parameters;
-        above_zero("rest length", p.rest_length, "m")?;
+        above_zero("rest_length", p.rest_length, "m")?;
         check(
             p.windings.is_finite() && p.windings > 0.0 && p.windings <= MAX_WINDINGS,
             "windings",
@@ -76,22 +76,22 @@ impl Spring {
             "",
             format!("above zero and at most {MAX_WINDINGS}"),
         )?;
-        above_zero("coil radius", p.coil_radius, "m")?;
-        above_zero("wire radius", p.wire_radius, "m")?;
+        above_zero("coil_radius", p.coil_radius, "m")?;
+        above_zero("wire_radius", p.wire_radius, "m")?;
         check(
             p.wire_radius < p.coil_radius,
-            "wire radius",
+            "wire_radius",
             p.wire_radius,
             "m",
             format!("below the coil radius of {} m", p.coil_radius),
         )?;
         above_zero("mass", p.mass, "kg")?;
         above_zero("stiffness", p.stiffness, "N/m")?;
-        above_zero("min length", p.min_length, "m")?;
-        finite("max length", p.max_length, "m")?;
+        above_zero("min_length", p.min_length, "m")?;
+        finite("max_length", p.max_length, "m")?;
         check(
             p.max_length > p.min_length,
-            "max length",
+            "max_length",
             p.max_length,
             "m",
             format!("above the min length of {} m", p.min_length),
@@ -99,14 +99,14 @@ impl Spring {
         if let Some(windings) = p.inductance_windings {
             check(
                 windings.is_finite() && (0.5..=MAX_WINDINGS).contains(&windings),
-                "inductance windings",
+                "inductance_windings",
                 windings,
                 "",
                 format!("from 0.5 to {MAX_WINDINGS}"),
             )?;
         }
         let nominal_force = match p.nominal_force {
-            Some(force) => above_zero("nominal force", force, "N")?,
+            Some(force) => above_zero("nominal_force", force, "N")?,
             None => {
                 let longest = (p.max_length - p.rest_length).abs();
                 p.stiffness * longest.max((p.min_length - p.rest_length).abs())
@@ -174,7 +174,7 @@ impl Spring {
     /// [`Error::Value`] for no masses, or more than 1024 for a winding.
     pub fn with_masses_per_winding(self, masses: usize) -> Result<Self, Error> {
         let allowed = format!("from 1 to {MAX_MASSES_PER_WINDING}");
-        check((1..=MAX_MASSES_PER_WINDING).contains(&masses), "masses per winding", masses as f64, "", allowed)?;
+        check((1..=MAX_MASSES_PER_WINDING).contains(&masses), "masses_per_winding", masses as f64, "", allowed)?;
         Ok(Self { masses_per_winding: masses, ..self })
     }
 

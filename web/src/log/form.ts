@@ -5,7 +5,7 @@
 import { make } from '../dom';
 import { ColumnTable, type Column } from './columns';
 import { OptionField } from './field';
-import { CLOCK, GROUPS, inPageWords } from './options';
+import { CLOCK, GROUPS, LABELS } from './options';
 
 type Words = Record<string, string>;
 
@@ -116,6 +116,7 @@ export class Form {
     const { layout, spring, ...rest } = said;
     return JSON.stringify({
       ...rest,
+      labels: LABELS,
       ...(layout === 'lab-data' ? { preset: layout } : {}),
       ...(layout ? {} : { column: this.columns.asked }),
       ...(this.hasSecond ? { 'with-column': this.others.asked } : {}),
@@ -131,7 +132,7 @@ export class Form {
     });
     for (const field of this.fields) {
       const mine = about.find(({ name }) => name === field.option.name);
-      field.refuse(mine ? inPageWords(mine.reason) : null);
+      field.refuse(mine ? mine.reason : null);
     }
     return about.filter(({ name }) => !this.field(name)).map(({ error }) => error);
   }

@@ -192,12 +192,13 @@ export const CLOCK: Option = {
   hint: 'auto: by a channel that both have. F_o=F_x: by two that saw the same motion. -0.2 s: what to add to its times.',
 };
 
-export const OPTIONS: readonly Option[] = [...GROUPS.flatMap(({ options }) => options), CLOCK];
+const OPTIONS: readonly Option[] = [...GROUPS.flatMap(({ options }) => options), CLOCK];
 
-/** The command's options in a sentence, as the page calls them. */
-export const inPageWords = (text: string): string =>
-  text.replaceAll(/--([a-z][a-z-]*[a-z])/g, (whole, name: string) => {
-    if (name === 'column') return 'the table of columns';
-    const option = OPTIONS.find((option) => option.name === name);
-    return option ? `“${option.label}”` : whole;
-  });
+/** What errors call the table of columns. */
+export const COLUMNS = 'the table of columns';
+
+/** What errors call the options: the engine puts it into its sentences. */
+export const LABELS: Readonly<Record<string, string>> = {
+  column: COLUMNS,
+  ...Object.fromEntries(OPTIONS.map(({ name, label }) => [name, `“${label}”`])),
+};

@@ -13,7 +13,6 @@ import { empty } from '../log/empty';
 import { button } from '../log/found';
 import { Form } from '../log/form';
 import { Results } from '../log/results';
-import { inPageWords } from '../log/options';
 import { openSpec, trialJob } from '../log/spec';
 import { readInk } from '../plots/looks';
 import type { Store } from '../store';
@@ -39,8 +38,8 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
     wrong[part] = error;
     const rest = form.refuse(Object.values(wrong).filter(Boolean));
     refusal.hidden = !rest.includes(wrong.log);
-    refusal.textContent = refusal.hidden ? '' : inPageWords(wrong.log);
-    if (part === 'calibration' && rest.includes(error)) results.refuseCalibration(inPageWords(error));
+    refusal.textContent = refusal.hidden ? '' : wrong.log;
+    if (part === 'calibration' && rest.includes(error)) results.refuseCalibration(error);
     if (part === 'log' && error && !isOfNow) results.fade();
   };
   const sayOfLog = (error: string) => say('log', error);

@@ -7,6 +7,7 @@ import type { Answer, Job } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';
 import { fixed, make } from '../dom';
+import { COLUMNS } from '../log/options';
 import { Choices } from '../mitigate/choices';
 import { Drop } from '../mitigate/drop';
 import { empty } from '../mitigate/empty';
@@ -70,7 +71,7 @@ class Mitigate {
 
   private get asked(): string {
     const onLog = this.choices.get('on') === 'log';
-    return this.form.asked(onLog ? { column: this.drop.columns } : {});
+    return this.form.asked(onLog ? { column: this.drop.columns, labels: { column: COLUMNS } } : {});
   }
 
   /** All that numbers hang on. */

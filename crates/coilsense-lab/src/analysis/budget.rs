@@ -88,6 +88,19 @@ impl Model<'_> {
         Budget::of(|values| self.force(&places, values), &inputs)
     }
 
+    /// Variance of what the instrument alone adds to a budget of this model, without what the spring, what it hangs on and its motion do
+    /// \[N²\].
+    pub fn of_instrument(&self, budget: &Budget) -> f64 {
+        let is_of_instrument = |place: &Place| match place {
+            Place::Reading | Place::Gain | Place::Length | Place::Temperature => true,
+            Place::Force | Place::Stiffness | Place::RestLength | Place::InitialTension | Place::Compliance => false,
+        };
+        // A budget's lines are in the order of its inputs.
+        let places = self.inputs(self.oscillation()).places;
+        let lines = places.iter().zip(budget.contributions()).filter(|(place, _)| is_of_instrument(place));
+        lines.map(|(_, line)| line.contribution * line.contribution).sum()
+    }
+
     /// Two errors with the mean and the spread of all of them: what a budget needs.
     fn oscillation(&self) -> Distribution {
         let apart = self.spread.deviation / 2.0_f64.sqrt();

@@ -8,7 +8,7 @@ use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::{Instrument, MAX_ORDER, Measurement, Readout, Site};
 
 use super::band;
-use super::budget::{CHAIN, Model, OSCILLATION, SensorBudget, doubt, with_bias};
+use super::budget::{Model, OSCILLATION, SensorBudget, doubt, with_bias};
 use super::case::{Case, Scene};
 use super::moments::Moments;
 use super::response::Responses;
@@ -101,13 +101,7 @@ impl Judge<'_> {
     ) -> Result<Assessment, Error> {
         let model = self.model_of(sensor, instrument, scene, errors, over)?;
         let budget = model.budget()?;
-        let of_spring = |name: &str| name.starts_with("tolerance of the ") || name == OSCILLATION || name == CHAIN;
-        let instrument_only: f64 = budget
-            .contributions()
-            .iter()
-            .filter(|line| !of_spring(&line.name))
-            .map(|line| line.contribution * line.contribution)
-            .sum();
+        let instrument_only = model.of_instrument(&budget);
         let (mut inside, mut worst) = (None, f64::NAN);
         if self.springs.one_by_one && over.is_some() {
             let each = model.of_specimens(&self.springs.specimens);

@@ -5,6 +5,7 @@
 use coilsense::Channel;
 
 use super::{CalibrationError, Measured};
+use crate::message::{Hint, Message};
 use crate::recording::Points;
 
 impl Measured {
@@ -26,8 +27,10 @@ impl Measured {
         let file = log.account().file.display().to_string();
         let inductances = channel(Channel::Inductance)?;
         if zero_length.is_none() && lengths.iter().any(|length| *length <= 0.0) {
-            let message = "holds positions that are no lengths, as some are not above zero; give the length of the coil where they read zero \
-                           (--length-at-zero)";
+            let message = Message::from("holds positions that are no lengths, as some are not above zero; ")
+                + "give the length of the coil where they read zero ("
+                + Hint::Open("length_at_zero")
+                + ")";
             return Err(CalibrationError::of(&file, message));
         }
         let points = Self::pairs(&file, &lengths, inductances)?;

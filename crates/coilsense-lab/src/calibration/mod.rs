@@ -20,18 +20,26 @@ pub use measured::Measured;
 pub use outcome::{Judged, Outcome, THEORY_POINTS};
 pub use plan::{Method, Plan, Preload};
 
+use crate::message::Message;
+
 /// A calibration that cannot be made: one line with the file or quantity, the value and what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
-pub struct CalibrationError(String);
+pub struct CalibrationError(Message);
 
 impl CalibrationError {
-    pub(crate) fn new(message: impl std::fmt::Display) -> Self {
-        Self(message.to_string())
+    pub(crate) fn new(message: impl Into<Message>) -> Self {
+        Self(message.into())
     }
 
     /// Of a file, with what is wrong in it.
-    pub(crate) fn of(file: &str, message: impl std::fmt::Display) -> Self {
-        Self(format!("{file}: {message}"))
+    pub(crate) fn of(file: &str, message: impl Into<Message>) -> Self {
+        Self(Message::from(format!("{file}: ")) + message)
+    }
+}
+
+impl From<CalibrationError> for Message {
+    fn from(error: CalibrationError) -> Self {
+        error.0
     }
 }

@@ -22,6 +22,7 @@ pub use outcome::{Experiment, Run};
 pub use slow::Slow;
 pub use spring::{Curve, SpringLine};
 
+use crate::message::Message;
 use crate::recording::RecordingError;
 use crate::spec::SpecError;
 
@@ -51,5 +52,14 @@ pub enum ExperimentError {
 impl ExperimentError {
     fn of(file: &std::path::Path, message: impl std::fmt::Display) -> Self {
         Self::Refused { file: file.display().to_string(), message: message.to_string() }
+    }
+}
+
+impl From<ExperimentError> for Message {
+    fn from(error: ExperimentError) -> Self {
+        match error {
+            ExperimentError::Log(error) => error.into(),
+            ExperimentError::Spec(_) | ExperimentError::Refused { .. } => error.to_string().into(),
+        }
     }
 }

@@ -13,6 +13,7 @@ pub use spec_file::{Coil, SpecFileError, spec_file};
 use coilsense::Signals;
 use coilsense::identify::{Identification, Settings};
 
+use crate::message::Message;
 use crate::recording::Recording;
 
 /// A log and what it says.
@@ -37,12 +38,10 @@ impl Identified {
     /// [`IdentificationError`] with the log's name, for a log without a force, too short, or uneven in time.
     pub fn of(recording: Recording, settings: &Settings) -> Result<Self, IdentificationError> {
         let file = recording.account().file.display().to_string();
-        let wrong = |reason: String| IdentificationError { file: file.clone(), reason };
         // Says where a log is uneven, and how to mend it.
-        recording
-            .sample_rate()
-            .map_err(|error| IdentificationError { file: String::new(), reason: error.to_string() })?;
-        let found = Identification::of(recording.signals(), settings).map_err(|error| wrong(error.to_string()))?;
+        recording.sample_rate().map_err(|error| IdentificationError(error.into()))?;
+        let found = Identification::of(recording.signals(), settings)
+            .map_err(|error| IdentificationError(format!("{file}: {error}").into()))?;
         Ok(Self {
             simulated: recording.simulated().map(str::to_owned),
             account: recording.account().lines(),
@@ -55,8 +54,11 @@ impl Identified {
 
 /// A log that cannot be identified.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}{reason}", if file.is_empty() { String::new() } else { format!("{file}: ") })]
-pub struct IdentificationError {
-    file: String,
-    reason: String,
+#[error("{0}")]
+pub struct IdentificationError(Message);
+
+impl From<IdentificationError> for Message {
+    fn from(error: IdentificationError) -> Self {
+        error.0
+    }
 }

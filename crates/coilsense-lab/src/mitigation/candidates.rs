@@ -142,7 +142,12 @@ fn cascade(name: &str, sections: &[Biquad<f64>]) -> Result<Candidate, Error> {
         [a] => made(Candidate::new(name, origin, truth, Cascade { sections: [*a] })),
         [a, b] => made(Candidate::new(name, origin, truth, Cascade { sections: [*a, *b] })),
         [a, b, c, d, e] => made(Candidate::new(name, origin, truth, Cascade { sections: [*a, *b, *c, *d, *e] })),
-        _ => Err(Error::Count { quantity: "sections".into(), found: sections.len(), allowed: "1, 2 or 5".into() }),
+        _ => Err(Error::Count {
+            field: None,
+            quantity: "sections".into(),
+            found: sections.len(),
+            allowed: "1, 2 or 5".into(),
+        }),
     }
 }
 

@@ -13,7 +13,7 @@ use super::answer::Answer;
 use super::candidate::{Candidate, Truth};
 use super::candidates::{Brief, Candidates};
 use super::judge::{Judgement, Trial, order};
-use super::request::Refused;
+use super::request::{NOISE, Refused};
 use super::runs;
 use super::shaping::Shaping;
 use super::study::{POSITIVE, Study, unfit};
@@ -74,7 +74,8 @@ impl Study {
     }
 
     fn trial(&self, sampled: &SampledSpring, nominal: Vec<runs::Run>, impact: f64) -> Result<Trial, Error> {
-        let noise = Normal::new(0.0, self.noise).map_err(|_| unfit("noise of the force", self.noise, "N", POSITIVE))?;
+        let noise =
+            Normal::new(0.0, self.noise).map_err(|_| unfit(&NOISE, "noise of the force", self.noise, "N", POSITIVE))?;
         Ok(Trial {
             nominal,
             over_the_box: runs::over_the_box(self)?,

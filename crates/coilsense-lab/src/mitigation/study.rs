@@ -2,6 +2,8 @@
 //!
 //! Next door: what may be asked (`request`), how it is run (`run`), what comes of it (`answer`), the answer as text and JSON (`report`).
 
+use std::borrow::Cow;
+
 use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
 use coilsense::{Channel, Damping, Error, Excitation, FarEnd, Spring};
@@ -157,19 +159,18 @@ impl Study {
         SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
         if !(self.bandwidth > 0.0 && self.bandwidth < self.spring.surge_frequency()) {
             let allowed = "above zero and below the first surge frequency";
-            return Err(of(&BANDWIDTH)(unfit("bandwidth", self.bandwidth, "Hz", allowed)));
+            return Err(of(&BANDWIDTH)(unfit(&BANDWIDTH, "bandwidth", self.bandwidth, "Hz", allowed)));
         }
         if !(self.noise > 0.0 && self.noise.is_finite()) {
-            return Err(of(&NOISE)(unfit("noise of the force", self.noise, "N", POSITIVE)));
+            return Err(of(&NOISE)(unfit(&NOISE, "noise of the force", self.noise, "N", POSITIVE)));
         }
         if self.seeds == 0 {
-            return Err(of(&SEEDS)(unfit("seeds", 0.0, "", "at least 1")));
+            return Err(of(&SEEDS)(unfit(&SEEDS, "seeds", 0.0, "", "at least 1")));
         }
         let most = MOST_SAMPLES / self.longest();
         if self.rate > most {
-            let allowed = format!("at most {most:.0} Hz, two million samples of the longest run").into();
-            let error = Error::Value { quantity: "sampling rate".into(), value: self.rate, unit: "Hz", allowed };
-            return Err(of(&RATE)(error));
+            let allowed = format!("at most {most:.0} Hz, two million samples of the longest run");
+            return Err(of(&RATE)(unfit(&RATE, "sampling rate", self.rate, "Hz", allowed)));
         }
         Ok(())
     }
@@ -187,6 +188,13 @@ impl Study {
 const MOST_SAMPLES: f64 = 2e6;
 pub(super) const POSITIVE: &str = "above zero and finite";
 
-pub(super) fn unfit(quantity: &'static str, value: f64, unit: &'static str, allowed: &'static str) -> Error {
-    Error::Value { quantity: quantity.into(), value, unit, allowed: allowed.into() }
+/// That the value of an option cannot be, with what people call it.
+pub(super) fn unfit(
+    row: &Row,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+    allowed: impl Into<Cow<'static, str>>,
+) -> Error {
+    Error::Value { field: Some(row.name), quantity: quantity.into(), value, unit, allowed: allowed.into() }
 }

@@ -52,7 +52,7 @@ const RELATIONS: [(&str, Relation); 9] = [
 impl Condition {
     /// Reads `COLUMN < VALUE`.
     pub fn parse(text: &str, plan: &Plan) -> Result<Self, SweepError> {
-        let refuse = |message: String| SweepError(format!("{text:?}: {message}"));
+        let refuse = |message: String| SweepError::new(format!("{text:?}: {message}"));
         let (column, relation, value) = split(text)
             .ok_or_else(|| refuse("is not COLUMN < VALUE, with one of < <= > >= = != between them".to_owned()))?;
         let (title, kind) = plan.column(column).map_err(|error| refuse(error.to_string()))?;

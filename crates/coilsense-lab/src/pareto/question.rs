@@ -57,13 +57,13 @@ impl Question {
         objectives.extend(of(maximize, Aim::Maximize)?);
         if !(1..=MOST_OBJECTIVES).contains(&objectives.len()) {
             let text = format!("a front has from 1 to {MOST_OBJECTIVES} objectives, got {}", objectives.len());
-            return Err(SweepError(text));
+            return Err(SweepError::new(text));
         }
         let twice = |(place, objective): &(usize, &Objective)| {
             objectives[..*place].iter().any(|other| other.title == objective.title)
         };
         if let Some((_, objective)) = objectives.iter().enumerate().find(twice) {
-            return Err(SweepError(format!("{} is asked for twice", objective.name())));
+            return Err(SweepError::new(format!("{} is asked for twice", objective.name())));
         }
         let conditions = conditions.iter().map(|text| Condition::parse(text, plan)).collect::<Result<_, _>>()?;
         Ok(Self { objectives, conditions })

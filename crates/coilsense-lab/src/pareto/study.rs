@@ -56,7 +56,7 @@ impl Study {
         let Pass { mut front, counts, cloud, varied, all, .. } = pass;
         let mut points = front.points();
         if points.is_empty() {
-            return Err(SweepError(format!("no design is left to compare: {}", counts.account())));
+            return Err(SweepError::new(format!("no design is left to compare: {}", counts.account())));
         }
         points.sort_by(|(a, first), (b, second)| first[0].total_cmp(&second[0]).then(a.cmp(b)));
         let width = question.objectives.len();

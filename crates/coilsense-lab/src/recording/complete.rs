@@ -6,11 +6,12 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 
 use super::account::{Account, Reason};
-use super::error::RecordingError;
+use super::error::{RecordingError, leave_out};
 use super::order::MOST_NUMBERS;
 use super::repairs::Repairs;
 use super::row::{Onward, Row, between};
 use super::telling::seconds;
+use crate::message::{Hint, Message};
 
 /// Lets complete rows through; fills or leaves out where it may.
 pub(super) struct Complete {
@@ -124,17 +125,22 @@ impl Complete {
             account.leave_out(Reason::MissingValue, row.line);
             return Ok(());
         }
-        let mend = match self.repairs.fill_gaps {
-            Some(longest) => format!("for longer than --fill-gaps {}; --drop-incomplete leaves such rows out", seconds(longest)),
-            None => "; --drop-incomplete leaves such rows out, --fill-gaps TIME fills them along straight lines, and so does --resample \
-                     RATE where channels have different rates"
-                .to_owned(),
+        let lacks = Message::from(format!("{} has no value", self.channels[channel]));
+        let message = match self.repairs.fill_gaps {
+            Some(longest) => {
+                lacks + " for longer than " + Hint::Value("fill_gaps", seconds(longest)) + "; " + leave_out()
+            }
+            None => {
+                lacks
+                    + "; "
+                    + leave_out()
+                    + ", "
+                    + Hint::Option("fill_gaps", "TIME")
+                    + " fills them along straight lines, and so does "
+                    + Hint::Option("resample", "RATE")
+                    + " where channels have different rates"
+            }
         };
-        let space = if mend.starts_with(';') { "" } else { " " };
-        Err(RecordingError::of_line(
-            &self.file,
-            row.line,
-            format!("{} has no value{space}{mend}", self.channels[channel]),
-        ))
+        Err(RecordingError::of_line(&self.file, row.line, message))
     }
 }

@@ -2,29 +2,46 @@
 //!
 //! Next door: who finds it (`text`, `selection`, `order`, `complete`, `spacing`).
 
-use std::fmt::Display;
 use std::path::Path;
+
+use crate::message::{Hint, Message};
 
 /// Why a log cannot be used, in one line that names file, line and column, what is there, and what would do.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
-pub struct RecordingError(String);
+pub struct RecordingError(Message);
 
 impl RecordingError {
     /// About a file as a whole.
-    pub(crate) fn of_file(file: &Path, message: impl Display) -> Self {
-        Self(format!("{}: {message}", file.display()))
+    pub(crate) fn of_file(file: &Path, message: impl Into<Message>) -> Self {
+        Self(Message::from(format!("{}: ", file.display())) + message)
     }
 
     /// About a line of a text, or a row of a file that has no lines.
-    pub(crate) fn of_line(file: &Path, line: u64, message: impl Display) -> Self {
-        Self(format!("{}:{line}: {message}", file.display()))
+    pub(crate) fn of_line(file: &Path, line: u64, message: impl Into<Message>) -> Self {
+        Self(Message::from(format!("{}:{line}: ", file.display())) + message)
     }
 
     /// About what somebody has typed.
-    pub(crate) fn of_words(message: impl Display) -> Self {
-        Self(message.to_string())
+    pub(crate) fn of_words(message: impl Into<Message>) -> Self {
+        Self(message.into())
     }
+}
+
+impl From<RecordingError> for Message {
+    fn from(error: RecordingError) -> Self {
+        error.0
+    }
+}
+
+/// The options that take a part of a log.
+pub(super) fn window() -> Message {
+    Message::from(Hint::Open("from")) + " and " + Hint::Open("to")
+}
+
+/// That incomplete rows may be left out.
+pub(super) fn leave_out() -> Message {
+    Message::from(Hint::Flag("drop_incomplete")) + " leaves such rows out"
 }
 
 /// A text of a file as a message quotes it: on one line, and not long.

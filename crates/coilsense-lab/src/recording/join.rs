@@ -7,9 +7,10 @@ use coilsense::{Channel, Signals};
 
 use super::Recording;
 use super::account::{Joined, Reason};
-use super::error::RecordingError;
+use super::error::{RecordingError, window};
 use super::row::between;
 use super::telling::seconds;
+use crate::message::{Hint, Message};
 use crate::quantity::Dimension;
 
 /// What is known about the second device's clock.
@@ -100,7 +101,7 @@ impl Recording {
             Clock::Found(None) => self.common(other)?,
         };
         let [mine, theirs] = [self.channel(pair[0])?, other.channel(pair[1])?];
-        let wrong = |message: String| RecordingError::of_file(&other.account.file, message);
+        let wrong = |message: Message| RecordingError::of_file(&other.account.file, message);
         let step = |recording: &Self| recording.account.resampled.map(f64::recip).or(recording.account.interval);
         let interval = step(self).into_iter().chain(step(other)).fold(f64::INFINITY, f64::min);
         let even = |times: &[f64], values: &[f64]| {
@@ -109,14 +110,17 @@ impl Recording {
             let clock: Vec<f64> =
                 (0..=samples.min(MOST_SAMPLES) as usize).map(|n| first + n as f64 * interval).collect();
             let most = seconds(MOST_SAMPLES * interval);
-            let message =
-                || wrong(format!("is too long to find its clock's offset; take up to {most} by --from and --to"));
-            if samples <= MOST_SAMPLES { Ok(interpolated(times, values, &clock)) } else { Err(message()) }
+            let message = || {
+                let text = format!("is too long to find its clock's offset; take up to {most} by ");
+                Message::from(text) + window()
+            };
+            if samples <= MOST_SAMPLES { Ok(interpolated(times, values, &clock)) } else { Err(wrong(message())) }
         };
         let (a, b) = (even(self.signals.time(), mine)?, even(other.signals.time(), theirs)?);
         let starts = [self, other].map(|recording| recording.signals.time().first().copied().unwrap_or(0.0));
         let found = ClockOffset::between(&a, &b, starts, interval).map_err(|error| {
-            wrong(format!("its clock's offset cannot be found by {} and {}: {error}", pair[0].name(), pair[1].name()))
+            let [mine, theirs] = pair.map(Channel::name);
+            wrong(format!("its clock's offset cannot be found by {mine} and {theirs}: {error}").into())
         })?;
         Ok(Joined { account, offset: found.offset, found: Some((pair.map(Channel::name), found)) })
     }
@@ -130,11 +134,10 @@ impl Recording {
         let both =
             self.signals.channels().map(|(channel, _)| channel).find(|channel| other.signals.channel(*channel).is_ok());
         let message = || {
-            format!(
-                "it has {}, the first device {}: no channel is in both; name two that saw the same motion, as in --clock F_o=F_x, or give the offset",
-                names(other),
-                names(self)
-            )
+            Message::from(format!("it has {}, the first device {}: no channel is in both; ", names(other), names(self)))
+                + "name two that saw the same motion, as in "
+                + Hint::Pair("clock", ["F_o", "F_x"])
+                + ", or give the offset"
         };
         both.map(|channel| [channel; 2]).ok_or_else(|| RecordingError::of_file(&other.account.file, message()))
     }

@@ -5,6 +5,7 @@
 use super::error::RecordingError;
 use super::quantity::Quantity;
 use super::title::Title;
+use crate::message::{Hint, Message};
 
 /// Which column is which channel. Columns that carry a channel's name need no entry.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -75,9 +76,8 @@ impl Mapping {
     pub fn preset(name: &str) -> Result<Self, RecordingError> {
         let Some((name, text)) = PRESETS.iter().find(|(known, _)| *known == name) else {
             let known = PRESETS.map(|(name, _)| name).join(", ");
-            return Err(RecordingError::of_words(format!(
-                "--preset {name}: no preset of that name; there are: {known}"
-            )));
+            let text = format!(": no preset of that name; there are: {known}");
+            return Err(RecordingError::of_words(Message::from(Hint::Value("preset", name.to_owned())) + text));
         };
         Self::parse(name, text)
     }
@@ -87,7 +87,9 @@ impl Mapping {
     /// # Errors
     /// [`RecordingError`] where it is not of that form or names no channel.
     pub fn set(&mut self, text: &str) -> Result<(), RecordingError> {
-        let refused = |message: &str| RecordingError::of_words(format!("--column {text:?}: {message}"));
+        let refused = |message: &str| {
+            RecordingError::of_words(Message::from(Hint::Option("column", "")) + format!(" {text:?}: {message}"))
+        };
         let (name, title) = text.split_once('=').ok_or_else(|| refused("must be NAME=\"title [unit]\""))?;
         let quantity =
             Quantity::named(name.trim()).map_err(|allowed| refused(&format!("the name before = {allowed}")))?;

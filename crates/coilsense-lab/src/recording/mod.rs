@@ -59,6 +59,7 @@ use std::path::Path;
 
 use coilsense::{Channel, Signals};
 
+use crate::message::{Hint, Message};
 use order::MOST_NUMBERS;
 use pipeline::Rows;
 use source::Source;
@@ -99,10 +100,9 @@ impl Recording {
         let mut values = vec![Vec::new(); channels.len()];
         let account = rows.mend(&|_, _| true, &mut |row, _| {
             if (time.len() + 1) * (channels.len() + 1) > MOST_NUMBERS {
-                return Err(RecordingError::of_file(
-                    path,
-                    "is too large to be held in memory; take a part of it by --from and --to",
-                ));
+                let message =
+                    Message::from("is too large to be held in memory; take a part of it by ") + error::window();
+                return Err(RecordingError::of_file(path, message));
             }
             time.push(row.time);
             for (series, value) in values.iter_mut().zip(row.values) {
@@ -174,9 +174,8 @@ impl Recording {
     /// [`RecordingError`] that names the first time which does not, and the repair.
     pub fn sample_rate(&self) -> Result<f64, RecordingError> {
         let time = self.signals.time();
-        let wrong = |message: String| RecordingError::of_file(&self.account.file, message);
         let (Some(first), Some(last)) = (time.first(), time.last().filter(|_| time.len() > 1)) else {
-            return Err(wrong("a single row has no sample rate".to_owned()));
+            return Err(RecordingError::of_file(&self.account.file, "a single row has no sample rate"));
         };
         let interval = (last - first) / (time.len() - 1) as f64;
         let even = |index: usize, time: f64| (time - first - index as f64 * interval).abs() <= 0.25 * interval;
@@ -188,12 +187,12 @@ impl Recording {
             .windows(2)
             .map(|pair| (pair[1] - pair[0], pair[0]))
             .fold((0.0, *first), |most, next| if next.0 > most.0 { next } else { most });
-        Err(wrong(format!(
-            "is not evenly sampled: its steps of time are usually {}, and {} at {at} s; --resample \"{}\" makes them even",
-            seconds(usual),
-            seconds(step),
-            telling::hertz((1.0 / usual).round().max(1.0))
-        )))
+        let (usual_step, longest) = (seconds(usual), seconds(step));
+        let text =
+            format!("is not evenly sampled: its steps of time are usually {usual_step}, and {longest} at {at} s; ");
+        let rate = telling::hertz((1.0 / usual).round().max(1.0));
+        let message = Message::from(text) + Hint::Value("resample", rate) + " makes them even";
+        Err(RecordingError::of_file(&self.account.file, message))
     }
 }
 
@@ -219,10 +218,8 @@ pub fn columns_of_text(name: &str, text: Vec<u8>, format: &Format) -> Result<(St
 
 fn lacks(file: &Path, channel: Channel) -> RecordingError {
     let (name, unit) = (channel.name(), channel.unit());
-    RecordingError::of_file(
-        file,
-        format!("has no {name}; say which column it is, as in --column {name}=\"title [{unit}]\""),
-    )
+    let message = Message::from(format!("has no {name}; say which column it is, as in "));
+    RecordingError::of_file(file, message + Hint::Column(name, format!("title [{unit}]")))
 }
 
 /// The remark that says that a log is simulated.

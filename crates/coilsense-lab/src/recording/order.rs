@@ -5,9 +5,10 @@
 use std::path::PathBuf;
 
 use super::account::{Account, Reason};
-use super::error::RecordingError;
+use super::error::{RecordingError, window};
 use super::repairs::Repairs;
 use super::row::{Onward, Row};
+use crate::message::{Hint, Message};
 
 /// Lets rows through whose times rise; sorts and merges where it may.
 pub(super) struct Order {
@@ -39,7 +40,7 @@ impl Order {
             return self.in_order(row, account, onward);
         }
         if (self.all.len() + 1) * (row.values.len() + 4) > MOST_NUMBERS {
-            let message = "has too many rows to be sorted in memory; take a part of it by --from and --to";
+            let message = Message::from("has too many rows to be sorted in memory; take a part of it by ") + window();
             return Err(RecordingError::of_file(&self.file, message));
         }
         if self.all.last().is_some_and(|last| row.time < last.time) {
@@ -62,14 +63,18 @@ impl Order {
     fn in_order(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
         let before = std::mem::replace(&mut self.last, row.time);
         if row.time < before {
-            let message = format!("time goes back from {before} s to {} s; --sort puts the rows in order", row.time);
+            let message = Message::from(format!("time goes back from {before} s to {} s; ", row.time))
+                + Hint::Flag("sort")
+                + " puts the rows in order";
             return Err(RecordingError::of_line(&self.file, row.line, message));
         }
         if !self.repairs.merge_repeated {
             if row.time > before {
                 return onward(row, account);
             }
-            let message = format!("time {before} s is there again; --merge-repeated takes the mean of such rows");
+            let message = Message::from(format!("time {before} s is there again; "))
+                + Hint::Flag("merge_repeated")
+                + " takes the mean of such rows";
             return Err(RecordingError::of_line(&self.file, row.line, message));
         }
         match &mut self.open {

@@ -6,7 +6,7 @@ use coilsense::Channel;
 
 use super::account::{Account, Reason};
 use super::complete::Complete;
-use super::error::RecordingError;
+use super::error::{RecordingError, leave_out};
 use super::mapping::Mapping;
 use super::order::Order;
 use super::quantity::Quantity;
@@ -15,6 +15,7 @@ use super::row::{Onward, Row};
 use super::selection::{Selection, Slot};
 use super::source::{Next, Source};
 use super::spacing::Spacing;
+use crate::message::{Hint, Message};
 
 /// A source whose rows are read as SI values of the columns that are taken.
 pub(super) struct Rows<'a> {
@@ -89,7 +90,7 @@ impl<'a> Rows<'a> {
                 Ok(reading) => return Ok(Some(reading)),
                 Err((reason, _)) if self.repairs.drop_incomplete => self.account.leave_out(reason, line),
                 Err((_, message)) => {
-                    let message = format!("{message}; --drop-incomplete leaves such rows out");
+                    let message = Message::from(message) + "; " + leave_out();
                     return Err(RecordingError::of_line(self.source.file(), line, message));
                 }
             }
@@ -122,10 +123,11 @@ impl<'a> Rows<'a> {
         let file = self.source.file().to_owned();
         let rate = self.mapping.format.sample_rate;
         if !self.selection.has_time() && rate.is_none() {
-            return Err(RecordingError::of_file(
-                &file,
-                "no column is known as the time; say which it is, as in --column time=\"#1 [s]\", or how often it was sampled by --sample-rate",
-            ));
+            let message = Message::from("no column is known as the time; say which it is, as in ")
+                + Hint::Column("time", "#1 [s]".to_owned())
+                + ", or how often it was sampled by "
+                + Hint::Open("sample_rate");
+            return Err(RecordingError::of_file(&file, message));
         }
         let names = self.channels().iter().map(|channel| channel.name()).collect();
         let mut order = Order::new(file.clone(), *self.repairs);

@@ -8,13 +8,14 @@ use coilsense::Channel;
 
 use super::Recording;
 use super::account::{Account, Reason};
-use super::error::RecordingError;
+use super::error::{RecordingError, leave_out};
 use super::mapping::Mapping;
 use super::order::MOST_NUMBERS;
 use super::pipeline::{Rows, nothing_left};
 use super::repairs::Repairs;
 use super::source::Source;
 use super::{held, open};
+use crate::message::Message;
 
 /// Values of each channel row by row, all of one length; time plays no part.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,8 +54,7 @@ impl Points {
         while let Some(reading) = rows.next()? {
             if let Some(place) = reading.values.iter().position(|value| value.is_nan()) {
                 if !repairs.drop_incomplete {
-                    let message =
-                        format!("{} has no value; --drop-incomplete leaves such rows out", channels[place].0.name());
+                    let message = Message::from(format!("{} has no value; ", channels[place].0.name())) + leave_out();
                     return Err(RecordingError::of_line(path, reading.line, message));
                 }
                 rows.account.leave_out(Reason::MissingValue, reading.line);

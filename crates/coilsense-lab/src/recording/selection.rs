@@ -9,6 +9,7 @@ use super::mapping::{Columns, Mapping};
 use super::quantity::Quantity;
 use super::title::Title;
 use crate::likeness::nearest;
+use crate::message::{Hint, Message};
 use crate::quantity::Scale;
 
 /// Columns of a file that are taken.
@@ -43,25 +44,24 @@ pub(super) const TIMES: [&str; 3] = ["time", "t", "timestamp"];
 impl Selection {
     /// Finds the columns that a mapping names, and those that carry a channel's name.
     pub fn of(file: &Path, titles: &[Title], mapping: &Mapping) -> Result<Self, RecordingError> {
-        let refused = |message: String| RecordingError::of_file(file, message);
+        let refused = |message: Message| RecordingError::of_file(file, message);
         let mut found: Vec<(Quantity, Vec<usize>, Scale, f64)> = Vec::new();
         for quantity in Quantity::all() {
             let told = mapping.columns.iter().find(|(other, _)| *other == quantity).map(|(_, columns)| columns.clone());
             let Some(columns) = told.or_else(|| by_name(titles, quantity)) else { continue };
             let places: Result<Vec<usize>, String> =
                 columns.titles.iter().map(|title| find(titles, title, quantity)).collect();
-            let places = places.map_err(refused)?;
+            let places = places.map_err(|message| refused(message.into()))?;
             let scale = scale(titles, &places, &columns, quantity).map_err(refused)?;
             found.push((quantity, places, scale, columns.offset));
         }
         if !found.iter().any(|(quantity, ..)| *quantity != Quantity::Time) {
             let names: Vec<String> =
                 titles.iter().enumerate().map(|(index, title)| title.place(index)).take(8).collect();
-            return Err(refused(format!(
-                "no column is known as a channel; it has {}; say which is which, as in --column F_o={:?}",
-                names.join(", "),
-                titles.last().filter(|title| !title.text.is_empty()).map_or("#2 [N]", |title| &title.text)
-            )));
+            let last = titles.last().filter(|title| !title.text.is_empty()).map_or("#2 [N]", |title| &title.text);
+            let text = format!("no column is known as a channel; it has {}; ", names.join(", "));
+            let example = Hint::Column("F_o", last.to_owned());
+            return Err(refused(Message::from(text) + "say which is which, as in " + example));
         }
         let mut wanted: Vec<usize> = found.iter().flat_map(|(_, places, ..)| places.iter().copied()).collect();
         wanted.sort_unstable();
@@ -142,7 +142,7 @@ fn find(titles: &[Title], wanted: &str, quantity: Quantity) -> Result<usize, Str
 }
 
 /// What takes the columns' numbers to SI.
-fn scale(titles: &[Title], places: &[usize], columns: &Columns, quantity: Quantity) -> Result<Scale, String> {
+fn scale(titles: &[Title], places: &[usize], columns: &Columns, quantity: Quantity) -> Result<Scale, Message> {
     let (name, dimension) = (quantity.name(), quantity.dimension());
     let times = |scale: Scale| match scale {
         Scale::Times(by) => Scale::Times(by * columns.factor),
@@ -162,13 +162,13 @@ fn scale(titles: &[Title], places: &[usize], columns: &Columns, quantity: Quanti
         let place = title.place(index);
         let unit = match (&columns.unit, &title.unit) {
             (Some(told), Some(own)) if dimension.scale(told) != dimension.scale(own) => {
-                return Err(format!("{place}: its title says {own:?}, the mapping of {name} says {told:?}"));
+                return Err(format!("{place}: its title says {own:?}, the mapping of {name} says {told:?}").into());
             }
             (Some(unit), _) | (None, Some(unit)) => unit,
             (None, None) => {
                 let typed = if title.name.is_empty() { format!("#{}", index + 1) } else { title.name.clone() };
-                let example = format!("--column {name}=\"{typed} [{}]\"", dimension.si_unit());
-                return Err(format!("{place}: its unit is not told; say it, as in {example}"));
+                let example = Hint::Column(name, format!("{typed} [{}]", dimension.si_unit()));
+                return Err(Message::from(format!("{place}: its unit is not told; say it, as in ")) + example);
             }
         };
         let found = dimension.scale(unit);
@@ -179,7 +179,7 @@ fn scale(titles: &[Title], places: &[usize], columns: &Columns, quantity: Quanti
     }
     let first = scales.first().copied().unwrap_or(Scale::Times(1.0));
     if scales.iter().any(|scale| *scale != first) {
-        return Err(format!("{name}: its columns have different units; only columns of one unit have a mean"));
+        return Err(format!("{name}: its columns have different units; only columns of one unit have a mean").into());
     }
     Ok(times(first))
 }

@@ -9,6 +9,7 @@ use super::error::RecordingError;
 use super::repairs::Repairs;
 use super::row::{Onward, Row, between};
 use super::telling::{hertz, seconds};
+use crate::message::{Hint, Message};
 
 /// Measures steps of time; fills gaps and resamples where it may.
 pub(super) struct Spacing {
@@ -69,7 +70,7 @@ impl Spacing {
                 account.resampled = Some(rate);
                 if rate < 0.99 * own {
                     account.notes.push(format!(
-                        "--resample {} is below its {} a second: nothing filters what is above {}, which is now folded below it",
+                        "resampling to {} is below its {} a second: nothing filters what is above {}, which is now folded below it",
                         hertz(rate),
                         hertz(own),
                         hertz(rate / 2.0)
@@ -145,11 +146,13 @@ impl Spacing {
     ) -> Result<(), RecordingError> {
         let length = next.time - last.time;
         if is_gap && !self.repairs.bridges(length) {
-            let message = format!(
-                "a gap of {} is before it, longer than --fill-gaps {}; take the part before or after by --to or --from",
-                seconds(length),
-                seconds(self.repairs.fill_gaps.unwrap_or(0.0))
-            );
+            let most = seconds(self.repairs.fill_gaps.unwrap_or(0.0));
+            let message = Message::from(format!("a gap of {} is before it, longer than ", seconds(length)))
+                + Hint::Value("fill_gaps", most)
+                + "; take the part before or after by "
+                + Hint::Open("to")
+                + " or "
+                + Hint::Open("from");
             return Err(RecordingError::of_line(&self.file, next.line, message));
         }
         let mut sample = self.sample.unwrap_or(0.0);

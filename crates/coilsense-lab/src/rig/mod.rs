@@ -71,7 +71,7 @@ pub enum RigError {
         /// Which part of the rig.
         place: String,
         /// What is wrong.
-        reason: Error,
+        reason: Box<Error>,
     },
     /// The files cannot be written.
     #[error(transparent)]
@@ -91,7 +91,7 @@ impl Rig {
         let (settings, spring) = (spec.rig.clone(), spec.spring.spring.clone());
         let science = |place: &str| {
             let (file, place) = (spec.file.clone(), place.to_owned());
-            move |reason| RigError::Science { file, place, reason }
+            move |reason| RigError::Science { file, place, reason: Box::new(reason) }
         };
         let length = spring.rest_length() + settings.preload / spring.stiffness();
         let mut rig = Self {
@@ -136,7 +136,7 @@ impl Rig {
 
     fn science(&self, place: &str) -> impl FnOnce(Error) -> RigError + use<> {
         let (file, place) = (self.file.clone(), place.to_owned());
-        move |reason| RigError::Science { file, place, reason }
+        move |reason| RigError::Science { file, place, reason: Box::new(reason) }
     }
 
     /// The randomness of a run, by its number in [`Self::runs`].

@@ -3,6 +3,7 @@
 //! Next door: the estimates (the parent), the layout (`crate::sweep::Sampling::Saltelli`), the answer in words (`words`).
 
 use super::{Indices, Resampling, SensitivityError, indices};
+use crate::message::{Hint, Message};
 use crate::quantity::without_unit;
 use crate::sweep::{Data, Dataset, Sampling, SweepError};
 
@@ -52,15 +53,15 @@ impl Study {
         let plan = dataset.plan();
         let sampling = plan.parameters().sampling.map_or("", Sampling::name);
         if sampling != Sampling::Saltelli.name() {
-            return Err(SweepError(format!(
-                "sensitivity indices need a sweep with --sampling saltelli, this one is {sampling}"
-            )));
+            let message = Message::from("sensitivity indices need a sweep with ")
+                + Hint::Value("sampling", Sampling::Saltelli.name().to_owned());
+            return Err(SweepError::new(message + format!(", this one is {sampling}")));
         }
         if let Some(catalogue) = &plan.parameters().catalogue {
             let rows = catalogue.rows.len();
             if rows > 1 {
                 let text = format!("sensitivity indices need one design to vary, the catalogue has {rows}");
-                return Err(SweepError(text));
+                return Err(SweepError::new(text));
             }
         }
         let titles: Vec<String> = match of.is_empty() {
@@ -76,7 +77,7 @@ impl Study {
             let title = titles[place].clone();
             let found = indices(&values, study.variables.len(), &resampling);
             if let (Err(error), false) = (&found, of.is_empty()) {
-                return Err(SweepError(format!("{}: {error}", without_unit(&title))));
+                return Err(SweepError::new(format!("{}: {error}", without_unit(&title))));
             }
             study.columns.push(OfColumn { title, found });
         }

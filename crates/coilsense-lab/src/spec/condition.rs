@@ -33,7 +33,7 @@ enum About {
     /// Windings that move on between ends that stand.
     Moving,
     /// An end that is driven.
-    Driven(drive::Read),
+    Driven(drive::Read, drive::Keys),
     /// Ends that a file drives.
     Recorded(Recorded),
 }
@@ -48,7 +48,7 @@ impl About {
                 recorded.map(Self::Recorded).map_err(|message| section.refuse("file", message))
             }
             other => match drive::named(other) {
-                Some(read) => Ok(Self::Driven(read)),
+                Some((read, keys)) => Ok(Self::Driven(read, keys)),
                 None => Err(section.refuse("kind", "is no kind of condition".to_owned())),
             },
         }
@@ -100,7 +100,7 @@ impl ConditionSpec {
         let about = About::read(section, setting, kind)?;
         let recorded = match &about {
             About::Recorded(recorded) => Some(recorded),
-            About::Moving | About::Driven(_) => None,
+            About::Moving | About::Driven(..) => None,
         };
         let told = section.above_zero("duration", Dimension::Time)?;
         let duration = told.or(recorded.map(Recorded::duration)).unwrap_or(1.0);
@@ -110,12 +110,12 @@ impl ConditionSpec {
         let remarks = recorded.map_or_else(Vec::new, |recorded| recorded.remarks.clone());
         let excitation = match about {
             About::Moving => moving(section, setting, kind)?,
-            About::Driven(read) => driven(section, setting, || {
+            About::Driven(read, keys) => driven(section, setting, keys, || {
                 let inputs = drive::inputs(section, setting, duration, read)?;
                 let least = drive::least(&inputs);
                 Ok((inputs, least))
             })?,
-            About::Recorded(recorded) => driven(section, setting, || Ok((recorded.inputs, recorded.shortest)))?,
+            About::Recorded(recorded) => driven(section, setting, &[], || Ok((recorded.inputs, recorded.shortest)))?,
         };
         Ok(Self { name, kind, excitation, duration, window, sample_rate, remarks })
     }
@@ -145,13 +145,14 @@ fn moving(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Ex
         (length(section, spring)?.unwrap_or(end), sign * speed)
     };
     let start = Start::Moving { velocity, profile };
-    Excitation::new(length, EndInput::Held, EndInput::Held, start).map_err(|error| refuse(section, &error))
+    Excitation::new(length, EndInput::Held, EndInput::Held, start).map_err(|error| refuse(section, &error, &[]))
 }
 
 /// One or both ends driven: by `inputs`, and the least that u2 − u1 becomes \[m\].
 fn driven(
     section: &Section<'_>,
     setting: &Setting<'_>,
+    keys: drive::Keys,
     inputs: impl FnOnce() -> Result<([EndInput; 2], f64), SpecError>,
 ) -> Result<Excitation, SpecError> {
     let length = length(section, setting.spring)?.unwrap_or(setting.spring.mid_length());
@@ -160,7 +161,7 @@ fn driven(
         _ => Start::Rest,
     };
     let ([one, two], least) = inputs()?;
-    let excitation = Excitation::new(length, one, two, start).map_err(|error| refuse(section, &error))?;
+    let excitation = Excitation::new(length, one, two, start).map_err(|error| refuse(section, &error, keys))?;
     let shortest = length + least;
     if setting.mount.far_end() == FarEnd::Position && shortest <= 0.0 {
         let key = section.first_of(&["amplitude", "file", "length"]).unwrap_or("length");
@@ -192,6 +193,6 @@ fn length(section: &Section<'_>, spring: &Spring) -> Result<Option<f64>, SpecErr
 }
 
 /// An error of the science at the key it is about.
-pub(super) fn refuse(section: &Section<'_>, error: &Error) -> SpecError {
-    section.refuse_science(error, &drive::ALIASES)
+fn refuse(section: &Section<'_>, error: &Error, keys: drive::Keys) -> SpecError {
+    section.refuse_science(error, &[&[("mean_length", "length")], keys].concat())
 }

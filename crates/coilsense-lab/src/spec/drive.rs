@@ -9,31 +9,24 @@ use super::section::Section;
 use super::setting::Setting;
 use crate::quantity::Dimension;
 
-/// Quantities of the science and the keys that set them, where the words differ.
-pub(super) const ALIASES: [(&str, &str); 6] = [
-    ("mean length", "length"),
-    ("height", "amplitude"),
-    ("first frequency", "frequency"),
-    ("last frequency", "frequency"),
-    ("turns of the chirp", "frequency"),
-    ("time of the step", "begin"),
-];
-
 /// What drives an end, from its table.
 pub(super) type Read = fn(&Drive<'_>) -> Result<EndInput, SpecError>;
 
+/// Parameters of an [`EndInput`] and the keys that set them, where these are called otherwise.
+pub(super) type Keys = &'static [(&'static str, &'static str)];
+
 /// Every kind of condition that drives an end, by its word in a spec.
-pub(super) const DRIVES: [(&str, Read); 5] = [
-    ("harmonic", |drive| drive.harmonic()),
-    ("sweep", |drive| drive.sweep()),
-    ("step", |drive| drive.step()),
-    ("ramp", |drive| drive.ramp()),
-    ("pulse", |drive| drive.pulse()),
+pub(super) const DRIVES: [(&str, Read, Keys); 5] = [
+    ("harmonic", |drive| drive.harmonic(), &[]),
+    ("sweep", |drive| drive.sweep(), &[("from", "frequency"), ("to", "frequency")]),
+    ("step", |drive| drive.step(), &[("height", "amplitude"), ("at", "begin")]),
+    ("ramp", |drive| drive.ramp(), &[("height", "amplitude"), ("from", "begin"), ("duration", "rise_time")]),
+    ("pulse", |drive| drive.pulse(), &[("height", "amplitude"), ("from", "begin"), ("duration", "width")]),
 ];
 
-/// What reads the drive of a kind; `None` of a kind that is no drive.
-pub(super) fn named(kind: &str) -> Option<Read> {
-    DRIVES.iter().find(|(word, _)| *word == kind).map(|(_, read)| *read)
+/// What reads the drive of a kind, and its keys; `None` of a kind that is no drive.
+pub(super) fn named(kind: &str) -> Option<(Read, Keys)> {
+    DRIVES.iter().find(|(word, ..)| *word == kind).map(|(_, read, keys)| (*read, *keys))
 }
 
 /// A driven end.

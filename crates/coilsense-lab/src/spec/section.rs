@@ -58,18 +58,13 @@ impl Section<'_> {
         }
     }
 
-    /// An error of the science: at the key that carries the quantity's name, or one that `aliases` (quantity, key) name.
-    pub(super) fn refuse_science(&self, error: &Error, aliases: &[(&str, &str)]) -> SpecError {
-        let key = match error {
-            Error::Value { quantity, .. } => match aliases.iter().find(|(name, _)| name == quantity) {
-                Some((_, key)) => (*key).to_owned(),
-                None => quantity.replace(' ', "_"),
-            },
-            _ => String::new(),
-        };
-        match self.has(&key) {
-            true => self.refuse(&key, error),
-            false => located(self.file, self.text, self.span.start, format!("{}: {error}", self.label)),
+    /// An error of the science: at the key of its parameter's name, or at the one that `keys` (parameter, key) says sets it; at the table
+    /// where it is about no parameter, or about one that follows from several keys.
+    pub(super) fn refuse_science(&self, error: &Error, keys: &[(&str, &str)]) -> SpecError {
+        let key = error.field().map(|field| keys.iter().find(|(name, _)| *name == field).map_or(field, |(_, key)| key));
+        match key.filter(|key| self.has(key)) {
+            Some(key) => self.refuse(key, error),
+            None => located(self.file, self.text, self.span.start, format!("{}: {error}", self.label)),
         }
     }
 

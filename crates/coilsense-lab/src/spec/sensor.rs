@@ -180,13 +180,10 @@ impl SensorSpec {
             coefficient,
             "at most 100 %/K either way",
         )?;
-        Readout::new(sensor.readout.clone()).map_err(|error| section.refuse_science(&error, &ALIASES))?;
+        Readout::new(sensor.readout.clone()).map_err(|error| section.refuse_science(&error, &[]))?;
         Ok(sensor)
     }
 }
-
-/// Quantities of the science and the keys that set them, where the words differ.
-const ALIASES: [(&str, &str); 2] = [("averaging window", "averaging"), ("order of the low-pass", "order")];
 
 /// A value in the native unit, or as a share of the range.
 fn native(section: &Section<'_>, key: &str, quantity: Quantity, range: f64) -> Result<Option<f64>, SpecError> {

@@ -54,13 +54,13 @@ const ENDS: [(&str, EndType); 5] = [
     ("closed-ground", EndType::ClosedGround),
 ];
 
-/// Quantities of the science and the keys that set them, where the words differ.
-const ALIASES: [(&str, &str); 3] =
-    [("active windings", "windings"), ("coil radius", "coil_diameter"), ("wire radius", "wire_diameter")];
+/// Parameters of the science and the keys that set them, where these are called otherwise: of a spring by geometry.
+const DIAMETERS: [(&str, &str); 3] =
+    [("active_windings", "windings"), ("coil_radius", "coil_diameter"), ("wire_radius", "wire_diameter")];
 
 /// The same of a spring by values.
 const RADII: [(&str, &str); 3] =
-    [("active windings", "windings"), ("coil diameter", "coil_radius"), ("wire diameter", "wire_radius")];
+    [("active_windings", "windings"), ("coil_diameter", "coil_radius"), ("wire_diameter", "wire_radius")];
 
 impl SpringSpec {
     /// How far the stiffness may be off, either way, as a share \[1\].
@@ -188,7 +188,7 @@ impl SpringSpec {
             rest_length,
             initial_tension,
         };
-        let geometry = Geometry::new(parameters).map_err(|error| section.refuse_science(&error, &ALIASES))?;
+        let geometry = Geometry::new(parameters).map_err(|error| section.refuse_science(&error, &DIAMETERS))?;
         let spring = SpringParameters {
             rest_length: geometry.effective_rest_length(),
             windings: parameters.active_windings,
@@ -198,7 +198,7 @@ impl SpringSpec {
             stiffness: geometry.stiffness(),
             ..in_use(section)?
         };
-        Ok((Spring::new(spring).map_err(|error| section.refuse_science(&error, &ALIASES))?, geometry))
+        Ok((Spring::new(spring).map_err(|error| section.refuse_science(&error, &DIAMETERS))?, geometry))
     }
 
     /// By the values of Table I.

@@ -133,6 +133,6 @@ pub fn template(from: Option<&str>) -> Result<String, SpecError> {
     let names = SPRINGS.map(|(name, _)| name).join(", ");
     match found {
         Some((_, spring)) => Ok(format!("{spring}{REST}")),
-        None => Err(SpecError(format!("--from {from}: no spring of that name; there are {names}"))),
+        None => Err(SpecError(format!("{from}: no spring of that name; there are {names}"))),
     }
 }

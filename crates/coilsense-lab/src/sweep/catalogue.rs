@@ -29,7 +29,7 @@ impl Catalogue {
     /// # Errors
     /// [`SweepError`], one line that names the file.
     pub fn read(path: &Path) -> Result<Self, SweepError> {
-        let named = |message: String| SweepError(format!("{}: {message}", path.display()));
+        let named = |message: String| SweepError::new(format!("{}: {message}", path.display()));
         let is_parquet = path.extension().is_some_and(|ending| ending == "parquet");
         let catalogue = if is_parquet { parquet(path) } else { csv(path) };
         let catalogue = catalogue.map_err(named)?;
@@ -99,7 +99,7 @@ impl Ready {
         for (index, title) in catalogue.titles.iter().enumerate() {
             let cells: Vec<&str> = catalogue.rows.iter().map(|row| row.get(index).map_or("", String::as_str)).collect();
             let (column, cells) = column(title, &cells, draft)
-                .map_err(|message| SweepError(format!("catalogue, column {} {title:?}: {message}", index + 1)))?;
+                .map_err(|message| SweepError::new(format!("catalogue, column {} {title:?}: {message}", index + 1)))?;
             ready.columns.push(column);
             ready.cells.push(cells);
         }

@@ -13,7 +13,7 @@ impl Plan {
     /// [`SweepError`] for a row that is not there.
     pub fn spec_of(&self, row: u64) -> Result<String, SweepError> {
         if row >= self.rows() {
-            return Err(SweepError(format!("row {row}: there are {}, counted from 0", self.rows())));
+            return Err(SweepError::new(format!("row {row}: there are {}, counted from 0", self.rows())));
         }
         let settings = self.settings(row);
         let said: Vec<String> =

@@ -69,7 +69,7 @@ impl Plan {
     pub fn chunk(&self, index: u64, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Option<Chunk>, SweepError> {
         let rows = self.rows_of(index);
         if rows.is_empty() {
-            return Err(SweepError(format!("chunk {index}: there are {}, counted from 0", self.chunks())));
+            return Err(SweepError::new(format!("chunk {index}: there are {}, counted from 0", self.chunks())));
         }
         let draft = self.draft()?.known();
         let files = |name: &str| self.file(name);

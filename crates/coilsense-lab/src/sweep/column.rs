@@ -133,7 +133,7 @@ impl Column {
             return Ok(column);
         }
         if condition.is_some() {
-            return Err(SweepError(format!("column {text}: only forces can be asked for by condition")));
+            return Err(SweepError::new(format!("column {text}: only forces can be asked for by condition")));
         }
         if let Some(number) = OF_SPRING.iter().find(|number| number.word == word) {
             return Ok(Self::Spring(number));
@@ -208,7 +208,7 @@ fn found(names: &[String], what: &str, name: &str) -> Result<usize, SweepError> 
     let by_number = || name.parse::<usize>().ok().filter(|n| (1..=names.len()).contains(n)).map(|n| n - 1);
     names.iter().position(|known| known == name).or_else(by_number).ok_or_else(|| {
         let known = if names.is_empty() { "none".to_owned() } else { names.join("; ") };
-        SweepError(format!("column: no {what} {name:?} is there; there are: {known}"))
+        SweepError::new(format!("column: no {what} {name:?} is there; there are: {known}"))
     })
 }
 
@@ -225,7 +225,7 @@ fn unknown(text: &str) -> SweepError {
         Some(nearest) => format!("; did you mean {nearest}? Allowed"),
         None => "; allowed".to_owned(),
     };
-    SweepError(format!("column {text}: is not known{meant}: {}", known.join(", ")))
+    SweepError::new(format!("column {text}: is not known{meant}: {}", known.join(", ")))
 }
 
 /// Words with commas between them; those in quotes or brackets belong to a name.

@@ -65,7 +65,7 @@ impl Dataset {
                 dataset.check_empty()?;
                 dataset.put(manifest::NAME, wanted.to_json().as_bytes())?;
             }
-            Err(error) => return Err(SweepError(format!("{}: cannot be read: {error}", path.display()))),
+            Err(error) => return Err(SweepError::new(format!("{}: cannot be read: {error}", path.display()))),
         }
         Ok(dataset)
     }
@@ -77,7 +77,7 @@ impl Dataset {
     pub fn open(folder: &Path) -> Result<Self, SweepError> {
         let path = folder.join(manifest::NAME);
         let text = fs::read_to_string(&path);
-        let text = text.map_err(|error| SweepError(format!("{}: holds no sweep: {error}", path.display())))?;
+        let text = text.map_err(|error| SweepError::new(format!("{}: holds no sweep: {error}", path.display())))?;
         let manifest = Manifest::from_json(&text).map_err(|message| SweepError::of(&shown(&path), message))?;
         Ok(Self { folder: folder.to_owned(), plan: Plan::new(manifest.plan)?, lock: None })
     }
@@ -161,7 +161,7 @@ impl Dataset {
             }
             let columns = encoded::read(&path, titles)?.into_iter().zip(titles);
             let there = columns.map(|(data, title)| {
-                data.ok_or_else(|| SweepError(format!("{}: has no column {title:?}", path.display())))
+                data.ok_or_else(|| SweepError::new(format!("{}: has no column {title:?}", path.display())))
             });
             visit(there.collect::<Result<_, _>>()?);
         }
@@ -187,7 +187,8 @@ impl Dataset {
 
     /// Removes what killed runs left.
     fn remove_unfinished(&self) -> Result<(), SweepError> {
-        let unreadable = |error: io::Error| SweepError(format!("{}: cannot be read: {error}", self.folder.display()));
+        let unreadable =
+            |error: io::Error| SweepError::new(format!("{}: cannot be read: {error}", self.folder.display()));
         for entry in fs::read_dir(&self.folder).map_err(unreadable)? {
             let path = entry.map_err(unreadable)?.path();
             let name = path.file_name().and_then(std::ffi::OsStr::to_str);
@@ -225,7 +226,9 @@ fn lock(folder: &Path) -> Result<File, SweepError> {
             &shown(folder),
             "another run is writing to it; wait for its end, or take another folder",
         )),
-        Err(TryLockError::Error(error)) => Err(SweepError(format!("{}: cannot be locked: {error}", path.display()))),
+        Err(TryLockError::Error(error)) => {
+            Err(SweepError::new(format!("{}: cannot be locked: {error}", path.display())))
+        }
     }
 }
 
@@ -238,7 +241,7 @@ fn shown(path: &Path) -> String {
 }
 
 fn unwritable(path: &Path, error: &io::Error) -> SweepError {
-    SweepError(format!("{}: cannot be written: {}", path.display(), error.kind()))
+    SweepError::new(format!("{}: cannot be written: {}", path.display(), error.kind()))
 }
 
 /// A reason without its numbers: those of a million rows fall into few kinds.

@@ -24,7 +24,7 @@ impl Chunk {
     /// # Errors
     /// [`SweepError`] with what the writer says.
     pub fn to_parquet(&self) -> Result<Vec<u8>, SweepError> {
-        self.written().map_err(|error| SweepError::of("a chunk as Parquet", error))
+        self.written().map_err(|error| SweepError::of("a chunk as Parquet", error.to_string()))
     }
 
     fn written(&self) -> Result<Vec<u8>, ParquetError> {
@@ -97,8 +97,9 @@ fn values_of<T: DataType>(
 
 /// Some columns of a file, by their titles, in their order; `None` of those that are not there.
 pub(super) fn read(path: &Path, titles: &[&str]) -> Result<Vec<Option<Data>>, SweepError> {
-    let fault = |error: ParquetError| SweepError(format!("{}: cannot be read: {error}", path.display()));
-    let file = File::open(path).map_err(|error| SweepError(format!("{}: cannot be read: {error}", path.display())))?;
+    let fault = |error: ParquetError| SweepError::new(format!("{}: cannot be read: {error}", path.display()));
+    let file =
+        File::open(path).map_err(|error| SweepError::new(format!("{}: cannot be read: {error}", path.display())))?;
     let reader = SerializedFileReader::new(file).map_err(fault)?;
     titles.iter().map(|title| one(&reader, title).map_err(fault)).collect()
 }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::SweepError;
 use super::plan::{Plan, PlanParameters};
+use crate::message::{Hint, Message};
 
 /// The file's name: readers of folders of Parquet files pass over names that begin so.
 pub(super) const NAME: &str = "_manifest.json";
@@ -34,7 +35,7 @@ pub(super) struct Manifest {
 impl Manifest {
     /// Of a plan on this processor.
     pub fn of(plan: &Plan) -> Result<Self, SweepError> {
-        let simd = SimdPath::selected().map_err(|error| SweepError(error.to_string()))?;
+        let simd = SimdPath::selected().map_err(|error| SweepError::new(error.to_string()))?;
         Ok(Self {
             schema: SCHEMA.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -63,39 +64,43 @@ impl Manifest {
     }
 
     /// Whether rows of `other` may stand beside those of this one, or what differs.
-    pub fn check(&self, other: &Self) -> Result<(), String> {
+    pub fn check(&self, other: &Self) -> Result<(), Message> {
         let (old, new) = (&self.plan, &other.plan);
         let shown = |rows: Option<u64>| rows.unwrap_or_default().to_string();
+        let option = |name, text: String| Message::from(Hint::Option(name, "")) + text;
         let differences = [
-            (old.spec != new.spec, format!("the spec {} has changed", new.spec_file)),
-            (old.spec_file != new.spec_file, format!("the spec is {}, not {}", new.spec_file, old.spec_file)),
-            (old.files != new.files, "a file that the spec names has changed".to_owned()),
-            (old.over != new.over, format!("--over is {:?}, not {:?}", new.over, old.over)),
-            (old.catalogue != new.catalogue, "the catalogue is another one".to_owned()),
-            (old.sampling != new.sampling, "--sampling is another one".to_owned()),
-            (old.rows != new.rows, format!("--rows is {}, not {}", shown(new.rows), shown(old.rows))),
-            (old.seed != new.seed, format!("--seed is {}, not {}", new.seed, old.seed)),
-            (old.columns != new.columns, format!("--columns is {:?}, not {:?}", new.columns, old.columns)),
+            (old.spec != new.spec, format!("the spec {} has changed", new.spec_file).into()),
+            (old.spec_file != new.spec_file, format!("the spec is {}, not {}", new.spec_file, old.spec_file).into()),
+            (old.files != new.files, "a file that the spec names has changed".into()),
+            (old.over != new.over, option("over", format!(" is {:?}, not {:?}", new.over, old.over))),
+            (old.catalogue != new.catalogue, "the catalogue is another one".into()),
+            (old.sampling != new.sampling, option("sampling", " is another one".to_owned())),
+            (old.rows != new.rows, option("rows", format!(" is {}, not {}", shown(new.rows), shown(old.rows)))),
+            (old.seed != new.seed, option("seed", format!(" is {}, not {}", new.seed, old.seed))),
+            (old.columns != new.columns, option("columns", format!(" is {:?}, not {:?}", new.columns, old.columns))),
             (
                 old.chunk_rows != new.chunk_rows,
-                format!("--chunk is {}, not {}", shown(new.chunk_rows), shown(old.chunk_rows)),
+                option("chunk", format!(" is {}, not {}", shown(new.chunk_rows), shown(old.chunk_rows))),
             ),
-            (old != new, "the plan is another one".to_owned()),
+            (old != new, "the plan is another one".into()),
         ];
         if let Some((_, difference)) = differences.into_iter().find(|(differs, _)| *differs) {
-            return Err(format!("holds another sweep: {difference}; take the same options, or another folder"));
+            let message = Message::from("holds another sweep: ") + difference;
+            return Err(message + "; take the same options, or another folder");
         }
         if self.version != other.version {
             return Err(format!(
                 "was begun by coilsense {}, this is {}, whose last digits may differ; take another folder",
                 self.version, other.version
-            ));
+            )
+            .into());
         }
         if self.simd != other.simd {
             return Err(format!(
                 "was begun with the vector instructions {}, this run has {}, whose last digits differ; set {VARIABLE}={}",
                 self.simd, other.simd, self.simd
-            ));
+            )
+            .into());
         }
         Ok(())
     }

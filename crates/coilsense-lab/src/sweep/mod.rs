@@ -45,19 +45,31 @@ pub(crate) use permutation::mixed;
 pub use plan::{Plan, PlanParameters};
 pub use sampling::Sampling;
 
+use crate::message::Message;
+
 /// Why a sweep cannot be, in one line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
-pub struct SweepError(pub(crate) String);
+pub struct SweepError(Message);
 
 impl SweepError {
-    fn of(what: &str, message: impl std::fmt::Display) -> Self {
-        Self(format!("{what}: {message}"))
+    pub(crate) fn new(message: impl Into<Message>) -> Self {
+        Self(message.into())
+    }
+
+    fn of(what: &str, message: impl Into<Message>) -> Self {
+        Self(Message::from(format!("{what}: ")) + message)
+    }
+}
+
+impl From<SweepError> for Message {
+    fn from(error: SweepError) -> Self {
+        error.0
     }
 }
 
 impl From<crate::spec::SpecError> for SweepError {
     fn from(error: crate::spec::SpecError) -> Self {
-        Self(error.to_string())
+        Self(error.to_string().into())
     }
 }

@@ -22,7 +22,7 @@ impl Plan {
             let names = || all.iter().map(|(title, _)| without_unit(title));
             let meant = nearest(word, names()).map_or_else(String::new, |nearest| format!("did you mean {nearest}? "));
             let known: Vec<&str> = names().collect();
-            SweepError(format!("no column {word:?}; {meant}there are: {}", known.join(", ")))
+            SweepError::new(format!("no column {word:?}; {meant}there are: {}", known.join(", ")))
         })
     }
 
@@ -30,7 +30,7 @@ impl Plan {
     pub(crate) fn numbers(&self, word: &str) -> Result<String, SweepError> {
         match self.column(word)? {
             (title, Kind::Numbers) => Ok(title),
-            (title, _) => Err(SweepError(format!("column {title:?} holds no numbers"))),
+            (title, _) => Err(SweepError::new(format!("column {title:?} holds no numbers"))),
         }
     }
 
@@ -66,19 +66,19 @@ impl Dataset {
         for group in order.chunk_by(|a, b| rows[*a] / length == rows[*b] / length) {
             let chunk = rows[group[0]] / length;
             let (first, path) = (chunk * length, self.path(chunk));
-            let missing = || SweepError(format!("row {} is not there yet", rows[group[0]]));
+            let missing = || SweepError::new(format!("row {} is not there yet", rows[group[0]]));
             if rows[group[0]] >= plan.rows() {
                 let message = format!("row {}: there are {}, counted from 0", rows[group[0]], plan.rows());
-                return Err(SweepError(message));
+                return Err(SweepError::new(message));
             }
             if !path.is_file() {
                 return Err(missing());
             }
             let places: Vec<usize> = group.iter().map(|place| (rows[*place] - first) as usize).collect();
             for (column, data) in columns.iter_mut().zip(encoded::read(&path, &words)?) {
-                let data = data
-                    .and_then(|data| data.at(&places))
-                    .ok_or_else(|| SweepError(format!("{}: does not hold the rows of its plan", path.display())))?;
+                let data = data.and_then(|data| data.at(&places)).ok_or_else(|| {
+                    SweepError::new(format!("{}: does not hold the rows of its plan", path.display()))
+                })?;
                 match column {
                     Some(column) => column.append(data),
                     None => *column = Some(data),

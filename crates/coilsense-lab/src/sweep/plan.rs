@@ -16,6 +16,7 @@ use super::column::{self, Column, Kind, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
 use super::{sobol, variable};
+use crate::message::{Hint, Message};
 use crate::spec::{Draft, Files, Recordings, Spec, TABLES, files_beside, read_text};
 
 /// A plan as people give it, and as a manifest keeps it.
@@ -101,7 +102,7 @@ impl PlanParameters {
             let variable = Variable::parse(over, &draft)?;
             if variable.target.key.ends_with(".file") {
                 for name in variable.texts() {
-                    reader(name).map_err(|message| SweepError(format!("{}: {message}", variable.target.key)))?;
+                    reader(name).map_err(|message| SweepError::new(format!("{}: {message}", variable.target.key)))?;
                 }
             }
         }
@@ -120,7 +121,8 @@ impl Plan {
             parameters.over.iter().map(|over| Variable::parse(over, &draft)).collect::<Result<_, _>>()?;
         let catalogue = parameters.catalogue.as_ref().map(|table| Ready::new(table, &draft)).transpose()?;
         if variables.is_empty() && catalogue.is_none() {
-            return Err(SweepError("nothing is varied: give --over KEY=VALUES or --catalogue FILE".to_owned()));
+            let message = Message::from("nothing is varied: give ") + Hint::Option("over", "KEY=VALUES");
+            return Err(SweepError::new(message + " or " + Hint::Option("catalogue", "FILE")));
         }
         once_each(&variables, catalogue.as_ref())?;
         let points: Vec<Option<u64>> = variables.iter().map(Variable::points).collect();
@@ -132,7 +134,7 @@ impl Plan {
         let items = parameters.catalogue.as_ref().map_or(1, |table| table.rows.len() as u64);
         let rows = inner.saturating_mul(items);
         if rows > MOST_ROWS {
-            return Err(SweepError(format!("the sweep has {rows} rows; at most {MOST_ROWS} are taken")));
+            return Err(SweepError::new(format!("the sweep has {rows} rows; at most {MOST_ROWS} are taken")));
         }
         let sampler = Sampler::new(sampling, &points, inner, parameters.seed);
         let names = names(&draft);
@@ -142,7 +144,7 @@ impl Plan {
         columns.iter().for_each(|(_, column)| column.add_to(&mut needs));
         let chunk_rows = parameters.chunk_rows.unwrap_or(usual_chunk(&needs));
         if !(1..=MOST_CHUNK).contains(&chunk_rows) {
-            return Err(SweepError(format!("a chunk must have from 1 to {MOST_CHUNK} rows, got {chunk_rows}")));
+            return Err(SweepError::new(format!("a chunk must have from 1 to {MOST_CHUNK} rows, got {chunk_rows}")));
         }
         let parameters = PlanParameters {
             sampling: Some(sampling),
@@ -173,7 +175,7 @@ impl Plan {
     /// # Errors
     /// [`SweepError`] where it is none.
     pub fn from_json(text: &str) -> Result<Self, SweepError> {
-        Self::new(serde_json::from_str(text).map_err(|error| SweepError::of("the plan", error))?)
+        Self::new(serde_json::from_str(text).map_err(|error| SweepError::of("the plan", error.to_string()))?)
     }
 
     /// All of it as a text that makes the same plan anywhere.
@@ -253,7 +255,7 @@ impl Plan {
         let titles = self.titles();
         let twice = titles.iter().enumerate().find(|(index, title)| titles[..*index].contains(title));
         match twice {
-            Some((_, title)) => Err(SweepError(format!("two columns are called {title:?}"))),
+            Some((_, title)) => Err(SweepError::new(format!("two columns are called {title:?}"))),
             None => Ok(()),
         }
     }
@@ -286,19 +288,20 @@ fn usual_chunk(needs: &Needs) -> u64 {
     }
 }
 
+const ROWS: Hint = Hint::Option("rows", "");
+
 fn number_of_rows(sampling: Sampling, variables: &[Variable], rows: Option<u64>) -> Result<u64, SweepError> {
     if sampling == Sampling::Grid {
         if rows.is_some_and(|rows| Some(rows) != grid_rows(variables)) {
-            return Err(SweepError(
-                "a grid has its own number of rows; leave --rows out, or sample otherwise".to_owned(),
-            ));
+            let message = Message::from("a grid has its own number of rows; leave ") + ROWS;
+            return Err(SweepError::new(message + " out, or sample otherwise"));
         }
         let open = variables.iter().find(|variable| variable.points().is_none());
         if let Some(variable) = open {
             let key = &variable.target.key;
-            return Err(SweepError(format!("{key}: a grid needs its number of points, as in {key}=1..2 : 11")));
+            return Err(SweepError::new(format!("{key}: a grid needs its number of points, as in {key}=1..2 : 11")));
         }
-        return grid_rows(variables).ok_or_else(|| SweepError(format!("the grid has more than {MOST_ROWS} rows")));
+        return grid_rows(variables).ok_or_else(|| SweepError::new(format!("the grid has more than {MOST_ROWS} rows")));
     }
     if variables.is_empty() {
         return Ok(1);
@@ -306,20 +309,22 @@ fn number_of_rows(sampling: Sampling, variables: &[Variable], rows: Option<u64>)
     let Some(rows) = rows else {
         let open = variables.iter().find(|variable| variable.points().is_none());
         let key = open.map_or("", |variable| variable.target.key.as_str());
-        return Err(SweepError(format!("say how many rows with --rows, or give {key} points, as in {key}=1..2 : 11")));
+        let text = format!(", or give {key} points, as in {key}=1..2 : 11");
+        return Err(SweepError::new(Message::from("say how many rows with ") + ROWS + text));
     };
     if matches!(sampling, Sampling::Sobol | Sampling::Saltelli) {
         let most = if sampling == Sampling::Sobol { sobol::MOST_VARIABLES } else { sobol::MOST_VARIABLES / 2 };
         if variables.len() > most {
             let text =
                 format!("sampling {} is here for {most} variables at most, got {}", sampling.name(), variables.len());
-            return Err(SweepError(text));
+            return Err(SweepError::new(text));
         }
         if rows > sobol::MOST_ROWS {
-            return Err(SweepError(format!("Sobol's sequence has {} rows at most, got {rows}", sobol::MOST_ROWS)));
+            return Err(SweepError::new(format!("Sobol's sequence has {} rows at most, got {rows}", sobol::MOST_ROWS)));
         }
     }
-    if rows == 0 { Err(SweepError("--rows must be at least 1, got 0".to_owned())) } else { Ok(rows) }
+    let none = || SweepError::new(Message::from(ROWS) + " must be at least 1, got 0");
+    if rows == 0 { Err(none()) } else { Ok(rows) }
 }
 
 /// Rows of one that is asked for.
@@ -337,7 +342,7 @@ fn once_each(variables: &[Variable], catalogue: Option<&Ready>) -> Result<(), Sw
         catalogue.into_iter().flat_map(Ready::targets).chain(variables.iter().map(|v| &v.target)).collect();
     let twice = targets.iter().enumerate().find(|(index, t)| targets[..*index].iter().any(|o| o.place == t.place));
     match twice {
-        Some((_, target)) => Err(SweepError(format!("{}: is varied twice", target.key))),
+        Some((_, target)) => Err(SweepError::new(format!("{}: is varied twice", target.key))),
         None => Ok(()),
     }
 }
@@ -369,7 +374,7 @@ fn columns(words: &[String], names: &Names, spec_file: &str) -> Result<Vec<(Stri
     }
     let forces = needs != Needs::default();
     if forces && names.conditions.is_empty() {
-        return Err(SweepError(format!("{}: no [[condition]] says what is done to the spring", spec_file)));
+        return Err(SweepError::new(format!("{}: no [[condition]] says what is done to the spring", spec_file)));
     }
     Ok(columns)
 }

@@ -40,8 +40,8 @@ impl Variable {
     pub fn parse(over: &str, draft: &Draft<'_>) -> Result<Self, SweepError> {
         let (key, text) =
             split(over).ok_or_else(|| SweepError::of(over, "is not KEY=VALUES, such as spring.mass=50..80 g"))?;
-        let refuse = |message: String| SweepError(format!("{key}={text}: {message}"));
-        let place = draft.place(key).map_err(SweepError)?;
+        let refuse = |message: String| SweepError::new(format!("{key}={text}: {message}"));
+        let place = draft.place(key).map_err(SweepError::new)?;
         let (values, unit) = values::parse(text, &place.domain).map_err(refuse)?;
         Ok(Self { target: Target { key: key.to_owned(), place, unit }, values })
     }

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::fixtures::{BY_GEOMETRY, BY_VALUES, read};
 
 /// A spec with everything in it: each kind of condition and of sensor.
-fn full(good: &str) -> String {
+pub fn full(good: &str) -> String {
     let start = good.find("[[condition]]").expect("a condition");
     // As many masses as are needed take time, for thousands of specs too much of it.
     let spring = good[..start].replacen("\nmax_length", "\nmasses_per_winding = 1\nmax_length", 1);

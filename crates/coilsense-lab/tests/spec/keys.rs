@@ -135,10 +135,7 @@ fn every_template_can_be_used() {
         assert_eq!(spec.spring.by_geometry, from.is_none());
         assert!(spec.goal.error.is_some());
     }
-    assert_eq!(
-        template(Some("S_X")).unwrap_err().to_string(),
-        "--from S_X: no spring of that name; there are S_T, S_A"
-    );
+    assert_eq!(template(Some("S_X")).unwrap_err().to_string(), "S_X: no spring of that name; there are S_T, S_A");
 }
 
 /// Values of a key in a catalogue, in order.

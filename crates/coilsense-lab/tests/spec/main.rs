@@ -5,6 +5,7 @@
 //! | `springs`, `conditions`, `sensors` | tables of faults, each with its message |
 //! | `files` | what cannot be read from disk |
 //! | `keys` | that what is documented is what is read, with every template, material and sensor class |
+//! | `placed` | that a refusal stands at the line of its key |
 //! | `hostile` | random edits and random trees, read and simulated |
 //! | `fixtures` | the good specs |
 
@@ -13,5 +14,6 @@ mod files;
 mod fixtures;
 mod hostile;
 mod keys;
+mod placed;
 mod sensors;
 mod springs;

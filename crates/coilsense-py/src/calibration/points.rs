@@ -13,7 +13,7 @@ use coilsense_lab::request::Given;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{Error, IntoPython, refused};
+use crate::errors::{Error, IntoPython};
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
 use crate::recording::PyRecording;
@@ -45,20 +45,18 @@ pub fn measured(
         return Err(Error::new_err("preset, columns and units go with the path of a log only"));
     }
     match points {
-        PointsArgument::Recording(recording) => {
-            Measured::of_log(&Points::of(&recording.get().0), zero).map_err(refused)
-        }
+        PointsArgument::Recording(recording) => Measured::of_log(&Points::of(&recording.get().0), zero).python(),
         PointsArgument::Arrays(lengths, inductances) => of_arrays(&lengths.values(), &inductances.values(), zero),
         PointsArgument::Path(path) if preset.as_deref() == Some(LAB_DATA) => {
             let needed = "length_at_zero is needed: the file holds displacements, the curve is one of lengths";
             let zero = zero.ok_or_else(|| Error::new_err(needed))?;
-            interruptible(py, move || read_lab_data(&path, zero))?.map_err(refused)
+            interruptible(py, move || read_lab_data(&path, zero))?.python()
         }
         PointsArgument::Path(path) => {
             let options = LogOptions { columns, units, mapping: None, preset, sample_rate: None };
             let mapping = options.mapping()?;
             let points = interruptible(py, move || Points::read(&path, &mapping, &Repairs::default()))?.python()?;
-            Measured::of_log(&points, zero).map_err(refused)
+            Measured::of_log(&points, zero).python()
         }
     }
 }

@@ -6,6 +6,7 @@ use coilsense::Spring;
 use coilsense::identify::Settings;
 use coilsense_lab::identification::Coil;
 use coilsense_lab::identification::request::{OPTIONS, coil, settings};
+use coilsense_lab::message::{Door, Message};
 use coilsense_lab::recording::request::{CLEANING, DECIMAL, DELIMITER, LAYOUT, SAMPLE_RATE, SECOND, WINDOW};
 use coilsense_lab::recording::{Clock, Mapping, Repairs};
 use coilsense_lab::request::{Given, Row};
@@ -19,7 +20,8 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// From `{"column": ["F_o=#3 [N]"], "sample-rate": "2.5 kHz", "spec": "[spring] …", "drop-incomplete": true, …}`.
+    /// From `{"column": ["F_o=#3 [N]"], "sample-rate": "2.5 kHz", "spec": "[spring] …", "drop-incomplete": true, …}`, and
+    /// `"labels"`, which says what the page calls each option.
     ///
     /// # Errors
     /// One line for what is no JSON.
@@ -36,10 +38,16 @@ impl Asked {
     /// # Errors
     /// One line, which begins with the option's name and a colon.
     pub(crate) fn given<'a>(&self, rows: impl IntoIterator<Item = &'a Row>) -> Result<Given, String> {
-        Given::of(rows, |row| self.said(row)).map_err(|wrong| wrong.to_string())
+        Given::of(rows, |row| self.texts(row)).map_err(|wrong| wrong.to_string())
     }
 
-    fn said(&self, row: &Row) -> Option<Vec<String>> {
+    /// An error in the page's words: what it calls the options stands under `labels`.
+    pub(crate) fn told(&self, error: impl Into<Message>) -> String {
+        let label = |name: &str| self.value.get("labels")?.get(name)?.as_str().map(str::to_owned);
+        error.into().told(Door::Page(&label))
+    }
+
+    fn texts(&self, row: &Row) -> Option<Vec<String>> {
         match self.value.get(row.flag())? {
             Value::Bool(said) => said.then(Vec::new),
             Value::Array(texts) => Some(texts.iter().filter_map(Value::as_str).map(str::to_owned).collect()),
@@ -51,8 +59,8 @@ impl Asked {
     pub(crate) fn mapping(&self) -> Result<Mapping, String> {
         let mut mapping = match (self.text("preset"), self.text("mapping")) {
             (Some(_), Some(_)) => return Err("mapping: cannot be given beside a preset".to_owned()),
-            (Some(name), None) => Mapping::preset(name).map_err(|error| format!("preset: {error}"))?,
-            (None, Some(text)) => Mapping::parse("mapping", text).map_err(|error| error.to_string())?,
+            (Some(name), None) => Mapping::preset(name).map_err(|error| format!("preset: {}", self.told(error)))?,
+            (None, Some(text)) => Mapping::parse("mapping", text).map_err(|error| self.told(error))?,
             (None, None) => Mapping::default(),
         };
         let (given, format) = (self.given(&LAYOUT)?, &mut mapping.format);
@@ -72,7 +80,7 @@ impl Asked {
 
     fn columns(&self, name: &str, mut mapping: Mapping) -> Result<Mapping, String> {
         for column in self.value.get(name).and_then(Value::as_array).into_iter().flatten() {
-            mapping.set(column.as_str().unwrap_or_default()).map_err(|error| error.to_string())?;
+            mapping.set(column.as_str().unwrap_or_default()).map_err(|error| self.told(error))?;
         }
         Ok(mapping)
     }

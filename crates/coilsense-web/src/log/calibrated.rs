@@ -37,11 +37,11 @@ pub fn calibrate((name, text): Named, asked: &Asked) -> Result<Answer, String> {
         }
         (false, _) => {
             let points = Points::of_text(&name, text, &asked.mapping()?, &asked.repairs()?);
-            Measured::of_log(&points.map_err(|error| error.to_string())?, zero_length)
+            Measured::of_log(&points.map_err(|error| asked.told(error))?, zero_length)
         }
     };
     let outcome =
-        Outcome::new(measured.map_err(|error| error.to_string())?, plan).map_err(|error| error.to_string())?;
+        Outcome::new(measured.map_err(|error| asked.told(error))?, plan).map_err(|error| asked.told(error))?;
     let told = calibration_json(&outcome, None).map_err(|error| error.to_string())?;
     Ok(Answer::new(&json!({ "json": told }), curves(&outcome)))
 }

@@ -23,7 +23,7 @@ pub fn identify(log: Named, second: Option<Named>, asked: &Asked) -> Result<Answ
     let recording = recording(log, second, asked)?;
     let (mut series, group) = recorded::curves(recording.signals());
     let mut facts = json!({ "group": group, "clock": clock(&recording), "simulated": recording.simulated() });
-    let found = said(recording, &settings, coil, &mut series);
+    let found = said(recording, &settings, coil, asked, &mut series);
     let found = found.unwrap_or_else(|refusal| json!({ "refusal": refusal }));
     for (name, value) in found.as_object().into_iter().flatten() {
         facts[name] = value.clone();
@@ -34,7 +34,7 @@ pub fn identify(log: Named, second: Option<Named>, asked: &Asked) -> Result<Answ
 fn recording(log: Named, second: Option<Named>, asked: &Asked) -> Result<Recording, String> {
     let (mapping, repairs) = (asked.mapping()?, asked.repairs()?);
     let read = |(name, text): Named, mapping, repairs| {
-        Recording::of_text(&name, text, mapping, repairs).map_err(|error| error.to_string())
+        Recording::of_text(&name, text, mapping, repairs).map_err(|error| asked.told(error))
     };
     let recording = read(log, &mapping, &repairs)?;
     let Some(second) = second else { return Ok(recording) };
@@ -42,7 +42,7 @@ fn recording(log: Named, second: Option<Named>, asked: &Asked) -> Result<Recordi
     let repairs = Repairs { from: None, to: None, ..repairs };
     let clock = asked.clock()?;
     let other = read(second, &asked.second_mapping()?, &repairs)?;
-    recording.joined(&other, clock).map_err(|error| error.to_string())
+    recording.joined(&other, clock).map_err(|error| asked.told(error))
 }
 
 /// What was added to the second device's times, and how that is known.
@@ -59,9 +59,10 @@ fn said(
     recording: Recording,
     settings: &Settings,
     coil: Option<Coil>,
+    asked: &Asked,
     series: &mut Vec<(String, Vec<f64>)>,
 ) -> Result<Value, String> {
-    let identified = Identified::of(recording, settings).map_err(|error| error.to_string())?;
+    let identified = Identified::of(recording, settings).map_err(|error| asked.told(error))?;
     let told = identification_json(&identified, None).map_err(|error| error.to_string())?;
     let needed = "tell windings, radius and wire, or that it is the spring of the tab Spring: no log of forces and positions tells them";
     let spec =

@@ -38,7 +38,7 @@ const MOST: usize = 4000;
 /// One line, with the log's or an option's name.
 pub fn columns(name: &str, text: Vec<u8>, asked: &Asked) -> Result<Answer, String> {
     let format = asked.mapping()?.format;
-    let (description, titles) = columns_of_text(name, text, &format).map_err(|error| error.to_string())?;
+    let (description, titles) = columns_of_text(name, text, &format).map_err(|error| asked.told(error))?;
     let titles = titles.iter().map(|title| json!({ "text": title.text, "name": title.name, "unit": title.unit }));
     Ok(Answer::new(&json!({ "description": description, "columns": titles.collect::<Vec<_>>() }), Vec::new()))
 }

@@ -37,8 +37,8 @@ pub fn run_on(
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Answer, String> {
     let log = Recording::of_text(name, text, &given.mapping()?, &Repairs::default());
-    let log = log.map_err(|error| error.to_string())?;
-    answer(Study::on(spec, &asked(given)?, &log).map_err(|error| error.to_string())?, told)
+    let log = log.map_err(|error| given.told(error))?;
+    answer(Study::on(spec, &asked(given)?, &log).map_err(|error| given.told(error))?, told)
 }
 
 fn answer(study: Study, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, String> {

@@ -4,7 +4,7 @@
 //! points (`crate::inductance`), the sensor that uses the relation (`crate::sensors`).
 
 use super::line::slope_about;
-use crate::error::{Error, all_finite, check, count, finite};
+use crate::error::{Error, all_finite, called, check, count, finite};
 use crate::inductance::MaxwellSum;
 use crate::spring::Spring;
 
@@ -42,7 +42,7 @@ impl Calibration {
         let (length, inductance) = preload;
         for &value in lengths.iter().chain([&length]) {
             let holds = value.is_finite() && value > 0.0;
-            check(holds, "calibration length", value, "m", "above zero and finite")?;
+            check(holds, called("lengths", "calibration length"), value, "m", "above zero and finite")?;
         }
         finite("preload inductance", inductance, "H")?;
         let inverse: Vec<f64> = lengths.iter().map(|l| 1.0 / l).collect();

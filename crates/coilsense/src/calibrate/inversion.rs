@@ -4,7 +4,7 @@
 
 use super::misfit::Misfit;
 use super::points::CalibrationPoints;
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// How the length is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,7 +83,7 @@ impl Inversion {
 }
 
 fn exact(relation: impl Fn(f64) -> f64, inductance: f64, near: f64) -> Result<f64, Error> {
-    check(near.is_finite() && near > 0.0, "length to search from", near, "m", "above zero and finite")?;
+    check(near.is_finite() && near > 0.0, called("near", "length to search from"), near, "m", "above zero and finite")?;
     let excess = |length: f64| relation(length) - inductance;
     let (mut here, mut left) = (near, excess(near));
     let onward = if left > 0.0 { STEP } else { 1.0 / STEP };
@@ -129,7 +129,7 @@ fn root(function: impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], [mut fa, mut fb
 
 /// 25 lengths with their inductances, shortest first.
 fn table(relation: impl Fn(f64) -> f64, zero_length: f64) -> Result<Vec<[f64; 2]>, Error> {
-    check(zero_length.is_finite() && zero_length > 0.0, "zero length", zero_length, "m", "above zero and finite")?;
+    check(zero_length.is_finite() && zero_length > 0.0, "zero_length", zero_length, "m", "above zero and finite")?;
     let rows: Vec<[f64; 2]> = (0..25)
         .map(|index| {
             let length = zero_length * (1.0 + 0.55 * f64::from(index) / 24.0);

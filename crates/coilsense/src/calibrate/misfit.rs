@@ -3,7 +3,7 @@
 //! Next door: the fits (`inverse_length`, `inductance`), a theory turned round to give a length (`inversion`).
 
 use super::points::CalibrationPoints;
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// How a relation does on measured points: in inductance by R², in length by the rest.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,10 +43,10 @@ impl Misfit {
     pub fn of(points: &CalibrationPoints, predicted: &[f64], read: &[f64]) -> Result<Self, Error> {
         let (lengths, inductances) = (points.lengths(), points.inductances());
         let count = lengths.len() as f64;
-        crate::error::count("predicted inductances", predicted.len(), lengths.len())?;
-        crate::error::count("lengths read", read.len(), lengths.len())?;
-        crate::error::all_finite("predicted inductances", predicted, "H")?;
-        crate::error::all_finite("lengths read", read, "m")?;
+        crate::error::count(called("predicted", "predicted inductances"), predicted.len(), lengths.len())?;
+        crate::error::count(called("read", "lengths read"), read.len(), lengths.len())?;
+        crate::error::all_finite(called("predicted", "predicted inductances"), predicted, "H")?;
+        crate::error::all_finite(called("read", "lengths read"), read, "m")?;
         let mean = inductances.iter().sum::<f64>() / count;
         let left: f64 = inductances.iter().zip(predicted).map(|(l, hat)| (l - hat) * (l - hat)).sum();
         let all: f64 = inductances.iter().map(|l| (l - mean) * (l - mean)).sum();

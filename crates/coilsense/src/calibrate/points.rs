@@ -2,7 +2,7 @@
 //!
 //! Next door: what is fitted to them (`inverse_length`, `inductance`), how they are read from a file (`coilsense-lab`).
 
-use crate::error::{Error, all_finite, check, count};
+use crate::error::{Error, all_finite, check, count, entry, number_of};
 
 /// Pairs of length and inductance that a fit can be made to, checked.
 ///
@@ -28,12 +28,11 @@ impl CalibrationPoints {
     pub fn new(lengths: &[f64], inductances: &[f64]) -> Result<Self, Error> {
         count("inductances", inductances.len(), lengths.len())?;
         if lengths.len() < 2 {
-            let allowed = "at least 2".into();
-            return Err(Error::Count { quantity: "calibration points".into(), found: lengths.len(), allowed });
+            return Err(number_of("calibration points", lengths.len(), "at least 2"));
         }
         for (index, &length) in lengths.iter().enumerate() {
             let holds = length.is_finite() && length > 0.0;
-            check(holds, format!("lengths[{index}]"), length, "m", "above zero and finite")?;
+            check(holds, entry("lengths", index), length, "m", "above zero and finite")?;
         }
         all_finite("inductances", inductances, "H")?;
         let points = Self { lengths: lengths.to_vec(), inductances: inductances.to_vec() };

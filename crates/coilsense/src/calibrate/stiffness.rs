@@ -3,7 +3,7 @@
 //! Next door: length from inductance (`inverse_length`).
 
 use super::line::Line;
-use crate::error::{Error, all_finite, check, count};
+use crate::error::{Error, all_finite, check, count, number_of};
 
 /// F = F_0 + k x fitted to points at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,8 +43,7 @@ impl StiffnessFit {
     pub fn new(displacements: &[f64], forces: &[f64]) -> Result<Self, Error> {
         count("forces", forces.len(), displacements.len())?;
         if forces.len() < 2 {
-            let allowed = "at least 2".into();
-            return Err(Error::Count { quantity: "points of the stiffness".into(), found: forces.len(), allowed });
+            return Err(number_of("points of the stiffness", forces.len(), "at least 2"));
         }
         all_finite("displacements", displacements, "m")?;
         all_finite("forces", forces, "N")?;

@@ -8,7 +8,7 @@ use num_complex::Complex64;
 
 use super::drive::Drive;
 use super::rational::{Rational, product, sum};
-use crate::error::{Error, above_zero, check, not_negative};
+use crate::error::{Error, above_zero, called, check, not_negative};
 
 /// Gains from force error \[N\] to command (m/s of a velocity source, N of a force source).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -41,24 +41,25 @@ impl Controller {
     /// or gains that are all zero without an observer.
     pub fn new(gains: Gains) -> Result<Self, Error> {
         for (quantity, value) in [
-            ("proportional gain", gains.proportional),
-            ("integral gain", gains.integral),
-            ("derivative gain", gains.derivative),
-            ("feed-forward gain", gains.feed_forward),
+            (called("proportional", "proportional gain"), gains.proportional),
+            (called("integral", "integral gain"), gains.integral),
+            (called("derivative", "derivative gain"), gains.derivative),
+            (called("feed_forward", "feed-forward gain"), gains.feed_forward),
         ] {
             not_negative(quantity, value, "")?;
         }
         for (quantity, value) in
-            [("derivative bandwidth", gains.derivative_bandwidth), ("observer bandwidth", gains.observer_bandwidth)]
+            [("derivative_bandwidth", gains.derivative_bandwidth), ("observer_bandwidth", gains.observer_bandwidth)]
         {
             if let Some(value) = value {
                 above_zero(quantity, value, "Hz")?;
             }
         }
         let filtered = gains.derivative == 0.0 || gains.derivative_bandwidth.is_some();
-        check(filtered, "derivative gain", gains.derivative, "", "zero without a derivative bandwidth")?;
+        let [integral, derivative] = [called("integral", "integral gain"), called("derivative", "derivative gain")];
+        check(filtered, derivative, gains.derivative, "", "zero without a derivative bandwidth")?;
         let acts = gains.proportional + gains.integral + gains.derivative > 0.0 || gains.observer_bandwidth.is_some();
-        check(acts, "integral gain", gains.integral, "", "above zero where no other gain closes the loop")?;
+        check(acts, integral, gains.integral, "", "above zero where no other gain closes the loop")?;
         Ok(Self { gains })
     }
 

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use crate::error::{Error, above_zero, not_negative};
+use crate::error::{Error, above_zero, called, not_negative};
 
 /// A drive: its command pulls end 1 away from end 2, so that a command above zero stretches the spring; y = −u1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,11 +35,11 @@ impl Drive {
     pub(super) fn checked(self) -> Result<Self, Error> {
         let (Self::Velocity { bandwidth } | Self::Force { bandwidth, .. }) = self;
         if let Some(bandwidth) = bandwidth {
-            above_zero("drive bandwidth", bandwidth, "Hz")?;
+            above_zero(called("bandwidth", "drive bandwidth"), bandwidth, "Hz")?;
         }
         if let Self::Force { mass, friction, .. } = self {
-            above_zero("motor mass", mass, "kg")?;
-            not_negative("motor friction", friction, "N s/m")?;
+            above_zero(called("mass", "motor mass"), mass, "kg")?;
+            not_negative(called("friction", "motor friction"), friction, "N s/m")?;
         }
         Ok(self)
     }

@@ -4,7 +4,7 @@
 
 use num_complex::Complex64;
 
-use crate::error::{Error, not_negative};
+use crate::error::{Error, called, not_negative};
 use crate::two_port::Load;
 
 /// What end 2 meets.
@@ -27,9 +27,9 @@ impl Environment {
     /// Lets through an environment whose numbers are sound.
     pub(super) fn checked(self) -> Result<Self, Error> {
         if let Self::Impedance { mass, damping, stiffness } = self {
-            not_negative("load mass", mass, "kg")?;
-            not_negative("load damping", damping, "N s/m")?;
-            not_negative("load stiffness", stiffness, "N/m")?;
+            not_negative(called("mass", "load mass"), mass, "kg")?;
+            not_negative(called("damping", "load damping"), damping, "N s/m")?;
+            not_negative(called("stiffness", "load stiffness"), stiffness, "N/m")?;
         }
         Ok(self)
     }

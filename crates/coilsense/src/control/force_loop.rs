@@ -9,7 +9,7 @@ use super::drive::Drive;
 use super::margins::Margins;
 use super::plant::Plant;
 use super::trace::Trace;
-use crate::error::{Error, finite, not_negative};
+use crate::error::{Error, called, from_zero};
 use crate::signals::Channel;
 
 /// A force loop.
@@ -32,7 +32,7 @@ impl ForceLoop {
         if !Channel::FORCES.contains(&feedback) {
             return Err(Error::MissingSignal(feedback.name()));
         }
-        finite("loop delay", not_negative("loop delay", delay, "s")?, "s")?;
+        from_zero(called("delay", "loop delay"), delay, "s")?;
         Ok(Self { plant, controller, feedback, delay })
     }
 

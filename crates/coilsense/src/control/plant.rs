@@ -106,7 +106,7 @@ impl Plant {
     /// A line of no width cannot be followed: every mode must be damped.
     pub(super) fn check_damped(&self) -> Result<(), Error> {
         let least = self.coil.ratios.iter().copied().fold(f64::INFINITY, f64::min);
-        check(least >= LEAST_RATIO, "damping ratio", least, "", format!("at least {LEAST_RATIO} for a loop's response"))
+        check(least >= LEAST_RATIO, "damping_ratio", least, "", format!("at least {LEAST_RATIO} for a loop's response"))
             .map(|_| ())
     }
 
@@ -129,7 +129,7 @@ impl Plant {
     /// # Errors
     /// [`Error::Value`] for a frequency that is not above zero and finite.
     pub fn at(&self, angular_frequency: f64) -> Result<Response, Error> {
-        check(angular_frequency > 0.0, "angular frequency", angular_frequency, "rad/s", "above zero and finite")?;
+        check(angular_frequency > 0.0, "angular_frequency", angular_frequency, "rad/s", "above zero and finite")?;
         let ends = self.two_port.at(angular_frequency)?;
         let s = Complex64::new(0.0, angular_frequency);
         let load = self.environment.at(angular_frequency)?;
@@ -157,7 +157,7 @@ impl Plant {
     /// # Errors
     /// As [`Self::at`].
     pub fn massless(&self, angular_frequency: f64) -> Result<Complex64, Error> {
-        check(angular_frequency > 0.0, "angular frequency", angular_frequency, "rad/s", "above zero and finite")?;
+        check(angular_frequency > 0.0, "angular_frequency", angular_frequency, "rad/s", "above zero and finite")?;
         let k = self.spring.stiffness();
         let stiffness = match self.environment.at(angular_frequency)?.at(angular_frequency) {
             None => Complex64::from(k),

@@ -24,7 +24,7 @@ use crate::signals::Channel;
 /// # Errors
 /// [`Error::Value`] for a frequency that is not above zero and finite; [`Error::MissingSignal`] for F_L.
 pub fn rendered_stiffness(force_loop: &ForceLoop, angular_frequency: f64) -> Result<Complex64, Error> {
-    check(angular_frequency > 0.0, "angular frequency", angular_frequency, "rad/s", "above zero and finite")?;
+    check(angular_frequency > 0.0, "angular_frequency", angular_frequency, "rad/s", "above zero and finite")?;
     let plant = force_loop.plant();
     let ends = plant.two_port().at(angular_frequency)?;
     let s = Complex64::new(0.0, angular_frequency);

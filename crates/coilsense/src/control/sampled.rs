@@ -14,7 +14,7 @@ use super::kicked::{Mode, modes};
 use super::margins::Margins;
 use super::rational::Difference;
 use super::trace::Trace;
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, called, check};
 use crate::mount::FarEnd;
 use crate::signals::Channel;
 
@@ -41,7 +41,7 @@ impl SampledLoop {
     /// [`Error::Value`] for a step that is not above zero, a delay that is no whole number of steps (to 1e-6 of one), or a step that leaves no
     /// room for the first surge line below half its rate.
     pub fn new(continuous: &ForceLoop, step: f64) -> Result<Self, Error> {
-        above_zero("sample time", step, "s")?;
+        above_zero(called("step", "sample time"), step, "s")?;
         let spring = continuous.plant().spring();
         let nyquist = 0.5 / step;
         let surge = spring.surge_frequency();
@@ -54,7 +54,13 @@ impl SampledLoop {
         )?;
         let steps = continuous.delay / step;
         let whole = (steps - steps.round()).abs() <= 1e-6 && steps <= 1e4;
-        check(whole, "loop delay", continuous.delay, "s", format!("a whole number of sample times of {step} s"))?;
+        check(
+            whole,
+            called("delay", "loop delay"),
+            continuous.delay,
+            "s",
+            format!("a whole number of sample times of {step} s"),
+        )?;
         let control = continuous.controller.feedback(continuous.plant().drive(), spring.stiffness()).tustin(step);
         let forward = continuous.controller.forward().tustin(step);
         let modes = modes(continuous, step)?;
@@ -99,7 +105,7 @@ impl SampledLoop {
     pub fn at(&self, angular_frequency: f64) -> Result<Complex64, Error> {
         let nyquist = PI / self.step;
         let holds = angular_frequency > 0.0 && angular_frequency <= nyquist;
-        check(holds, "angular frequency", angular_frequency, "rad/s", format!("above zero and at most {nyquist}"))?;
+        check(holds, "angular_frequency", angular_frequency, "rad/s", format!("above zero and at most {nyquist}"))?;
         let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
         let force = match &self.modes {
             Some(modes) => self.by_modes(modes, delay),
@@ -167,12 +173,18 @@ pub(super) fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
         Drive::Force { bandwidth, .. } => bandwidth.unwrap_or(0.0),
     };
     let only = "that of an ideal velocity source for a run over time";
-    check(bandwidth.is_infinite(), "drive bandwidth", bandwidth, "Hz", only)?;
+    check(bandwidth.is_infinite(), called("bandwidth", "drive bandwidth"), bandwidth, "Hz", only)?;
     let far_end = match *plant.environment() {
         Environment::Held => FarEnd::Position,
         Environment::Impedance { mass, damping, stiffness } => {
-            check(damping == 0.0, "load damping", damping, "N s/m", "zero for a run over time")?;
-            check(stiffness == 0.0, "load stiffness", stiffness, "N/m", "zero for a run over time")?;
+            check(damping == 0.0, called("damping", "load damping"), damping, "N s/m", "zero for a run over time")?;
+            check(
+                stiffness == 0.0,
+                called("stiffness", "load stiffness"),
+                stiffness,
+                "N/m",
+                "zero for a run over time",
+            )?;
             FarEnd::Mass(mass)
         }
     };

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 
 use super::rational::Difference;
 use super::sampled::{SampledLoop, far_end};
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 use crate::motion::{ForceSample, Live};
 use crate::mount::{FarEnd, Mount};
 use crate::signals::Channel;
@@ -68,7 +68,7 @@ impl<'a> Filter<'a> {
 pub fn simulate(sampled: &SampledLoop, gain: f64, reference: f64, samples: usize) -> Result<Run, Error> {
     let plant = sampled.continuous.plant();
     check(samples <= MOST_SAMPLES, "samples", samples as f64, "", format!("at most {MOST_SAMPLES}"))?;
-    check(gain.is_finite() && gain >= 0.0, "gain factor", gain, "", "finite and not below zero")?;
+    check(gain.is_finite() && gain >= 0.0, called("gain", "gain factor"), gain, "", "finite and not below zero")?;
     check(reference.is_finite(), "reference", reference, "N", "finite")?;
     let far_end = far_end(sampled)?;
     let mount = Mount::new(far_end, plant.damping().clone())?;

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use num_complex::Complex64;
 
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// One point of a loop's response.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +43,13 @@ impl Trace {
         known: impl IntoIterator<Item = f64>,
     ) -> Result<Self, Error> {
         let holds = from > 0.0 && to > from && to.is_finite();
-        check(holds, "upper angular frequency", to, "rad/s", format!("above the lower one of {from} rad/s"))?;
+        check(
+            holds,
+            called("to", "upper angular frequency"),
+            to,
+            "rad/s",
+            format!("above the lower one of {from} rad/s"),
+        )?;
         let decades = (to / from).log10();
         let count = (60.0 * decades).ceil() as usize;
         let mut frequencies: Vec<f64> =

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::event::{Kick, Sine};
 use super::sampled::Sampled;
-use crate::error::{Error, above_zero, check, finite, not_negative};
+use crate::error::{Error, above_zero, called, check, finite, from_zero};
 
 /// One sine: a sin(2πft + phase).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -328,21 +328,22 @@ impl EndInput {
             }
             Self::Chirp { amplitude, from, to, duration, phase } => {
                 finite("amplitude", *amplitude, "m")?;
-                finite("first frequency", not_negative("first frequency", *from, "Hz")?, "Hz")?;
-                finite("last frequency", not_negative("last frequency", *to, "Hz")?, "Hz")?;
+                from_zero(called("from", "first frequency"), *from, "Hz")?;
+                from_zero(called("to", "last frequency"), *to, "Hz")?;
                 // Followed step by step: more turns than this would take minutes.
                 let turns = 0.5 * (from + to) * duration;
-                check(turns <= MOST_TURNS, "turns of the chirp", turns, "", format!("at most {MOST_TURNS:e}"))?;
+                let most = format!("at most {MOST_TURNS:e}");
+                check(turns <= MOST_TURNS, called("to", "turns of the chirp"), turns, "", most)?;
                 above_zero("duration", *duration, "s")?;
                 finite("phase", *phase, "rad")?;
             }
             Self::Step { height, at } => {
                 finite("height", *height, "m")?;
-                finite("time of the step", not_negative("time of the step", *at, "s")?, "s")?;
+                from_zero(called("at", "time of the step"), *at, "s")?;
             }
             Self::Ramp { height, from, duration } | Self::HalfSine { height, from, duration } => {
                 finite("height", *height, "m")?;
-                finite("begin", not_negative("begin", *from, "s")?, "s")?;
+                from_zero(called("from", "begin"), *from, "s")?;
                 above_zero("duration", *duration, "s")?;
             }
         }

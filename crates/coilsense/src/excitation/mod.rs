@@ -10,7 +10,7 @@ pub(crate) use event::{Kick, Sine};
 pub use input::{Content, EndInput, Harmonic};
 pub use sampled::Sampled;
 
-use crate::error::{Error, above_zero, all_bounded, check, count, finite};
+use crate::error::{Error, above_zero, all_bounded, called, check, count, finite};
 use crate::spring::Spring;
 
 /// One of the two ends of the spring.
@@ -73,7 +73,7 @@ impl Excitation {
     /// for a steady start also for an input that is neither held nor made of sines;
     /// [`Error::Count`] where a start by windings has unlike numbers of positions and velocities.
     pub fn new(mean_length: f64, end1: EndInput, end2: EndInput, start: Start) -> Result<Self, Error> {
-        above_zero("mean length", mean_length, "m")?;
+        above_zero("mean_length", mean_length, "m")?;
         match &start {
             Start::Rest | Start::Massless => {}
             Start::Steady => {
@@ -85,9 +85,9 @@ impl Excitation {
                 finite("velocity", *velocity, "m/s")?;
             }
             Start::Windings { positions, velocities } => {
-                all_bounded("start positions", positions, "m")?;
-                all_bounded("start velocities", velocities, "m/s")?;
-                count("start velocities", velocities.len(), positions.len())?;
+                all_bounded(called("positions", "start positions"), positions, "m")?;
+                all_bounded(called("velocities", "start velocities"), velocities, "m/s")?;
+                count(called("velocities", "start velocities"), velocities.len(), positions.len())?;
             }
         }
         Ok(Self { mean_length, ends: [end1.checked()?, end2.checked()?], start })

@@ -3,7 +3,7 @@
 //! Next door: the other inputs (`input`).
 
 use super::event::Kick;
-use crate::error::{Error, all_bounded, at_least_one, check, count};
+use crate::error::{Error, all_bounded, at_least_one, called, check, count, entry};
 
 /// A recorded series, checked. Steps may be uneven.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,17 +28,17 @@ impl Sampled {
     /// assert_eq!(error.to_string(), "sample time[2] must be above its predecessor of 0.1 s, got 0.1 s");
     /// ```
     pub fn new(times: Vec<f64>, values: Vec<f64>) -> Result<Self, Error> {
-        at_least_one("sample times", times.len())?;
-        count("sample values", values.len(), times.len())?;
-        all_bounded("sample time", &times, "s")?;
-        all_bounded("sample value", &values, "")?;
+        at_least_one(called("times", "sample times"), times.len())?;
+        count(called("values", "sample values"), values.len(), times.len())?;
+        all_bounded(called("times", "sample time"), &times, "s")?;
+        all_bounded(called("values", "sample value"), &values, "")?;
         if let Some(index) = (1..times.len()).find(|&index| times[index] <= times[index - 1]) {
             let allowed = format!("above its predecessor of {} s", times[index - 1]);
-            check(false, format!("sample time[{index}]"), times[index], "s", allowed)?;
+            check(false, entry(called("times", "sample time"), index), times[index], "s", allowed)?;
         }
         if let Some(index) = (1..times.len()).find(|&index| times[index] - times[index - 1] < CLOSEST) {
             let allowed = format!("at least {CLOSEST:e} s after its predecessor of {} s", times[index - 1]);
-            check(false, format!("sample time[{index}]"), times[index], "s", allowed)?;
+            check(false, entry(called("times", "sample time"), index), times[index], "s", allowed)?;
         }
         Ok(Self { times, values })
     }

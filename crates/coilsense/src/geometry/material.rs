@@ -64,14 +64,14 @@ impl Material {
     /// from 1e-3 to 1e9.
     pub fn new(parameters: MaterialParameters) -> Result<Self, Error> {
         let p = &parameters;
-        within("shear modulus", p.shear_modulus, "Pa", (1.0, 1e13))?;
-        within("youngs modulus", p.youngs_modulus, "Pa", (1.0, 1e13))?;
+        within("shear_modulus", p.shear_modulus, "Pa", (1.0, 1e13))?;
+        within("youngs_modulus", p.youngs_modulus, "Pa", (1.0, 1e13))?;
         within("density", p.density, "kg/m3", (1e-3, 1e6))?;
         for (quantity, value, unit, range) in [
-            ("shear modulus temperature", p.shear_modulus_temperature, "1/K", (-0.1, 0.1)),
+            ("shear_modulus_temperature", p.shear_modulus_temperature, "1/K", (-0.1, 0.1)),
             ("expansion", p.expansion, "1/K", (-0.1, 0.1)),
             ("resistivity", p.resistivity, "Ohm m", (1e-12, 1e20)),
-            ("relative permeability", p.relative_permeability, "", (1e-3, 1e9)),
+            ("relative_permeability", p.relative_permeability, "", (1e-3, 1e9)),
         ] {
             if let Some(value) = value {
                 within(quantity, value, unit, range)?;

@@ -86,16 +86,16 @@ impl Geometry {
     /// compression spring with initial tension; an initial tension so high that the effective rest length is not above zero.
     pub fn new(parameters: GeometryParameters) -> Result<Self, Error> {
         let p = &parameters;
-        above_zero("wire diameter", p.wire_diameter, "m")?;
-        above_zero("coil diameter", p.coil_diameter, "m")?;
+        above_zero("wire_diameter", p.wire_diameter, "m")?;
+        above_zero("coil_diameter", p.coil_diameter, "m")?;
         let thinner = format!("below the coil diameter of {} m", p.coil_diameter);
-        check(p.wire_diameter < p.coil_diameter, "wire diameter", p.wire_diameter, "m", thinner)?;
-        let active = above_zero("active windings", p.active_windings, "")?;
+        check(p.wire_diameter < p.coil_diameter, "wire_diameter", p.wire_diameter, "m", thinner)?;
+        let active = above_zero("active_windings", p.active_windings, "")?;
         let total = p.total_windings.unwrap_or(active + p.end_type.inactive_windings());
-        above_zero("total windings", total, "")?;
-        check(total >= active, "total windings", total, "", format!("at least the {active} active ones"))?;
-        above_zero("rest length", p.rest_length, "m")?;
-        not_negative("initial tension", p.initial_tension, "N")?;
+        above_zero("total_windings", total, "")?;
+        check(total >= active, "total_windings", total, "", format!("at least the {active} active ones"))?;
+        above_zero("rest_length", p.rest_length, "m")?;
+        not_negative("initial_tension", p.initial_tension, "N")?;
         let mut geometry = Self { parameters, total_windings: total, effective_rest_length: p.rest_length };
         geometry.check_ends()?;
         geometry.effective_rest_length = stiffness::effective_rest_length(&geometry)?;
@@ -141,12 +141,12 @@ impl Geometry {
         let slack = if p.end_type.is_extension() { 0.25 * p.wire_diameter + 0.01 * solid } else { 1e-12 * solid };
         let fits = p.rest_length >= solid - slack;
         let shown = (1e9 * solid).round() / 1e9;
-        check(fits, "rest length", p.rest_length, "m", format!("at least the solid length of {shown} m"))?;
+        check(fits, "rest_length", p.rest_length, "m", format!("at least the solid length of {shown} m"))?;
         if p.end_type.is_extension() {
             return Ok(());
         }
         let none = p.initial_tension == 0.0;
-        check(none, "initial tension", p.initial_tension, "N", "zero for a compression spring").map(|_| ())
+        check(none, "initial_tension", p.initial_tension, "N", "zero for a compression spring").map(|_| ())
     }
 
     /// The parameters it was made from.

@@ -70,6 +70,6 @@ pub(super) fn effective_rest_length(geometry: &Geometry) -> Result<f64, Error> {
     let length = p.rest_length - p.initial_tension / geometry.stiffness();
     let most = geometry.stiffness() * p.rest_length;
     let allowed = format!("below {most} N, stiffness times rest length");
-    check(length > 0.0, "initial tension", p.initial_tension, "N", allowed)?;
+    check(length > 0.0, "initial_tension", p.initial_tension, "N", allowed)?;
     Ok(length)
 }

@@ -2,7 +2,7 @@
 //!
 //! Next door: what was recorded (`ringing`).
 
-use crate::error::{Error, check};
+use crate::error::{Error, check, entry, number_of};
 use crate::signals::Signals;
 
 /// Least samples of a record that anything can be said about.
@@ -24,8 +24,7 @@ impl Sampling {
     pub(super) fn of(signals: &Signals) -> Result<Self, Error> {
         let times = signals.time();
         if times.len() < LEAST_SAMPLES {
-            let allowed = format!("at least {LEAST_SAMPLES}").into();
-            return Err(Error::Count { quantity: "samples of the record".into(), found: times.len(), allowed });
+            return Err(number_of("samples of the record", times.len(), format!("at least {LEAST_SAMPLES}")));
         }
         let last = times.len() - 1;
         let interval = (times[last] - times[0]) / last as f64;
@@ -33,7 +32,7 @@ impl Sampling {
         if let Some(index) = (0..times.len()).find(|&index| off(index)) {
             let place = times[0] + index as f64 * interval;
             let allowed = format!("uniform, {place} s here: a spectrum needs even steps");
-            check(false, format!("time[{index}]"), times[index], "s", allowed)?;
+            check(false, entry("time", index), times[index], "s", allowed)?;
         }
         Ok(Self { rate: 1.0 / interval, samples: times.len(), start: times[0] })
     }

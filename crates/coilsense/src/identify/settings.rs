@@ -2,7 +2,7 @@
 //!
 //! Next door: the answer (the parent).
 
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, called, check};
 use crate::mount::FarEnd;
 
 /// What a user knows of spring and sensors; [`Settings::default`] knows nothing.
@@ -45,16 +45,16 @@ impl Settings {
     /// Lets through settings that make sense.
     pub(super) fn checked(&self) -> Result<&Self, Error> {
         for (quantity, value, unit) in [
-            ("windings", self.windings, ""),
-            ("mass of the coil", self.mass, "kg"),
-            ("predicted first surge frequency", self.predicted, "Hz"),
+            ("windings".into(), self.windings, ""),
+            (called("mass", "mass of the coil"), self.mass, "kg"),
+            (called("predicted", "predicted first surge frequency"), self.predicted, "Hz"),
         ] {
             if let Some(value) = value {
                 above_zero(quantity, value, unit)?;
             }
         }
         if let Some(FarEnd::Mass(mass)) = self.far_end {
-            above_zero("end mass", mass, "kg")?;
+            above_zero("end_mass", mass, "kg")?;
         }
         if let Some(windings) = self.windings {
             check((1.0..=1e6).contains(&windings), "windings", windings, "", "from 1 to 1000000")?;
@@ -62,10 +62,12 @@ impl Settings {
         let open = |value: f64| value > 0.0 && value < 1.0;
         check(open(self.tolerance), "tolerance", self.tolerance, "", "above 0 and below 1")?;
         let tolerance = self.prediction_tolerance;
-        check(open(tolerance), "tolerance of the prediction", tolerance, "", "above 0 and below 1")?;
-        for (quantity, value) in
-            [("accuracy of the force", self.accuracy_force), ("accuracy of the position", self.accuracy_position)]
-        {
+        let prediction = called("prediction_tolerance", "tolerance of the prediction");
+        check(open(tolerance), prediction, tolerance, "", "above 0 and below 1")?;
+        for (quantity, value) in [
+            (called("accuracy_force", "accuracy of the force"), self.accuracy_force),
+            (called("accuracy_position", "accuracy of the position"), self.accuracy_position),
+        ] {
             check((0.0..1.0).contains(&value), quantity, value, "", "from 0 to below 1")?;
         }
         Ok(self)

@@ -37,7 +37,7 @@ impl Trust {
     /// # Ok::<(), coilsense::Error>(())
     /// ```
     pub fn of(transit_time: f64, tolerance: f64) -> Result<Self, Error> {
-        above_zero("transit time", transit_time, "s")?;
+        above_zero("transit_time", transit_time, "s")?;
         check(tolerance > 0.0 && tolerance < 1.0, "tolerance", tolerance, "", "above 0 and below 1")?;
         let turn = std::f64::consts::TAU * transit_time;
         let quarter = std::f64::consts::FRAC_PI_2;

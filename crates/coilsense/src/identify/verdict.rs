@@ -214,7 +214,7 @@ fn next(found: &Identification, answer: Answer) -> Vec<String> {
         next.push("move one end slowly over the range in use and record both positions (u1, u2) and the force: this gives the stiffness and, with f1, the mass that vibrates".to_owned());
     }
     if answer == Answer::Undecided && found.predicted.is_none() {
-        next.push("weigh the coil or give its spec (--mass, --spec): f1 can then be predicted".to_owned());
+        next.push("weigh the coil and give its mass, or give its spec: f1 can then be predicted".to_owned());
     }
     if found.sampling.duration() < 20.0 && answer == Answer::Undecided {
         next.push(format!("record for at least 60 s (now {:.1} s)", found.sampling.duration()));

@@ -34,10 +34,10 @@ impl Coil {
     pub fn new(windings: f64, coil_radius: f64, wire_radius: f64) -> Result<Self, Error> {
         let holds = windings.is_finite() && (1.0..=MAX_WINDINGS).contains(&windings);
         check(holds, "windings", windings, "", format!("from 1 to {MAX_WINDINGS}"))?;
-        above_zero("coil radius", coil_radius, "m")?;
-        above_zero("wire radius", wire_radius, "m")?;
+        above_zero("coil_radius", coil_radius, "m")?;
+        above_zero("wire_radius", wire_radius, "m")?;
         let allowed = format!("below the coil radius of {coil_radius} m");
-        check(wire_radius < coil_radius, "wire radius", wire_radius, "m", allowed)?;
+        check(wire_radius < coil_radius, "wire_radius", wire_radius, "m", allowed)?;
         Ok(Self { windings, coil_radius, wire_radius })
     }
 

@@ -5,7 +5,7 @@
 use super::derivatives::replace;
 use super::maxwell::MaxwellSum;
 use super::mutual::MU_0;
-use crate::error::{Error, all_finite, count, finite};
+use crate::error::{Error, all_finite, check, count, entry, finite};
 
 impl MaxwellSum {
     /// ∂L/∂x of the chain's nodes \[H/m\]: end 1, the windings' masses 1…N, end 2; shape `N + 2`.
@@ -159,12 +159,8 @@ impl MaxwellSum {
             derivatives.extend(later.iter().map(|&to| (to - from) / self.coil_radius()));
             replace::<ORDER>(&mut derivatives);
             if let Some(offset) = derivatives.iter().position(|value| !value.is_finite()) {
-                return Err(Error::Value {
-                    quantity: format!("turns[{}]", first + 1 + offset).into(),
-                    value: later[offset],
-                    unit: "m",
-                    allowed: format!("apart from turns[{first}]").into(),
-                });
+                let allowed = format!("apart from turns[{first}]");
+                check(false, entry("turns", first + 1 + offset), later[offset], "m", allowed)?;
             }
             row.clear();
             row.extend(derivatives.iter().copied().zip(later.iter().map(|&to| to - from)));

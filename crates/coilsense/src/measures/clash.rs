@@ -48,7 +48,7 @@ impl Clash {
     pub fn seen(motion: &Motion, times: &[f64], windings: &Windings, contact_pitch: f64) -> Result<Self, Error> {
         crate::error::at_least_one("times", times.len())?;
         crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
-        crate::error::above_zero("contact pitch", contact_pitch, "m")?;
+        crate::error::above_zero("contact_pitch", contact_pitch, "m")?;
         let apart = motion.spring().masses_per_winding();
         let mut clash =
             Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact: None };

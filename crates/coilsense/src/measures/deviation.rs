@@ -2,7 +2,7 @@
 //!
 //! Next door: windings that touch (`clash`).
 
-use crate::error::{Error, all_finite, at_least_one, check, count};
+use crate::error::{Error, all_finite, at_least_one, called, check, count};
 use crate::simd;
 
 /// Sums that do not wait for each other: two of the widest vectors, on every path, so that the order of a sum is one.
@@ -60,7 +60,7 @@ impl Deviation {
     /// [`Error::Value`] for a nominal value that is not above zero.
     pub fn relative_to(&self, nominal: f64) -> Result<Self, Error> {
         let holds = nominal.is_finite() && nominal > 0.0;
-        check(holds, "nominal force", nominal, "N", "above zero and finite")?;
+        check(holds, called("nominal", "nominal force"), nominal, "N", "above zero and finite")?;
         Ok(Self {
             rmsd: self.rmsd / nominal,
             maximum: self.maximum / nominal,

@@ -2,7 +2,7 @@
 //!
 //! Next door: what an instrument lets through (`crate::sensors::Readout`), a signal against its reference (`deviation`).
 
-use crate::error::{Error, above_zero, all_bounded, check, count};
+use crate::error::{Error, above_zero, all_bounded, check, count, entry, number_of};
 use crate::measures::transform;
 use crate::signals::increasing;
 
@@ -101,7 +101,7 @@ fn tapered_transform(values: &[f64], mean: f64) -> Result<Vec<f64>, Error> {
 fn uniform_interval(times: &[f64]) -> Result<f64, Error> {
     let samples = times.len();
     if samples < 3 {
-        return Err(Error::Count { quantity: "times".into(), found: samples, allowed: "at least 3".into() });
+        return Err(number_of("times", samples, "at least 3"));
     }
     let (first, last) = (increasing(times)?[0], times[samples - 1]);
     let interval = (last - first) / (samples - 1) as f64;
@@ -112,7 +112,7 @@ fn uniform_interval(times: &[f64]) -> Result<f64, Error> {
         None => Ok(interval),
         Some(index) => {
             let allowed = format!("uniform, {} s here", first + index as f64 * interval);
-            check(false, format!("time[{index}]"), times[index], "s", allowed)
+            check(false, entry("time", index), times[index], "s", allowed)
         }
     }
 }

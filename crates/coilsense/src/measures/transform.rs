@@ -4,7 +4,7 @@
 
 use num_complex::Complex;
 
-use crate::error::Error;
+use crate::error::{Error, number_of};
 
 /// X_k = Σ x_n e^(−2πikn/N) for k = 0…⌊N/2⌋, N at least 1.
 ///
@@ -14,7 +14,7 @@ pub(super) fn forward(mut values: Vec<f64>) -> Result<Vec<Complex<f64>>, Error> 
     let samples = values.len();
     let transform = realfft::RealFftPlanner::<f64>::new().plan_fft_forward(samples);
     let mut lines = transform.make_output_vec();
-    let refused = |_| Error::Count { quantity: "values".into(), found: samples, allowed: "as many as its plan".into() };
+    let refused = |_| number_of("values", samples, "as many as its plan");
     transform.process(&mut values, &mut lines).map_err(refused)?;
     Ok(lines)
 }

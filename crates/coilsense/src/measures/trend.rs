@@ -2,7 +2,7 @@
 //!
 //! Next door: one series against another (`deviation`).
 
-use crate::error::{Error, all_finite, check};
+use crate::error::{Error, all_finite, called, check, number_of};
 
 /// Most values of a trend: the exact distribution takes their cube.
 const MOST: usize = 200;
@@ -40,8 +40,7 @@ impl Trend {
     /// ```
     pub fn of(values: &[f64]) -> Result<Self, Error> {
         if !(3..=MOST).contains(&values.len()) {
-            let allowed = format!("3 to {MOST}").into();
-            return Err(Error::Count { quantity: "values of a trend".into(), found: values.len(), allowed });
+            return Err(number_of(called("values", "values of a trend"), values.len(), format!("3 to {MOST}")));
         }
         all_finite("values", values, "")?;
         let mut rises = 0;

@@ -7,7 +7,7 @@ use coilsense_rt::{Bank, ModalKalman};
 use super::kalman::{KalmanNoise, modal_kalman};
 use super::sampled_spring::SampledSpring;
 use super::tolerance::ToleranceBox;
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, called, check};
 
 /// How a bank is laid out and how it decides.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,10 +40,16 @@ pub fn observer_bank<const MODES: usize, const MEMBERS: usize>(
     let rows = design.stiffnesses;
     let fits = rows >= 1 && MEMBERS.is_multiple_of(rows) && MEMBERS / rows >= 2;
     let allowed = format!("1 or more, so that {MEMBERS} members have two frequencies or more at each");
-    check(fits, "stiffnesses of the bank", rows as f64, "", allowed)?;
-    above_zero("sharpness of the bank", design.sharpness, "")?;
+    check(fits, called("stiffnesses", "stiffnesses of the bank"), rows as f64, "", allowed)?;
+    above_zero(called("sharpness", "sharpness of the bank"), design.sharpness, "")?;
     let samples = design.memory * spring.rate();
-    check(samples >= 1.0, "memory of the bank", design.memory, "s", format!("at least {} s", 1.0 / spring.rate()))?;
+    check(
+        samples >= 1.0,
+        called("memory", "memory of the bank"),
+        design.memory,
+        "s",
+        format!("at least {} s", 1.0 / spring.rate()),
+    )?;
     let members = (0..MEMBERS)
         .map(|index| {
             let corner = corner(tolerances, index / (MEMBERS / rows), rows, index % (MEMBERS / rows), MEMBERS / rows);

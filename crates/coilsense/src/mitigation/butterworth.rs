@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use coilsense_rt::Biquad;
 
-use crate::error::{Error, check};
+use crate::error::{Error, Subject, called, check};
 
 /// Butterworth low-pass of order `order` as biquads, the pair of poles nearest to the circle last.
 ///
@@ -58,8 +58,8 @@ fn first_order(w: f64) -> Biquad<f64> {
 }
 
 /// Lets through a frequency \[Hz\] above zero and below half of the sampling rate.
-pub(super) fn below_nyquist(quantity: &'static str, frequency: f64, rate: f64) -> Result<f64, Error> {
-    check(rate.is_finite() && rate > 0.0, "sampling rate", rate, "Hz", "above zero and finite")?;
+pub(super) fn below_nyquist(quantity: impl Into<Subject>, frequency: f64, rate: f64) -> Result<f64, Error> {
+    check(rate.is_finite() && rate > 0.0, called("rate", "sampling rate"), rate, "Hz", "above zero and finite")?;
     let allowed = format!("above zero and below half of the sampling rate of {rate} Hz");
     check(frequency > 0.0 && frequency < 0.5 * rate, quantity, frequency, "Hz", allowed)
 }

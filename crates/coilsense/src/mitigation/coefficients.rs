@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use coilsense_rt::Biquad;
 use num_complex::Complex64;
 
-use crate::error::{Error, at_least_one, check};
+use crate::error::{Error, at_least_one, called, check};
 
 /// How coefficients are stored on the target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,7 +72,13 @@ impl Coefficients {
         at_least_one("sections", sections.len())?;
         if let Rounding::Fixed { fraction_bits } = rounding {
             let holds = (1..=52).contains(&fraction_bits);
-            check(holds, "bits behind the point", f64::from(fraction_bits), "", "from 1 to 52")?;
+            check(
+                holds,
+                called("fraction_bits", "bits behind the point"),
+                f64::from(fraction_bits),
+                "",
+                "from 1 to 52",
+            )?;
         }
         let rounded: Vec<Biquad<f64>> =
             sections.iter().map(|section| section.map(|value| rounding.of(value))).collect();

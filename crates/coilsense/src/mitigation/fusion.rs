@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use coilsense_rt::{Delay, Fusion};
 
 use super::butterworth::below_nyquist;
-use crate::error::{Error, check, not_negative};
+use crate::error::{Error, called, check, not_negative};
 
 /// Below `crossover` the slow force counts, above it the fast one.
 ///
@@ -32,12 +32,12 @@ use crate::error::{Error, check, not_negative};
 pub fn inductance_fusion(crossover: f64, slow_rate: f64, lateness: f64, rate: f64) -> Result<Fusion<f64>, Error> {
     below_nyquist("crossover", crossover, slow_rate)?;
     let allowed = format!("finite and at least the rate of the slow force of {slow_rate} Hz");
-    check(rate.is_finite() && rate >= slow_rate, "sampling rate", rate, "Hz", allowed)?;
-    not_negative("lateness of the slow force", lateness, "s")?;
+    check(rate.is_finite() && rate >= slow_rate, called("rate", "sampling rate"), rate, "Hz", allowed)?;
+    not_negative(called("lateness", "lateness of the slow force"), lateness, "s")?;
     let late = lateness * rate;
     let most = 1e6;
     let allowed = format!("at most {most:e} samples of the fast force");
-    check(late <= most, "lateness of the slow force", lateness, "s", allowed)?;
+    check(late <= most, called("lateness", "lateness of the slow force"), lateness, "s", allowed)?;
     let gain = -(-2.0 * PI * crossover / slow_rate).exp_m1();
     Ok(Fusion { gain, lateness: Delay { whole: late as usize, fraction: late.fract() } })
 }

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::riccati::steady_covariance;
 use super::sampled_spring::SampledSpring;
-use crate::error::{Error, above_zero, check, not_negative};
+use crate::error::{Error, above_zero, called, check, not_negative};
 
 /// What the filter is to expect, in forces at end 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,10 +24,10 @@ pub struct KalmanNoise {
 
 impl KalmanNoise {
     fn checked(&self) -> Result<(), Error> {
-        above_zero("noise of the force", self.force, "N")?;
-        not_negative("noise of the shocks", self.shock, "m/s/sqrt(s)")?;
-        above_zero("noise of the ringing", self.ringing, "N/sqrt(s)")?;
-        above_zero("drift of the bias", self.drift, "N/sqrt(s)")?;
+        above_zero(called("force", "noise of the force"), self.force, "N")?;
+        not_negative(called("shock", "noise of the shocks"), self.shock, "m/s/sqrt(s)")?;
+        above_zero(called("ringing", "noise of the ringing"), self.ringing, "N/sqrt(s)")?;
+        above_zero(called("drift", "drift of the bias"), self.drift, "N/sqrt(s)")?;
         Ok(())
     }
 }

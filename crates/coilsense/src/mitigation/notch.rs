@@ -8,7 +8,7 @@ use coilsense_rt::Biquad;
 
 use super::butterworth::below_nyquist;
 use super::sampled_spring::SampledSpring;
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, called, check};
 
 /// A notch: nothing at `frequency`, −3 dB at the edges of a band of `frequency / quality` around it.
 ///
@@ -29,11 +29,11 @@ use crate::error::{Error, above_zero, check};
 /// # Ok::<(), coilsense::Error>(())
 /// ```
 pub fn notch(frequency: f64, quality: f64, rate: f64) -> Result<Biquad<f64>, Error> {
-    below_nyquist("notch frequency", frequency, rate)?;
-    above_zero("notch quality", quality, "")?;
+    below_nyquist(called("frequency", "notch frequency"), frequency, rate)?;
+    above_zero(called("quality", "notch quality"), quality, "")?;
     let omega = 2.0 * PI * frequency / rate;
     let allowed = format!("above {} at this frequency and sampling rate", omega / PI);
-    check(omega / quality < PI, "notch quality", quality, "", allowed)?;
+    check(omega / quality < PI, called("quality", "notch quality"), quality, "", allowed)?;
     let gain = 1.0 / (1.0 + (0.5 * omega / quality).tan());
     let middle = -2.0 * gain * omega.cos();
     Ok(Biquad { b0: gain, b1: middle, b2: gain, a1: middle, a2: 2.0 * gain - 1.0 })
@@ -47,6 +47,6 @@ pub fn surge_notches(spring: &SampledSpring, count: usize, quality: f64) -> Resu
     let first = spring.spring().surge_frequency();
     let most = (0.5 * spring.rate() / first).ceil() as usize - 1;
     let allowed = format!("from 1 to {most}, so that {first:.3} Hz times it stays below half of the sampling rate");
-    check((1..=most).contains(&count), "number of notches", count as f64, "", allowed)?;
+    check((1..=most).contains(&count), called("count", "number of notches"), count as f64, "", allowed)?;
     (1..=count).map(|n| notch(n as f64 * first, quality, spring.rate())).collect()
 }

@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// Steady covariance P of the prediction error of a Kalman filter with one measurement.
 ///
@@ -33,10 +33,18 @@ pub fn steady_covariance(
     noise: f64,
 ) -> Result<DMatrix<f64>, Error> {
     let size = measured.len();
-    for (quantity, matrix) in [("transition matrix", transition), ("process noise matrix", process)] {
+    for (quantity, matrix) in
+        [(called("transition", "transition matrix"), transition), (called("process", "process noise matrix"), process)]
+    {
         crate::error::count(quantity, matrix.len(), size * size)?;
     }
-    check(noise.is_finite() && noise > 0.0, "variance of the measurement", noise, "", "above zero and finite")?;
+    check(
+        noise.is_finite() && noise > 0.0,
+        called("noise", "variance of the measurement"),
+        noise,
+        "",
+        "above zero and finite",
+    )?;
     let identity = DMatrix::identity(size, size);
     let mut a = transition.transpose();
     let mut g = measured * measured.transpose() / noise;

@@ -3,7 +3,7 @@
 //! Next door: what may be off about it (`tolerance`), the designs that take it.
 
 use crate::damping::Damping;
-use crate::error::{Error, above_zero, check};
+use crate::error::{Error, above_zero, called, check};
 use crate::modes::ChainModes;
 use crate::spring::Spring;
 
@@ -49,10 +49,10 @@ impl SampledSpring {
     /// # Errors
     /// [`Error::Value`] for a rate that is not above twice the first surge frequency.
     pub fn check_rate(spring: &Spring, rate: f64) -> Result<(), Error> {
-        above_zero("sampling rate", rate, "Hz")?;
+        above_zero(called("rate", "sampling rate"), rate, "Hz")?;
         let first = spring.surge_frequency();
         let allowed = format!("above twice the first surge frequency of {first:.3} Hz");
-        check(rate > 2.0 * first, "sampling rate", rate, "Hz", allowed).map(|_| ())
+        check(rate > 2.0 * first, called("rate", "sampling rate"), rate, "Hz", allowed).map(|_| ())
     }
 
     /// The spring.

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use coilsense_rt::{Boxcar, Comb, DoubleBoxcar};
 
 use super::sampled_spring::SampledSpring;
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// The mean over `length` samples, at least 1.
 fn mean(length: f64) -> Boxcar<f64> {
@@ -38,7 +38,7 @@ pub fn surge_mean(spring: &SampledSpring) -> Boxcar<f64> {
 /// # Errors
 /// [`Error::Value`] for a spread below 0 or from ½ on.
 pub fn double_mean(spring: &SampledSpring, spread: f64) -> Result<DoubleBoxcar<f64>, Error> {
-    check((0.0..0.5).contains(&spread), "spread of the means", spread, "", "from 0 to below 0.5")?;
+    check((0.0..0.5).contains(&spread), called("spread", "spread of the means"), spread, "", "from 0 to below 0.5")?;
     let period = spring.surge_period();
     Ok(DoubleBoxcar { first: mean(period * (1.0 + spread)), second: mean(period * (1.0 - spread)) })
 }
@@ -56,7 +56,7 @@ pub fn double_mean(spring: &SampledSpring, spread: f64) -> Result<DoubleBoxcar<f
 pub fn surge_comb(spring: &SampledSpring, width: f64) -> Result<Comb<f64>, Error> {
     let first = spring.spring().surge_frequency();
     let allowed = format!("above zero and at most the first surge frequency of {first:.3} Hz");
-    check(width > 0.0 && width <= first, "notch width", width, "Hz", allowed)?;
+    check(width > 0.0 && width <= first, called("width", "notch width"), width, "Hz", allowed)?;
     let length = spring.surge_period();
     let exponent = -PI * width / spring.rate();
     // 1 − ρ and 1 − ρᴸ without cancellation.

@@ -2,7 +2,7 @@
 //!
 //! Next door: observers over the box (`bank`), the nominal spring (`sampled_spring`).
 
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 use crate::spring::Spring;
 
 /// Relative tolerances of stiffness and mass, to either side.
@@ -25,7 +25,9 @@ impl ToleranceBox {
     /// # Errors
     /// [`Error::Value`] for a tolerance outside of that, and for an empty box.
     pub fn new(stiffness: f64, mass: f64) -> Result<Self, Error> {
-        for (quantity, value) in [("stiffness tolerance", stiffness), ("mass tolerance", mass)] {
+        for (quantity, value) in
+            [(called("stiffness", "stiffness tolerance"), stiffness), (called("mass", "mass tolerance"), mass)]
+        {
             check((0.0..1.0).contains(&value), quantity, value, "", "from 0 to below 1")?;
         }
         let some = stiffness + mass;

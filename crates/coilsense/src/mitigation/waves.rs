@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use coilsense_rt::{Delay, DelayLineObserver};
 
 use super::sampled_spring::SampledSpring;
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// An observer by waves: k, l0, Z = √(km), τ, and of every passage the share that mode 1 loses in one.
 ///
@@ -30,7 +30,7 @@ use crate::error::{Error, check};
 /// # Ok::<(), coilsense::Error>(())
 /// ```
 pub fn delay_line_observer(spring: &SampledSpring, gain: f64) -> Result<DelayLineObserver<f64>, Error> {
-    check((0.0..=1.0).contains(&gain), "observer gain", gain, "", "from 0 to 1")?;
+    check((0.0..=1.0).contains(&gain), called("gain", "observer gain"), gain, "", "from 0 to 1")?;
     let transit = 0.5 * spring.surge_period();
     Ok(DelayLineObserver {
         stiffness: spring.spring().stiffness(),

@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use super::sampled_spring::SampledSpring;
 use super::tolerance::ToleranceBox;
 use crate::damping::Damping;
-use crate::error::{Error, above_zero, check, not_negative};
+use crate::error::{Error, above_zero, called, check, not_negative};
 use crate::excitation::Excitation;
 use crate::motion::Motion;
 use crate::mount::{FarEnd, Mount};
@@ -67,16 +67,22 @@ pub fn surge_window<const N: usize>(spring: &SampledSpring, design: &WindowDesig
 
 fn checked(spring: &SampledSpring, design: &WindowDesign, taps: usize) -> Result<(), Error> {
     check((1..=1024).contains(&taps), "taps of the window", taps as f64, "", "from 1 to 1024")?;
-    above_zero("impact velocity", design.impact, "m/s")?;
+    above_zero(called("impact", "impact velocity"), design.impact, "m/s")?;
     let shortest = taps as f64 / spring.rate();
     let allowed = format!("from the window's own {shortest} s to 60 s");
-    check((shortest..=60.0).contains(&design.interval), "interval of shocks", design.interval, "s", allowed)?;
+    check(
+        (shortest..=60.0).contains(&design.interval),
+        called("interval", "interval of shocks"),
+        design.interval,
+        "s",
+        allowed,
+    )?;
     let first = spring.spring().surge_frequency();
     let holds = design.bandwidth > 0.0 && design.bandwidth < first;
     let allowed = format!("above zero and below the first surge frequency of {first:.3} Hz");
     check(holds, "bandwidth", design.bandwidth, "Hz", allowed)?;
-    not_negative("motion of the force", design.motion, "N")?;
-    above_zero("noise of the force", design.noise, "N")?;
+    not_negative(called("motion", "motion of the force"), design.motion, "N")?;
+    above_zero(called("noise", "noise of the force"), design.noise, "N")?;
     Ok(())
 }
 
@@ -97,7 +103,7 @@ fn solve(quadratic: DMatrix<f64>, wanted: &DVector<f64>) -> Result<DVector<f64>,
     let ones = DVector::from_element(wanted.len(), 1.0);
     let Some(factor) = quadratic.cholesky() else {
         let allowed = "large enough against the ringing and the motion to tell windows apart";
-        return check(false, "noise of the force", 0.0, "N", allowed).map(|_| ones);
+        return check(false, called("noise", "noise of the force"), 0.0, "N", allowed).map(|_| ones);
     };
     let (free, level) = (factor.solve(wanted), factor.solve(&ones));
     let share = (1.0 - free.sum()) / level.sum();

@@ -35,7 +35,7 @@ use crate::spring::Spring;
 pub fn continuous_frequencies(spring: &Spring, far_end: FarEnd, count: usize) -> Result<Vec<f64>, Error> {
     check((1..=MAX_COUNT).contains(&count), "count", count as f64, "", format!("from 1 to {MAX_COUNT}"))?;
     if let FarEnd::Mass(mass) = far_end {
-        above_zero("end mass", mass, "kg")?;
+        above_zero("end_mass", mass, "kg")?;
     }
     let tau = spring.transit_time();
     let frequency = |mode: usize| match far_end {
@@ -66,7 +66,7 @@ pub fn continuous_frequencies(spring: &Spring, far_end: FarEnd, count: usize) ->
 /// # Ok::<(), coilsense::Error>(())
 /// ```
 pub fn third_rule_frequency(spring: &Spring, end_mass: f64) -> Result<f64, Error> {
-    not_negative("end mass", end_mass, "kg")?;
+    not_negative("end_mass", end_mass, "kg")?;
     Ok((spring.stiffness() / (end_mass + spring.mass() / 3.0)).sqrt())
 }
 

@@ -3,7 +3,7 @@
 //! Next door: the chain's modes in closed form (the parent), the motion that is built from them (`motion`).
 
 use super::{ChainModes, ChainShapes};
-use crate::error::{Error, all_bounded, at_least_one, check, count};
+use crate::error::{Error, Subject, all_bounded, at_least_one, called, check, count};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
 
@@ -82,21 +82,21 @@ impl ModalParameters {
         at_least_one("masses", masses)?;
         at_least_one("modes", modes)?;
         count("places", self.places.len(), masses)?;
-        count("end shapes", self.end_shapes.len(), modes)?;
+        count("end_shapes", self.end_shapes.len(), modes)?;
         count("shapes", self.shapes.len(), modes * masses)?;
-        check_each("stiffness of an end segment", "N/m", &self.end_segments)?;
+        check_each(called("end_segments", "stiffness of an end segment"), "N/m", &self.end_segments)?;
         check_each("mass", "kg", &self.masses)?;
         check_rising("frequency", "rad/s", &self.frequencies, f64::INFINITY)?;
         check_rising("place", "", &self.places, 1.0)?;
         all_bounded("shapes", &self.shapes, "")?;
-        all_bounded("end shapes", &self.end_shapes, "")
+        all_bounded("end_shapes", &self.end_shapes, "")
     }
 }
 
 /// Lets through values that are finite and above zero.
-fn check_each(quantity: &'static str, unit: &'static str, values: &[f64]) -> Result<(), Error> {
+fn check_each(quantity: impl Into<Subject> + Clone, unit: &'static str, values: &[f64]) -> Result<(), Error> {
     let each = values.iter();
-    each.map(|value| check(value.is_finite() && *value > 0.0, quantity, *value, unit, "finite and above zero"))
+    each.map(|value| check(value.is_finite() && *value > 0.0, quantity.clone(), *value, unit, "finite and above zero"))
         .try_for_each(|checked| checked.map(|_| ()))
 }
 

@@ -38,7 +38,7 @@ pub use windings::Windings;
 pub use forces::EndForces;
 
 use crate::damping::Damping;
-use crate::error::{Error, at_least_one, check};
+use crate::error::{Error, at_least_one, check, entry};
 use crate::excitation::{End, EndInput, Excitation};
 use crate::modes::ModalModel;
 use crate::mount::{FarEnd, Mount};
@@ -319,8 +319,6 @@ fn check_times(times: &[f64]) -> Result<(), Error> {
     at_least_one("times", times.len())?;
     match times.iter().position(|time| !time.is_finite() || *time < 0.0) {
         None => Ok(()),
-        Some(index) => {
-            check(false, format!("time[{index}]"), times[index], "s", "finite and not below zero").map(|_| ())
-        }
+        Some(index) => check(false, entry("time", index), times[index], "s", "finite and not below zero").map(|_| ()),
     }
 }

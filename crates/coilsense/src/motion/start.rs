@@ -9,7 +9,7 @@ use num_complex::Complex64;
 use super::Motion;
 use super::closed::ModalState;
 use super::oscillator::Oscillator;
-use crate::error::{Error, check, count};
+use crate::error::{Error, called, check, count};
 use crate::excitation::{Start, VelocityProfile};
 
 impl Motion {
@@ -37,7 +37,7 @@ impl Motion {
                 lines([-u[0], -u[1]], [at_end_1 - v[0], velocity - v[1]])
             }
             Start::Windings { positions, velocities } => {
-                count("start positions", positions.len(), self.modes.masses())?;
+                count(called("positions", "start positions"), positions.len(), self.modes.masses())?;
                 ModalState {
                     coordinates: self.modes.project(&self.less_line(positions, [u[0], mean + u[1]]), -u[1]),
                     rates: self.modes.project(&self.less_line(velocities, v), -v[1]),

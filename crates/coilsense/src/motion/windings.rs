@@ -3,7 +3,7 @@
 //! Next door: how they got there (the parent), whether they touch (`measures`), what they do to a coil (`inductance`).
 
 use super::modal_rows::WIDTH;
-use crate::error::{Error, all_finite, check};
+use crate::error::{Error, all_finite, called, check, number_of};
 
 /// Positions of both ends and of all windings over time \[m\].
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +24,7 @@ impl Windings {
         let samples = ends.len();
         if samples == 0 || positions.is_empty() || !positions.len().is_multiple_of(samples) {
             let allowed = format!("a whole number of windings for each of {samples} samples");
-            return Err(Error::Count { quantity: "positions".into(), found: positions.len(), allowed: allowed.into() });
+            return Err(number_of("positions", positions.len(), allowed));
         }
         all_finite("ends", ends.as_flattened(), "m")?;
         all_finite("positions", &positions, "m")?;
@@ -56,7 +56,13 @@ impl Windings {
     /// [`Error::Value`] where the masses of a sample are no whole number of such windings.
     pub fn turns(&self, masses: usize) -> Result<Self, Error> {
         let allowed = format!("at least 1, and a divisor of the {} masses", self.count);
-        check(masses > 0 && self.count.is_multiple_of(masses), "masses per winding", masses as f64, "", allowed)?;
+        check(
+            masses > 0 && self.count.is_multiple_of(masses),
+            called("masses", "masses per winding"),
+            masses as f64,
+            "",
+            allowed,
+        )?;
         let centre = |winding: &[f64]| 0.5 * (winding[(masses - 1) / 2] + winding[masses / 2]);
         let positions = self.positions.chunks_exact(masses).map(centre).collect();
         Ok(Self { count: self.count / masses, ends: self.ends.clone(), positions })

@@ -10,7 +10,7 @@ use super::cause;
 use super::cause::{Cause, Place};
 use super::deflection::travel;
 use super::sensor::{Native, Row, Sensor, Site};
-use crate::error::{Error, all_bounded, count, finite, not_negative};
+use crate::error::{Error, all_bounded, called, count, finite, from_zero};
 use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
 
@@ -49,11 +49,9 @@ impl TwoEncoder {
     /// # Errors
     /// [`Error::Value`] for a compliance or backlash below zero, or a value that is not finite.
     pub fn new(spring: &Spring, compliance: f64, backlash: f64, mean_length: f64) -> Result<Self, Error> {
-        not_negative("drive-train compliance", compliance, "m/N")?;
-        finite("drive-train compliance", compliance, "m/N")?;
-        not_negative("backlash", backlash, "m")?;
-        finite("backlash", backlash, "m")?;
-        finite("mean length", mean_length, "m")?;
+        from_zero(called("compliance", "drive-train compliance"), compliance, "m/N")?;
+        from_zero("backlash", backlash, "m")?;
+        finite("mean_length", mean_length, "m")?;
         let stiffness = 1.0 / (1.0 / spring.stiffness() + compliance);
         let zero = spring.rest_length() + 0.5 * backlash * side(spring.static_force(mean_length), 0.0);
         Ok(Self { compliance, backlash, stiffness, zero })

@@ -4,7 +4,7 @@
 
 use num_complex::Complex64;
 
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// A load at end 2, by the force over the displacement it answers with: −F_o = K_L U2.
 ///
@@ -43,7 +43,7 @@ impl Load {
     /// [`Error::Value`] where it is below zero or not finite.
     pub fn mass(mass: f64) -> Result<Self, Error> {
         let holds = mass.is_finite() && mass >= 0.0;
-        check(holds, "end mass", mass, "kg", "zero or above and finite")?;
+        check(holds, "end_mass", mass, "kg", "zero or above and finite")?;
         Ok(Self(Kind::Mass(mass)))
     }
 
@@ -54,10 +54,10 @@ impl Load {
     /// # Errors
     /// [`Error::Value`] where a part is not finite.
     pub fn stiffness(stiffness: Complex64) -> Result<Self, Error> {
-        for (quantity, part) in
+        for (words, part) in
             [("real part of the load stiffness", stiffness.re), ("imaginary part of the load stiffness", stiffness.im)]
         {
-            check(part.is_finite(), quantity, part, "N/m", "finite")?;
+            check(part.is_finite(), called("stiffness", words), part, "N/m", "finite")?;
         }
         Ok(Self(Kind::Stiffness(stiffness)))
     }

@@ -31,7 +31,7 @@ pub use load::Load;
 pub use response::{DynamicStiffness, Matrix};
 
 use crate::damping::Damping;
-use crate::error::{Error, check};
+use crate::error::{Error, check, number_of};
 use crate::spring::Spring;
 use modal::Mode;
 use phase::{Loss, Phase, moderate};
@@ -130,7 +130,7 @@ impl TwoPort {
         let phase = angular_frequency.abs() * self.transit_time;
         check(
             phase <= LARGEST_PHASE,
-            "angular frequency",
+            "angular_frequency",
             angular_frequency,
             "rad/s",
             format!("finite and at most {} in size", LARGEST_PHASE / self.transit_time),
@@ -183,5 +183,5 @@ impl TwoPort {
 }
 
 fn no_ratios() -> Error {
-    Error::Count { quantity: "damping ratios".into(), found: 0, allowed: "at least 1".into() }
+    number_of("damping_ratios", 0, "at least 1")
 }

@@ -5,7 +5,7 @@
 use num_complex::Complex64;
 
 use crate::damping::Damping;
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// One of the kinds of damping with a phase of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,12 +74,14 @@ const LARGEST: f64 = 1e12;
 pub(super) fn moderate(damping: Damping) -> Result<Damping, Error> {
     let damping = damping.checked()?;
     let (quantity, value, unit) = match &damping {
-        Damping::None => ("damping", 0.0, ""),
-        Damping::Modal(ratio) => ("damping ratio", *ratio, ""),
-        Damping::ModalEach(ratios) => ("largest damping ratio", ratios.iter().copied().fold(0.0, f64::max), ""),
-        Damping::MassProportional { rate } => ("mass-proportional damping", *rate, "1/s"),
-        Damping::StiffnessProportional { time } => ("stiffness-proportional damping", *time, "s"),
-        Damping::Hysteretic { loss_factor } => ("loss factor", *loss_factor, ""),
+        Damping::None => ("damping".into(), 0.0, ""),
+        Damping::Modal(ratio) => ("damping_ratio".into(), *ratio, ""),
+        Damping::ModalEach(ratios) => {
+            (called("damping_ratio", "largest damping ratio"), ratios.iter().copied().fold(0.0, f64::max), "")
+        }
+        Damping::MassProportional { rate } => (called("rate", "mass-proportional damping"), *rate, "1/s"),
+        Damping::StiffnessProportional { time } => (called("time", "stiffness-proportional damping"), *time, "s"),
+        Damping::Hysteretic { loss_factor } => ("loss_factor".into(), *loss_factor, ""),
     };
     check(value <= LARGEST, quantity, value, unit, format!("at most {LARGEST:e}"))?;
     Ok(damping)

@@ -3,7 +3,7 @@
 //! Next door: the two that it compares (`budget`, `monte_carlo`).
 
 use super::{Budget, MonteCarlo, probability};
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// How far the budget's interval is from the Monte Carlo run's, in the output's unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +66,7 @@ impl MonteCarlo {
     /// [`Error::Value`] for a coverage that is not between 0 and 1, or digits out of range.
     pub fn agrees_at(&self, coverage: f64, budget: &Budget, significant_digits: u32) -> Result<Agreement, Error> {
         let digits = f64::from(significant_digits);
-        check((1.0..=15.0).contains(&digits), "significant digits", digits, "", "from 1 to 15")?;
+        check((1.0..=15.0).contains(&digits), called("digits", "significant digits"), digits, "", "from 1 to 15")?;
         let (low, high) = self.symmetric(coverage)?;
         let expanded = budget.expanded(coverage)?;
         let standard = if budget.combined() > 0.0 { budget.combined() } else { self.standard() };

@@ -6,7 +6,7 @@ use rand_distr::{Distribution as _, StandardNormal, StandardUniform};
 use rand_pcg::rand_core::Rng;
 use std::f64::consts::TAU;
 
-use crate::error::{Error, all_finite, at_least_one, not_negative};
+use crate::error::{Error, all_finite, at_least_one, called, not_negative};
 
 /// How an input may deviate from its estimate, in the input's own unit.
 ///
@@ -103,13 +103,15 @@ impl Distribution {
     /// Lets it through where its width is a number, not below zero, and deviations are there.
     pub(super) fn checked(&self) -> Result<&Self, Error> {
         match self {
-            Self::Normal { standard } => not_negative("standard uncertainty", *standard, "").map(|_| self),
+            Self::Normal { standard } => {
+                not_negative(called("standard", "standard uncertainty"), *standard, "").map(|_| self)
+            }
             Self::Rectangular { half_width } | Self::Triangular { half_width } | Self::Arcsine { half_width } => {
-                not_negative("half width", *half_width, "").map(|_| self)
+                not_negative("half_width", *half_width, "").map(|_| self)
             }
             Self::Empirical(deviations) => {
                 at_least_one("deviations", deviations.len())?;
-                all_finite("deviation", deviations, "").map(|()| self)
+                all_finite(called("deviations", "deviation"), deviations, "").map(|()| self)
             }
         }
     }

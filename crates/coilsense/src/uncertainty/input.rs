@@ -54,18 +54,18 @@ impl Input {
     /// Lets it through where its numbers are.
     pub(super) fn checked(&self) -> Result<&Self, Error> {
         let named = |error| match error {
-            Error::Value { quantity, value, unit, allowed } => {
-                Error::Value { quantity: format!("{quantity} of {}", self.name).into(), value, unit, allowed }
+            Error::Value { field, quantity, value, unit, allowed } => {
+                Error::Value { field, quantity: format!("{quantity} of {}", self.name).into(), value, unit, allowed }
             }
-            Error::Count { quantity, found, allowed } => {
-                Error::Count { quantity: format!("{quantity} of {}", self.name).into(), found, allowed }
+            Error::Count { field, quantity, found, allowed } => {
+                Error::Count { field, quantity: format!("{quantity} of {}", self.name).into(), found, allowed }
             }
             other => other,
         };
         check(self.estimate.is_finite(), "estimate", self.estimate, "", "finite").map_err(named)?;
         self.distribution.checked().map_err(named)?;
         let enough = self.degrees_of_freedom >= 1.0;
-        check(enough, "degrees of freedom", self.degrees_of_freedom, "", "1 or above").map_err(named)?;
+        check(enough, "degrees_of_freedom", self.degrees_of_freedom, "", "1 or above").map_err(named)?;
         Ok(self)
     }
 }

@@ -17,11 +17,17 @@ pub use input::Input;
 pub use monte_carlo::MonteCarlo;
 pub use student::coverage_factor;
 
-use crate::error::{Error, check};
+use crate::error::{Error, called, check};
 
 /// Lets through a coverage probability.
 fn probability(coverage: f64) -> Result<f64, Error> {
-    check(coverage > 0.0 && coverage < 1.0, "coverage probability", coverage, "", "above 0 and below 1")
+    check(
+        coverage > 0.0 && coverage < 1.0,
+        called("coverage", "coverage probability"),
+        coverage,
+        "",
+        "above 0 and below 1",
+    )
 }
 
 /// What the model makes of `values`, where that is a number.

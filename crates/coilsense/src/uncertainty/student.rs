@@ -32,7 +32,7 @@ const MANY: f64 = 1000.0;
 /// ```
 pub fn coverage_factor(coverage: f64, degrees_of_freedom: f64) -> Result<f64, Error> {
     probability(coverage)?;
-    check(degrees_of_freedom >= 1.0, "degrees of freedom", degrees_of_freedom, "", "1 or above")?;
+    check(degrees_of_freedom >= 1.0, "degrees_of_freedom", degrees_of_freedom, "", "1 or above")?;
     // The sum that gave 16 may have rounded to just below it.
     let whole = (degrees_of_freedom * (1.0 + 1e-9)).floor();
     if whole <= MANY {

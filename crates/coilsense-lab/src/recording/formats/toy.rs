@@ -14,7 +14,7 @@ pub(super) const ROW: Row =
 
 /// After the magic bytes pairs of little-endian numbers: time in ms, force in N.
 fn open(path: &Path) -> Result<Box<dyn Source>, RecordingError> {
-    let bytes = std::fs::read(path).map_err(|error| RecordingError::of_file(path, error))?;
+    let bytes = std::fs::read(path).map_err(|error| RecordingError::of_file(path, error.to_string()))?;
     let pairs: Vec<[f64; 2]> = bytes[4..]
         .chunks_exact(4)
         .map(|pair| [[pair[0], pair[1]], [pair[2], pair[3]]].map(|two| i16::from_le_bytes(two).into()))

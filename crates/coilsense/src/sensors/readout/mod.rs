@@ -12,7 +12,7 @@ mod response;
 mod sample_hold;
 mod straight;
 
-use crate::error::{Error, above_zero, all_bounded, check, count, finite, not_negative};
+use crate::error::{Error, above_zero, all_bounded, called, check, count, from_zero};
 use crate::signals::increasing;
 use low_pass::Butterworth;
 
@@ -74,20 +74,18 @@ impl Readout {
     pub fn new(parameters: ReadoutParameters) -> Result<Self, Error> {
         let p = &parameters;
         let allowed = (1..=MAX_ORDER).contains(&p.order);
-        check(allowed, "order of the low-pass", p.order as f64, "", format!("from 1 to {MAX_ORDER}"))?;
+        check(allowed, called("order", "order of the low-pass"), p.order as f64, "", format!("from 1 to {MAX_ORDER}"))?;
         if let Some(bandwidth) = p.bandwidth {
             above_zero("bandwidth", bandwidth, "Hz")?;
         }
-        not_negative("delay", p.delay, "s")?;
-        finite("delay", p.delay, "s")?;
+        from_zero("delay", p.delay, "s")?;
         if let Some(window) = p.averaging {
-            above_zero("averaging window", window, "s")?;
+            above_zero(called("averaging", "averaging window"), window, "s")?;
         }
         if let Some(rate) = p.sample_rate {
-            above_zero("sample rate", rate, "Hz")?;
+            above_zero("sample_rate", rate, "Hz")?;
         }
-        not_negative("noise", p.noise, "")?;
-        finite("noise", p.noise, "")?;
+        from_zero("noise", p.noise, "")?;
         if let Some(step) = p.resolution {
             // A step may be far below what `above_zero` takes for a spring: picohenries, say.
             check(step.is_finite() && step > 0.0, "resolution", step, "", "above zero and finite")?;
