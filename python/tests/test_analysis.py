@@ -1,4 +1,4 @@
-"""A spec from Python is worked off as the command does it; long work can be watched and stopped."""
+"""A spec from Python is processed as the command does it; long work can be watched and stopped."""
 
 import json
 import os

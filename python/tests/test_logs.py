@@ -54,10 +54,10 @@ def test_what_is_wrong_is_named_with_the_argument_that_mends_it(tmp_path: pathli
     with pytest.raises(coilsense.LogError, match=r"run.csv:3: .*drop_incomplete=True.*fill_gaps=") as caught:
         coilsense.open_log(path)
     assert "--" not in str(caught.value)
-    mended = coilsense.open_log(path, drop_incomplete=True)
-    assert mended.rows["with a missing value"] == 1 and list(mended.signals["F_o"]) == [1, 3, 4]
+    cleaned = coilsense.open_log(path, drop_incomplete=True)
+    assert cleaned.rows["with a missing value"] == 1 and list(cleaned.signals["F_o"]) == [1, 3, 4]
     with pytest.raises(coilsense.LogError, match="is not evenly sampled.*resample=\"500 Hz\" makes them even"):
-        _ = mended.sample_rate
+        _ = cleaned.sample_rate
     assert coilsense.open_log(path, resample="500 Hz").sample_rate == pytest.approx(500)
     path.write_text("t,kraft\n0,1\n1,2\n")
     with pytest.raises(coilsense.LogError, match="columns"):

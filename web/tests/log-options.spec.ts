@@ -19,7 +19,7 @@ const identified = async (page: Page) => {
 /** Fits end where steps become small: 1e-8 of what is fitted. */
 const SAME = 1e-7;
 
-test('windings, mass, end 2, accuracies, tolerances and repairs do what the command’s do', async ({ page }) => {
+test('windings, mass, end 2, accuracies, tolerances and cleaning do what the command’s do', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
   await drop(page, { 'hit.csv': hit });
   await expect(page.locator('#panel-log .verdict')).toBeVisible({ timeout: 60_000 });

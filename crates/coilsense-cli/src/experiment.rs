@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::Repairs;
+use coilsense_lab::recording::Cleaning;
 use coilsense_lab::report::verbs::FOLDER;
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 use coilsense_lab::request::{DATE, Given, JSON, OUT};
@@ -15,7 +15,7 @@ use crate::date;
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let begun = Instant::now();
-    let experiment = Experiment::read(given.needed(&FOLDER)?, &Repairs::of(given))?;
+    let experiment = Experiment::read(given.needed(&FOLDER)?, &Cleaning::of(given))?;
     let findings = Findings::of(&experiment);
     let folder = given.needed(&OUT)?;
     let mut output = Output::begin(folder)?;

@@ -8,7 +8,7 @@ use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::output::Output;
 use coilsense_lab::recording::request::{LOG, WITH};
-use coilsense_lab::recording::{Account, ImportError, Repairs, import, write_recording};
+use coilsense_lab::recording::{Account, Cleaning, ImportError, import, write_recording};
 use coilsense_lab::report::{ImportOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::series::Format;
@@ -26,7 +26,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let Some(name) = path.file_name().and_then(std::ffi::OsStr::to_str) else {
         bail!("{}: is no name of a file", path.display());
     };
-    let (mapping, repairs) = (log::mapping(given)?, Repairs::of(given));
+    let (mapping, cleaning) = (log::mapping(given)?, Cleaning::of(given));
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("reading")?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -34,7 +34,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
     let imported = match given.holds(&WITH) {
         true => write_recording(&log::recording(given)?, format, name, &mut output),
-        false => import(given.needed(&LOG)?, &mapping, &repairs, &tell, format, name, &mut output),
+        false => import(given.needed(&LOG)?, &mapping, &cleaning, &tell, format, name, &mut output),
     };
     watch.end();
     let account = imported.map_err(|error| match error {

@@ -3,24 +3,24 @@
 //! Next door: its options (`coilsense_lab::recording::request`), what is done with it (`import`).
 
 use coilsense_lab::recording::request::{COLUMN, LOG, MAPPING, PRESET, SAMPLE_RATE, WITH, WITH_COLUMN, WITH_MAPPING};
-use coilsense_lab::recording::{Clock, Mapping, Points, Recording, RecordingError, Repairs};
+use coilsense_lab::recording::{Cleaning, Clock, Mapping, Points, Recording, RecordingError};
 use coilsense_lab::request::Given;
 
 /// The log over time, a second device's beside it where there is one.
 pub fn recording(given: &Given) -> anyhow::Result<Recording> {
-    let repairs = Repairs::of(given);
-    let recording = Recording::read(given.needed(&LOG)?, &mapping(given)?, &repairs)?;
+    let cleaning = Cleaning::of(given);
+    let recording = Recording::read(given.needed(&LOG)?, &mapping(given)?, &cleaning)?;
     let Some(with) = given.file(&WITH) else { return Ok(recording) };
     let mut mapping = given.file(&WITH_MAPPING).map_or(Ok(Mapping::default()), Mapping::read)?;
     given.texts(&WITH_COLUMN).iter().try_for_each(|column| mapping.set(column))?;
     // The window is one of the first device's clock.
-    let repairs = Repairs { from: None, to: None, ..repairs };
-    Ok(recording.joined(&Recording::read(with, &mapping, &repairs)?, Clock::of(given))?)
+    let cleaning = Cleaning { from: None, to: None, ..cleaning };
+    Ok(recording.joined(&Recording::read(with, &mapping, &cleaning)?, Clock::of(given))?)
 }
 
 /// The log row by row, without a clock.
 pub fn points(given: &Given) -> anyhow::Result<Points> {
-    Ok(Points::read(given.needed(&LOG)?, &mapping(given)?, &Repairs::of(given))?)
+    Ok(Points::read(given.needed(&LOG)?, &mapping(given)?, &Cleaning::of(given))?)
 }
 
 /// Which column is which channel.

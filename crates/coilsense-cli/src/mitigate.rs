@@ -6,9 +6,9 @@ use std::time::Instant;
 use anyhow::Context;
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::request::{LOG, PRECISION, STATED};
-use coilsense_lab::mitigation::{Asked, Study};
+use coilsense_lab::mitigation::{Request, Study};
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::{Mapping, Recording, Repairs};
+use coilsense_lab::recording::{Cleaning, Mapping, Recording};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
@@ -23,9 +23,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let study = if given.holds(&STATED) {
         Study::stated(&spec.spring.spring)?
     } else {
-        let asked = Asked::of(given).map_err(options::wrong)?;
+        let asked = Request::of(given).map_err(options::wrong)?;
         match given.file(&LOG) {
-            Some(log) => Study::on(&spec, &asked, &Recording::read(log, &Mapping::default(), &Repairs::default())?)?,
+            Some(log) => Study::on(&spec, &asked, &Recording::read(log, &Mapping::default(), &Cleaning::default())?)?,
             None => Study::of(&spec, &asked)?,
         }
     };

@@ -56,7 +56,7 @@ mod served {
             Self { child, port }
         }
 
-        /// The bytes as they are: a browser would mend the path.
+        /// The bytes as they are: a browser would tidy the path.
         fn ask(&self, method: &str, path: &str, host: &str) -> Reply {
             let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("it listens");
             stream.set_read_timeout(Some(Duration::from_secs(10))).expect("a timeout");

@@ -150,13 +150,13 @@ fn what_is_wrong_with_a_log_is_mended_where_that_is_allowed_and_told() {
     let twice = trouble(&["--drop-incomplete", "--sort"]);
     assert!(twice.contains("shaken.csv") && twice.contains("--merge-repeated"), "{twice}");
 
-    let mended = numbers(&["--drop-incomplete", "--sort", "--merge-repeated", "--fill-gaps", "5 ms"]);
+    let cleaned = numbers(&["--drop-incomplete", "--sort", "--merge-repeated", "--fill-gaps", "5 ms"]);
     let rmsd = |found: &Value| found.pointer("/runs/1/rmsd_percent").and_then(Value::as_f64).unwrap();
     // One sample of a thousand on a straight line: its share of the mean square, at most.
-    assert!((rmsd(&mended) - rmsd(&whole)).abs() < 1e-3 * rmsd(&whole), "{} and {}", rmsd(&mended), rmsd(&whole));
-    assert_eq!(mended["runs"][1]["readings"], 4);
-    let account: Vec<&str> = mended["account"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
-    let of_fast = account.iter().find(|line| line.contains("shaken.csv: ")).expect("what was mended");
+    assert!((rmsd(&cleaned) - rmsd(&whole)).abs() < 1e-3 * rmsd(&whole), "{} and {}", rmsd(&cleaned), rmsd(&whole));
+    assert_eq!(cleaned["runs"][1]["readings"], 4);
+    let account: Vec<&str> = cleaned["account"].as_array().unwrap().iter().filter_map(Value::as_str).collect();
+    let of_fast = account.iter().find(|line| line.contains("shaken.csv: ")).expect("what was cleaned");
     assert!(of_fast.contains("1 row merged into another row of the same time left out"), "{of_fast}");
     assert!(of_fast.contains("sorted: 1 rows stood out of order"), "{of_fast}");
     assert!(of_fast.contains("F_o: 1 missing values filled along straight lines"), "{of_fast}");

@@ -6,9 +6,9 @@ use coilsense::mitigation::ToleranceBox;
 use coilsense::signals::sampled_window;
 use coilsense::{Damping, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
+use coilsense_lab::mitigation::{Ranking, Request, Study, Truth};
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::{Mapping, Recording, Repairs};
+use coilsense_lab::recording::{Cleaning, Mapping, Recording};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 
@@ -16,12 +16,12 @@ fn s_t() -> Spring {
     coilsense::paper::s_t()
 }
 
-fn share(answer: &Answer, force: f64) -> f64 {
+fn share(answer: &Ranking, force: f64) -> f64 {
     100.0 * force / answer.study.spring.nominal_force()
 }
 
 /// The best fitted design of each kind against the best textbook choice: nominal and worst, at least 5 % better, and no later.
-fn assert_gain(answer: &Answer) {
+fn assert_gain(answer: &Ranking) {
     for (truth, nominal_bound, worst_bound) in [(Truth::Static, 0.09, 0.10), (Truth::Output, 0.10, 0.13)] {
         let (ours, fitted) = answer.best(truth).unwrap();
         let first = answer.judged.iter().filter(|(candidate, _)| {
@@ -91,9 +91,9 @@ velocity = "0.25 m/s"
 duration = "0.5 s"
 "#;
 
-fn asked() -> Asked {
+fn asked() -> Request {
     let tolerances = ToleranceBox::new(0.05, 0.05).unwrap();
-    Asked { rate: 2000.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 }
+    Request { rate: 2000.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 }
 }
 
 fn spec(condition: &str) -> Spec {
@@ -131,7 +131,7 @@ fn log(folder: &std::path::Path, with_output: bool) -> Recording {
     }
     let path = folder.join("log.csv");
     std::fs::write(&path, text).unwrap();
-    Recording::read(&path, &Mapping::default(), &Repairs::default()).unwrap()
+    Recording::read(&path, &Mapping::default(), &Cleaning::default()).unwrap()
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn a_log_without_what_is_needed_is_told_by_the_channel() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("log.csv");
     std::fs::write(&path, "time [s],F_i [N]\n0,1\n0.001,2\n0.002,3\n").unwrap();
-    let recording = Recording::read(&path, &Mapping::default(), &Repairs::default()).unwrap();
+    let recording = Recording::read(&path, &Mapping::default(), &Cleaning::default()).unwrap();
     let told = Study::on(&spec(""), &asked(), &recording).err().unwrap().to_string();
     assert!(told.contains("log.csv") && told.contains("u1"), "{told}");
 }
@@ -163,7 +163,7 @@ fn a_log_without_what_is_needed_is_told_by_the_channel() {
 fn what_is_advised_is_not_later_than_is_allowed() {
     let of = |most_lag: f64| {
         let most_lag = most_lag.to_radians();
-        Study::of(&spec(CONDITION), &Asked { bandwidth: Some(20.0), most_lag, ..asked() })
+        Study::of(&spec(CONDITION), &Request { bandwidth: Some(20.0), most_lag, ..asked() })
     };
     let strict = of(15.0).unwrap().run().unwrap();
     let (_, advised) = strict.best(Truth::Static).unwrap();
@@ -176,12 +176,12 @@ fn what_is_advised_is_not_later_than_is_allowed() {
 
 #[test]
 fn what_cannot_be_studied_is_told_by_name() {
-    let told = |asked: Asked| Study::of(&spec(CONDITION), &asked).unwrap().run().err().unwrap().to_string();
-    let slow = told(Asked { rate: 100.0, ..asked() });
+    let told = |asked: Request| Study::of(&spec(CONDITION), &asked).unwrap().run().err().unwrap().to_string();
+    let slow = told(Request { rate: 100.0, ..asked() });
     assert_eq!(slow, "sampling rate must be above twice the first surge frequency of 54.065 Hz, got 100 Hz");
-    let wide = told(Asked { bandwidth: Some(60.0), ..asked() });
+    let wide = told(Request { bandwidth: Some(60.0), ..asked() });
     assert!(wide.contains("bandwidth must be above zero and below the first surge frequency"), "{wide}");
-    assert!(told(Asked { noise: Some(-1.0), ..asked() }).starts_with("noise of the force must be"));
+    assert!(told(Request { noise: Some(-1.0), ..asked() }).starts_with("noise of the force must be"));
     let idle = spec("");
     let text = Study::of(&idle, &asked()).err().unwrap().to_string();
     assert_eq!(text, "test.toml: [[condition]] must be there at least once to judge on");
@@ -189,7 +189,7 @@ fn what_cannot_be_studied_is_told_by_name() {
 
 #[test]
 fn a_rate_at_which_some_designs_cannot_be_leaves_those_out_and_says_why() {
-    let answer = Study::of(&spec(CONDITION), &Asked { rate: 400.0, ..asked() }).unwrap().run().unwrap();
+    let answer = Study::of(&spec(CONDITION), &Request { rate: 400.0, ..asked() }).unwrap().run().unwrap();
     let reasons: Vec<String> = answer.left_out.iter().map(|it| format!("{}: {}", it.name, it.reason)).collect();
     assert!(
         reasons.iter().any(|line| line.starts_with("five notches") && line.contains("number of notches")),

@@ -7,7 +7,7 @@ use coilsense::mitigation::{SampledSpring, ToleranceBox, zero_vibration};
 use coilsense::modes::ChainModes;
 use coilsense::signals::sampled_window;
 use coilsense::{Damping, Excitation, Motion, Spring, SpringParameters};
-use coilsense_lab::mitigation::{Answer, Asked, Shaped, Study};
+use coilsense_lab::mitigation::{Ranking, Request, Shaped, Study};
 use coilsense_lab::report::{mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 use std::f64::consts::PI;
@@ -24,7 +24,7 @@ fn rate(spring: &Spring) -> f64 {
     HALF * ChainModes::of(spring).frequencies()[0] / PI
 }
 
-fn answer() -> Answer {
+fn answer() -> Ranking {
     let spring = one_mass();
     let dampings = vec![("undamped".to_owned(), Damping::None)];
     let rate = rate(&spring);
@@ -32,7 +32,7 @@ fn answer() -> Answer {
     Study { dampings, nominal_damping: 0, rate, seeds: 1, bandwidth: 1.5, ..stated }.run().unwrap()
 }
 
-fn named<'a>(answer: &'a Answer, name: &str) -> &'a Shaped {
+fn named<'a>(answer: &'a Ranking, name: &str) -> &'a Shaped {
     let shapers = &answer.shaping.as_ref().unwrap().shapers;
     shapers.iter().find(|shaped| shaped.name.starts_with(name)).unwrap()
 }
@@ -93,7 +93,7 @@ fn a_spec_whose_end_1_moves_is_told_to_shape_the_command_and_no_other() {
     let spec = Spec::parse("spec", text, &|_| Err("no files".to_owned())).unwrap();
     let tolerances = ToleranceBox::new(0.1, 0.1).unwrap();
     let asked =
-        Asked { rate: 2500.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 };
+        Request { rate: 2500.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 };
     let study = Study::of(&spec, &asked).unwrap();
     let hit = Study { conditions: study.conditions[..1].to_vec(), ..study.clone() };
     let answer = Study { conditions: study.conditions[3..].to_vec(), ..study }.run().unwrap();

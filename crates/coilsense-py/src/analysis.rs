@@ -1,4 +1,4 @@
-//! `coilsense.simulate` and `analyze`: a spec worked off.
+//! `coilsense.simulate` and `analyze`: a spec processed.
 //!
 //! Next door: the spec (`spec`), progress and Ctrl-C (`progress`).
 
@@ -84,7 +84,7 @@ pub fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAn
     Ok(PyAnalysis { analysis, cases: OnceLock::new() })
 }
 
-/// A spec, worked off; made by `analyze`.
+/// A spec, processed; made by `analyze`.
 #[pyclass(name = "Analysis", module = "coilsense", frozen)]
 pub struct PyAnalysis {
     analysis: Analysis,

@@ -8,7 +8,7 @@ use coilsense::inductance::theories::Coil;
 use coilsense_lab::calibration::request::{
     INVERSION, LENGTH_AT_ZERO, LENGTH_AT_ZERO_FORCE, METHOD, STIFFNESS, STIFFNESS_UNCERTAINTY,
 };
-use coilsense_lab::calibration::{Judged, Outcome, Plan, Preload};
+use coilsense_lab::calibration::{Assessment, Outcome, Plan, Preload};
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::PRESET;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
@@ -121,7 +121,7 @@ impl PyCalibration {
     }
 }
 
-fn theory<'py>(py: Python<'py>, judged: &Judged) -> PyResult<Bound<'py, PyDict>> {
+fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     dict.set_item("name", judged.theory.name())?;
     match &judged.misfit {

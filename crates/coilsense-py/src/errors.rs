@@ -38,7 +38,7 @@ create_exception!(
     coilsense,
     AnalysisError,
     Error,
-    "Why a spec cannot be worked off.\n\nThe text names the spec's file, the condition and the damping, and says what the science says."
+    "Why a spec cannot be processed.\n\nThe text names the spec's file, the condition and the damping, and says what the science says."
 );
 create_exception!(
     coilsense,

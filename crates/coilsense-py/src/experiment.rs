@@ -1,4 +1,4 @@
-//! `coilsense.rig`, `experiment` and `Experiment`: a test rig's logs, simulated, and an experiment of such logs worked off.
+//! `coilsense.rig`, `experiment` and `Experiment`: a test rig's logs, simulated, and an experiment of such logs processed.
 //!
 //! Next door: single logs (`recording`), the spec (`spec_argument`).
 
@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::Repairs;
+use coilsense_lab::recording::Cleaning;
 use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, RESAMPLE, SORT};
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 use coilsense_lab::rig::{Rig, RigError};
@@ -21,7 +21,7 @@ use crate::results::study_result;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
 
-/// An experiment with sines of rising frequency, worked off; made by `experiment`. ``str()`` of it is what ``coilsense experiment`` prints.
+/// An experiment with sines of rising frequency, processed; made by `experiment`. ``str()`` of it is what ``coilsense experiment`` prints.
 ///
 /// Notes
 /// -----
@@ -95,7 +95,7 @@ fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
     OutputError::new_err(error.to_string())
 }
 
-/// The logs of a simulated test rig: a folder that `experiment` works off, as it would those of a real one.
+/// The logs of a simulated test rig: a folder that `experiment` processes, as it would those of a real one.
 ///
 /// Parameters
 /// ----------
@@ -132,14 +132,14 @@ pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u6
     Ok(rig.warnings().to_vec())
 }
 
-/// An experiment of logs that an experiment.toml lists, worked off: means, biases, drifts, and where F_o and F_x part.
+/// An experiment of logs that an experiment.toml lists, processed: means, biases, drifts, and where F_o and F_x part.
 ///
 /// Parameters
 /// ----------
 /// folder : str or os.PathLike
 ///     With experiment.toml; see book/src/guide/experiment.md.
 /// drop_incomplete, sort, merge_repeated, fill_gaps, resample
-///     What may be mended in each of its logs, as `open_log` takes it; by default nothing.
+///     What may be cleaned in each of its logs, as `open_log` takes it; by default nothing.
 ///
 /// Returns
 /// -------
@@ -167,8 +167,8 @@ pub fn experiment(
         (&FILL_GAPS, fill_gaps.into()),
         (&RESAMPLE, resample.into()),
     ])?;
-    let repairs = Repairs::of(&given);
-    let experiment = interruptible(py, move || Experiment::read(&folder, &repairs))?.python()?;
+    let cleaning = Cleaning::of(&given);
+    let experiment = interruptible(py, move || Experiment::read(&folder, &cleaning))?.python()?;
     let findings = Findings::of(&experiment);
     Ok(PyExperiment(Arc::new((experiment, findings))))
 }

@@ -1,6 +1,6 @@
 //! Which column of a log is which channel, as Python says it.
 //!
-//! Next door: what is read (`recording`), what may be mended there.
+//! Next door: what is read (`recording`), what may be cleaned there.
 
 use std::path::PathBuf;
 

@@ -11,7 +11,7 @@ use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::request::{
     BANDWIDTH, MASS_TOLERANCE, MOST_LAG, NOISE, RATE, SEEDS, STIFFNESS_TOLERANCE,
 };
-use coilsense_lab::mitigation::{Answer, Asked, Study, Truth};
+use coilsense_lab::mitigation::{Ranking, Request, Study, Truth};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
@@ -41,7 +41,7 @@ fn precision(word: &str) -> PyResult<Precision> {
 /// before estimators.
 #[pyclass(name = "Mitigation", module = "coilsense", frozen, sequence)]
 pub struct PyMitigation {
-    answer: Arc<Answer>,
+    answer: Arc<Ranking>,
     spec: Spec,
 }
 
@@ -192,7 +192,7 @@ pub fn mitigate(
         (&MOST_LAG, most_lag.into()),
         (&SEEDS, seeds.into()),
     ])?;
-    let asked = Asked::of(&given).map_err(wrong)?;
+    let asked = Request::of(&given).map_err(wrong)?;
     let study = match (stated, record) {
         (true, _) => Study::stated(&spec.spring.spring).python()?,
         (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use coilsense_lab::placement::{Judged, Placement};
+use coilsense_lab::placement::{Assessment, Placement};
 use coilsense_lab::report::{add_placement, placement_json, placement_text};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -90,7 +90,7 @@ impl PyPlacement {
     }
 }
 
-fn margins<'py>(py: Python<'py>, judged: &Judged, damping: &str) -> PyResult<Bound<'py, PyDict>> {
+fn margins<'py>(py: Python<'py>, judged: &Assessment, damping: &str) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     dict.set_item("damping", damping)?;
     dict.set_item("stable", judged.margins.stable)?;

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, FROM, MERGE_REPEATED, RESAMPLE, SORT, TO};
-use coilsense_lab::recording::{Clock, Recording, Repairs};
+use coilsense_lab::recording::{Cleaning, Clock, Recording};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -183,7 +183,7 @@ impl PyRecording {
 
 /// A log of any layout as a recording: text (CSV and the like), Parquet, MATLAB up to 7, MDF 4.
 ///
-/// Nothing is mended unless an argument says so, and whatever is mended or left out is counted in the recording's account. Quantities are
+/// Nothing is cleaned unless an argument says so, and whatever is cleaned or left out is counted in the recording's account. Quantities are
 /// numbers in SI, or texts with a unit such as ``"2.5 kHz"``.
 ///
 /// Parameters
@@ -221,7 +221,7 @@ impl PyRecording {
 /// Raises
 /// ------
 /// LogError
-///     One line with file, line and column for what cannot be read, is wrong, and may not be mended.
+///     One line with file, line and column for what cannot be read, is wrong, and may not be cleaned.
 ///
 /// Examples
 /// --------
@@ -262,8 +262,8 @@ pub fn open_log(
         (&FROM, from_.into()),
         (&TO, to.into()),
     ])?;
-    let repairs = Repairs::of(&given);
-    interruptible(py, move || Recording::read(&path, &mapping, &repairs))?.python().map(PyRecording)
+    let cleaning = Cleaning::of(&given);
+    interruptible(py, move || Recording::read(&path, &mapping, &cleaning))?.python().map(PyRecording)
 }
 
 /// A recording from Python: one, signals in memory, or the path of a log whose columns carry their channels' names.

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use crate::answer::Answer;
 use crate::facts;
 
-/// A case worked off.
+/// A case processed.
 #[derive(Debug, Clone)]
 pub struct Exact {
     /// The case, its sensors and warnings.

@@ -12,15 +12,15 @@ const TRIAL_SEED: u64 = 20_261_122;
 
 #[wasm_bindgen]
 impl Engine {
-    /// How the text of a log is written, and its columns; `asked` is JSON, see [`log::Asked`].
+    /// How the text of a log is written, and its columns; `asked` is JSON, see [`log::Request`].
     ///
     /// # Errors
     /// One line, with the name of the log or the option.
     pub fn log_columns(&self, name: &str, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
-        log::columns(name, text, &log::Asked::parse(asked)?)
+        log::columns(name, text, &log::Request::parse(asked)?)
     }
 
-    /// What a log says, and a second device's beside it where `second` is its text; `asked` is JSON, see [`log::Asked`].
+    /// What a log says, and a second device's beside it where `second` is its text; `asked` is JSON, see [`log::Request`].
     ///
     /// # Errors
     /// One line, with the name of the log or the option and where it can be said line and column.
@@ -32,15 +32,15 @@ impl Engine {
         second: Option<Vec<u8>>,
         asked: &str,
     ) -> Result<Answer, String> {
-        log::identify((name, text), second.map(|text| (second_name, text)), &log::Asked::parse(asked)?)
+        log::identify((name, text), second.map(|text| (second_name, text)), &log::Request::parse(asked)?)
     }
 
-    /// Inductance over length of a log; `asked` is JSON, see [`log::Asked`].
+    /// Inductance over length of a log; `asked` is JSON, see [`log::Request`].
     ///
     /// # Errors
     /// One line, with the name of the log or the option and where it can be said line and column.
     pub fn calibrate(&self, name: String, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
-        log::calibrate((name, text), &log::Asked::parse(asked)?)
+        log::calibrate((name, text), &log::Request::parse(asked)?)
     }
 
     /// A simulated log of a spec's spring, at the length of a condition.
@@ -56,7 +56,7 @@ impl Engine {
     /// # Errors
     /// What the spec's reader or the science says, behind `option: ` where it is about one.
     pub fn mitigate(&self, text: &str, asked: &str) -> Result<Answer, String> {
-        mitigate::run(&self.spec(text)?, &log::Asked::parse(asked)?, &tell)
+        mitigate::run(&self.spec(text)?, &log::Request::parse(asked)?, &tell)
     }
 
     /// The same on a log.
@@ -64,7 +64,7 @@ impl Engine {
     /// # Errors
     /// As [`Self::mitigate`]; for the log with its name, and where it can be said line and column.
     pub fn mitigate_log(&self, text: &str, asked: &str, name: &str, log: Vec<u8>) -> Result<Answer, String> {
-        mitigate::run_on(&self.spec(text)?, &log::Asked::parse(asked)?, (name, log), &tell)
+        mitigate::run_on(&self.spec(text)?, &log::Request::parse(asked)?, (name, log), &tell)
     }
 
     /// What those options are where nothing is said, and what is wrong with those that are given.
@@ -72,7 +72,7 @@ impl Engine {
     /// # Errors
     /// What the spec's reader says.
     pub fn mitigate_usual(&self, text: &str, asked: &str) -> Result<Answer, String> {
-        mitigate::usual(&self.spec(text)?, &log::Asked::parse(asked)?)
+        mitigate::usual(&self.spec(text)?, &log::Request::parse(asked)?)
     }
 }
 

@@ -143,7 +143,7 @@ fn times_that_cannot_be_watched_are_refused() {
         motion.signals(&[0.1, 0.1]).unwrap_err().to_string(),
         "time[1] must be above its predecessor of 0.1 s, got 0.1 s"
     );
-    // A NaN among many equidistant times, where all are worked off together.
+    // A NaN among many equidistant times, where all are processed together.
     let mut many: Vec<f64> = (0..100).map(|k| f64::from(k) * 1e-3).collect();
     many[57] = f64::NAN;
     assert_eq!(

@@ -14,7 +14,7 @@ use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-/// S_T, hit and shaken for 20 ms, watched by three sensors; quick to work off.
+/// S_T, hit and shaken for 20 ms, watched by three sensors; quick to process.
 const QUICK: &str = r#"
 [mount]
 damping_ratio = [0, 0.01]

@@ -84,7 +84,7 @@ impl Case {
             positions: true,
         };
         let Simulation { motion, signals, windings, .. } = study::simulate(&setup, &times)?;
-        // Asked for above.
+        // Request for above.
         let windings = windings.map_or_else(|| motion.windings(&times), Ok)?;
 
         let judged = judged(&times, asked.window);

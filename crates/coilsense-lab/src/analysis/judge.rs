@@ -14,7 +14,7 @@ use super::moments::Moments;
 use super::response::Responses;
 use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
-use super::trial_run::Asked;
+use super::trial_run::Request;
 use super::verdict::{Assessment, GoalFilter, Verdict};
 use crate::spec::{SensorSpec, Spec};
 
@@ -133,7 +133,7 @@ impl Judge<'_> {
         specimens: &Specimens,
     ) -> Result<Responses, Error> {
         let (spec, coil, goal) = (self.spec, self.coil, self.spec.goal.error);
-        Responses::of(&Asked { spec, coil, condition, damping, sensors, known, goal }, specimens)
+        Responses::of(&Request { spec, coil, condition, damping, sensors, known, goal }, specimens)
     }
 
     /// Variance of everything but the oscillation \[N²\].

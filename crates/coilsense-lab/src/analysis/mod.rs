@@ -1,4 +1,4 @@
-//! A spec worked off: every condition under every damping, every sensor judged, what breaks the goal and what would meet it.
+//! A spec processed: every condition under every damping, every sensor judged, what breaks the goal and what would meet it.
 //!
 //! ```text
 //! Spec ─► Case (condition × damping) ─┬────────────────────────► Verdict per sensor ─► answer, warnings ─► report
@@ -66,7 +66,7 @@ use specimen::{MANY, SOME, Specimens, Springs};
 /// Why an analysis did not come to its end.
 #[derive(Debug, thiserror::Error)]
 pub enum AnalysisError {
-    /// The spec has nothing to work off.
+    /// The spec has nothing to process.
     #[error("{0}: no [[condition]] says what is done to the spring; give at least one")]
     NoCondition(String),
     /// A condition or a damping that the spec does not have.
@@ -91,7 +91,7 @@ pub enum AnalysisError {
 /// Told how much is done, and of how much; whether to go on.
 pub type Progress<'a> = dyn Fn(usize, usize) -> bool + Sync + 'a;
 
-/// A spec, worked off.
+/// A spec, processed.
 #[derive(Debug, Clone)]
 pub struct Analysis {
     /// What was asked.

@@ -12,7 +12,7 @@ use super::curve::Curve;
 use super::moments::Moments;
 use super::refinement::Refinement;
 use super::specimen::{Specimen, Specimens};
-use super::trial_run::{Asked, TrialRun, needs_coil};
+use super::trial_run::{Request, TrialRun, needs_coil};
 use super::ways::{Way, changed, ways};
 use crate::spec::{ConditionSpec, Spec};
 
@@ -67,7 +67,7 @@ impl Runs<'_> {
 
 impl Responses {
     /// Of sensors in a case, as far as `specimens` reach.
-    pub fn of(asked: &Asked<'_>, specimens: &Specimens) -> Result<Self, Error> {
+    pub fn of(asked: &Request<'_>, specimens: &Specimens) -> Result<Self, Error> {
         let spec = asked.spec;
         let mount = &spec.mount.cases[asked.damping].mount;
         let condition = &spec.conditions[asked.condition];

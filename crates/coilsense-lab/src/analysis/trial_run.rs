@@ -17,7 +17,7 @@ use crate::study::{self, Coil, Method, Setup};
 const ANY: f64 = 1.0;
 
 /// What a case's responses are found for.
-pub(super) struct Asked<'a> {
+pub(super) struct Request<'a> {
     pub spec: &'a Spec,
     pub coil: &'a coilsense::inductance::MaxwellSum,
     pub condition: usize,
@@ -32,7 +32,7 @@ pub(super) struct Asked<'a> {
 
 /// A case, ready to be run on other springs.
 pub(super) struct TrialRun<'a> {
-    pub asked: &'a Asked<'a>,
+    pub asked: &'a Request<'a>,
     times: Vec<f64>,
     judged: Range<usize>,
     /// From which sample on each sensor watches: what the others remember makes no difference to it.
@@ -41,7 +41,7 @@ pub(super) struct TrialRun<'a> {
 }
 
 impl<'a> TrialRun<'a> {
-    pub fn new(asked: &'a Asked<'a>) -> Result<Self, Error> {
+    pub fn new(asked: &'a Request<'a>) -> Result<Self, Error> {
         let condition = &asked.spec.conditions[asked.condition];
         let rate = condition.sample_rate;
         let bandwidth = asked.spec.goal.bandwidth.map_or(0.0, band::memory);

@@ -40,7 +40,7 @@ fn trust(outcome: &Outcome) -> String {
     match outcome.noise() {
         Some(noise) if rmse > 2.0 * noise => text.push_str(&format!(
             "; the scatter of the readings explains {} mm RMS; the rest is a departure from the form of the curve or an \
-             error of the lengths, which more readings will not mend.",
+             error of the lengths, which more readings will not remove.",
             digits(1e3 * noise)
         )),
         Some(noise) => text.push_str(&format!(

@@ -19,7 +19,7 @@ pub struct Measured {
     pub rows: Vec<usize>,
     /// Length of the coil where the file says zero displacement \[m\]; none where it holds lengths.
     pub zero_length: Option<f64>,
-    /// What was left out, mended or averaged, a sentence each.
+    /// What was left out, cleaned or averaged, a sentence each.
     pub account: Vec<String>,
     /// Whether the file says that it is simulated.
     pub simulated: bool,

@@ -17,7 +17,7 @@ pub(crate) use answer::with_error;
 pub use force::ForceLaw;
 pub use lab_data::{lab_data_of_text, read_lab_data};
 pub use measured::Measured;
-pub use outcome::{Judged, Outcome, THEORY_POINTS};
+pub use outcome::{Assessment, Outcome, THEORY_POINTS};
 pub use plan::{Method, Plan, Preload};
 
 use crate::message::Message;

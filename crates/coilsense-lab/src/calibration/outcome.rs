@@ -26,12 +26,12 @@ pub struct Outcome {
     /// The other methods by eq. (13), for comparison: those that need nothing more than what was given.
     pub others: Vec<(Method, Misfit)>,
     /// The theories beside it, in the order of [`Theory::ALL`].
-    pub theories: Vec<Judged>,
+    pub theories: Vec<Assessment>,
 }
 
 /// A theory on the points.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judged {
+pub struct Assessment {
     /// Which one.
     pub theory: Theory,
     /// How far off it is, or why that cannot be said.
@@ -62,7 +62,7 @@ impl Outcome {
         let judge = |(coil, theory): (&_, Theory)| {
             let relation = |length: f64| theory.inductance(coil, length);
             let misfit = plan.inversion.judge(&some, relation).map_err(|error| error.to_string());
-            Judged { theory, misfit }
+            Assessment { theory, misfit }
         };
         let theories = theories.map(judge).collect();
         Ok(Self { measured, plan, inverse_length, inductance, reading, others, theories })

@@ -28,7 +28,7 @@ impl Experiment {
         }
         lines.extend(self.spec.notes.iter().map(|note| format!("{}: {note}.", self.spec.file)));
         lines.extend(self.averaging());
-        lines.extend(self.mended.iter().filter_map(|account| account.mending()));
+        lines.extend(self.cleaned.iter().filter_map(|account| account.cleaning()));
         lines
     }
 

@@ -6,7 +6,7 @@ use coilsense::{Channel, Deviation};
 
 use super::spring::displacements;
 use super::{ExperimentError, Mean, SpringLine};
-use crate::recording::{Account, Mapping, Recording, Repairs};
+use crate::recording::{Account, Cleaning, Mapping, Recording};
 use crate::spec::RunSpec;
 
 /// What a run's load cell and position sensor say.
@@ -54,10 +54,10 @@ impl Fast {
         run: &RunSpec,
         mapping: &Mapping,
         line: &SpringLine,
-        repairs: &Repairs,
+        cleaning: &Cleaning,
     ) -> Result<Option<Self>, ExperimentError> {
         let Some(path) = run.fast.as_deref() else { return Ok(None) };
-        let log = Recording::read(path, mapping, repairs)?;
+        let log = Recording::read(path, mapping, cleaning)?;
         let time = log.signals().time();
         let output = log.channel(Channel::OutputForce)?;
         let moved = match log.channel(Channel::DeflectionForce) {

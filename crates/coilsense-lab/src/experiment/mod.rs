@@ -1,4 +1,4 @@
-//! An experiment like that of the paper's section IV, worked off as IV-C says: from the logs that an `experiment.toml` lists to Figs. 5 and 6.
+//! An experiment like that of the paper's section IV, processed as IV-C says: from the logs that an `experiment.toml` lists to Figs. 5 and 6.
 //!
 //! `spring` takes stiffness, offset and the curve of eq. (13) from the calibration run, `fast` and `slow` read the logs of a run, `mean` holds
 //! means with their standard errors, `findings` says what rises, what is biased and what drifts, `answer` puts it into words, `account` what was left out. Next door: the
@@ -30,7 +30,7 @@ use crate::spec::SpecError;
 pub const FORCES: [coilsense::Channel; 3] =
     [coilsense::Channel::OutputForce, coilsense::Channel::DeflectionForce, coilsense::Channel::InductanceForce];
 
-/// An experiment that cannot be worked off: one line with file, row and column, or file, line and key.
+/// An experiment that cannot be processed: one line with file, row and column, or file, line and key.
 #[derive(Debug, thiserror::Error)]
 pub enum ExperimentError {
     /// Its description is wrong.
@@ -39,7 +39,7 @@ pub enum ExperimentError {
     /// A log is wrong.
     #[error(transparent)]
     Log(#[from] RecordingError),
-    /// What a log holds cannot be worked off.
+    /// What a log holds cannot be processed.
     #[error("{file}: {message}")]
     Refused {
         /// The file.

@@ -1,4 +1,4 @@
-//! An experiment worked off.
+//! An experiment processed.
 //!
 //! Next door: its description (`crate::spec::ExperimentSpec`), what it says (`findings`, `answer`).
 
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::spring::AtRest;
 use super::{Curve, ExperimentError, Fast, Mean, Slow, SpringLine};
-use crate::recording::{Account, Mapping, Repairs};
+use crate::recording::{Account, Cleaning, Mapping};
 use crate::spec::{ExperimentSpec, RunKind, RunSpec};
 
 /// What an experiment's logs say.
@@ -29,8 +29,8 @@ pub struct Experiment {
     pub hits: usize,
     /// Whether description or a log says that it is simulated.
     pub simulated: bool,
-    /// What became of the rows of those logs in which something was mended, as they are listed.
-    pub mended: Vec<Account>,
+    /// What became of the rows of those logs in which something was cleaned, as they are listed.
+    pub cleaned: Vec<Account>,
 }
 
 /// A preload or a sine.
@@ -64,22 +64,22 @@ type Logs = (RunSpec, Fast, Option<Slow>);
 impl Experiment {
     /// Reads the logs of an experiment and works them off.
     ///
-    /// - `repairs`: what may be mended in each of them; a window of time has no meaning for logs of many clocks, and is not looked at
+    /// - `cleaning`: what may be cleaned in each of them; a window of time has no meaning for logs of many clocks, and is not looked at
     ///
     /// # Errors
     /// [`ExperimentError`] that names file, row and column.
-    pub fn new(spec: ExperimentSpec, repairs: &Repairs) -> Result<Self, ExperimentError> {
-        let repairs = &Repairs { from: None, to: None, ..*repairs };
+    pub fn new(spec: ExperimentSpec, cleaning: &Cleaning) -> Result<Self, ExperimentError> {
+        let cleaning = &Cleaning { from: None, to: None, ..*cleaning };
         let mapping =
             |path: &Option<_>| path.as_deref().map_or(Ok(Mapping::default()), |path: &Path| Mapping::read(path));
         let (fast, slow) = (mapping(&spec.fast_mapping)?, mapping(&spec.slow_mapping)?);
-        let at_rest = AtRest::read(&spec, &slow, repairs)?;
+        let at_rest = AtRest::read(&spec, &slow, cleaning)?;
         let line = SpringLine::of(&spec, &at_rest)?;
         let wanted = |run: &&RunSpec| matches!(run.kind, RunKind::Preload | RunKind::Harmonic);
         let described: Vec<&RunSpec> = spec.runs.iter().filter(wanted).collect();
         let read = |run: &&RunSpec| -> Result<Option<Logs>, ExperimentError> {
-            let slow = Slow::read(run, &slow, repairs)?;
-            Ok(Fast::read(run, &fast, &line, repairs)?.map(|fast| ((*run).clone(), fast, slow)))
+            let slow = Slow::read(run, &slow, cleaning)?;
+            Ok(Fast::read(run, &fast, &line, cleaning)?.map(|fast| ((*run).clone(), fast, slow)))
         };
         let logs: Vec<Option<Logs>> = described.par_iter().map(read).collect::<Result<_, _>>()?;
         let logs: Vec<Logs> = logs.into_iter().flatten().collect();
@@ -90,7 +90,7 @@ impl Experiment {
         let of_runs =
             logs.iter().flat_map(|(_, fast, slow)| [Some(&fast.account), slow.as_ref().map(|slow| &slow.account)]);
         let accounts = at_rest.accounts.iter().chain(of_runs.flatten());
-        let mended = accounts.filter(|account| account.mending().is_some()).cloned().collect();
+        let cleaned = accounts.filter(|account| account.cleaning().is_some()).cloned().collect();
         let runs = logs.into_iter().map(|(run, fast, slow)| {
             let force = slow.as_ref().zip(curve.as_ref()).map(|(slow, curve)| slow.force(&run, curve, &line));
             let readings = slow.map_or(0, |slow| slow.inductances.len());
@@ -100,15 +100,15 @@ impl Experiment {
         let first = runs.iter().find(|run| run.spec.kind == RunKind::Preload);
         let reference = first.map_or(0.0, |run| run.fast.deflection.mean);
         let hits = spec.runs.iter().filter(|run| run.kind == RunKind::Hit).count();
-        Ok(Self { line, curve, runs, reference, hits, simulated, mended, spec })
+        Ok(Self { line, curve, runs, reference, hits, simulated, cleaned, spec })
     }
 
     /// Reads `experiment.toml` of a folder, and works it off.
     ///
     /// # Errors
     /// As [`Self::new`].
-    pub fn read(folder: &Path, repairs: &Repairs) -> Result<Self, ExperimentError> {
-        Self::new(ExperimentSpec::read(&folder.join("experiment.toml"))?, repairs)
+    pub fn read(folder: &Path, cleaning: &Cleaning) -> Result<Self, ExperimentError> {
+        Self::new(ExperimentSpec::read(&folder.join("experiment.toml"))?, cleaning)
     }
 
     /// Runs with a sine, as they were recorded.

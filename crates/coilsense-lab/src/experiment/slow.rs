@@ -5,7 +5,7 @@
 use coilsense::Channel;
 
 use super::{Curve, ExperimentError, Mean, SpringLine};
-use crate::recording::{Account, Mapping, Points, Repairs};
+use crate::recording::{Account, Cleaning, Mapping, Points};
 use crate::spec::RunSpec;
 
 /// What a run's LCR meter says.
@@ -21,9 +21,9 @@ pub struct Slow {
 
 impl Slow {
     /// Reads the log of a run.
-    pub(super) fn read(run: &RunSpec, mapping: &Mapping, repairs: &Repairs) -> Result<Option<Self>, ExperimentError> {
+    pub(super) fn read(run: &RunSpec, mapping: &Mapping, cleaning: &Cleaning) -> Result<Option<Self>, ExperimentError> {
         let Some(path) = run.slow.as_deref() else { return Ok(None) };
-        let log = Points::read(path, mapping, repairs)?;
+        let log = Points::read(path, mapping, cleaning)?;
         let inductances = log.channel(Channel::Inductance)?.to_vec();
         let simulated = log.simulated().is_some();
         Ok(Some(Self { inductances, simulated, account: log.account().clone() }))

@@ -8,7 +8,7 @@ use coilsense::Channel;
 use coilsense::calibrate::{Calibration, CalibrationPoints, FitMethod, InverseLengthFit, StiffnessFit};
 
 use super::ExperimentError;
-use crate::recording::{Account, Mapping, Points, Repairs};
+use crate::recording::{Account, Cleaning, Mapping, Points};
 use crate::spec::{ExperimentSpec, RunKind};
 
 /// From position to length and force.
@@ -61,12 +61,12 @@ pub(super) fn displacements<'a, E>(channel: impl Fn(Channel) -> Result<&'a [f64]
 
 impl AtRest {
     /// Reads the calibration runs of an experiment.
-    pub(super) fn read(spec: &ExperimentSpec, mapping: &Mapping, repairs: &Repairs) -> Result<Self, ExperimentError> {
+    pub(super) fn read(spec: &ExperimentSpec, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, ExperimentError> {
         let mut all = Self::default();
         let runs = spec.runs.iter().filter(|run| run.kind == RunKind::Calibration);
         let mut without = None;
         for path in runs.filter_map(|run| run.slow.as_deref()) {
-            let log = Points::read(path, mapping, repairs)?;
+            let log = Points::read(path, mapping, cleaning)?;
             all.displacements.extend(displacements(|channel| log.channel(channel))?);
             all.forces.extend(log.channel(Channel::OutputForce)?);
             match log.channel(Channel::Inductance) {

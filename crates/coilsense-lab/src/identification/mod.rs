@@ -38,7 +38,7 @@ impl Identified {
     /// [`IdentificationError`] with the log's name, for a log without a force, too short, or uneven in time.
     pub fn of(recording: Recording, settings: &Settings) -> Result<Self, IdentificationError> {
         let file = recording.account().file.display().to_string();
-        // Says where a log is uneven, and how to mend it.
+        // Says where a log is uneven, and how to clean it.
         recording.sample_rate().map_err(|error| IdentificationError(error.into()))?;
         let found = Identification::of(recording.signals(), settings)
             .map_err(|error| IdentificationError(format!("{file}: {error}").into()))?;

@@ -6,11 +6,11 @@
 //!
 //! Next door: the designs (`coilsense::mitigation`), the steps (`coilsense-rt`), the answer as text and JSON (`report`).
 
-mod answer;
 mod candidate;
 mod candidates;
 pub mod export;
 mod judge;
+mod ranking;
 pub mod request;
 mod residual;
 mod run;
@@ -20,10 +20,10 @@ mod shown;
 mod start;
 mod study;
 
-pub use answer::Answer;
 pub use candidate::{Candidate, LeftOut, Origin, Truth};
 pub use judge::Judgement;
-pub use request::{Asked, OPTIONS, Refused};
+pub use ranking::Ranking;
+pub use request::{OPTIONS, Refused, Request};
 pub use residual::residual_vibration;
 pub use shaping::{Shaped, Shaping};
 pub use shown::{Made, Shown};

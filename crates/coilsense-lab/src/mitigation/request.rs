@@ -105,7 +105,7 @@ pub const SEEDS: Row = Row {
 
 /// What is asked beside a spec.
 #[derive(Debug, Clone, Copy)]
-pub struct Asked {
+pub struct Request {
     /// Sampling rate \[Hz\].
     pub rate: f64,
     /// Noise \[N rms\].
@@ -120,7 +120,7 @@ pub struct Asked {
     pub seeds: u64,
 }
 
-impl Asked {
+impl Request {
     /// Of what was given; what was not holds as the table says.
     ///
     /// # Errors

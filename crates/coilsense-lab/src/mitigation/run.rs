@@ -1,6 +1,6 @@
 //! A study run: every candidate designed and judged on all runs.
 //!
-//! Next door: the study (`study`), the candidates (`candidates`), how they are judged (`judge`), what comes of it (`answer`).
+//! Next door: the study (`study`), the candidates (`candidates`), how they are judged (`judge`), what comes of it (`ranking`).
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -9,10 +9,10 @@ use coilsense::mitigation::SampledSpring;
 use rand_distr::Normal;
 use rayon::prelude::*;
 
-use super::answer::Answer;
 use super::candidate::{Candidate, Truth};
 use super::candidates::{Brief, Candidates};
 use super::judge::{Judgement, Trial, order};
+use super::ranking::Ranking;
 use super::request::{NOISE, Refused};
 use super::runs;
 use super::shaping::Shaping;
@@ -23,7 +23,7 @@ impl Study {
     ///
     /// # Errors
     /// [`Refused`], with the option that it is about; a candidate that cannot be is no error but left out.
-    pub fn run(self) -> Result<Answer, Refused> {
+    pub fn run(self) -> Result<Ranking, Refused> {
         self.run_watched(&|_, _| ())
     }
 
@@ -31,7 +31,7 @@ impl Study {
     ///
     /// # Errors
     /// As [`Self::run`].
-    pub fn run_watched(self, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, Refused> {
+    pub fn run_watched(self, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Ranking, Refused> {
         self.check()?;
         let sampled = SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
         let nominal = runs::nominal(&self)?;
@@ -67,7 +67,7 @@ impl Study {
             .collect();
         judged.sort_by(order);
         let runs = trial.over_the_box.len();
-        let mut answer = Answer { study: self, judged, left_out: candidates.left_out, runs, shown: None, shaping };
+        let mut answer = Ranking { study: self, judged, left_out: candidates.left_out, runs, shown: None, shaping };
         let all: Vec<&Candidate> = answer.judged.iter().map(|(candidate, _)| candidate).collect();
         answer.shown = trial.shown(&all, sampled.surge_period());
         Ok(answer)

@@ -1,6 +1,6 @@
 //! Shaping the command instead: where a motion of u1 makes the spring ring, what each shaper leaves of it over the tolerance box, and what it costs.
 //!
-//! Next door: the shapers (`coilsense::mitigation`), what is done about ringing once it is there (`candidates`), the answer (`answer`).
+//! Next door: the shapers (`coilsense::mitigation`), what is done about ringing once it is there (`candidates`), the answer (`ranking`).
 
 use coilsense::Error;
 use coilsense::excitation::{End, EndInput};

@@ -1,6 +1,6 @@
 //! A study: conditions, noise, tolerances.
 //!
-//! Next door: what may be asked (`request`), how it is run (`run`), what comes of it (`answer`), the answer as text and JSON (`report`).
+//! Next door: what may be asked (`request`), how it is run (`run`), what comes of it (`ranking`), the answer as text and JSON (`report`).
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use coilsense::mitigation::{SampledSpring, ToleranceBox};
 use coilsense::{Channel, Damping, Error, Excitation, FarEnd, Spring};
 use coilsense_rt::Measured;
 
-use super::request::{Asked, BANDWIDTH, NOISE, RATE, Refused, SEEDS};
+use super::request::{BANDWIDTH, NOISE, RATE, Refused, Request, SEEDS};
 use crate::recording::{Recording, RecordingError};
 use crate::request::Row;
 use crate::spec::Spec;
@@ -103,7 +103,7 @@ impl Study {
     ///
     /// # Errors
     /// [`StudyError::NoCondition`] for a spec without conditions.
-    pub fn of(spec: &Spec, asked: &Asked) -> Result<Self, StudyError> {
+    pub fn of(spec: &Spec, asked: &Request) -> Result<Self, StudyError> {
         if spec.conditions.is_empty() {
             return Err(StudyError::NoCondition(spec.file.clone()));
         }
@@ -114,7 +114,7 @@ impl Study {
     ///
     /// # Errors
     /// [`RecordingError`] for a log without one of the three, or not evenly sampled.
-    pub fn on(spec: &Spec, asked: &Asked, log: &Recording) -> Result<Self, RecordingError> {
+    pub fn on(spec: &Spec, asked: &Request, log: &Recording) -> Result<Self, RecordingError> {
         let [force, first, second] =
             [log.channel(Channel::InputForce)?, log.channel(Channel::U1)?, log.channel(Channel::U2)?];
         let each = force.iter().zip(first).zip(second);
@@ -128,7 +128,7 @@ impl Study {
         Ok(Self { recorded: Some(recorded), rate: log.sample_rate()?, seeds: 1, conditions: Vec::new(), ..plain })
     }
 
-    fn without_log(spec: &Spec, asked: &Asked) -> Self {
+    fn without_log(spec: &Spec, asked: &Request) -> Self {
         let spring = &spec.spring.spring;
         let conditions = spec.conditions.iter();
         let cases = spec.mount.cases.iter();

@@ -13,7 +13,7 @@ use crate::spec::DampingCase;
 
 /// One force fed back at one damping.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judged {
+pub struct Assessment {
     /// The proportional gain up to which the loop is stable (command unit per N); infinite without a limit.
     pub limit: f64,
     /// The crossover that the loop would have at that gain with a spring without mass \[Hz\].
@@ -30,7 +30,7 @@ pub struct Judged {
     pub passivity: Option<Passivity>,
 }
 
-impl Judged {
+impl Assessment {
     /// Its limits, from a loop with the proportional gain `shape`.
     pub(super) fn of(unit: &UnitLoops<'_>, damping: &DampingCase, channel: Channel, shape: f64) -> Result<Self, Error> {
         let force_loop = unit.force_loop(damping, channel, shape)?;

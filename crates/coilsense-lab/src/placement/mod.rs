@@ -15,7 +15,7 @@ use coilsense::{Channel, Error};
 pub use answer::answer;
 pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
-pub use judged::Judged;
+pub use judged::Assessment;
 use loops::UnitLoops;
 use over_time::runs;
 
@@ -43,7 +43,7 @@ pub struct Candidate {
     /// The force.
     pub channel: Channel,
     /// One for each damping, as [`Placement::dampings`].
-    pub judged: Vec<Judged>,
+    pub judged: Vec<Assessment>,
     /// The largest crossover with a sensitivity of at most 2 at which both end forces stay within [`MOST_PEAK`] of their static answer at
     /// every damping \[Hz\]; zero without one.
     pub calm_crossover: f64,
@@ -100,7 +100,7 @@ impl Placement {
         let unit = UnitLoops { spec: &spec, control: &control };
         let shape = unit.gain_for(&dampings[0], control.crossover.unwrap_or(0.1 * unit.surge())).map_err(science)?;
         let judge = |channel| {
-            let judged = dampings.iter().map(|damping| Judged::of(&unit, damping, channel, shape));
+            let judged = dampings.iter().map(|damping| Assessment::of(&unit, damping, channel, shape));
             let mut candidate =
                 Candidate { channel, judged: judged.collect::<Result<_, Error>>()?, calm_crossover: 0.0, rings: None };
             let most = candidate.robust_crossover().min(unit.most());

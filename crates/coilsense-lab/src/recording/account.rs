@@ -1,4 +1,4 @@
-//! What became of every row of a log: read, mended, left out, and why.
+//! What became of every row of a log: read, cleaned, left out, and why.
 //!
 //! Next door: the same in words (`telling`), the stages that fill it in (`order`, `complete`, `spacing`).
 

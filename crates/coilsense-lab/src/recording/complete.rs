@@ -6,9 +6,9 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 
 use super::account::{Account, Reason};
+use super::cleaning::Cleaning;
 use super::error::{RecordingError, leave_out};
 use super::order::MOST_NUMBERS;
-use super::repairs::Repairs;
 use super::row::{Onward, Row, between};
 use super::telling::seconds;
 use crate::message::{Hint, Message};
@@ -16,7 +16,7 @@ use crate::message::{Hint, Message};
 /// Lets complete rows through; fills or leaves out where it may.
 pub(super) struct Complete {
     file: PathBuf,
-    repairs: Repairs,
+    cleaning: Cleaning,
     channels: Vec<&'static str>,
     /// Rows since the last one that went on: the first lacks a value that may still come.
     waiting: VecDeque<Row>,
@@ -27,13 +27,13 @@ pub(super) struct Complete {
 }
 
 impl Complete {
-    pub fn new(file: PathBuf, repairs: Repairs, channels: Vec<&'static str>) -> Self {
+    pub fn new(file: PathBuf, cleaning: Cleaning, channels: Vec<&'static str>) -> Self {
         let (last, first) = (vec![None; channels.len()], vec![None; channels.len()]);
-        Self { file, repairs, channels, waiting: VecDeque::new(), last, first }
+        Self { file, cleaning, channels, waiting: VecDeque::new(), last, first }
     }
 
     fn fills(&self) -> bool {
-        self.repairs.fill_gaps.is_some() || self.repairs.resample.is_some()
+        self.cleaning.fill_gaps.is_some() || self.cleaning.resample.is_some()
     }
 
     pub fn push(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
@@ -72,7 +72,7 @@ impl Complete {
     fn fill(&mut self, channel: usize, next: (f64, f64), account: &mut Account) {
         let Some(last) = self.last.get(channel).copied().flatten() else { return };
         let length = next.0 - last.0;
-        if !self.repairs.bridges(length) {
+        if !self.cleaning.bridges(length) {
             return;
         }
         // What waits lacks the channel from behind its last value on, so that a look from the end suffices.
@@ -113,7 +113,7 @@ impl Complete {
                 account.leave_out(Reason::Ends, row.line);
                 Ok(())
             }
-            (None, _) if !self.repairs.drop_incomplete => {
+            (None, _) if !self.cleaning.drop_incomplete => {
                 Err(RecordingError::of_file(&self.file, format!("{} has no value at all", self.channels[channel])))
             }
             _ => self.lacks(row, channel, account),
@@ -121,12 +121,12 @@ impl Complete {
     }
 
     fn lacks(&self, row: &Row, channel: usize, account: &mut Account) -> Result<(), RecordingError> {
-        if self.repairs.drop_incomplete {
+        if self.cleaning.drop_incomplete {
             account.leave_out(Reason::MissingValue, row.line);
             return Ok(());
         }
         let lacks = Message::from(format!("{} has no value", self.channels[channel]));
-        let message = match self.repairs.fill_gaps {
+        let message = match self.cleaning.fill_gaps {
             Some(longest) => {
                 lacks + " for longer than " + Hint::Value("fill_gaps", seconds(longest)) + "; " + leave_out()
             }

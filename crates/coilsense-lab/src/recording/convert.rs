@@ -7,10 +7,10 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::account::Account;
+use super::cleaning::Cleaning;
 use super::error::RecordingError;
 use super::mapping::Mapping;
 use super::pipeline::{Rows, Watch};
-use super::repairs::Repairs;
 use super::{Recording, open};
 use crate::output::{Output, OutputError};
 use crate::series::{self, Format, Run, Stream};
@@ -37,19 +37,19 @@ pub enum ImportError {
 pub fn import(
     log: &Path,
     mapping: &Mapping,
-    repairs: &Repairs,
+    cleaning: &Cleaning,
     watch: &Watch<'_>,
     format: Format,
     name: &str,
     output: &mut Output,
 ) -> Result<Account, ImportError> {
     if format == Format::Json {
-        let recording = Recording::read(log, mapping, repairs)?;
+        let recording = Recording::read(log, mapping, cleaning)?;
         return write_recording(&recording, format, name, output);
     }
     let mut source = open(log, mapping)?;
     let remarks = source.remarks().to_vec();
-    let rows = Rows::of(source.as_mut(), mapping, repairs)?;
+    let rows = Rows::of(source.as_mut(), mapping, cleaning)?;
     let channels = rows.channels();
     let columns: Vec<(&str, &'static str)> =
         std::iter::once(("time", "s")).chain(channels.iter().map(|channel| (channel.name(), channel.unit()))).collect();
@@ -62,13 +62,13 @@ pub fn import(
     let written = output.write(name, |file| {
         let mut stream = Stream::begin(&columns, &remarks, format, file.by_ref())?;
         let mut unwritten = None;
-        let mended = rows.mend(&watched, &mut |row, _| {
+        let cleaned = rows.clean(&watched, &mut |row, _| {
             stream.row(row.time, &row.values).map_err(|error| {
                 unwritten = Some(error);
                 RecordingError::of_words("cannot be written")
             })
         });
-        match (unwritten, mended) {
+        match (unwritten, cleaned) {
             (Some(error), _) => Err(error),
             (None, Ok(done)) => {
                 account = Some(done);

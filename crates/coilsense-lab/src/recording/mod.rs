@@ -6,7 +6,7 @@
 //! | `selection` | finding those columns in a file |
 //! | `source`, `text`, `layout`, `trial`, `cell`, `stamp`, `formats`, `table`, `whole` | where rows come from |
 //! | `request` | what may be asked of a log |
-//! | `repairs`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is mended on their way |
+//! | `cleaning`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is cleaned on their way |
 //! | `account`, `telling` | what became of every row |
 //! | `points` | logs without a clock |
 //! | `join` | two devices on one clock |
@@ -16,6 +16,7 @@
 
 mod account;
 mod cell;
+mod cleaning;
 mod complete;
 mod convert;
 mod error;
@@ -28,7 +29,6 @@ mod order;
 mod pipeline;
 mod points;
 mod quantity;
-mod repairs;
 pub mod request;
 mod row;
 mod selection;
@@ -43,6 +43,7 @@ mod trial;
 mod whole;
 
 pub use account::{Account, Gaps, Joined, Reason, Tally};
+pub use cleaning::Cleaning;
 pub use convert::{ImportError, import, write_recording};
 pub use error::RecordingError;
 pub use join::Clock;
@@ -51,7 +52,6 @@ pub use mapping_file::{COLUMN_KEYS, LOG_KEYS, keys_markdown};
 pub use pipeline::Watch;
 pub use points::Points;
 pub use quantity::Quantity;
-pub use repairs::Repairs;
 pub use table::Table;
 pub use title::Title;
 
@@ -74,31 +74,31 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Reads a log and mends what `repairs` allows.
+    /// Reads a log and cleans what `cleaning` allows.
     ///
     /// # Errors
-    /// [`RecordingError`], one line with file, line and column, for what cannot be read, is wrong, and may not be mended.
-    pub fn read(path: &Path, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
-        Self::of_source(open(path, mapping)?, mapping, repairs)
+    /// [`RecordingError`], one line with file, line and column, for what cannot be read, is wrong, and may not be cleaned.
+    pub fn read(path: &Path, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
+        Self::of_source(open(path, mapping)?, mapping, cleaning)
     }
 
     /// Reads the text of a log, under a name for messages.
     ///
     /// # Errors
     /// As [`Self::read`]; for what is no text, too.
-    pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
-        Self::of_source(held(name, text, mapping)?, mapping, repairs)
+    pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
+        Self::of_source(held(name, text, mapping)?, mapping, cleaning)
     }
 
-    fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+    fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
         let path = source.file().to_owned();
         let path = path.as_path();
         let remarks = source.remarks().to_vec();
-        let rows = Rows::of(source.as_mut(), mapping, repairs)?;
+        let rows = Rows::of(source.as_mut(), mapping, cleaning)?;
         let channels = rows.channels();
         let mut time = Vec::new();
         let mut values = vec![Vec::new(); channels.len()];
-        let account = rows.mend(&|_, _| true, &mut |row, _| {
+        let account = rows.clean(&|_, _| true, &mut |row, _| {
             if (time.len() + 1) * (channels.len() + 1) > MOST_NUMBERS {
                 let message =
                     Message::from("is too large to be held in memory; take a part of it by ") + error::window();

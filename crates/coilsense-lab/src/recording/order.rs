@@ -5,15 +5,15 @@
 use std::path::PathBuf;
 
 use super::account::{Account, Reason};
+use super::cleaning::Cleaning;
 use super::error::{RecordingError, window};
-use super::repairs::Repairs;
 use super::row::{Onward, Row};
 use crate::message::{Hint, Message};
 
 /// Lets rows through whose times rise; sorts and merges where it may.
 pub(super) struct Order {
     file: PathBuf,
-    repairs: Repairs,
+    cleaning: Cleaning,
     /// Rows of the same time, as sums; how many values each sum has.
     open: Option<(Row, Vec<u32>)>,
     /// Time of the row before.
@@ -26,17 +26,17 @@ pub(super) struct Order {
 pub(super) const MOST_NUMBERS: usize = 200_000_000;
 
 impl Order {
-    pub fn new(file: PathBuf, repairs: Repairs) -> Self {
-        Self { file, repairs, open: None, last: f64::NEG_INFINITY, all: Vec::new() }
+    pub fn new(file: PathBuf, cleaning: Cleaning) -> Self {
+        Self { file, cleaning, open: None, last: f64::NEG_INFINITY, all: Vec::new() }
     }
 
     pub fn push(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
-        let before = self.repairs.from.is_some_and(|from| row.time < from);
-        if before || self.repairs.to.is_some_and(|to| row.time > to) {
+        let before = self.cleaning.from.is_some_and(|from| row.time < from);
+        if before || self.cleaning.to.is_some_and(|to| row.time > to) {
             account.leave_out(Reason::OutsideWindow, row.line);
             return Ok(());
         }
-        if !self.repairs.sort {
+        if !self.cleaning.sort {
             return self.in_order(row, account, onward);
         }
         if (self.all.len() + 1) * (row.values.len() + 4) > MOST_NUMBERS {
@@ -68,7 +68,7 @@ impl Order {
                 + " puts the rows in order";
             return Err(RecordingError::of_line(&self.file, row.line, message));
         }
-        if !self.repairs.merge_repeated {
+        if !self.cleaning.merge_repeated {
             if row.time > before {
                 return onward(row, account);
             }

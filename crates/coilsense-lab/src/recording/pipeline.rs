@@ -5,12 +5,12 @@
 use coilsense::Channel;
 
 use super::account::{Account, Reason};
+use super::cleaning::Cleaning;
 use super::complete::Complete;
 use super::error::{RecordingError, leave_out};
 use super::mapping::Mapping;
 use super::order::Order;
 use super::quantity::Quantity;
-use super::repairs::Repairs;
 use super::row::{Onward, Row};
 use super::selection::{Selection, Slot};
 use super::source::{Next, Source};
@@ -22,7 +22,7 @@ pub(super) struct Rows<'a> {
     source: &'a mut dyn Source,
     selection: Selection,
     mapping: &'a Mapping,
-    repairs: &'a Repairs,
+    cleaning: &'a Cleaning,
     cells: Vec<f64>,
     /// What became of the rows.
     pub account: Account,
@@ -44,7 +44,11 @@ pub(super) struct Reading {
 }
 
 impl<'a> Rows<'a> {
-    pub fn of(source: &'a mut dyn Source, mapping: &'a Mapping, repairs: &'a Repairs) -> Result<Self, RecordingError> {
+    pub fn of(
+        source: &'a mut dyn Source,
+        mapping: &'a Mapping,
+        cleaning: &'a Cleaning,
+    ) -> Result<Self, RecordingError> {
         let mut selection = Selection::of(source.file(), source.titles(), mapping)?;
         if mapping.format.sample_rate.is_some() && selection.has_time() {
             selection.slots.remove(0);
@@ -60,7 +64,7 @@ impl<'a> Rows<'a> {
                 .collect(),
             ..Account::default()
         };
-        Ok(Self { source, selection, mapping, repairs, cells: Vec::new(), account })
+        Ok(Self { source, selection, mapping, cleaning, cells: Vec::new(), account })
     }
 
     /// The channels that are taken, in order.
@@ -88,7 +92,7 @@ impl<'a> Rows<'a> {
             };
             match read {
                 Ok(reading) => return Ok(Some(reading)),
-                Err((reason, _)) if self.repairs.drop_incomplete => self.account.leave_out(reason, line),
+                Err((reason, _)) if self.cleaning.drop_incomplete => self.account.leave_out(reason, line),
                 Err((_, message)) => {
                     let message = Message::from(message) + "; " + leave_out();
                     return Err(RecordingError::of_line(self.source.file(), line, message));
@@ -117,9 +121,9 @@ impl<'a> Rows<'a> {
         Ok(reading)
     }
 
-    /// Runs every row through the repairs; `onward` gets complete rows on a rising clock. `watch` hears now and then how much of how much is
+    /// Runs every row through the cleaning; `onward` gets complete rows on a rising clock. `watch` hears now and then how much of how much is
     /// done, and says whether to go on.
-    pub fn mend(mut self, watch: &Watch<'_>, onward: &mut Onward<'_>) -> Result<Account, RecordingError> {
+    pub fn clean(mut self, watch: &Watch<'_>, onward: &mut Onward<'_>) -> Result<Account, RecordingError> {
         let file = self.source.file().to_owned();
         let rate = self.mapping.format.sample_rate;
         if !self.selection.has_time() && rate.is_none() {
@@ -130,9 +134,9 @@ impl<'a> Rows<'a> {
             return Err(RecordingError::of_file(&file, message));
         }
         let names = self.channels().iter().map(|channel| channel.name()).collect();
-        let mut order = Order::new(file.clone(), *self.repairs);
-        let mut complete = Complete::new(file.clone(), *self.repairs, names);
-        let mut spacing = Spacing::new(file.clone(), *self.repairs);
+        let mut order = Order::new(file.clone(), *self.cleaning);
+        let mut complete = Complete::new(file.clone(), *self.cleaning, names);
+        let mut spacing = Spacing::new(file.clone(), *self.cleaning);
         while let Some(reading) = self.next()? {
             let [done, of] = self.source.progress();
             if self.account.read.is_multiple_of(WATCHED) && !watch(done, of) {

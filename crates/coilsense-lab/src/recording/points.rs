@@ -8,11 +8,11 @@ use coilsense::Channel;
 
 use super::Recording;
 use super::account::{Account, Reason};
+use super::cleaning::Cleaning;
 use super::error::{RecordingError, leave_out};
 use super::mapping::Mapping;
 use super::order::MOST_NUMBERS;
 use super::pipeline::{Rows, nothing_left};
-use super::repairs::Repairs;
 use super::source::Source;
 use super::{held, open};
 use crate::message::Message;
@@ -27,33 +27,33 @@ pub struct Points {
 }
 
 impl Points {
-    /// Reads a log. Of the repairs only `drop_incomplete` has a meaning here.
+    /// Reads a log. Of the cleaning only `drop_incomplete` has a meaning here.
     ///
     /// # Errors
     /// [`RecordingError`] as [`super::Recording::read`], but for times.
-    pub fn read(path: &Path, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
-        Self::of_source(open(path, mapping)?, mapping, repairs)
+    pub fn read(path: &Path, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
+        Self::of_source(open(path, mapping)?, mapping, cleaning)
     }
 
     /// Reads the text of a log, under a name for messages.
     ///
     /// # Errors
     /// As [`Self::read`]; for what is no text, too.
-    pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
-        Self::of_source(held(name, text, mapping)?, mapping, repairs)
+    pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
+        Self::of_source(held(name, text, mapping)?, mapping, cleaning)
     }
 
-    fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, repairs: &Repairs) -> Result<Self, RecordingError> {
+    fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
         let path = source.file().to_owned();
         let path = path.as_path();
         let remarks = source.remarks().to_vec();
-        let mut rows = Rows::of(source.as_mut(), mapping, repairs)?;
+        let mut rows = Rows::of(source.as_mut(), mapping, cleaning)?;
         let mut channels: Vec<(Channel, Vec<f64>)> =
             rows.channels().into_iter().map(|channel| (channel, Vec::new())).collect();
         let mut lines = Vec::new();
         while let Some(reading) = rows.next()? {
             if let Some(place) = reading.values.iter().position(|value| value.is_nan()) {
-                if !repairs.drop_incomplete {
+                if !cleaning.drop_incomplete {
                     let message = Message::from(format!("{} has no value; ", channels[place].0.name())) + leave_out();
                     return Err(RecordingError::of_line(path, reading.line, message));
                 }

@@ -1,8 +1,8 @@
 //! What may be asked of a log: the options of every verb that reads one, of Python's `open_log` and of the page, in one table.
 //!
-//! Next door: what a row says (`crate::request`), what is cleaned up (`repairs`), which column is what (`mapping`).
+//! Next door: what a row says (`crate::request`), what is cleaned up (`cleaning`), which column is what (`mapping`).
 
-use super::{Clock, PRESETS, Repairs};
+use super::{Cleaning, Clock, PRESETS};
 use crate::quantity::Dimension;
 use crate::request::{Allowed, Door, Given, IfAbsent, Row, Takes};
 
@@ -164,7 +164,7 @@ pub const CLOCK: Row = Row {
     ..OTHER
 };
 
-impl Repairs {
+impl Cleaning {
     /// Of what was given.
     pub fn of(given: &Given) -> Self {
         Self {

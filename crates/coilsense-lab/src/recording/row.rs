@@ -1,4 +1,4 @@
-//! A row of SI values on its way through the repairs.
+//! A row of SI values on its way through the cleaning.
 //!
 //! Next door: the stages (`order`, `complete`, `spacing`).
 

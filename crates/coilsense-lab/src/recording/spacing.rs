@@ -5,8 +5,8 @@
 use std::path::PathBuf;
 
 use super::account::Account;
+use super::cleaning::Cleaning;
 use super::error::RecordingError;
-use super::repairs::Repairs;
 use super::row::{Onward, Row, between};
 use super::telling::{hertz, seconds};
 use crate::message::{Hint, Message};
@@ -14,7 +14,7 @@ use crate::message::{Hint, Message};
 /// Measures steps of time; fills gaps and resamples where it may.
 pub(super) struct Spacing {
     file: PathBuf,
-    repairs: Repairs,
+    cleaning: Cleaning,
     /// The first rows, of which the usual step is the median.
     head: Vec<Row>,
     interval: Option<f64>,
@@ -33,8 +33,8 @@ const MOST_ROWS: f64 = 1e9;
 const CLOSE: f64 = 1e-6;
 
 impl Spacing {
-    pub fn new(file: PathBuf, repairs: Repairs) -> Self {
-        Self { file, repairs, head: Vec::new(), interval: None, last: None, sample: None }
+    pub fn new(file: PathBuf, cleaning: Cleaning) -> Self {
+        Self { file, cleaning, head: Vec::new(), interval: None, last: None, sample: None }
     }
 
     pub fn push(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
@@ -49,7 +49,7 @@ impl Spacing {
     pub fn finish(&mut self, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
         self.settle(account, onward)?;
         let Some(last) = self.last.take() else { return Ok(()) };
-        match (self.repairs.resample, self.sample) {
+        match (self.cleaning.resample, self.sample) {
             (Some(rate), Some(sample)) if sample <= last.time * rate + CLOSE => {
                 emit(Row { time: sample / rate, ..last }, account, onward)
             }
@@ -66,7 +66,7 @@ impl Spacing {
             let interval = steps.get(steps.len().saturating_sub(1) / 2).copied();
             self.interval = Some(interval.unwrap_or(f64::INFINITY));
             account.interval = interval;
-            if let (Some(rate), Some(own)) = (self.repairs.resample, interval.map(f64::recip)) {
+            if let (Some(rate), Some(own)) = (self.cleaning.resample, interval.map(f64::recip)) {
                 account.resampled = Some(rate);
                 if rate < 0.99 * own {
                     account.notes.push(format!(
@@ -83,10 +83,10 @@ impl Spacing {
 
     fn step(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
         // Values are kept only where something is to be put between two rows.
-        let between = self.repairs.resample.is_some() || self.repairs.fill_gaps.is_some();
+        let between = self.cleaning.resample.is_some() || self.cleaning.fill_gaps.is_some();
         let values = if between { row.values.clone() } else { Vec::new() };
         let Some(last) = self.last.replace(Row { line: row.line, time: row.time, values }) else {
-            if let Some(rate) = self.repairs.resample {
+            if let Some(rate) = self.cleaning.resample {
                 // Zero is added so that -0 becomes 0.
                 self.sample = Some((row.time * rate - CLOSE).ceil() + 0.0);
                 return Ok(());
@@ -105,10 +105,10 @@ impl Spacing {
             account.gaps.count += 1;
             account.gaps.longest = account.gaps.longest.max(length);
         }
-        match self.repairs.resample {
+        match self.cleaning.resample {
             Some(rate) => self.resample(rate, &last, &row, is_gap, account, onward),
             None => {
-                if is_gap && self.repairs.bridges(length) {
+                if is_gap && self.cleaning.bridges(length) {
                     self.fill(&last, &row, usual, account, onward)?;
                 }
                 emit(row, account, onward)
@@ -145,8 +145,8 @@ impl Spacing {
         onward: &mut Onward<'_>,
     ) -> Result<(), RecordingError> {
         let length = next.time - last.time;
-        if is_gap && !self.repairs.bridges(length) {
-            let most = seconds(self.repairs.fill_gaps.unwrap_or(0.0));
+        if is_gap && !self.cleaning.bridges(length) {
+            let most = seconds(self.cleaning.fill_gaps.unwrap_or(0.0));
             let message = Message::from(format!("a gap of {} is before it, longer than ", seconds(length)))
                 + Hint::Value("fill_gaps", most)
                 + "; take the part before or after by "

@@ -22,24 +22,24 @@ impl Account {
             let line = if tally.line > 0 { format!(", the first in line {}", tally.line) } else { String::new() };
             lines.push(format!("    {} {}{line}", tally.count, reason.words()));
         }
-        lines.extend(self.mended());
+        lines.extend(self.cleaned());
         lines.extend(self.timing());
         lines.extend(self.notes.iter().map(|note| format!("  {note}")));
         lines.extend(self.joined.iter().flat_map(|joined| joined.lines()));
         lines
     }
 
-    /// What was left out or mended, in one sentence that names the file; none where every row came through as it was.
-    pub fn mending(&self) -> Option<String> {
+    /// What was left out or cleaned, in one sentence that names the file; none where every row came through as it was.
+    pub fn cleaning(&self) -> Option<String> {
         let left_out = self.left_out.iter().map(|(reason, tally)| {
             let line = if tally.line > 0 { format!(" (the first in line {})", tally.line) } else { String::new() };
             format!("{} {} {} left out{line}", tally.count, rows(tally.count), reason.words())
         });
-        let parts: Vec<String> = left_out.chain(self.mended().iter().map(|line| line.trim().to_owned())).collect();
+        let parts: Vec<String> = left_out.chain(self.cleaned().iter().map(|line| line.trim().to_owned())).collect();
         (!parts.is_empty()).then(|| format!("{}: {}.", self.file.display(), parts.join("; ")))
     }
 
-    fn mended(&self) -> Vec<String> {
+    fn cleaned(&self) -> Vec<String> {
         let mut lines = Vec::new();
         if self.sorted > 0 {
             lines.push(format!("  sorted: {} rows stood out of order", self.sorted));

@@ -33,7 +33,7 @@ pub(super) fn window(section: &Section<'_>, duration: f64, sample_rate: f64) -> 
     Ok((from, to))
 }
 
-/// A condition has no more samples, winding positions and pairs of turns than can be worked off.
+/// A condition has no more samples, winding positions and pairs of turns than can be processed.
 pub(super) fn check(section: &Section<'_>, setting: &Setting<'_>, samples: f64) -> Result<(), SpecError> {
     let masses = setting.spring.chain_masses() as f64;
     let turns = setting.spring.inductance_windings().round();

@@ -1,4 +1,4 @@
-//! Experiments worked off: series whose measures are closed forms (`closed`), files that are wrong (`hostile`), the virtual rig (`rig`).
+//! Experiments processed: series whose measures are closed forms (`closed`), files that are wrong (`hostile`), the virtual rig (`rig`).
 //!
 //! Here: a folder with an experiment in it, made of known sines.
 
@@ -12,7 +12,7 @@ use std::fs;
 use std::path::Path;
 
 use coilsense_lab::experiment::{Experiment, ExperimentError};
-use coilsense_lab::recording::Repairs;
+use coilsense_lab::recording::Cleaning;
 use tempfile::TempDir;
 
 /// Spring and curve of the made-up experiments.
@@ -96,7 +96,7 @@ fn write(place: &Path, name: &str, text: &str) {
 }
 
 fn read(place: &TempDir) -> Result<Experiment, ExperimentError> {
-    Experiment::read(place.path(), &Repairs::default())
+    Experiment::read(place.path(), &Cleaning::default())
 }
 
 /// Preload, four sines of which the third is a resonance, preload.

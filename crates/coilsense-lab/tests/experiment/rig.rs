@@ -3,7 +3,7 @@
 use coilsense::Channel;
 use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::Repairs;
+use coilsense_lab::recording::Cleaning;
 use coilsense_lab::rig::Rig;
 use coilsense_lab::spec::Spec;
 
@@ -17,7 +17,7 @@ fn shows_what_figure_6_shows(settings: &str, seed: u64) {
     Rig::new(&spec, seed).unwrap().write(&mut output, &|_, _| true).unwrap();
     output.commit().unwrap();
 
-    let experiment = Experiment::read(place.path(), &Repairs::default()).unwrap();
+    let experiment = Experiment::read(place.path(), &Cleaning::default()).unwrap();
     let findings = Findings::of(&experiment);
     assert!(experiment.simulated);
     // Instruments are off by 0.1 to 0.2 % of reading.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use coilsense::Channel;
-use coilsense_lab::recording::{Mapping, Recording, Repairs, Table};
+use coilsense_lab::recording::{Cleaning, Mapping, Recording, Table};
 
 use super::fixtures::mapping;
 
@@ -11,13 +11,13 @@ fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/logs").join(name)
 }
 
-fn read(name: &str, mapping: &Mapping, repairs: &Repairs) -> Result<Recording, String> {
-    Recording::read(&path(name), mapping, repairs).map_err(|error| error.to_string())
+fn read(name: &str, mapping: &Mapping, cleaning: &Cleaning) -> Result<Recording, String> {
+    Recording::read(&path(name), mapping, cleaning).map_err(|error| error.to_string())
 }
 
 /// The log as text, 17 digits a number.
 fn text() -> Recording {
-    read("motion.csv", &mapping(&["F_i=counts [N]", "F_x=converted [mN]"]), &Repairs::default()).unwrap()
+    read("motion.csv", &mapping(&["F_i=counts [N]", "F_x=converted [mN]"]), &Cleaning::default()).unwrap()
 }
 
 /// Time and channels of a file are those of the text, bit by bit.
@@ -36,7 +36,7 @@ fn same(found: &Recording, channels: &[Channel]) {
 fn parquet_of_pyarrow_in_row_groups_pages_and_dictionaries() {
     for name in ["motion.parquet", "motion-plain.parquet"] {
         let counts = mapping(&["F_i=counts [N]"]);
-        let found = read(name, &counts, &Repairs::default()).unwrap();
+        let found = read(name, &counts, &Cleaning::default()).unwrap();
         same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
     }
 }
@@ -45,9 +45,9 @@ fn parquet_of_pyarrow_in_row_groups_pages_and_dictionaries() {
 #[test]
 fn parquet_with_stamps_nulls_and_narrow_numbers() {
     let stamped = mapping(&["time=when"]);
-    let message = read("narrow.parquet", &stamped, &Repairs::default()).unwrap_err();
+    let message = read("narrow.parquet", &stamped, &Cleaning::default()).unwrap_err();
     assert!(message.contains("narrow.parquet:4: F_o has no value"), "{message}");
-    let found = read("narrow.parquet", &stamped, &Repairs { drop_incomplete: true, ..Repairs::default() }).unwrap();
+    let found = read("narrow.parquet", &stamped, &Cleaning { drop_incomplete: true, ..Cleaning::default() }).unwrap();
     let text = text();
     let kept: Vec<usize> = (0..50).filter(|row| row % 7 != 3).collect();
     let pick = |values: &[f64]| kept.iter().map(|&row| values[row]).collect::<Vec<f64>>();
@@ -61,7 +61,7 @@ fn parquet_with_stamps_nulls_and_narrow_numbers() {
     let off = found.signals().time().iter().zip(pick(text.signals().time())).map(|(a, b)| (a - b).abs());
     assert!(off.fold(0.0, f64::max) <= 1e-18);
     assert_eq!((found.account().read, found.account().left_out(), found.account().rows), (50, 7, 43));
-    let message = read("narrow.parquet", &mapping(&["time=when", "u1=note [m]"]), &Repairs::default()).unwrap_err();
+    let message = read("narrow.parquet", &mapping(&["time=when", "u1=note [m]"]), &Cleaning::default()).unwrap_err();
     assert!(message.ends_with("column 4 \"note\": it holds no numbers"), "{message}");
 }
 
@@ -74,13 +74,13 @@ fn what_is_written_as_parquet_or_csv_is_read_as_the_same() {
     let place = tempfile::tempdir().unwrap();
     let log = place.path().join("log.csv");
     std::fs::write(&log, "# simulated: seed 7\ntime [s],F_o [N]\n0,1.5\n0.1,-0.1\n0.2,1e-300\n").unwrap();
-    let first = Recording::read(&log, &Mapping::default(), &Repairs::default()).unwrap();
+    let first = Recording::read(&log, &Mapping::default(), &Cleaning::default()).unwrap();
     for (name, format) in [("again.parquet", Format::Parquet), ("again.csv", Format::Csv)] {
         let mut output = Output::begin(place.path()).unwrap();
         let mapping = Mapping::default();
-        import(&log, &mapping, &Repairs::default(), &|_, _| true, format, name, &mut output).unwrap();
+        import(&log, &mapping, &Cleaning::default(), &|_, _| true, format, name, &mut output).unwrap();
         output.commit().unwrap();
-        let again = Recording::read(&place.path().join(name), &mapping, &Repairs::default()).unwrap();
+        let again = Recording::read(&place.path().join(name), &mapping, &Cleaning::default()).unwrap();
         assert_eq!(again.signals(), first.signals());
         assert_eq!(again.simulated(), Some("simulated: seed 7"), "what is simulated says so after each step");
     }
@@ -91,11 +91,11 @@ fn what_is_written_as_parquet_or_csv_is_read_as_the_same() {
 fn matlab_of_scipy_plain_and_compressed() {
     let told = mapping(&["time=time [s]", "F_o=F_o [N]", "L=L [H]", "F_i=counts [N]"]);
     for name in ["motion-v5.mat", "motion-v7.mat"] {
-        let found = read(name, &told, &Repairs::default()).unwrap();
+        let found = read(name, &told, &Cleaning::default()).unwrap();
         same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
         let columns = mapping(&["time=time [s]", "F_o=both(:,1) [N]", "L=both(:,2) [H]"]);
-        same(&read(name, &columns, &Repairs::default()).unwrap(), &[Channel::OutputForce, Channel::Inductance]);
-        let message = read(name, &Mapping::default(), &Repairs::default()).unwrap_err();
+        same(&read(name, &columns, &Cleaning::default()).unwrap(), &[Channel::OutputForce, Channel::Inductance]);
+        let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert!(message.contains("its unit is not told; say it, as in --column time=\"time [s]\""), "{message}");
     }
 }
@@ -105,9 +105,9 @@ fn matlab_of_scipy_plain_and_compressed() {
 fn mdf_of_asammdf_with_groups_of_their_own_rates() {
     for name in ["motion.mf4", "motion-packed.mf4"] {
         let counts = mapping(&["F_x=counts"]);
-        let message = read(name, &counts, &Repairs::default()).unwrap_err();
+        let message = read(name, &counts, &Cleaning::default()).unwrap_err();
         assert!(message.contains(":2: L has no value") && message.contains("--resample"), "{message}");
-        let kept = Repairs { drop_incomplete: true, ..Repairs::default() };
+        let kept = Cleaning { drop_incomplete: true, ..Cleaning::default() };
         let found = read(name, &counts, &kept).unwrap();
         let text = text();
         for channel in [Channel::OutputForce, Channel::Inductance, Channel::DeflectionForce] {
@@ -123,7 +123,7 @@ fn what_is_not_read_is_refused_by_name() {
     for (name, word) in
         [("motion.tdms", "NI TDMS"), ("motion.h5", "HDF5"), ("motion-v73.mat", "MATLAB file of version 7.3")]
     {
-        let message = read(name, &Mapping::default(), &Repairs::default()).unwrap_err();
+        let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert!(message.starts_with(&path(name).display().to_string()) && message.contains(word), "{message}");
         assert_eq!(message.lines().count(), 1);
     }
@@ -138,7 +138,7 @@ fn a_format_that_was_left_out_is_named() {
         (cfg!(feature = "mdf"), "motion.mf4", "without the feature mdf"),
     ];
     for (_, name, words) in out.iter().filter(|(there, ..)| !there) {
-        let message = read(name, &Mapping::default(), &Repairs::default()).unwrap_err();
+        let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert!(message.ends_with(words), "{message}");
     }
 }

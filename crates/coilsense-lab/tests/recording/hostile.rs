@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use coilsense_lab::recording::{Mapping, Points, Recording, Repairs, Table};
+use coilsense_lab::recording::{Cleaning, Mapping, Points, Recording, Table};
 use proptest::prelude::*;
 
 use super::fixtures::{mapping, read_with};
@@ -174,7 +174,7 @@ const FAULTS: [Fault; 36] = [
 #[test]
 fn each_fault_is_one_line_with_file_line_and_column() {
     for (text, columns, expected) in FAULTS {
-        let message = read_with(text, &mapping(columns), &Repairs::default()).unwrap_err();
+        let message = read_with(text, &mapping(columns), &Cleaning::default()).unwrap_err();
         assert_eq!(message, expected, "{text:?}");
         assert!(!message.contains('\n'));
     }
@@ -184,14 +184,14 @@ fn each_fault_is_one_line_with_file_line_and_column() {
 fn what_cannot_be_opened_is_said() {
     let place = tempfile::tempdir().unwrap();
     for (path, words) in [(place.path().join("none.csv"), "No such file"), (place.path().to_owned(), "directory")] {
-        let message = Recording::read(&path, &Mapping::default(), &Repairs::default()).unwrap_err().to_string();
+        let message = Recording::read(&path, &Mapping::default(), &Cleaning::default()).unwrap_err().to_string();
         assert!(
             message.starts_with(&format!("{}: cannot be read: ", path.display())) && message.contains(words),
             "{message}"
         );
     }
     if Path::new("/dev/zero").exists() {
-        let message = Recording::read(Path::new("/dev/zero"), &Mapping::default(), &Repairs::default()).unwrap_err();
+        let message = Recording::read(Path::new("/dev/zero"), &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert_eq!(message.to_string(), "/dev/zero: is no text: it holds zero bytes");
     }
 }
@@ -240,7 +240,7 @@ fn a_mapping_that_is_wrong_is_said() {
 #[test]
 fn a_file_cut_off_anywhere_is_read_or_refused_in_one_line() {
     for length in 0..GOOD.len() {
-        match read_with(&GOOD.as_bytes()[..length], &Mapping::default(), &Repairs::default()) {
+        match read_with(&GOOD.as_bytes()[..length], &Mapping::default(), &Cleaning::default()) {
             Ok(recording) => assert_eq!(recording.account().read, recording.account().rows),
             Err(message) => assert!(message.starts_with("run.csv") && !message.contains('\n'), "{message}"),
         }
@@ -248,7 +248,7 @@ fn a_file_cut_off_anywhere_is_read_or_refused_in_one_line() {
 }
 
 /// Everything that a user may ask for at once.
-const ALL: Repairs = Repairs {
+const ALL: Cleaning = Cleaning {
     drop_incomplete: true,
     sort: true,
     merge_repeated: true,
@@ -265,8 +265,8 @@ fn survives(bytes: &[u8]) {
     let path = place.path().join("run");
     std::fs::write(&path, bytes).expect("written");
     for columns in [&[][..], &["time=#1 [s]", "F_o=#2 [N]"], &["F_o=#2 [N]", "time=time [s]", "L=L [H]"]] {
-        for repairs in [Repairs::default(), ALL, Repairs { resample: Some(100.0), to: Some(100.0), ..ALL }] {
-            match Recording::read(&path, &mapping(columns), &repairs) {
+        for cleaning in [Cleaning::default(), ALL, Cleaning { resample: Some(100.0), to: Some(100.0), ..ALL }] {
+            match Recording::read(&path, &mapping(columns), &cleaning) {
                 Err(error) => assert!(!error.to_string().contains('\n'), "{error}"),
                 Ok(recording) => {
                     let account = recording.account();
@@ -303,7 +303,7 @@ fn any_one_byte_of_a_binary_file_may_be_wrong() {
             let mut bytes = good.clone();
             bytes[index] ^= wrong;
             std::fs::write(&path, bytes).expect("written");
-            if let Err(error) = Recording::read(&path, &Mapping::default(), &Repairs::default()) {
+            if let Err(error) = Recording::read(&path, &Mapping::default(), &Cleaning::default()) {
                 assert!(!error.to_string().contains('\n'), "file {which}, byte {index}: {error}");
             }
         }

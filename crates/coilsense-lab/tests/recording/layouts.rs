@@ -1,14 +1,14 @@
 //! One and the same log, written in every way that instruments have.
 
 use coilsense::Channel;
-use coilsense_lab::recording::{COLUMN_KEYS, LOG_KEYS, Mapping, Points, Repairs, keys_markdown};
+use coilsense_lab::recording::{COLUMN_KEYS, Cleaning, LOG_KEYS, Mapping, Points, keys_markdown};
 
 use super::fixtures::{mapping, read, read_with};
 
 /// Time 0, 0.1, 0.2 s and F_o 1.5, −2500, 1e-3 N: read to the last bit, since a number of a decimal text has one nearest double.
 #[track_caller]
 fn is_the_log(text: impl AsRef<[u8]>, columns: &[&str]) {
-    let recording = read_with(text, &mapping(columns), &Repairs::default()).unwrap();
+    let recording = read_with(text, &mapping(columns), &Cleaning::default()).unwrap();
     assert_eq!(recording.signals().time(), [0.0, 0.1, 0.2]);
     assert_eq!(recording.channel(Channel::OutputForce).unwrap(), [1.5, -2500.0, 1e-3]);
     assert_eq!((recording.account().read, recording.account().rows, recording.account().left_out()), (3, 3, 0));
@@ -49,10 +49,10 @@ fn marks_comments_quotes_and_blank_lines_do_no_harm() {
 #[test]
 fn dates_and_times_of_day_are_seconds() {
     let text = "Zeit,F_o [N]\n23:59:59.9,1\n00:00:00.1,2\n";
-    let message = read_with(text, &mapping(&["time=Zeit"]), &Repairs::default()).unwrap_err();
+    let message = read_with(text, &mapping(&["time=Zeit"]), &Cleaning::default()).unwrap_err();
     assert!(message.starts_with("run.csv:3: time goes back"), "{message}");
     let text = "Zeit,F_o [N]\n2026-11-21 23:59:59.9,1\n2026-11-22 00:00:00.1,2\n";
-    let recording = read_with(text, &mapping(&["time=Zeit"]), &Repairs::default()).unwrap();
+    let recording = read_with(text, &mapping(&["time=Zeit"]), &Cleaning::default()).unwrap();
     // Whole days count from the first, so that the last bits of a second are kept: 86 400.1 has 1.5e-11 of them.
     let time = recording.signals().time();
     assert!((time[1] - time[0] - 0.2).abs() < 3e-11, "{time:?}");
@@ -62,7 +62,7 @@ fn dates_and_times_of_day_are_seconds() {
 fn a_log_without_a_time_column_has_the_clock_of_its_sample_rate() {
     let mut rated = mapping(&["F_o=#2 [N]"]);
     rated.format.sample_rate = Some(2500.0);
-    let recording = read_with("7;1\n8;2\n9;3\n", &rated, &Repairs::default()).unwrap();
+    let recording = read_with("7;1\n8;2\n9;3\n", &rated, &Cleaning::default()).unwrap();
     assert_eq!(recording.signals().time(), [0.0, 1.0 / 2500.0, 2.0 / 2500.0]);
     assert_eq!(recording.sample_rate().unwrap(), 2500.0);
 }
@@ -86,7 +86,7 @@ fn a_mapping_file_says_all_of_it() {
         "##,
     )
     .unwrap();
-    let recording = read_with(text, &mapping, &Repairs::default()).unwrap();
+    let recording = read_with(text, &mapping, &Cleaning::default()).unwrap();
     assert_eq!(recording.channel(Channel::OutputForce).unwrap(), [-10.5, -23.0]);
     assert_eq!(recording.channel(Channel::Inductance).unwrap(), [1.75e-6, 3.25e-6]);
     assert_eq!(recording.signals().time(), [0.0, 0.001]);
@@ -100,7 +100,7 @@ fn a_calibration_needs_no_clock() {
     let pairs = |l: f64| (0..10).map(|i| format!("; 0.5; {}", l + f64::from(i))).collect::<String>();
     let text: String = (0..3).map(|row| format!("{row}; 10; 0.5; {}{}\n", 5 * row, pairs(f64::from(row)))).collect();
     std::fs::write(&path, text).unwrap();
-    let points = Points::read(&path, &Mapping::preset("lab-data").unwrap(), &Repairs::default()).unwrap();
+    let points = Points::read(&path, &Mapping::preset("lab-data").unwrap(), &Cleaning::default()).unwrap();
     // The first row is left out; the mean of l, l + 1 … l + 9 is l + 4.5.
     assert_eq!(points.channel(Channel::U2).unwrap(), [0.005, 0.010]);
     assert_eq!(points.channel(Channel::Inductance).unwrap(), [5.5, 6.5]);
@@ -151,8 +151,8 @@ fn every_key_of_a_mapping_is_read_and_its_example_taken() {
 fn a_first_row_that_is_too_short_is_no_remark() {
     let told = mapping(&["time=#1 [s]", "F_o=#2 [N]"]);
     let text = "0\n1,2\n2,3\n";
-    let message = read_with(text, &told, &Repairs::default()).unwrap_err();
+    let message = read_with(text, &told, &Cleaning::default()).unwrap_err();
     assert!(message.starts_with("run.csv:1: it has 1 column"), "{message}");
-    let recording = read_with(text, &told, &Repairs { drop_incomplete: true, ..Repairs::default() }).unwrap();
+    let recording = read_with(text, &told, &Cleaning { drop_incomplete: true, ..Cleaning::default() }).unwrap();
     assert_eq!((recording.account().read, recording.account().left_out()), (3, 1));
 }

@@ -1,17 +1,17 @@
-//! Logs as instruments and people write them: read to the last bit, mended when that is allowed, each row accounted for.
+//! Logs as instruments and people write them: read to the last bit, cleaned when that is allowed, each row accounted for.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `layouts` | how texts are written: delimiters, decimal signs, titles, units, stamps |
-//! | `repairs` | what is mended, and that nothing is lost without being counted |
+//! | `cleaning` | what is cleaned, and that nothing is lost without being counted |
 //! | `formats` | files of other programs, values compared exactly |
 //! | `devices` | two clocks |
 //! | `hostile` | what is wrong, said in one line; random bytes and edits |
 //! | `fixtures` | writing and reading a log |
 
+mod cleaning;
 mod devices;
 mod fixtures;
 mod formats;
 mod hostile;
 mod layouts;
-mod repairs;

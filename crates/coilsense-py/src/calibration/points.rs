@@ -8,7 +8,7 @@ use coilsense::calibrate::CalibrationPoints;
 use coilsense_lab::calibration::request::{LENGTH_AT_ZERO_FORCE, STIFFNESS};
 use coilsense_lab::calibration::{ForceLaw, Measured, read_lab_data};
 use coilsense_lab::recording::request::LAB_DATA;
-use coilsense_lab::recording::{Points, Repairs};
+use coilsense_lab::recording::{Cleaning, Points};
 use coilsense_lab::request::Given;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -55,7 +55,7 @@ pub fn measured(
         PointsArgument::Path(path) => {
             let options = LogOptions { columns, units, mapping: None, preset, sample_rate: None };
             let mapping = options.mapping()?;
-            let points = interruptible(py, move || Points::read(&path, &mapping, &Repairs::default()))?.python()?;
+            let points = interruptible(py, move || Points::read(&path, &mapping, &Cleaning::default()))?.python()?;
             Measured::of_log(&points, zero).python()
         }
     }

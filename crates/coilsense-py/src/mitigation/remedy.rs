@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use coilsense_lab::mitigation::export::{Export, Settings};
-use coilsense_lab::mitigation::{Answer, Candidate, Judgement, Truth};
+use coilsense_lab::mitigation::{Candidate, Judgement, Ranking, Truth};
 use coilsense_rt::Measured;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
@@ -20,13 +20,13 @@ use crate::value::{Arguments, getters};
 /// A filter of F_i or an estimator of F_o, designed for a spring and judged; an item of `Mitigation`.
 #[pyclass(name = "Remedy", module = "coilsense", frozen)]
 pub struct PyRemedy {
-    answer: Arc<Answer>,
+    answer: Arc<Ranking>,
     place: usize,
 }
 
 impl PyRemedy {
     /// The one at a place of the ranking, which must be there.
-    pub fn of(answer: &Arc<Answer>, place: usize) -> Self {
+    pub fn of(answer: &Arc<Ranking>, place: usize) -> Self {
         Self { answer: Arc::clone(answer), place }
     }
 

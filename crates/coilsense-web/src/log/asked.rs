@@ -8,18 +8,18 @@ use coilsense_lab::identification::Coil;
 use coilsense_lab::identification::request::{OPTIONS, coil, settings};
 use coilsense_lab::message::{Door, Message};
 use coilsense_lab::recording::request::{CLEANING, DECIMAL, DELIMITER, LAYOUT, SAMPLE_RATE, SECOND, WINDOW};
-use coilsense_lab::recording::{Clock, Mapping, Repairs};
+use coilsense_lab::recording::{Cleaning, Clock, Mapping};
 use coilsense_lab::request::{Given, Row};
 use coilsense_lab::spec::SpringSpec;
 use serde_json::Value;
 
 /// What the user says of a log; the names are those of the command's options.
 #[derive(Debug, Clone, Default)]
-pub struct Asked {
+pub struct Request {
     value: Value,
 }
 
-impl Asked {
+impl Request {
     /// From `{"column": ["F_o=#3 [N]"], "sample-rate": "2.5 kHz", "spec": "[spring] …", "drop-incomplete": true, …}`, and
     /// `"labels"`, which says what the page calls each option.
     ///
@@ -90,8 +90,8 @@ impl Asked {
         Ok(Clock::of(&self.given(&SECOND)?))
     }
 
-    pub(super) fn repairs(&self) -> Result<Repairs, String> {
-        Ok(Repairs::of(&self.given(CLEANING.iter().chain(&WINDOW))?))
+    pub(super) fn cleaning(&self) -> Result<Cleaning, String> {
+        Ok(Cleaning::of(&self.given(CLEANING.iter().chain(&WINDOW))?))
     }
 
     /// The page's spring, where the user says that it is the one.

@@ -10,7 +10,7 @@ use coilsense_lab::recording::request::{LAYOUT, is_lab_data};
 use coilsense_lab::report::calibration_json;
 use serde_json::json;
 
-use super::{Asked, Named, thinned};
+use super::{Named, Request, thinned};
 use crate::answer::Answer;
 
 /// Lengths at which fit and theories are drawn: a helix takes a millisecond for each.
@@ -20,7 +20,7 @@ const DRAWN: usize = 81;
 ///
 /// # Errors
 /// One line, with the name of the log or the option.
-pub fn calibrate((name, text): Named, asked: &Asked) -> Result<Answer, String> {
+pub fn calibrate((name, text): Named, asked: &Request) -> Result<Answer, String> {
     let spec = asked.spring()?;
     let given = asked.given(OPTIONS.iter().chain(&LAYOUT))?;
     let zero_length = given.number(&LENGTH_AT_ZERO);
@@ -36,7 +36,7 @@ pub fn calibrate((name, text): Named, asked: &Asked) -> Result<Answer, String> {
             return Err(LENGTH_AT_ZERO.wrong(needed).to_string());
         }
         (false, _) => {
-            let points = Points::of_text(&name, text, &asked.mapping()?, &asked.repairs()?);
+            let points = Points::of_text(&name, text, &asked.mapping()?, &asked.cleaning()?);
             Measured::of_log(&points.map_err(|error| asked.told(error))?, zero_length)
         }
     };

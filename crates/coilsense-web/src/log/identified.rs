@@ -4,11 +4,11 @@
 
 use coilsense::identify::{Identification, Part, Settings, Welch};
 use coilsense_lab::identification::{Coil, Identified, spec_file};
-use coilsense_lab::recording::{Recording, Repairs};
+use coilsense_lab::recording::{Cleaning, Recording};
 use coilsense_lab::report::identification_json;
 use serde_json::{Value, json};
 
-use super::{Asked, MOST, Named, recorded, thinned};
+use super::{MOST, Named, Request, recorded, thinned};
 use crate::answer::Answer;
 
 /// What the log says, as `coilsense identify --json` prints it, and the curves that show it. A log that can be read but says nothing comes with
@@ -16,7 +16,7 @@ use crate::answer::Answer;
 ///
 /// # Errors
 /// One line, with the name of the log or the option and where it can be said line and column.
-pub fn identify(log: Named, second: Option<Named>, asked: &Asked) -> Result<Answer, String> {
+pub fn identify(log: Named, second: Option<Named>, asked: &Request) -> Result<Answer, String> {
     let spec = asked.spring()?;
     let spring = spec.as_ref().map(|spec| &spec.spring);
     let (settings, coil) = (asked.settings(spring)?, asked.coil(spring)?);
@@ -31,17 +31,17 @@ pub fn identify(log: Named, second: Option<Named>, asked: &Asked) -> Result<Answ
     Ok(Answer::new(&facts, series))
 }
 
-fn recording(log: Named, second: Option<Named>, asked: &Asked) -> Result<Recording, String> {
-    let (mapping, repairs) = (asked.mapping()?, asked.repairs()?);
-    let read = |(name, text): Named, mapping, repairs| {
-        Recording::of_text(&name, text, mapping, repairs).map_err(|error| asked.told(error))
+fn recording(log: Named, second: Option<Named>, asked: &Request) -> Result<Recording, String> {
+    let (mapping, cleaning) = (asked.mapping()?, asked.cleaning()?);
+    let read = |(name, text): Named, mapping, cleaning| {
+        Recording::of_text(&name, text, mapping, cleaning).map_err(|error| asked.told(error))
     };
-    let recording = read(log, &mapping, &repairs)?;
+    let recording = read(log, &mapping, &cleaning)?;
     let Some(second) = second else { return Ok(recording) };
     // The window is one of the first device's clock.
-    let repairs = Repairs { from: None, to: None, ..repairs };
+    let cleaning = Cleaning { from: None, to: None, ..cleaning };
     let clock = asked.clock()?;
-    let other = read(second, &asked.second_mapping()?, &repairs)?;
+    let other = read(second, &asked.second_mapping()?, &cleaning)?;
     recording.joined(&other, clock).map_err(|error| asked.told(error))
 }
 
@@ -59,7 +59,7 @@ fn said(
     recording: Recording,
     settings: &Settings,
     coil: Option<Coil>,
-    asked: &Asked,
+    asked: &Request,
     series: &mut Vec<(String, Vec<f64>)>,
 ) -> Result<Value, String> {
     let identified = Identified::of(recording, settings).map_err(|error| asked.told(error))?;

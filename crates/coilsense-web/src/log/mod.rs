@@ -16,7 +16,7 @@ mod identified;
 mod recorded;
 mod trial;
 
-pub use asked::Asked;
+pub use asked::Request;
 pub use calibrated::calibrate;
 pub use identified::identify;
 pub use trial::trial;
@@ -36,7 +36,7 @@ const MOST: usize = 4000;
 ///
 /// # Errors
 /// One line, with the log's or an option's name.
-pub fn columns(name: &str, text: Vec<u8>, asked: &Asked) -> Result<Answer, String> {
+pub fn columns(name: &str, text: Vec<u8>, asked: &Request) -> Result<Answer, String> {
     let format = asked.mapping()?.format;
     let (description, titles) = columns_of_text(name, text, &format).map_err(|error| asked.told(error))?;
     let titles = titles.iter().map(|title| json!({ "text": title.text, "name": title.name, "unit": title.unit }));

@@ -6,7 +6,7 @@ mod question;
 
 use coilsense_lab::mitigation::export::{Export, Precision};
 use coilsense_lab::mitigation::{Candidate, Study, Truth};
-use coilsense_lab::recording::{Recording, Repairs};
+use coilsense_lab::recording::{Cleaning, Recording};
 use coilsense_lab::report::mitigation_json;
 use coilsense_lab::spec::Spec;
 use serde_json::{Value, json};
@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 pub use question::{asked, usual};
 
 use crate::answer::Answer;
-use crate::log::Asked;
+use crate::log::Request;
 
 /// As `coilsense mitigate --json` with the same options prints it; `told` hears how many candidates are judged, and of how many.
 ///
@@ -22,7 +22,7 @@ use crate::log::Asked;
 ///
 /// # Errors
 /// One line, which begins with the option's name and a colon where it is about one.
-pub fn run(spec: &Spec, given: &Asked, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, String> {
+pub fn run(spec: &Spec, given: &Request, told: &(dyn Fn(usize, usize) + Sync)) -> Result<Answer, String> {
     answer(question::study(spec, given)?, told)
 }
 
@@ -32,11 +32,11 @@ pub fn run(spec: &Spec, given: &Asked, told: &(dyn Fn(usize, usize) + Sync)) -> 
 /// As [`run`]; for the log with its name, and where it can be said line and column.
 pub fn run_on(
     spec: &Spec,
-    given: &Asked,
+    given: &Request,
     (name, text): (&str, Vec<u8>),
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Answer, String> {
-    let log = Recording::of_text(name, text, &given.mapping()?, &Repairs::default());
+    let log = Recording::of_text(name, text, &given.mapping()?, &Cleaning::default());
     let log = log.map_err(|error| given.told(error))?;
     answer(Study::on(spec, &asked(given)?, &log).map_err(|error| given.told(error))?, told)
 }

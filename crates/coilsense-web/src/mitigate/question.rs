@@ -1,21 +1,21 @@
 //! What may be asked of a study: the options of `coilsense mitigate`, under the same names, in the same units, with the same defaults.
 //!
-//! Next door: what comes of it (`mitigate`), how the page sends it (`log::Asked`).
+//! Next door: what comes of it (`mitigate`), how the page sends it (`log::Request`).
 
-use coilsense_lab::mitigation::{Asked as Options, OPTIONS, Study};
+use coilsense_lab::mitigation::{OPTIONS, Request as Options, Study};
 use coilsense_lab::quantity::plainly;
 use coilsense_lab::request::{IfAbsent, Row};
 use coilsense_lab::spec::Spec;
 use serde_json::{Map, Value, json};
 
 use crate::answer::Answer;
-use crate::log::Asked;
+use crate::log::Request;
 
 /// The study of the conditions, or of the stated scenario where `"on": "stated"` is asked for.
 ///
 /// # Errors
 /// One line, which begins with the option's name and a colon where it is about one.
-pub fn study(spec: &Spec, given: &Asked) -> Result<Study, String> {
+pub fn study(spec: &Spec, given: &Request) -> Result<Study, String> {
     match given.text("on") {
         Some("stated") => Study::stated(&spec.spring.spring).map_err(|error| error.to_string()),
         _ => Study::of(spec, &asked(given)?).map_err(|error| error.to_string()),
@@ -26,7 +26,7 @@ pub fn study(spec: &Spec, given: &Asked) -> Result<Study, String> {
 ///
 /// # Errors
 /// One line, which begins with the option's name and a colon.
-pub fn asked(given: &Asked) -> Result<Options, String> {
+pub fn asked(given: &Request) -> Result<Options, String> {
     Options::of(&given.given(&OPTIONS)?).map_err(|wrong| wrong.to_string())
 }
 
@@ -34,8 +34,8 @@ pub fn asked(given: &Asked) -> Result<Options, String> {
 ///
 /// # Errors
 /// What the science says of the spec itself.
-pub fn usual(spec: &Spec, given: &Asked) -> Result<Answer, String> {
-    let plain = Study::of(spec, &asked(&Asked::default())?).map_err(|error| error.to_string())?;
+pub fn usual(spec: &Spec, given: &Request) -> Result<Answer, String> {
+    let plain = Study::of(spec, &asked(&Request::default())?).map_err(|error| error.to_string())?;
     let found = |row: &Row| match (row.if_absent, row.name) {
         (IfAbsent::Value(text), _) => text.to_owned(),
         (_, "noise") => format!("{} N", plainly(plain.noise)),
@@ -64,7 +64,7 @@ mod tests {
 
     fn found(given: &str) -> Value {
         let spec = Spec::parse("spec", ANKLE, &|_| Err("no files".to_owned())).unwrap();
-        serde_json::from_str(&usual(&spec, &Asked::parse(given).unwrap()).unwrap().meta()).unwrap()
+        serde_json::from_str(&usual(&spec, &Request::parse(given).unwrap()).unwrap().meta()).unwrap()
     }
 
     #[test]

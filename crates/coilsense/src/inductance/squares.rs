@@ -8,7 +8,7 @@ use super::turn_block::{Columns, TurnBlock};
 use crate::motion::WIDTH;
 use crate::simd::dispatch;
 
-/// Vectors that are worked off together, so that no sum waits for itself.
+/// Vectors that are processed together, so that no sum waits for itself.
 const VECTORS: usize = 8;
 
 /// Fills `squares`, which begins with turns next to each other, as far as it goes.

@@ -92,7 +92,7 @@ impl Motion {
     }
 }
 
-/// An input's displacements at each time \[m or N\]; sines at equidistant times are worked off together.
+/// An input's displacements at each time \[m or N\]; sines at equidistant times are processed together.
 fn displacements(input: &EndInput, times: &[f64], equidistant: bool) -> Vec<f64> {
     if !equidistant || !matches!(input, EndInput::Harmonics(_) | EndInput::HalfSine { .. }) {
         return input.displacements(times);

@@ -25,7 +25,7 @@ pub struct EndForces {
     pub output: Vec<f64>,
 }
 
-/// From so many equidistant times on they are worked off together.
+/// From so many equidistant times on they are processed together.
 const FEWEST_TOGETHER: usize = 32;
 
 const I: Complex64 = Complex64::new(0.0, 1.0);

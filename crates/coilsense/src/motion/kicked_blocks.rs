@@ -16,11 +16,11 @@ use crate::simd::dispatch;
 /// Points of a block, a multiple of [`COLUMNS`]. Longer ones have fewer beginnings, but a longer answer within: this costs least.
 pub(super) const BLOCK: usize = 2 * COLUMNS;
 
-/// Blocks that are worked off at once, a multiple of [`COLUMNS`]: their table stays in the processor's second cache, and its rows do not
+/// Blocks that are processed at once, a multiple of [`COLUMNS`]: their table stays in the processor's second cache, and its rows do not
 /// all begin at the same place of the first.
 const BLOCKS: usize = 9 * COLUMNS;
 
-/// Exponentials that are worked off at once, for the same reason.
+/// Exponentials that are processed at once, for the same reason.
 const TILE: usize = 48;
 
 /// Exponentials that are carried from block to block side by side, since each waits for itself.

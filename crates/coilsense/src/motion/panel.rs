@@ -12,7 +12,7 @@ pub(super) const COLUMNS: usize = 16;
 pub(super) struct Panel<'a> {
     /// How many rows `left` has, a multiple of [`ROWS`].
     pub rows: usize,
-    /// The first of those that are worked off.
+    /// The first of those that are processed.
     pub first_row: usize,
     /// How many columns `right` has, a multiple of [`COLUMNS`].
     pub columns: usize,

@@ -12,7 +12,7 @@ use super::panel::{COLUMNS, Panel, ROWS, Unfold};
 use super::phasors::{Phasors, Steps};
 use crate::simd::dispatch;
 
-/// Exponentials that are worked off at once: their tables stay in the processor's second cache.
+/// Exponentials that are processed at once: their tables stay in the processor's second cache.
 const TILE: usize = 48;
 
 /// `Re(coefficient · f(t))`.

@@ -1,5 +1,5 @@
 //! End forces under recordings: where their samples and the times asked for lie on one grid, every jump of a recording's rate is a kick at a
-//! point of it, and all are worked off together.
+//! point of it, and all are processed together.
 //!
 //! Next door: the kicks' sum (`kicked_blocks`), what else drives the motion (`closed`, `forces`), recordings off the grid (`march`).
 

@@ -1,4 +1,4 @@
-//! Tests: recordings worked off in blocks and sines that turn from step to step, beside the march that follows every kick and finds a sine's
+//! Tests: recordings processed in blocks and sines that turn from step to step, beside the march that follows every kick and finds a sine's
 //! push by quadrature.
 //!
 //! Next door: what is tested (`recorded`, `kicked_blocks`, `sines`, `stream`); the three ways on every mount (`tests/engine.rs`).
@@ -115,7 +115,7 @@ fn tolerance(motion: &Motion, until: f64) -> f64 {
 }
 
 fn assert_in_blocks(motion: &Motion, times: &[f64], what: &str) {
-    let ours = motion.under_recordings(times).unwrap_or_else(|| panic!("{what}: not worked off in blocks"));
+    let ours = motion.under_recordings(times).unwrap_or_else(|| panic!("{what}: not processed in blocks"));
     let (off, allowed) = (off(&ours, &by_march(motion, times)), tolerance(motion, times[times.len() - 1]));
     assert!(off < allowed, "{what}: {off:e} of {allowed:e}: {:?}", motion.mount());
     assert_eq!(motion.end_forces(times).unwrap(), ours, "{what}: the quick way is the one taken");

@@ -38,12 +38,12 @@ fn a_row_of_the_table_is_all_that_a_format_takes() {
         b"TOY1".iter().copied().chain(numbers.iter().flat_map(|number| number.to_le_bytes())).collect();
     std::fs::write(&path, &bytes).unwrap();
     let mapping = super::super::Mapping::default();
-    let recording = super::super::Recording::read(&path, &mapping, &super::super::Repairs::default()).unwrap();
+    let recording = super::super::Recording::read(&path, &mapping, &super::super::Cleaning::default()).unwrap();
     assert_eq!(recording.signals().time(), [0.0, 0.010, 0.020]);
     assert_eq!(recording.channel(coilsense::Channel::OutputForce).unwrap(), [5.0, -7.0, 9.0]);
     let table = Table::read(&path, &mapping.format).unwrap();
     assert_eq!((table.rows(), table.column("F_o").unwrap()), (3, &[5.0, -7.0, 9.0][..]));
-    let repairs = super::super::Repairs::default();
-    let held = super::super::Recording::of_text("log.toy", bytes, &mapping, &repairs).unwrap_err().to_string();
+    let cleaning = super::super::Cleaning::default();
+    let held = super::super::Recording::of_text("log.toy", bytes, &mapping, &cleaning).unwrap_err().to_string();
     assert_eq!(held, "log.toy: is no text");
 }

@@ -78,7 +78,7 @@ fn curves(outcome: &Outcome) -> [Value; 2] {
 }
 
 fn theories(outcome: &Outcome) -> Vec<Value> {
-    let one = |judged: &crate::calibration::Judged| {
+    let one = |judged: &crate::calibration::Assessment| {
         context! {
             name => judged.theory.name(),
             fractions => judged.theory.fractions(),

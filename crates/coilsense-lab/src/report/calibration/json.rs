@@ -5,7 +5,7 @@
 use coilsense::calibrate::{InductanceFit, InverseLengthFit, Inversion, Misfit};
 use serde::Serialize;
 
-use crate::calibration::{ForceLaw, Judged, Measured, Outcome as Calibrated, answer};
+use crate::calibration::{Assessment, ForceLaw, Measured, Outcome as Calibrated, answer};
 use crate::report::outcome::{Outcome, to_json};
 
 /// A curve through measured inductances, and the theories beside it; null for what was not computed.
@@ -195,7 +195,7 @@ impl MisfitPart {
 }
 
 impl<'a> TheoryRow<'a> {
-    fn of(judged: &'a Judged) -> Self {
+    fn of(judged: &'a Assessment) -> Self {
         Self {
             name: judged.theory.name(),
             fractional_windings: judged.theory.fractions(),

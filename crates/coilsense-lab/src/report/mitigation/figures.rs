@@ -5,10 +5,10 @@
 use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 use super::text::percent;
-use crate::mitigation::{Answer, Made, Origin, Truth};
+use crate::mitigation::{Made, Origin, Ranking, Truth};
 
 /// Worst-case error against lag.
-pub(super) fn trade_off(answer: &Answer) -> Figure {
+pub(super) fn trade_off(answer: &Ranking) -> Figure {
     let points = |truth, origin, label: &str, colour, marker| {
         let those = answer.judged.iter().filter(|(c, _)| c.truth == truth && c.origin == origin);
         let (x, y) = those.map(|(_, j)| (j.lag.to_degrees(), percent(answer, j.worst))).unzip();
@@ -42,7 +42,7 @@ pub(super) fn trade_off(answer: &Answer) -> Figure {
 }
 
 /// What is measured, what is true and what comes out, over time.
-pub(super) fn over_time(answer: &Answer) -> Option<Figure> {
+pub(super) fn over_time(answer: &Ranking) -> Option<Figure> {
     let shown = answer.shown.as_ref()?;
     let curve = |label: &str, series: &[f64], colour, dash, width| Curve {
         label: label.to_owned(),

@@ -8,13 +8,13 @@ use minijinja::{AutoEscape, Environment, Value, context};
 use super::shaping::{percent as share, shaping_advice};
 use super::text::{advice, conditions, percent};
 use super::{EXPORTS, figures};
-use crate::mitigation::{Answer, Shaping, Truth};
+use crate::mitigation::{Ranking, Shaping, Truth};
 use crate::quantity::digits;
 use crate::report::{Drawn, ReportError};
 use crate::spec::Spec;
 
 /// The page of a mitigation.
-pub(super) fn page(answer: &Answer, spec: &Spec, date: &str, trade_off: &Drawn) -> Result<String, ReportError> {
+pub(super) fn page(answer: &Ranking, spec: &Spec, date: &str, trade_off: &Drawn) -> Result<String, ReportError> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     environment.add_template("page", include_str!("page.html"))?;
@@ -51,7 +51,7 @@ fn drawn(figure: &Figure) -> Result<Value, ReportError> {
 }
 
 /// The ranking of those that are to give one force.
-fn group(answer: &Answer, truth: Truth) -> Value {
+fn group(answer: &Ranking, truth: Truth) -> Value {
     let best = answer.best(truth).map(|(candidate, _)| candidate.name.as_str());
     let those = answer.judged.iter().filter(|(candidate, _)| candidate.truth == truth);
     let rows = those.map(|(candidate, judgement)| {
@@ -101,7 +101,7 @@ fn shaping(shaping: &Shaping) -> Value {
 }
 
 /// What is exported, and how a controller calls it.
-fn exports(answer: &Answer) -> Vec<Value> {
+fn exports(answer: &Ranking) -> Vec<Value> {
     let each = EXPORTS.into_iter().filter_map(|(truth, name)| {
         let (candidate, _) = answer.best(truth)?;
         let settings = candidate.settings()?;

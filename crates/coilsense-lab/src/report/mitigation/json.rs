@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::shaping::shaping_advice;
 use super::text::advice;
-use crate::mitigation::{Answer, Candidate, Judgement, LeftOut, Shaped, Shaping};
+use crate::mitigation::{Candidate, Judgement, LeftOut, Ranking, Shaped, Shaping};
 use crate::report::ReportError;
 use crate::report::outcome::{Outcome, to_json};
 
@@ -112,7 +112,7 @@ struct ShaperRow {
 
 impl MitigationOutcome {
     /// Of a study that was run.
-    pub fn of(answer: &Answer) -> Self {
+    pub fn of(answer: &Ranking) -> Self {
         let study = &answer.study;
         Self {
             advice: advice(answer).lines().map(str::to_owned).collect(),
@@ -188,6 +188,6 @@ impl ShaperRow {
 ///
 /// # Errors
 /// [`ReportError::Json`].
-pub fn mitigation_json(answer: &Answer) -> Result<String, ReportError> {
+pub fn mitigation_json(answer: &Ranking) -> Result<String, ReportError> {
     Ok(to_json(MitigationOutcome::of(answer))?)
 }

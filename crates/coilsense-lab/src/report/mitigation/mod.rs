@@ -13,7 +13,7 @@ pub use text::mitigation_text;
 
 use super::{ReportError, draw};
 use crate::mitigation::export::{Export, Precision};
-use crate::mitigation::{Answer, Truth};
+use crate::mitigation::{Ranking, Truth};
 use crate::output::Output;
 use crate::spec::Spec;
 
@@ -25,7 +25,7 @@ const EXPORTS: [(Truth, &str); 2] = [(Truth::Static, "force_filter"), (Truth::Ou
 /// # Errors
 /// [`ReportError`] for the first part that fails.
 pub fn add_mitigation(
-    answer: &Answer,
+    answer: &Ranking,
     spec: &Spec,
     date: &str,
     precision: Precision,

@@ -5,10 +5,10 @@
 use std::fmt::Write as _;
 
 use super::shaping::shaping_text;
-use crate::mitigation::{Answer, Candidate, Judgement, Origin, Truth};
+use crate::mitigation::{Candidate, Judgement, Origin, Ranking, Truth};
 
 /// The table, what was left out, and the advice.
-pub fn mitigation_text(answer: &Answer) -> String {
+pub fn mitigation_text(answer: &Ranking) -> String {
     let mut text = advice(answer);
     let _ = write!(
         text,
@@ -28,7 +28,7 @@ pub fn mitigation_text(answer: &Answer) -> String {
 }
 
 /// What candidates were judged on, and what the columns mean.
-pub(super) fn conditions(answer: &Answer) -> String {
+pub(super) fn conditions(answer: &Ranking) -> String {
     let study = &answer.study;
     if let Some(recorded) = &study.recorded {
         return format!(
@@ -74,11 +74,11 @@ fn degrees(angle: f64) -> f64 {
 }
 
 /// A force in % of F_nom.
-pub(super) fn percent(answer: &Answer, force: f64) -> f64 {
+pub(super) fn percent(answer: &Ranking, force: f64) -> f64 {
     100.0 * force / answer.study.spring.nominal_force()
 }
 
-fn line(answer: &Answer, candidate: &Candidate, judgement: &Judgement) -> String {
+fn line(answer: &Ranking, candidate: &Candidate, judgement: &Judgement) -> String {
     let settling = format!("{:.1} ms", 1e3 * judgement.settling);
     format!(
         "  {:60} {:9} {:8.4} {:8.4} {:8.4} {:>8} {:7.3} {settling:>9}",
@@ -93,7 +93,7 @@ fn line(answer: &Answer, candidate: &Candidate, judgement: &Judgement) -> String
 }
 
 /// What to do for either force, two sentences each: the best, and what the best textbook filter does.
-pub(super) fn advice(answer: &Answer) -> String {
+pub(super) fn advice(answer: &Ranking) -> String {
     let sentence = |truth, opening: &str| {
         let (candidate, judgement) = answer.best(truth)?;
         let mut text = format!(

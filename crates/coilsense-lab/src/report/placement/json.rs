@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 
-use crate::placement::{Candidate, Estimated, Judged, MOST_PEAK, Placement, answer};
+use crate::placement::{Assessment, Candidate, Estimated, MOST_PEAK, Placement, answer};
 use crate::report::outcome::{Outcome, to_json};
 use crate::spec::DampingCase;
 
@@ -132,7 +132,7 @@ impl<'a> CandidateRow<'a> {
 }
 
 impl<'a> DampingRow<'a> {
-    fn of(judged: &'a Judged, damping: &'a DampingCase) -> Self {
+    fn of(judged: &'a Assessment, damping: &'a DampingCase) -> Self {
         let margins = &judged.margins;
         let [drive, load] = [0, 1].map(|end| judged.peaks.map(|peaks| peaks[end]));
         Self {

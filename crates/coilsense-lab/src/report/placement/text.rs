@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::Style;
 
 use super::bounded;
-use crate::placement::{Judged, MOST_PEAK, Placement, answer};
+use crate::placement::{Assessment, MOST_PEAK, Placement, answer};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -71,7 +71,7 @@ pub fn placement_text(placement: &Placement) -> String {
 }
 
 /// How large the force of an end becomes; a dash where the loop is unstable.
-fn peak(judged: &Judged, end: usize) -> String {
+fn peak(judged: &Assessment, end: usize) -> String {
     judged.peaks.map_or_else(|| "–".to_owned(), |peaks| digits(peaks[end].size))
 }
 

@@ -1,10 +1,10 @@
-//! What the user lets us mend.
+//! What the user lets us clean.
 //!
 //! Next door: how it is done (`order`, `complete`, `spacing`).
 
-/// What may be mended. By default nothing: then what is wrong is an error that names the repair.
+/// What may be cleaned. By default nothing: then what is wrong is an error that names the repair.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Repairs {
+pub struct Cleaning {
     /// Leave out rows that lack a value, or cannot be read.
     pub drop_incomplete: bool,
     /// Put rows into the order of their times.
@@ -21,7 +21,7 @@ pub struct Repairs {
     pub to: Option<f64>,
 }
 
-impl Repairs {
+impl Cleaning {
     /// Whether a missing value may be filled along a straight line of this length \[s\].
     pub(super) fn bridges(&self, length: f64) -> bool {
         self.fill_gaps.map_or(self.resample.is_some(), |longest| length <= longest * (1.0 + 1e-9))

@@ -9,7 +9,7 @@ use super::shown::Shown;
 use super::study::Study;
 
 /// Every candidate judged, best first; filters of F_i, then estimators of F_o.
-pub struct Answer {
+pub struct Ranking {
     /// What was asked.
     pub study: Study,
     /// How each did.
@@ -24,7 +24,7 @@ pub struct Answer {
     pub shaping: Option<Shaping>,
 }
 
-impl Answer {
+impl Ranking {
     /// The best of those that are to give `truth` and are not too late, by the worst case; where all are too late, the least late.
     pub fn best(&self, truth: Truth) -> Option<&(Candidate, Judgement)> {
         self.in_time(truth, |_| true).next().or_else(|| {
