@@ -51,7 +51,7 @@ def test_only_a_window_is_taken_and_texts_have_units(tmp_path: pathlib.Path) -> 
 def test_what_is_wrong_is_named_with_the_argument_that_mends_it(tmp_path: pathlib.Path) -> None:
     path = tmp_path / "run.csv"
     path.write_text("time [s],F_o [N]\n0,1\n0.001,\n0.002,3\n0.010,4\n")
-    with pytest.raises(coilsense.LogError, match=r"run.csv:3: .*drop_incomplete=True.*fill_gaps=") as caught:
+    with pytest.raises(coilsense.LogError, match=r"run.csv:3: .*drop_incomplete=True.*fill_gaps fills") as caught:
         coilsense.open_log(path)
     assert "--" not in str(caught.value)
     cleaned = coilsense.open_log(path, drop_incomplete=True)

@@ -124,3 +124,33 @@ const FREQUENCY: [Dimension; 2] = [Dimension::Frequency, Dimension::SurgeMultipl
 pub(super) fn least([one, two]: &[EndInput; 2]) -> f64 {
     -one.bounds().1 + two.bounds().0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::document::Document;
+    use super::super::mount::MountSpec;
+    use super::super::recordings::Recordings;
+    use super::*;
+
+    /// A toy: the end steps back by twice the amplitude.
+    fn toy(drive: &Drive<'_>) -> Result<EndInput, SpecError> {
+        Ok(EndInput::Step { height: -2.0 * drive.amplitude()?, at: drive.begin()? })
+    }
+
+    #[test]
+    fn what_a_row_names_is_all_that_a_drive_takes() {
+        let spring = coilsense::paper::s_t();
+        let read = |keys: &str| {
+            let text = format!("[[condition]]\nkind = \"step\"\nend = 2\n{keys}");
+            let document = Document::parse("toy.toml", &text)?;
+            let mount = MountSpec::parse(&document, &spring)?;
+            let (files, recordings) = (|_: &str| Err("no files".to_owned()), Recordings::default());
+            let setting = Setting { spring: &spring, mount: &mount, files: &files, recordings: &recordings };
+            document.sections("condition")?.iter().map(|section| inputs(section, &setting, 1.0, toy)).collect()
+        };
+        let found: Result<Vec<[EndInput; 2]>, SpecError> = read("amplitude = \"1 mm\"\nbegin = \"10 ms\"\n");
+        assert_eq!(found.unwrap(), [[EndInput::Held, EndInput::Step { height: -2e-3, at: 0.01 }]]);
+        let refused = read("amplitude = \"1 mm\"\nbegin = \"-1 s\"\n").unwrap_err().to_string();
+        assert!(refused.starts_with("toy.toml:5: begin = \"-1 s\": "), "{refused}");
+    }
+}
