@@ -105,7 +105,7 @@ test('a file of the measured runs’ layout is calibrated as the command does by
   const text = written('runs.csv', Array.from({ length: 13 }, (_, step) => row(step)).join('\n') + '\n');
   await page.goto('./#S_T&@tab="log"&@log={"layout":"lab-data"}');
   await drop(page, { 'runs.csv': text });
-  await expect(page.locator('#panel-log .wrong .error')).toContainText('must be given', { timeout: 30_000 });
+  await expect(page.locator('#panel-log .wrong .error')).toContainText('is needed', { timeout: 30_000 });
   await type(page, 'Calibration', 'Length at zero', '110 mm');
   await expect(page.getByRole('region', { name: 'Calibration', exact: true })).toContainText(
     'first and the last of 12 points',
@@ -142,7 +142,7 @@ test('the log is drawn as it was dropped, with its hits, and a part of it can be
   await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);
   // A choice does not change what is looked at.
   await type(page, 'How exact', 'A force is trusted up to', '2 %');
-  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('make 2.00 % of error', {
+  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('Dynamic error at most 2.00 %', {
     timeout: 30_000,
   });
   await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);

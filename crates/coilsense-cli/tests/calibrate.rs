@@ -300,3 +300,21 @@ fn what_does_not_go_together_is_said() {
     assert!(coil("20 mm").contains("wire radius must be below the coil radius"));
     assert!(with(&["--stiffness", "2 N/mm"]).contains("--length-at-zero-force"));
 }
+
+#[test]
+fn an_inductance_that_rises_with_length_is_refused_and_two_points_claim_no_accuracy() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = |name: &str, rows: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, format!("u2 [mm],L [uH]\n{rows}")).unwrap();
+        path
+    };
+    let told = refused(&log("rising.csv", "210,3.1\n200,3.0\n230,3.25\n"), &[]);
+    assert_eq!(told.lines().count(), 1, "{told}");
+    let why =
+        "the inductance of a coil falls as it gets longer, here it does not: 3.00 µH at 200 mm, 3.25 µH at 230 mm;";
+    assert!(told.contains("rising.csv: ") && told.contains(why), "{told}");
+    let told = done(&log("two.csv", "200,3.5\n230,3.2\n"), &[]);
+    assert!(told.contains("How good it is cannot be told: two points fix α and β"), "{told}");
+    assert!(!told.lines().next().unwrap().contains("residual"), "{told}");
+}

@@ -19,11 +19,17 @@ pub fn answer(outcome: &Outcome) -> Vec<String> {
 
 fn curve(outcome: &Outcome) -> String {
     let (fit, points) = (&outcome.inverse_length, &outcome.measured.points);
-    format!(
-        "1/l = αL + β {}: α = {} 1/(H m), β = {} 1/m, residual {} mm RMS of {} ({} % of the range of {} mm).",
+    let found = format!(
+        "1/l = αL + β {}: α = {} 1/(H m), β = {} 1/m",
         outcome.plan.method.words(points.lengths().len()),
         with_error(fit.alpha, fit.alpha_se),
         with_error(fit.beta, fit.beta_se),
+    );
+    if is_exact(outcome) {
+        return format!("{found}, through all points.");
+    }
+    format!(
+        "{found}, residual {} mm RMS of {} ({} % of the range of {} mm).",
         digits(1e3 * fit.misfit.rmse),
         outcome.measured.place_name(),
         digits(100.0 * fit.misfit.rmse_share_of_range),
@@ -31,7 +37,15 @@ fn curve(outcome: &Outcome) -> String {
     )
 }
 
+/// Whether the curve passes through all points because there are no more of them than it has numbers.
+fn is_exact(outcome: &Outcome) -> bool {
+    outcome.measured.points.lengths().len() <= 2
+}
+
 fn trust(outcome: &Outcome) -> String {
+    if is_exact(outcome) {
+        return "How good it is cannot be told: two points fix α and β, and no residual is left. Record lengths between and beyond them.".to_owned();
+    }
     let (worst, index) = outcome.worst();
     let place = 1e3 * outcome.measured.places()[index];
     let name = outcome.measured.place_name();

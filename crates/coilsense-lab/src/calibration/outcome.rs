@@ -6,6 +6,7 @@ use coilsense::calibrate::{FitMethod, InductanceFit, InverseLengthFit, Misfit, R
 use coilsense::inductance::theories::Theory;
 
 use super::{CalibrationError, Measured, Method, Plan};
+use crate::quantity::digits;
 
 /// Most points on which theories are judged: turning a helix round takes a millisecond a point.
 pub const THEORY_POINTS: usize = 500;
@@ -42,12 +43,27 @@ impl Outcome {
     /// Works a plan off.
     ///
     /// # Errors
-    /// [`CalibrationError`] for points that no curve can be put through, or a preload that is not there.
+    /// [`CalibrationError`] for points that no curve can be put through, an inductance that does not fall with length, or a preload that is
+    /// not there.
     pub fn new(measured: Measured, plan: Plan) -> Result<Self, CalibrationError> {
         let points = &measured.points;
         let refuse = |error: coilsense::Error| CalibrationError::of(&measured.file, error);
         let method = plan.method.fit(points, plan.preload)?;
         let inverse_length = InverseLengthFit::new(points, method).map_err(refuse)?;
+        if inverse_length.alpha <= 0.0 {
+            let (length, henry) = (points.lengths(), points.inductances());
+            let order = |a: &usize, b: &usize| length[*a].total_cmp(&length[*b]);
+            let ends =
+                [(0..length.len()).min_by(order), (0..length.len()).max_by(order)].map(Option::unwrap_or_default);
+            let [(near, least), (far, most)] = ends.map(|at| (digits(1e3 * length[at]), digits(1e6 * henry[at])));
+            return Err(CalibrationError::of(
+                &measured.file,
+                format!(
+                    "the inductance of a coil falls as it gets longer, here it does not: {least} µH at {near} mm, {most} µH at {far} mm; a column \
+                     may be another quantity, or its lengths be counted from the other end"
+                ),
+            ));
+        }
         let inductance = InductanceFit::new(points, method).map_err(refuse)?;
         let reading = ReadingUncertainty::new(points, method).map_err(refuse)?;
         let others = Method::ALL.into_iter().filter(|(_, other)| *other != plan.method).filter_map(|(_, other)| {

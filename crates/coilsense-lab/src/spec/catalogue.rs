@@ -16,8 +16,23 @@ use crate::quantity::Dimension;
 /// The material of a spec that names none.
 pub const USUAL_MATERIAL: &str = "steel EN 10270-1";
 
+#[cfg(feature = "reference")]
 const MATERIALS: &str = include_str!("../../data/materials.toml");
+#[cfg(feature = "reference")]
 pub(super) const SENSORS: &str = include_str!("../../data/sensors.toml");
+// Without their notes and sources.
+#[cfg(not(feature = "reference"))]
+const MATERIALS: &str = include_str!(concat!(env!("OUT_DIR"), "/materials.toml"));
+#[cfg(not(feature = "reference"))]
+pub(super) const SENSORS: &str = include_str!(concat!(env!("OUT_DIR"), "/sensors.toml"));
+/// What every row says, where its values are from at the end.
+const MATERIAL_KEYS: [&str; 5] = ["name", "shear_modulus", "youngs_modulus", "density", "source"];
+const SENSOR_KEYS: [&str; 3] = ["class", "kind", "source"];
+
+/// The keys that must be there: in a build that tells no sources, all but the last.
+fn kept<'k>(keys: &'k [&'k str]) -> &'k [&'k str] {
+    &keys[..keys.len() - usize::from(!cfg!(feature = "reference"))]
+}
 
 /// A material or a class of sensors: its keys and their values, as the table writes them.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,10 +86,8 @@ fn rows(file: &str, text: &str, name: &str, needed: &[&str]) -> Result<Vec<Row>,
 /// # Errors
 /// [`SpecError`] where the program's own file is damaged.
 pub fn material_rows() -> Result<&'static [Row], SpecError> {
-    static ALL: LazyLock<Result<Vec<Row>, SpecError>> = LazyLock::new(|| {
-        let needed = ["name", "shear_modulus", "youngs_modulus", "density", "source"];
-        rows("data/materials.toml", MATERIALS, "material", &needed)
-    });
+    static ALL: LazyLock<Result<Vec<Row>, SpecError>> =
+        LazyLock::new(|| rows("data/materials.toml", MATERIALS, "material", kept(&MATERIAL_KEYS)));
     ALL.as_deref().map_err(Clone::clone)
 }
 
@@ -83,7 +96,7 @@ pub fn material_rows() -> Result<&'static [Row], SpecError> {
 /// # Errors
 /// [`SpecError`] where the program's own file is damaged.
 pub fn sensor_rows() -> Result<Vec<Row>, SpecError> {
-    rows("data/sensors.toml", SENSORS, "sensor", &["class", "kind", "source"])
+    rows("data/sensors.toml", SENSORS, "sensor", kept(&SENSOR_KEYS))
 }
 
 /// The values of a material; the error says which there are.

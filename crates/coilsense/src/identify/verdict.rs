@@ -120,7 +120,8 @@ fn series_evidence(found: &Identification, modes: usize) -> Vec<String> {
         .count();
     if patterned > 0 && matches!(found.mode_series, Some(ModeSeries::HeldHeld)) {
         evidence.push(
-            "the ends pull in turn in odd modes and together in even ones, as a coil between held ends does".to_owned(),
+            "odd modes pull the two ends in opposite phase and even ones in phase, as a coil between held ends does"
+                .to_owned(),
         );
     }
     evidence
