@@ -3,6 +3,7 @@
 import json
 import pathlib
 import time
+import typing
 
 import numpy
 import pytest
@@ -74,6 +75,8 @@ def test_what_the_command_refuses_is_refused_in_the_same_words(tmp_path: pathlib
     path = tmp_path / "run.csv"
     path.write_text("F_o [N]\n1\n2\n")
     nan = float("nan")
+    # By name, which types do not follow.
+    given: dict[str, typing.Any]
     for name, value, reason in [
         ("sample_rate", -1, "must be from 1e-9 to 1e9 Hz, got -1 Hz"),
         ("resample", 1e12, "must be from 1e-9 to 1e9 Hz, got 1000000000000 Hz"),
@@ -82,8 +85,9 @@ def test_what_the_command_refuses_is_refused_in_the_same_words(tmp_path: pathlib
         ("from_", nan, "must be finite, got NaN s"),
         ("to", float("inf"), "must be finite, got inf s"),
     ]:
+        given = {name: value}
         with pytest.raises(coilsense.Error, match=f"^{name} {reason}$"):
-            coilsense.open_log(path, **{name: value})
+            coilsense.open_log(path, **given)
     for name, value, reason in [
         ("windings", 0.5, "must be from 1 to 1000000, got 0.5"),
         ("mass", -1, "must be above zero, got -1 kg"),
@@ -91,8 +95,9 @@ def test_what_the_command_refuses_is_refused_in_the_same_words(tmp_path: pathlib
         ("prediction_tolerance", nan, "must be finite, got NaN"),
         ("accuracy_force", 1, "must be from 0 to below 1, got 1"),
     ]:
+        given = {name: value}
         with pytest.raises(coilsense.Error, match=f"^{name} {reason}$"):
-            coilsense.identify(hit_log(), **{name: value})
+            coilsense.identify(hit_log(), **given)
     with pytest.raises(coilsense.Error, match="^end_mass goes with a mass at end 2 only$"):
         coilsense.identify(hit_log(), end2="held", end_mass=1)
     with pytest.raises(coilsense.LogError, match="no preset of that name; there are: lab-data"):
