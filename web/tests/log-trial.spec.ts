@@ -70,7 +70,7 @@ test('what was identified opens in the tab Spring, and is the spec that the comm
   await expect(page.locator('#panel-spring .refusal:visible')).toHaveCount(0);
 });
 
-test('the page’s spring foretells f1, as a spec does for the command', async ({ page }) => {
+test('the page’s spring predicts f1, as a spec does for the command', async ({ page }) => {
   await tried(page);
   written('simulated-S_T.csv', await saved(page, 'Save the simulated log (CSV)'));
   await page.locator('#panel-log summary', { hasText: 'The spring' }).click();

@@ -72,12 +72,7 @@ impl Hint {
     }
 
     fn in_python(&self) -> String {
-        let argument = match self.name() {
-            // A word of the language.
-            "from" => "from_",
-            "column" => "columns",
-            name => name,
-        };
+        let argument = python_name(self.name());
         match self {
             Self::Option(..) => argument.to_owned(),
             Self::Open(_) => format!("{argument}="),
@@ -86,6 +81,16 @@ impl Hint {
             Self::Pair(_, [mine, theirs]) => format!("{argument}=({mine:?}, {theirs:?})"),
             Self::Column(channel, title) => format!("{argument}={{{channel:?}: {title:?}}}"),
         }
+    }
+}
+
+/// The argument that Python has for an option.
+pub fn python_name(option: &'static str) -> &'static str {
+    match option {
+        // A word of the language.
+        "from" => "from_",
+        "column" => "columns",
+        name => name,
     }
 }
 

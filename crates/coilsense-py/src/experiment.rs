@@ -8,7 +8,6 @@ use std::sync::Arc;
 use coilsense_lab::experiment::{Experiment, Findings};
 use coilsense_lab::output::Output;
 use coilsense_lab::recording::Cleaning;
-use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, RESAMPLE, SORT};
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 use coilsense_lab::rig::{Rig, RigError};
 use pyo3::prelude::*;
@@ -16,7 +15,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::{IntoPython, OutputError, refused};
 use crate::long_work::{interruptible, watched};
-use crate::quantity::{Quantity, given};
+use crate::quantity::{Quantity, cleaning, given};
 use crate::results::study_result;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
@@ -160,14 +159,8 @@ pub fn experiment(
     fill_gaps: Option<Quantity>,
     resample: Option<Quantity>,
 ) -> PyResult<PyExperiment> {
-    let given = given([
-        (&DROP_INCOMPLETE, drop_incomplete.into()),
-        (&SORT, sort.into()),
-        (&MERGE_REPEATED, merge_repeated.into()),
-        (&FILL_GAPS, fill_gaps.into()),
-        (&RESAMPLE, resample.into()),
-    ])?;
-    let cleaning = Cleaning::of(&given);
+    let said = cleaning(drop_incomplete, sort, merge_repeated, fill_gaps, resample);
+    let cleaning = Cleaning::of(&given(said)?);
     let experiment = interruptible(py, move || Experiment::read(&folder, &cleaning))?.python()?;
     let findings = Findings::of(&experiment);
     Ok(PyExperiment(Arc::new((experiment, findings))))

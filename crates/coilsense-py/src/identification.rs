@@ -188,9 +188,9 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// record : Recording, Signals, str or os.PathLike
 ///     Forces, and positions where they were recorded, on an even clock; or the path of a log whose columns carry their channels' names.
 /// spring : Spring, Spec, str or os.PathLike, optional
-///     Foretell f1 from a spring or a spec.
+///     Predict f1 from a spring or a spec.
 /// mass : float or str, optional
-///     Mass of the active coil [kg]: with the stiffness it foretells f1.
+///     Mass of the active coil [kg]: with the stiffness it predicts f1.
 /// windings : float, optional
 ///     Active windings [1]; the steps between modes are then those of a chain of so many.
 /// end2 : {"held", "free", "mass"}, optional

@@ -2,7 +2,9 @@
 //!
 //! Next door: series of numbers (`series`).
 
+use coilsense_lab::message::python_name;
 use coilsense_lab::quantity::Dimension;
+use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, RESAMPLE, SORT};
 use coilsense_lab::request::{Allowed, Given, Row, Takes, Value, Wrong};
 use pyo3::prelude::*;
 
@@ -45,9 +47,7 @@ impl Quantity {
 
 /// An exception for an option that cannot be.
 pub fn wrong(wrong: Wrong) -> PyErr {
-    // `from` is a word of the language.
-    let argument = if wrong.option == "from" { "from_" } else { wrong.option };
-    Error::new_err(format!("{argument} {}", wrong.reason))
+    Error::new_err(format!("{} {}", python_name(wrong.option), wrong.reason))
 }
 
 /// What an argument says of an option.
@@ -101,7 +101,7 @@ impl From<&str> for Said {
 }
 
 /// What arguments say of options, each as its row allows.
-pub fn given<const N: usize>(said: [(&Row, Said); N]) -> PyResult<Given> {
+pub fn given<'a>(said: impl IntoIterator<Item = (&'a Row, Said)>) -> PyResult<Given> {
     let mut given = Given::default();
     for (row, said) in said {
         let value = match said {
@@ -117,6 +117,23 @@ pub fn given<const N: usize>(said: [(&Row, Said); N]) -> PyResult<Given> {
         given.set(row, vec![value]);
     }
     Ok(given)
+}
+
+/// What the arguments of everything that reads logs say of cleaning them.
+pub fn cleaning(
+    drop_incomplete: bool,
+    sort: bool,
+    merge_repeated: bool,
+    fill_gaps: Option<Quantity>,
+    resample: Option<Quantity>,
+) -> [(&'static Row, Said); 5] {
+    [
+        (&DROP_INCOMPLETE, drop_incomplete.into()),
+        (&SORT, sort.into()),
+        (&MERGE_REPEATED, merge_repeated.into()),
+        (&FILL_GAPS, fill_gaps.into()),
+        (&RESAMPLE, resample.into()),
+    ]
 }
 
 /// The value of an argument that may be left out, above zero.

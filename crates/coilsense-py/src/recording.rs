@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 
 use coilsense_lab::quantity::Dimension;
-use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, FROM, MERGE_REPEATED, RESAMPLE, SORT, TO};
+use coilsense_lab::recording::request::{FROM, TO};
 use coilsense_lab::recording::{Cleaning, Clock, Recording};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use crate::errors::IntoPython;
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, given};
+use crate::quantity::{Quantity, cleaning, given};
 use crate::results::laid_out;
 use crate::signals::{PySignals, channel};
 use crate::value::getters;
@@ -253,16 +253,8 @@ pub fn open_log(
     to: Option<Quantity>,
 ) -> PyResult<PyRecording> {
     let mapping = LogOptions { columns, units, mapping, preset, sample_rate }.mapping()?;
-    let given = given([
-        (&DROP_INCOMPLETE, drop_incomplete.into()),
-        (&SORT, sort.into()),
-        (&MERGE_REPEATED, merge_repeated.into()),
-        (&FILL_GAPS, fill_gaps.into()),
-        (&RESAMPLE, resample.into()),
-        (&FROM, from_.into()),
-        (&TO, to.into()),
-    ])?;
-    let cleaning = Cleaning::of(&given);
+    let said = cleaning(drop_incomplete, sort, merge_repeated, fill_gaps, resample);
+    let cleaning = Cleaning::of(&given(said.into_iter().chain([(&FROM, from_.into()), (&TO, to.into())]))?);
     interruptible(py, move || Recording::read(&path, &mapping, &cleaning))?.python().map(PyRecording)
 }
 

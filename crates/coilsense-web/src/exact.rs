@@ -18,7 +18,7 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// Works off the condition and the damping of these numbers.
+    /// Processes the condition and the damping of these numbers.
     ///
     /// # Errors
     /// One line: what the science says of the case.

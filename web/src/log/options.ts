@@ -83,7 +83,7 @@ export const GROUPS: readonly Group[] = [
           ['', 'any spring'],
           ['tab', 'that of the tab Spring'],
         ],
-        hint: 'A known spring foretells f1, and its coil gives the theories of a calibration.',
+        hint: 'A known spring predicts f1, and its coil gives the theories of a calibration.',
       },
       {
         name: 'windings',
@@ -98,7 +98,7 @@ export const GROUPS: readonly Group[] = [
         name: 'mass',
         label: 'Mass of the coil',
         example: '65 g',
-        hint: 'With the stiffness it foretells f1.',
+        hint: 'With the stiffness it predicts f1.',
         only: BY_HAND,
       },
       {

@@ -243,7 +243,7 @@ fn if_usual(judge: &judge::Judge<'_>, sensors: &[SensorSpec], responses: &[Respo
 }
 
 impl Analysis {
-    /// Works off a spec.
+    /// Processes a spec.
     ///
     /// # Errors
     /// As [`simulate`].

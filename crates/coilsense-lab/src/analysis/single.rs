@@ -28,7 +28,7 @@ pub struct Single {
 }
 
 impl Single {
-    /// Works off the condition and the damping of these numbers in the spec.
+    /// Processes the condition and the damping of these numbers in the spec.
     ///
     /// # Errors
     /// [`AnalysisError::NoCondition`] for a spec without conditions, [`AnalysisError::NoSuchCase`] for a number that is too high,

@@ -40,7 +40,7 @@ pub struct Assessment {
 }
 
 impl Outcome {
-    /// Works a plan off.
+    /// Carries a plan out.
     ///
     /// # Errors
     /// [`CalibrationError`] for points that no curve can be put through, an inductance that does not fall with length, or a preload that is

@@ -7,7 +7,7 @@ use coilsense::calibrate::Inversion;
 use super::{ForceLaw, Method, Plan, Preload};
 use crate::quantity::Dimension;
 use crate::recording::request::is_lab_data;
-use crate::request::{Allowed, Door, Given, IfAbsent, Row, Takes, Wrong};
+use crate::request::{self, Allowed, Door, Given, IfAbsent, KNOWN_SPRING, LENGTH, Row, Takes, Wrong};
 
 /// The options, in the order in which they are told.
 pub const OPTIONS: [Row; 11] = [
@@ -24,14 +24,12 @@ pub const OPTIONS: [Row; 11] = [
     LENGTH_AT_ZERO_FORCE,
 ];
 
-const A_LENGTH: Row = Row { takes: Takes::Quantity(Dimension::Length), allowed: Allowed::AboveZero, ..Row::PLAIN };
-
 /// The length where positions read zero.
 pub const LENGTH_AT_ZERO: Row = Row {
     name: "length_at_zero",
     if_absent: IfAbsent::Found("u2 − u1, or u2, is the length itself"),
     meaning: "Length of the coil, from wire end to wire end along the axis, where the log's positions read zero",
-    ..A_LENGTH
+    ..LENGTH
 };
 /// Diameter.
 pub const WIRE: Row = Row {
@@ -39,7 +37,7 @@ pub const WIRE: Row = Row {
     meaning: "Diameter of the wire, for the theories",
     requires: &["radius", "windings"],
     elsewhere: &[(Door::Python, "spring")],
-    ..A_LENGTH
+    ..LENGTH
 };
 /// Of the coil.
 pub const RADIUS: Row = Row {
@@ -47,26 +45,20 @@ pub const RADIUS: Row = Row {
     meaning: "Radius of the coil, from the axis to the centre of the wire",
     requires: &["wire", "windings"],
     elsewhere: &[(Door::Python, "spring")],
-    ..A_LENGTH
+    ..LENGTH
 };
 /// N.
 pub const WINDINGS: Row = Row {
-    name: "windings",
-    takes: Takes::Number,
-    allowed: Allowed::Within(1.0, 1e6),
     meaning: "Windings, may be fractional",
     requires: &["wire", "radius"],
     elsewhere: &[(Door::Python, "spring")],
-    ..Row::PLAIN
+    ..request::WINDINGS
 };
 /// A known spring.
 pub const SPEC: Row = Row {
-    name: "spec",
-    takes: Takes::File("SPEC"),
     meaning: "Take coil, stiffness and length at zero force from the [spring] of a spec",
     conflicts: &["wire", "stiffness"],
-    elsewhere: &[(Door::Python, "spring"), (Door::Page, "spring")],
-    ..Row::PLAIN
+    ..KNOWN_SPRING
 };
 /// How the curve is found.
 pub const METHOD: Row = Row {
@@ -120,7 +112,7 @@ pub const LENGTH_AT_ZERO_FORCE: Row = Row {
     meaning: "Length of the coil at which its force is zero",
     requires: &["stiffness"],
     elsewhere: &[(Door::Page, "spring")],
-    ..A_LENGTH
+    ..LENGTH
 };
 
 impl Preload {

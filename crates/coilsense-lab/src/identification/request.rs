@@ -8,7 +8,7 @@ use coilsense::{FarEnd, Spring};
 
 use super::Coil;
 use crate::quantity::Dimension;
-use crate::request::{Allowed, Door, Given, IfAbsent, Row, Takes, Wrong};
+use crate::request::{self, Allowed, Door, Given, IfAbsent, KNOWN_SPRING, LENGTH, Row, Takes, Wrong};
 
 /// The options, in the order in which they are told.
 pub const OPTIONS: [Row; 12] = [
@@ -36,42 +36,35 @@ const ACCURACY: Row = Row {
     if_absent: IfAbsent::Value("0 %"),
     ..Row::PLAIN
 };
-const A_LENGTH: Row = Row { takes: Takes::Quantity(Dimension::Length), allowed: Allowed::AboveZero, ..Row::PLAIN };
 const A_MASS: Row = Row { takes: Takes::Quantity(Dimension::Mass), allowed: Allowed::AboveZero, ..Row::PLAIN };
 
 /// A known spring.
 pub const SPEC: Row = Row {
-    name: "spec",
-    takes: Takes::File("SPEC"),
-    meaning: "Foretell f1, and take windings, radius and wire, from the [spring] of a spec",
+    meaning: "Predict f1, and take windings, radius and wire, from the [spring] of a spec",
     conflicts: &["mass", "windings", "radius", "wire"],
-    elsewhere: &[(Door::Python, "spring"), (Door::Page, "spring")],
-    ..Row::PLAIN
+    ..KNOWN_SPRING
 };
 /// m.
 pub const MASS: Row =
-    Row { name: "mass", meaning: "Mass of the active coil: with the stiffness it foretells f1", ..A_MASS };
+    Row { name: "mass", meaning: "Mass of the active coil: with the stiffness it predicts f1", ..A_MASS };
 /// N.
 pub const WINDINGS: Row = Row {
-    name: "windings",
-    takes: Takes::Number,
-    allowed: Allowed::Within(1.0, 1e6),
     meaning: "Active windings, whole or not; the steps between modes are then those of a chain of so many",
-    ..Row::PLAIN
+    ..request::WINDINGS
 };
 /// Of the coil.
 pub const RADIUS: Row = Row {
     name: "radius",
     meaning: "Radius of the coil to the wire's centre, for --spec-out",
     elsewhere: &[(Door::Python, "Identification.to_spec")],
-    ..A_LENGTH
+    ..LENGTH
 };
 /// Diameter.
 pub const WIRE: Row = Row {
     name: "wire",
     meaning: "Diameter of the wire, for --spec-out",
     elsewhere: &[(Door::Python, "Identification.to_spec")],
-    ..A_LENGTH
+    ..LENGTH
 };
 /// The mount of end 2.
 pub const END2: Row = Row {

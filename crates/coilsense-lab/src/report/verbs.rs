@@ -11,7 +11,7 @@ pub const VERBS: [Verb; 16] = [
     Verb { name: "init", about: "Write a commented spec to start from", groups: &[&INIT], more: "" },
     Verb {
         name: "spring",
-        about: "The data sheet of a spec's spring: rate, mass, stress, lengths, surge frequencies and their neighbours",
+        about: "The data sheet of a spec's spring: rate, mass, stress, lengths, surge, lateral and torsional frequencies",
         groups: &[&SPRING],
         more: "",
     },
@@ -91,19 +91,19 @@ pub const VERBS: [Verb; 16] = [
     },
     Verb {
         name: "sensitivity",
-        about: "What the columns of a sweep hang on: first-order and total sensitivity indices of its variables",
+        about: "What the columns of a sweep depend on: first-order and total sensitivity indices of its variables",
         groups: &[&SENSITIVITY],
         more: "",
     },
     Verb {
         name: "pareto",
-        about: "Which designs of a sweep are worth a look: those that no other beats",
+        about: "The Pareto front of a sweep: designs that none betters in one objective without a loss in another",
         groups: &[&PARETO],
         more: "",
     },
     Verb {
         name: "experiment",
-        about: "Work off an experiment: how load cell, position and inductance part, what is biased, what drifts",
+        about: "Process an experiment: how load cell, position and inductance differ, what is biased, what drifts",
         groups: &[&[FOLDER], &recording::request::CLEANING, &EXPERIMENT],
         more: "",
     },
@@ -300,14 +300,14 @@ const SENSITIVITY: [Row; 7] = [
 
 /// A row of columns or conditions.
 const COLUMN: Row = Row { takes: Takes::Text("COLUMN"), repeated: true, ..Row::PLAIN };
-/// Columns of which little is wanted.
+/// Columns to minimise.
 pub const MINIMIZE: Row = Row {
     name: "minimize",
-    meaning: "Column of which little is wanted, such as F_o.rmsd or mass; may be given several times",
+    meaning: "Column to minimise, such as F_o.rmsd or mass; may be given several times",
     ..COLUMN
 };
-/// Columns of which much is wanted.
-pub const MAXIMIZE: Row = Row { name: "maximize", meaning: "Column of which much is wanted, such as f1", ..COLUMN };
+/// Columns to maximise.
+pub const MAXIMIZE: Row = Row { name: "maximize", meaning: "Column to maximise, such as f1", ..COLUMN };
 /// What designs have to meet.
 pub const WHERE: Row = Row {
     name: "where",

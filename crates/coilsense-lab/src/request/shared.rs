@@ -2,7 +2,8 @@
 //!
 //! Next door: the tables of the verbs (`report::VERBS`).
 
-use super::{Door, IfAbsent, Row, Takes};
+use super::{Allowed, Door, IfAbsent, Row, Takes};
+use crate::quantity::Dimension;
 
 /// The spec.
 pub const SPEC: Row = Row {
@@ -18,6 +19,18 @@ pub const OUT: Row = Row {
     name: "out",
     takes: Takes::File("DIR"),
     elsewhere: &[(Door::Python, "the result's method `save`"), (Door::Page, "its buttons that save")],
+    ..Row::PLAIN
+};
+/// A length of the coil or its wire; verbs say which.
+pub const LENGTH: Row = Row { takes: Takes::Quantity(Dimension::Length), allowed: Allowed::AboveZero, ..Row::PLAIN };
+/// N of a coil; verbs say what for.
+pub const WINDINGS: Row =
+    Row { name: "windings", takes: Takes::Number, allowed: Allowed::Within(1.0, 1e6), ..Row::PLAIN };
+/// The spec of a known spring; verbs say what is taken from it.
+pub const KNOWN_SPRING: Row = Row {
+    name: "spec",
+    takes: Takes::File("SPEC"),
+    elsewhere: &[(Door::Python, "spring"), (Door::Page, "spring")],
     ..Row::PLAIN
 };
 /// What programs read.

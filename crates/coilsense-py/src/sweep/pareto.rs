@@ -1,4 +1,4 @@
-//! `coilsense.pareto` and `Pareto`: the designs of a sweep that no other beats.
+//! `coilsense.pareto` and `Pareto`: the designs of a sweep on the Pareto front.
 //!
 //! Next door: what its numbers hang on (`sensitivity`), the folder (`dataset`).
 
@@ -18,7 +18,7 @@ use crate::long_work::interruptible;
 use crate::results::study_result;
 use crate::value::getters;
 
-/// The designs of a sweep that no other beats; made by `pareto`. ``str()`` of it is what ``coilsense pareto`` prints.
+/// The designs of a sweep on the Pareto front; made by `pareto`. ``str()`` of it is what ``coilsense pareto`` prints.
 ///
 /// The best in the first objective comes first.
 #[pyclass(name = "Pareto", module = "coilsense", frozen, eq)]
@@ -89,9 +89,9 @@ impl PyPareto {
     }
 }
 
-/// The designs of a sweep that no other beats: none is as good in every objective and better in one.
+/// The Pareto front of a sweep: for none of its designs is there another that is as good in every objective and better in one.
 ///
-/// Rows that clash or are refused, fail a condition, or lack a number for an objective are never on the front.
+/// Rows in which windings would touch, that could not be judged, fail a condition, or lack a number for an objective are never on the front.
 ///
 /// Parameters
 /// ----------

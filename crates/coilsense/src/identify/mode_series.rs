@@ -144,13 +144,7 @@ fn assign(
         if step > 0.5 * rate || missed > 6 {
             break;
         }
-        // Before N is known, a step may lie as low as that of the shortest chain.
-        let low = if known {
-            step
-        } else {
-            first * series.multiple(j, FEWEST.max(j as f64)) / series.multiple(mode, FEWEST.max(mode as f64))
-                * series.multiple(mode, chain)
-        };
+        let low = if known { step } else { first * series.multiple(mode, chain) * least_step(series, j, mode) };
         let within = |seen: &Observation| {
             let room = (OFF + unsure(lines, &modes, j)) * step + 3.0 * seen.standard.min(0.02 * step);
             seen.frequency > low.min(step) - room && seen.frequency < step + room
@@ -188,6 +182,11 @@ fn assign(
     };
     let score = score(lines, series, &modes);
     Match { mode_series: series, first, windings: chain, modes, aliases, score }
+}
+
+/// Mode j over mode `base` in the shortest chain: as low as it may lie before N is known.
+fn least_step(series: ModeSeries, j: usize, base: usize) -> f64 {
+    series.multiple(j, FEWEST.max(j as f64)) / series.multiple(base, FEWEST.max(base as f64))
 }
 
 /// What the lines that a series explains weigh, less what the modes below its highest cost that should be there and are not.

@@ -10,9 +10,9 @@ use crate::mount::FarEnd;
 pub struct Settings {
     /// N: active windings \[1\], for the chain's frequencies instead of the continuous coil's.
     pub windings: Option<f64>,
-    /// m: mass of the active coil \[kg\]: with the stiffness it foretells f1.
+    /// m: mass of the active coil \[kg\]: with the stiffness it predicts f1.
     pub mass: Option<f64>,
-    /// f1 \[Hz\] of the spring with both ends held, where a spec foretells it.
+    /// f1 \[Hz\] of the spring with both ends held, where a spec predicts it.
     pub predicted: Option<f64>,
     /// How far a predicted f1 may be off \[1\], relative.
     pub prediction_tolerance: f64,
