@@ -24,15 +24,22 @@ pub fn steps() -> anyhow::Result<bool> {
     let place = tempfile::tempdir()?;
     unpack(&crates, place.path())?;
     let built = target_folder().join("packed");
-    let mut build = cargo(&["build", "--quiet", "--package", "coilsense-cli"]);
+    let mut build = lean(&["build", "--quiet", "--package", "coilsense-cli"]);
     build.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
     if !build.status()?.success() {
         return Ok(false);
     }
     // The golden tables travel with the crate. A test knows its folder from when it was compiled, so nothing of an earlier run's is taken.
-    let mut test = cargo(&["test", "--quiet", "--package", "coilsense", "--test", "golden", "--test", "trend"]);
+    let mut test = lean(&["test", "--quiet", "--package", "coilsense", "--test", "golden", "--test", "trend"]);
     test.current_dir(place.path()).env("CARGO_TARGET_DIR", place.path().join("target"));
     Ok(ask(&built.join("debug/coilsense"), place.path())? && test.status()?.success())
+}
+
+/// Cargo for a build that is run once: nothing kept for the next one or for a debugger, which is most of its disk.
+fn lean(arguments: &[&str]) -> Command {
+    let mut command = cargo(arguments);
+    command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
+    command
 }
 
 /// Names and versions of the crates that are published: all but the chores and the doors that other tools pack.

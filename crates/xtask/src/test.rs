@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, cargo, commands, package, packed, page, robot, viewer};
+use crate::{browser, cargo, commands, package, packed, page, robot, strict, viewer};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -102,11 +102,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bail!("failed: {}", broken.join(", "));
     }
     Ok(())
-}
-
-/// With CI=true a part that cannot run is a failure.
-fn strict() -> bool {
-    std::env::var("CI").is_ok_and(|value| value == "true")
 }
 
 /// Runs a command; its own output tells what is wrong.

@@ -277,6 +277,10 @@ impl Row {
             Allowed::Any | Allowed::AboveZero => String::new(),
             _ => format!(", {}", self.allowed_in_words()),
         };
+        let range = match self.takes {
+            Takes::Word(words) => format!("{range}: {}", words.join(", ")),
+            _ => range,
+        };
         match self.if_absent {
             IfAbsent::Found(words) => format!("{}{range}; without it, {words}", self.meaning),
             _ => format!("{}{range}", self.meaning),
