@@ -106,3 +106,116 @@ fn a_motion_that_repeats_itself_or_none_at_all_is_refused() {
     assert!(ClockOffset::between(&[0.0; 10], &[0.0; 10], [0.0, 0.0], INTERVAL).is_err());
     assert!(ClockOffset::between(&[0.0; 500], &[0.0; 500], [0.0, 0.0], INTERVAL).is_err());
 }
+
+/// What a device records whose clock runs slow by `drift` and reads `ahead` late in the middle of `samples`.
+fn drifting(
+    motion: &Motion,
+    (ahead, drift): (f64, f64),
+    samples: usize,
+    rate: f64,
+    noise: f64,
+    random: &mut Pcg64,
+) -> Vec<f64> {
+    let middle = 0.5 * samples as f64 / rate;
+    let sample = |n: usize| {
+        let chance: f64 = StandardNormal.sample(random);
+        let time = n as f64 / rate;
+        motion(time + ahead + drift * (time - middle)) + noise * chance
+    };
+    (0..samples).map(sample).collect()
+}
+
+#[test]
+fn a_drift_over_ten_minutes_is_found_with_its_interval() {
+    // 600 s at 100 Hz; the offset runs by 30 ms, a fifth of a period of the fastest motion, or by four periods of it.
+    const RATE: f64 = 100.0;
+    const COUNT: usize = 60_000;
+    for (seed, drift, to) in [(1, -50e-6, 6.0), (2, 50e-6, 30.0), (3, 0.0, 6.0), (4, 120e-6, 20.0), (5, -90e-6, 40.0)] {
+        let random = &mut Pcg64::seed_from_u64(seed);
+        let motion = shaking(random, 0.1, to);
+        let first = drifting(&motion, (0.0, 0.0), COUNT, RATE, 0.1, random);
+        let second = drifting(&motion, (-0.25, drift), COUNT, RATE, 0.1, random);
+        let found = ClockOffset::between(&first, &second, [0.0, 0.0], 1.0 / RATE).unwrap();
+        let told = found.drift.unwrap();
+        println!("{:.4} ± {:.4} ppm, {:?}", 1e6 * told.rate, 1e6 * told.half_width, found);
+        // A thousand samples' noise of a tenth on a slope of at least 20/s each: below 0.1 ppm; two half-widths, five seeds.
+        assert!((told.rate - drift).abs() < 2.0 * told.half_width && told.half_width < 0.2e-6, "{told:?}");
+        for time in [0.0, 300.0, 600.0] {
+            let truth = -0.25 + drift * (time - 300.0);
+            assert!((found.added(time) - truth).abs() < 2.0 * found.half_width_at(time), "{time}: {found:?}");
+            assert!(found.half_width_at(time) < 1e-4, "{time}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn the_interval_of_a_drift_holds_it_as_often_as_it_says() {
+    type Case = (&'static str, fn(&mut Pcg64) -> Motion, f64);
+    let fast: fn(&mut Pcg64) -> Motion = |random| shaking(random, 2.0, 40.0);
+    // 16 s at 500 Hz: 100 ppm are 1.6 ms.
+    let cases: [Case; 4] =
+        [("shaking", fast, 0.02), ("shaking", fast, 1.0), ("hits", hits, 0.005), ("hits", hits, 0.02)];
+    for (name, make, noise) in cases {
+        const SEEDS: u64 = 60;
+        let (mut held, mut both, mut fitted) = (0, 0, 0);
+        for seed in 0..SEEDS {
+            let random = &mut Pcg64::seed_from_u64(1000 + seed);
+            let motion = make(random);
+            let (ahead, drift) = (random.random_range(-1.0..1.0), random.random_range(-100e-6..100e-6));
+            let first = drifting(&motion, (0.0, 0.0), SAMPLES, 500.0, noise, random);
+            let second = drifting(&motion, (ahead, drift), SAMPLES, 500.0, noise, random);
+            let found = ClockOffset::between(&first, &second, [0.0, 0.0], INTERVAL).unwrap();
+            let ends = [0.0, 16.0].map(|time| {
+                let truth = ahead + drift * (time - 8.0);
+                (found.added(time) - truth).abs() <= found.half_width_at(time)
+            });
+            both += usize::from(ends == [true; 2]);
+            if let Some(told) = found.drift {
+                fitted += 1;
+                held += usize::from((told.rate - drift).abs() <= told.half_width);
+            }
+        }
+        println!("{name}, noise {noise}: {fitted} of {SEEDS} drifts, {held} held; offsets at both ends {both}");
+        assert!(held as f64 >= LEAST * fitted as f64 - 0.5, "{name}, noise {noise}: {held} of {fitted}");
+        assert!(both as f64 >= 0.85 * SEEDS as f64, "{name}, noise {noise}: {both}");
+    }
+}
+
+#[test]
+fn a_drift_that_a_record_does_not_tell_is_left_in_the_interval() {
+    let random = &mut Pcg64::seed_from_u64(11);
+    let short = shaking(random, 0.05, 1.0);
+    // Four hits in one second of ten minutes tell an offset there, and nothing of its drift.
+    let early: Motion = Box::new(|time| {
+        let since = [1.0, 1.21, 1.47, 1.83].into_iter().map(|at| time - at).filter(|since| *since >= 0.0);
+        since.map(|since| (-20.0 * since).exp() * (100.0 * since).sin()).sum()
+    });
+    for (motion, samples, rate, noise) in [(&short, 8000, 500.0, 0.3), (&early, 60_000, 100.0, 0.01)] {
+        let first = drifting(motion, (0.0, 0.0), samples, rate, noise, random);
+        let second = drifting(motion, (-0.25, 0.0), samples, rate, noise, random);
+        let found = ClockOffset::between(&first, &second, [0.0, 0.0], 1.0 / rate).unwrap();
+        println!("{found:?}");
+        assert!(found.drift.is_none(), "{found:?}");
+        let far = samples as f64 / rate;
+        let (there, alone) = (found.half_width_at(far), 100e-6 * (far - found.at));
+        assert!(there >= alone && there <= alone + found.half_width, "{found:?}");
+        assert!((found.added(far) + 0.25).abs() < there, "{found:?}");
+    }
+}
+
+#[test]
+fn two_records_that_have_nothing_in_common_stay_refused_over_ten_minutes() {
+    let random = &mut Pcg64::seed_from_u64(12);
+    let (one, other) = (shaking(random, 0.1, 6.0), shaking(random, 0.1, 6.0));
+    let first = drifting(&one, (0.0, 0.0), 60_000, 100.0, 0.1, random);
+    for (motion, noise) in [(&other, 0.1), (&(Box::new(|_: f64| 0.0) as Motion), 1.0)] {
+        let second = drifting(motion, (0.0, 0.0), 60_000, 100.0, noise, random);
+        let message = ClockOffset::between(&first, &second, [0.0, 0.0], 0.01).unwrap_err().to_string();
+        println!("{message}");
+    }
+    let sine: Motion = Box::new(|time| (TAU * 3.0 * time).sin());
+    let first = drifting(&sine, (0.0, 0.0), 60_000, 100.0, 0.01, random);
+    let second = drifting(&sine, (-0.25, 50e-6), 60_000, 100.0, 0.01, random);
+    let message = ClockOffset::between(&first, &second, [0.0, 0.0], 0.01).unwrap_err().to_string();
+    assert!(message.contains("repeats itself"), "{message}");
+}

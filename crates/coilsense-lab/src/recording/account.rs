@@ -111,10 +111,22 @@ pub struct Account {
 pub struct Joined {
     /// What became of its own rows.
     pub account: Account,
-    /// What was added to its times \[s\].
+    /// What was added to its times \[s\]; with a drift, in the middle of what tells it.
     pub offset: f64,
     /// By which channels, of the first and the second device, that was found, and how surely; `None` where it was given.
     pub found: Option<([&'static str; 2], ClockOffset)>,
+}
+
+impl Joined {
+    /// Its own time at a time of the first device \[s\].
+    pub fn own(&self, time: f64) -> f64 {
+        self.found.as_ref().map_or(time - self.offset, |(_, found)| found.of_second(time))
+    }
+
+    /// The first device's time at one of its own \[s\].
+    pub fn of_first(&self, time: f64) -> f64 {
+        time + self.found.as_ref().map_or(self.offset, |(_, found)| found.added(time))
+    }
 }
 
 impl Account {

@@ -1,6 +1,6 @@
 //! Two devices that recorded the same motion, on one clock.
 //!
-//! Next door: the offset between the clocks (`coilsense::measures::ClockOffset`), each device's own log (`mod`).
+//! Next door: offset and drift between the clocks (`coilsense::measures::ClockOffset`), each device's own log (`mod`).
 
 use coilsense::measures::ClockOffset;
 use coilsense::{Channel, Signals};
@@ -60,10 +60,10 @@ impl Recording {
         let (Some(first), Some(last)) = (theirs.first(), theirs.last()) else { return Ok(self) };
         // A clock that is off by rounding must not cost a row.
         let slack = 1e-9 * (last - first);
-        let shared = |time: f64| (first - slack..=last + slack).contains(&(time - joined.offset));
+        let shared = |time: f64| (first - slack..=last + slack).contains(&joined.own(time));
         let kept: Vec<usize> = (0..time.len()).filter(|&row| shared(time[row])).collect();
         if kept.is_empty() {
-            let (from, to) = (first + joined.offset, last + joined.offset);
+            let (from, to) = (joined.of_first(*first), joined.of_first(*last));
             return Err(wrong(format!(
                 "covers {from} s to {to} s on the first device's clock, where that has no rows"
             )));
@@ -78,8 +78,8 @@ impl Recording {
         }
         for (channel, values) in other.signals.channels() {
             if self.signals.channel(channel).is_err() {
-                let shifted: Vec<f64> = times.iter().map(|time| time - joined.offset).collect();
-                signals.insert(channel, interpolated(theirs, values, &shifted)).map_err(science)?;
+                let own: Vec<f64> = times.iter().map(|time| joined.own(*time)).collect();
+                signals.insert(channel, interpolated(theirs, values, &own)).map_err(science)?;
             }
         }
         if lost > 0 {

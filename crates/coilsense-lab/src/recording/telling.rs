@@ -4,6 +4,8 @@
 
 use std::fmt;
 
+use coilsense::measures::ClockOffset;
+
 use super::account::{Account, Gaps, Joined};
 use crate::quantity::digits;
 
@@ -84,16 +86,39 @@ impl Joined {
     fn lines(&self) -> Vec<String> {
         let mut lines = vec!["with a second device:".to_owned()];
         lines.extend(self.account.lines());
-        lines.push(match &self.found {
-            None => format!("  its clock is off by {}, as told", seconds(self.offset)),
-            Some(([mine, theirs], found)) => format!(
-                "  its clock is off by {:.9} s ± {} (95 %), by its {theirs} against {mine} (correlation {:.3})",
-                self.offset,
-                half_width(found.half_width),
-                found.correlation
-            ),
-        });
+        let Some(([mine, theirs], found)) = &self.found else {
+            lines.push(format!(
+                "  its clock is off by {}, as told; a drift of it is not looked for",
+                seconds(self.offset)
+            ));
+            return lines;
+        };
+        lines.push(format!(
+            "  its clock is off by {:.9} s ± {} (95 %) at its {:.3} s, by its {theirs} against {mine} (correlation {:.3})",
+            self.offset,
+            half_width(found.half_width),
+            found.at,
+            found.correlation
+        ));
+        lines.extend(self.drift(found));
         lines
+    }
+
+    /// What that becomes at the ends of its record.
+    fn drift(&self, found: &ClockOffset) -> Option<String> {
+        let [from, to] = self.account.span?;
+        let end = |time: f64| format!("{:.6} s ± {}", found.added(time), half_width(found.half_width_at(time)));
+        let (from, to) = (format!("{} at {from} s", end(from)), format!("{} at {to} s", end(to)));
+        Some(match found.drift {
+            Some(drift) => {
+                let (rate, half) = (1e6 * drift.rate, (1e6 * drift.half_width).max(1e-3));
+                let decimals = (1.0 - half.log10()).floor().clamp(0.0, 3.0) as usize;
+                format!("  its clock drifts: {rate:.decimals$} ± {half:.decimals$} ppm are added, so {from}, {to}")
+            }
+            None => format!(
+                "  its drift is not resolved by the record; up to 100 ppm, as between two crystals, would make it {from}, {to}"
+            ),
+        })
     }
 }
 

@@ -5,12 +5,14 @@
 mod clash;
 mod clock_offset;
 mod deviation;
+mod sinusoid;
 mod spectrum;
 mod transform;
 mod trend;
 
 pub use clash::Clash;
-pub use clock_offset::ClockOffset;
+pub use clock_offset::{ClockDrift, ClockOffset};
 pub use deviation::Deviation;
+pub use sinusoid::Sinusoid;
 pub use spectrum::{Spectrum, alias_of};
 pub use trend::Trend;
