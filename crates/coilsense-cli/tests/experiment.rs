@@ -176,3 +176,17 @@ fn nothing_is_written_where_a_log_is_wrong() {
     assert!(message.lines().count() == 1 && message.contains("shaken.csv:3"), "{message}");
     assert!(!out.exists());
 }
+
+#[test]
+fn a_frequency_that_the_log_does_not_have_is_refused_with_file_and_both_numbers() {
+    let place = folder();
+    let out = place.path().join("out");
+    fs::write(place.path().join("experiment.toml"), DESCRIPTION.replace("8 Hz", "8.4 Hz")).unwrap();
+    let output = experiment(place.path(), &["--out", out.to_str().unwrap()]);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && message.lines().count() == 1 && !out.exists(), "{message}");
+    assert!(
+        message.contains("shaken.csv: moves at 8.00") && message.contains("not at the 8.4 Hz that shaken"),
+        "{message}"
+    );
+}

@@ -11,8 +11,9 @@ impl Experiment {
         let left_out: usize = self.runs.iter().map(|run| run.fast.left_out).sum();
         let samples: usize = self.runs.iter().map(|run| run.fast.output.samples).sum();
         lines.push(format!(
-            "{samples} samples of {} runs; {left_out} after the last whole period of a sine are left out.",
-            self.runs.len()
+            "{samples} samples of {} run{}; {left_out} after the last whole period of a sine are left out.",
+            self.runs.len(),
+            if self.runs.len() == 1 { "" } else { "s" }
         ));
         match self.hits {
             0 => {}
@@ -27,6 +28,7 @@ impl Experiment {
             lines.push("No curve from inductance to length is given or measured: there is no F_L.".to_owned());
         }
         lines.extend(self.spec.notes.iter().map(|note| format!("{}: {note}.", self.spec.file)));
+        lines.extend(self.frequencies());
         lines.extend(self.averaging());
         lines.extend(self.cleaned.iter().filter_map(|account| account.cleaning()));
         lines

@@ -2,6 +2,7 @@
 //!
 //! Next door: the LCR meter's (`slow`), means (`mean`).
 
+use coilsense::measures::Sinusoid;
 use coilsense::{Channel, Deviation};
 
 use super::spring::displacements;
@@ -22,6 +23,12 @@ pub struct Fast {
     pub deflection: Mean,
     /// Mean displacement \[m\]; none where the log has F_x itself.
     pub displacement: Option<f64>,
+    /// The line that a sine's F_x mostly is; none at rest, without a clear line, or on an uneven clock.
+    pub moves: Option<Sinusoid>,
+    /// Samples a second, on the mean \[Hz\].
+    pub sample_rate: f64,
+    /// How long the log is \[s\].
+    pub duration: f64,
     /// Samples behind the last whole period, which are left out.
     pub left_out: usize,
     /// The first half second, as it was recorded.
@@ -77,6 +84,8 @@ impl Fast {
         let part = |values: &[f64]| Mean::in_blocks(&time[..kept], &values[..kept], block);
         let deviation = Deviation::between(&output[..kept], &deflection[..kept]);
         let deviation = deviation.map_err(|error| ExperimentError::of(path, error))?;
+        let moves = if run.frequency > 0.0 { Sinusoid::of(time, &deflection).ok().flatten() } else { None };
+        let (steps, span) = ((time.len() - 1) as f64, time[time.len() - 1] - time[0]);
         let shown = time.partition_point(|t| *t <= time[0] + EXCERPT);
         Ok(Some(Self {
             deviation,
@@ -84,6 +93,9 @@ impl Fast {
             output: part(output),
             deflection: part(&deflection),
             displacement: moved.map(|moved| moved[..kept].iter().sum::<f64>() / kept as f64),
+            moves,
+            sample_rate: steps / span,
+            duration: span * (1.0 + 1.0 / steps),
             left_out: time.len() - kept,
             excerpt: Excerpt {
                 time: time[..shown].iter().map(|t| t - time[0]).collect(),

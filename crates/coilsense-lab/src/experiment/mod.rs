@@ -1,6 +1,6 @@
 //! An experiment like that of the paper's section IV, processed as IV-C says: from the logs that an `experiment.toml` lists to Figs. 5 and 6.
 //!
-//! `spring` takes stiffness, offset and the curve of eq. (13) from the calibration run, `fast` and `slow` read the logs of a run, `mean` holds
+//! `spring` takes stiffness, offset and the curve of eq. (13) from the calibration run, `fast` and `slow` read the logs of a run, `stated` asks whether it moves as it states, `mean` holds
 //! means with their standard errors, `findings` says what rises, what is biased and what drifts, `answer` puts it into words, `account` what was left out. Next door: the
 //! file itself (`crate::spec`), logs (`crate::recording`), how it looks (`crate::report`).
 
@@ -12,6 +12,7 @@ mod mean;
 mod outcome;
 mod slow;
 mod spring;
+mod stated;
 
 pub use answer::answer;
 pub(crate) use answer::{pair, probability};

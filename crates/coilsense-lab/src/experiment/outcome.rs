@@ -67,7 +67,7 @@ impl Experiment {
     /// - `cleaning`: what may be cleaned in each of them; a window of time has no meaning for logs of many clocks, and is not looked at
     ///
     /// # Errors
-    /// [`ExperimentError`] that names file, row and column.
+    /// [`ExperimentError`] that names file, row and column; and a sine that does not move at the frequency that its run states.
     pub fn new(spec: ExperimentSpec, cleaning: &Cleaning) -> Result<Self, ExperimentError> {
         let cleaning = &Cleaning { from: None, to: None, ..*cleaning };
         let mapping =
@@ -100,7 +100,9 @@ impl Experiment {
         let first = runs.iter().find(|run| run.spec.kind == RunKind::Preload);
         let reference = first.map_or(0.0, |run| run.fast.deflection.mean);
         let hits = spec.runs.iter().filter(|run| run.kind == RunKind::Hit).count();
-        Ok(Self { line, curve, runs, reference, hits, simulated, cleaned, spec })
+        let experiment = Self { line, curve, runs, reference, hits, simulated, cleaned, spec };
+        experiment.check_frequencies()?;
+        Ok(experiment)
     }
 
     /// Reads `experiment.toml` of a folder, and works it off.

@@ -1,4 +1,4 @@
-//! Experiments processed: series whose measures are closed forms (`closed`), files that are wrong (`hostile`), the virtual rig (`rig`).
+//! Experiments processed: series whose measures are closed forms (`closed`), files that are wrong (`hostile`), frequencies that do not fit (`stated`), the virtual rig (`rig`).
 //!
 //! Here: a folder with an experiment in it, made of known sines.
 
@@ -6,6 +6,7 @@ mod closed;
 mod hostile;
 mod keys;
 mod rig;
+mod stated;
 
 use std::f64::consts::TAU;
 use std::fs;

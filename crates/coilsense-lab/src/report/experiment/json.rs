@@ -96,7 +96,12 @@ struct OffsetPart {
 struct RunRow<'a> {
     name: &'a str,
     kind: &'static str,
+    /// As its run states it.
     frequency_hz: f64,
+    /// Of the strongest line of F_x; null at rest, and where no line stands out.
+    measured_frequency_hz: Option<f64>,
+    /// Half of the interval that holds it with 95 %.
+    measured_frequency_hz_half_width: Option<f64>,
     amplitude_m: Option<f64>,
     rmsd_n: f64,
     rmsd_percent: f64,
@@ -227,6 +232,8 @@ impl<'a> RunRow<'a> {
             name: &run.spec.name,
             kind: run.spec.kind.word(),
             frequency_hz: run.spec.frequency,
+            measured_frequency_hz: run.fast.moves.map(|line| line.frequency),
+            measured_frequency_hz_half_width: run.fast.moves.map(|line| line.half_width),
             amplitude_m: run.spec.amplitude,
             rmsd_n: deviation.rmsd,
             rmsd_percent: experiment.percent(deviation.rmsd),

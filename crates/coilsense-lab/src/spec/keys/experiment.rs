@@ -81,7 +81,8 @@ const RUN: Table = Table {
                 left to `coilsense identify`)",
         ),
         optional("name", "\"27 Hz\"", "what people call it", "from the names of its files"),
-        needed("frequency", "\"26.966 Hz\"", "of the sine").of(&["harmonic"]),
+        needed("frequency", "\"26.966 Hz\"", "of the sine; held against the log, where another is refused")
+            .of(&["harmonic"]),
         optional("amplitude", "\"1 mm\"", "of the sine; shown only", "not shown").of(&["harmonic"]),
         optional(
             "fast",
