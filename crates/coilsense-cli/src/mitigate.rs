@@ -8,12 +8,11 @@ use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::request::{LOG, PRECISION, STATED};
 use coilsense_lab::mitigation::{Request, Study};
 use coilsense_lab::output::Output;
-use coilsense_lab::recording::{Cleaning, Mapping, Recording};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
 
-use crate::{date, options};
+use crate::{date, log, options};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -24,9 +23,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         Study::stated(&spec.spring.spring)?
     } else {
         let asked = Request::of(given).map_err(options::wrong)?;
-        match given.file(&LOG) {
-            Some(log) => Study::on(&spec, &asked, &Recording::read(log, &Mapping::default(), &Cleaning::default())?)?,
-            None => Study::of(&spec, &asked)?,
+        match given.holds(&LOG) {
+            true => Study::on(&spec, &asked, &log::recording(given)?)?,
+            false => Study::of(&spec, &asked)?,
         }
     };
     let begun = Instant::now();

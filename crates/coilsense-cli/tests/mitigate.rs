@@ -101,3 +101,70 @@ fn a_rate_that_would_take_for_ever_is_refused_at_once() {
     assert!(text.contains("rate must be at most 4000000 Hz") && text.trim_end().lines().count() == 1, "{text}");
     assert!(!folder.path().join("out").exists());
 }
+
+/// S_T, u1 moving by 1 mm, ringing four times; from where u1 reads zero the coil is 230 mm long. `gain` of the load cell, `more` columns.
+fn log(folder: &Path, gain: f64, broken: bool) {
+    let row = |index: u32| {
+        let time = f64::from(index) / 500.0;
+        let u1 = 1e-3 * (1.9 * time).sin();
+        let since = time % 2.5;
+        let force = gain * (760.0 * (0.126 - u1) + 1.7 * (-3.4 * since).exp() * (339.7 * since).sin());
+        let force = if broken && index == 700 { "NaN".to_owned() } else { force.to_string() };
+        format!("{time},{},{force}\n", 1e3 * u1)
+    };
+    let text = "t,u1 [mm],LC [N]\n".to_owned() + &(0..5000).map(row).collect::<String>();
+    std::fs::write(folder.join("run.csv"), text).unwrap();
+}
+
+#[test]
+fn a_log_of_f_i_alone_is_judged_and_every_advice_is_an_option_that_there_is() {
+    let folder = tempfile::tempdir().unwrap();
+    log(folder.path(), 1.0, true);
+    let mut arguments = vec!["--log", "run.csv", "--out", "out"];
+    // What each error names is given next, until it is done.
+    for (told, more) in [
+        ("--column", ["--column", "F_i=LC [N]"]),
+        ("--column time=", ["--column", "time=t [s]"]),
+        ("run.csv:702", ["--drop-incomplete", "--sort"]),
+        ("--resample", ["--resample", "500 Hz"]),
+        ("", ["--fill-gaps", "5 ms"]),
+    ] {
+        let done = mitigate(folder.path(), &arguments);
+        let text = String::from_utf8(done.stderr).unwrap();
+        println!("{text}");
+        if told.is_empty() && done.status.success() {
+            break;
+        }
+        assert!(done.status.code() == Some(2) && text.trim_end().lines().count() == 1, "{text}");
+        assert!(text.contains(told) || told.is_empty(), "{told}: {text}");
+        assert!(!folder.path().join("out").exists());
+        arguments.extend(more);
+    }
+    let done = mitigate(folder.path(), &arguments);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    assert!(text.contains("The coil is 230.0") && text.contains("estimators of F_o cannot be"), "{text}");
+    assert!(folder.path().join("out/trade-off.svg").is_file() && !folder.path().join("out/force_estimator.h").exists());
+}
+
+#[test]
+fn a_gain_that_is_off_is_said_and_another_spring_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let columns = ["--log", "run.csv", "--column", "time=t [s]", "--column", "F_i=LC [N]"];
+    log(folder.path(), 0.95, false);
+    let text = String::from_utf8(mitigate(folder.path(), &columns).stdout).unwrap();
+    assert!(text.contains("k from the log 72") && text.contains("take the log's"), "{text}");
+    for (gain, told) in [(3.0, "3.00 times the spec's 760.0 N/m"), (-1.0, "the sign of F_i, u1 or u2 is turned")] {
+        log(folder.path(), gain, false);
+        let done = mitigate(folder.path(), &columns);
+        let text = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.code() == Some(2) && text.contains(told) && text.trim_end().lines().count() == 1, "{text}");
+    }
+    log(folder.path(), 1.0, false);
+    let far = mitigate(folder.path(), &[&columns[..], &["--length-at-zero", "250 mm"]].concat());
+    assert!(String::from_utf8(far.stdout).unwrap().contains("Warning: The coil is 250.000 mm long"));
+    let free = mitigate(folder.path(), &[&columns[..], &["--end2", "free"]].concat());
+    assert!(String::from_utf8(free.stderr).unwrap().contains("--end2 held says so"));
+    let without = mitigate(folder.path(), &["--length-at-zero", "250 mm"]);
+    assert!(String::from_utf8(without.stderr).unwrap().contains("--log"));
+}

@@ -92,8 +92,16 @@ fn a_spec_whose_end_1_moves_is_told_to_shape_the_command_and_no_other() {
     let text = include_str!("../../../examples/sea-ankle.toml");
     let spec = Spec::parse("spec", text, &|_| Err("no files".to_owned())).unwrap();
     let tolerances = ToleranceBox::new(0.1, 0.1).unwrap();
-    let asked =
-        Request { rate: 2500.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 };
+    let asked = Request {
+        rate: 2500.0,
+        noise: None,
+        bandwidth: None,
+        tolerances,
+        most_lag: 30_f64.to_radians(),
+        seeds: 1,
+        length_at_zero: None,
+        end2_held: None,
+    };
     let study = Study::of(&spec, &asked).unwrap();
     let hit = Study { conditions: study.conditions[..1].to_vec(), ..study.clone() };
     let answer = Study { conditions: study.conditions[3..].to_vec(), ..study }.run().unwrap();

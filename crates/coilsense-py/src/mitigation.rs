@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::request::{
-    BANDWIDTH, MASS_TOLERANCE, MOST_LAG, NOISE, RATE, SEEDS, STIFFNESS_TOLERANCE,
+    BANDWIDTH, END2, LENGTH_AT_ZERO, MASS_TOLERANCE, MOST_LAG, NOISE, RATE, SEEDS, STIFFNESS_TOLERANCE,
 };
 use coilsense_lab::mitigation::{Ranking, Request, Study, Truth};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
@@ -136,7 +136,7 @@ impl PyMitigation {
 /// spec : Spec, str or os.PathLike
 ///     Spring, mount and conditions.
 /// record : Recording, Signals, str or os.PathLike, optional
-///     Judge on a record in place of the conditions: F_i, u1, u2 and, for estimators, F_o.
+///     Judge on a record in place of the conditions: F_i, u1, u2 (none where end 2 is held) and, for estimators, F_o.
 /// stated : bool
 ///     Judge on the stated scenario in place of the conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds.
 /// rate : float or str
@@ -151,6 +151,10 @@ impl PyMitigation {
 ///     Most lag at the bandwidth that what is advised may have [rad]; without it, 30 degrees.
 /// seeds : int
 ///     Series of noise, 1 to 1000.
+/// length_at_zero : float or str, optional
+///     Length of the coil where u1 and u2 of the record read zero [m]; without it, by the mean of F_i.
+/// end2 : {"held", "free", "mass"}, optional
+///     What end 2 is tied to in the record; where it is held, no u2 is needed. Without it, as the spec's mount.
 ///
 /// Returns
 /// -------
@@ -161,10 +165,10 @@ impl PyMitigation {
 /// Error
 ///     For a spec without conditions to judge on, or a setting that makes no sense.
 /// LogError
-///     For a record without one of the channels, or not evenly sampled.
+///     For a record without one of the channels, not evenly sampled, of another spring, or with a turned sign.
 #[pyfunction]
 #[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1,
-                    mass_tolerance=0.1, most_lag=None, seeds=5))]
+                    mass_tolerance=0.1, most_lag=None, seeds=5, length_at_zero=None, end2=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn mitigate(
     py: Python<'_>,
@@ -178,6 +182,8 @@ pub fn mitigate(
     mass_tolerance: f64,
     most_lag: Option<Quantity>,
     seeds: u64,
+    length_at_zero: Option<Quantity>,
+    end2: Option<&str>,
 ) -> PyResult<PyMitigation> {
     let spec = spec.spec(py)?;
     if stated && record.is_some() {
@@ -191,6 +197,8 @@ pub fn mitigate(
         (&MASS_TOLERANCE, mass_tolerance.into()),
         (&MOST_LAG, most_lag.into()),
         (&SEEDS, seeds.into()),
+        (&LENGTH_AT_ZERO, length_at_zero.into()),
+        (&END2, end2.into()),
     ])?;
     let asked = Request::of(&given).map_err(wrong)?;
     let study = match (stated, record) {

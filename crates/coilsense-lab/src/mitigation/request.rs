@@ -1,17 +1,45 @@
 //! What may be asked of a study: the options of `coilsense mitigate`, of Python's function and of the page, in one table.
 //!
-//! Next door: what a row says (`crate::request`), the study (`study`).
+//! Next door: what a row says (`crate::request`), the study (`study`), the log's own options (`crate::recording::request`).
 
 use coilsense::Error;
 use coilsense::mitigation::ToleranceBox;
 
 use crate::quantity::Dimension;
-use crate::request::{Allowed, Door, Given, IfAbsent, Row, Takes, Wrong};
+use crate::recording::request as log;
+use crate::request::{Allowed, Door, Given, IfAbsent, LENGTH, Row, Takes, Wrong};
 
 /// What it is judged on in place of the spec's conditions.
 pub const BASIS: [Row; 2] = [STATED, LOG];
 /// The options, in the order in which they are told.
 pub const OPTIONS: [Row; 7] = [RATE, NOISE, BANDWIDTH, STIFFNESS_TOLERANCE, MASS_TOLERANCE, MOST_LAG, SEEDS];
+
+/// What is known of a log's positions.
+pub const OF_LOG: [Row; 2] = [LENGTH_AT_ZERO, END2];
+/// How the log is read, as by every other verb.
+pub const READING: [Row; 15] = [
+    of_log(log::COLUMN),
+    of_log(log::MAPPING),
+    of_log(log::PRESET),
+    of_log(log::SAMPLE_RATE),
+    of_log(log::DROP_INCOMPLETE),
+    of_log(log::SORT),
+    of_log(log::MERGE_REPEATED),
+    of_log(log::FILL_GAPS),
+    of_log(log::RESAMPLE),
+    of_log(log::FROM),
+    of_log(log::TO),
+    of_log(log::WITH),
+    of_log(log::WITH_COLUMN),
+    of_log(log::WITH_MAPPING),
+    of_log(log::CLOCK),
+];
+
+/// A row of a log that is judged on.
+const fn of_log(row: Row) -> Row {
+    let requires = if row.requires.is_empty() { &["log"] } else { row.requires };
+    Row { requires, elsewhere: &[(Door::Python, "record"), (Door::Page, "the tab Log")], ..row }
+}
 
 /// The stated scenario.
 pub const STATED: Row = Row {
@@ -25,9 +53,28 @@ pub const STATED: Row = Row {
 pub const LOG: Row = Row {
     name: "log",
     takes: Takes::File("LOG"),
-    meaning: "Judge on a log in place of the spec's conditions: F_i, u1, u2 and, for estimators, F_o, as `coilsense import` writes them",
+    meaning: "Judge on a log in place of the spec's conditions: F_i, u1, u2 (none where end 2 is held) and, for estimators, F_o",
     conflicts: &["stated", "rate", "seeds"],
     elsewhere: &[(Door::Python, "record"), (Door::Page, "Judge on")],
+    ..Row::PLAIN
+};
+/// Where positions count from.
+pub const LENGTH_AT_ZERO: Row = Row {
+    name: "length_at_zero",
+    if_absent: IfAbsent::Found("by the mean of F_i"),
+    meaning: "Length of the coil where u1 and u2 of the log read zero",
+    requires: &["log"],
+    elsewhere: &[(Door::Page, "by the mean of F_i")],
+    ..LENGTH
+};
+/// Whether the log needs a u2.
+pub const END2: Row = Row {
+    name: "end2",
+    takes: Takes::Word(&["held", "free", "mass"]),
+    if_absent: IfAbsent::Found("as in the spec's [mount]"),
+    meaning: "What end 2 is tied to in the log; where it is held, no u2 is needed",
+    requires: &["log"],
+    elsewhere: &[(Door::Page, "the spec's [mount]")],
     ..Row::PLAIN
 };
 /// In which numbers the target computes.
@@ -118,6 +165,10 @@ pub struct Request {
     pub most_lag: f64,
     /// Series of noise.
     pub seeds: u64,
+    /// Length of the coil where u1 and u2 of a log read zero \[m\]; by the mean of F_i without.
+    pub length_at_zero: Option<f64>,
+    /// Whether end 2 is held in a log; as the spec says without.
+    pub end2_held: Option<bool>,
 }
 
 impl Request {
@@ -138,6 +189,8 @@ impl Request {
             tolerances,
             most_lag: number(&MOST_LAG),
             seeds: given.count(&SEEDS).unwrap_or_default(),
+            length_at_zero: given.number(&LENGTH_AT_ZERO),
+            end2_held: given.text(&END2).map(|word| word == "held"),
         })
     }
 }

@@ -9,7 +9,8 @@ use coilsense::{Damping, Error, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_rt::Measured;
 
 use super::candidate::Truth;
-use super::study::{Recorded, Study};
+use super::recorded::Recorded;
+use super::study::Study;
 
 /// One motion as a controller samples it, without noise.
 pub(super) struct Run {

@@ -1,14 +1,14 @@
 //! A study: conditions, noise, tolerances.
 //!
-//! Next door: what may be asked (`request`), how it is run (`run`), what comes of it (`ranking`), the answer as text and JSON (`report`).
+//! Next door: what may be asked (`request`), a log to judge on (`recorded`), how it is run (`run`), what comes of it (`ranking`), the answer as text and JSON (`report`).
 
 use std::borrow::Cow;
 
 use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
-use coilsense::{Channel, Damping, Error, Excitation, FarEnd, Spring};
-use coilsense_rt::Measured;
+use coilsense::{Damping, Error, Excitation, FarEnd, Spring};
 
+use super::recorded::{Known, Recorded};
 use super::request::{BANDWIDTH, NOISE, RATE, Refused, Request, SEEDS};
 use crate::recording::{Recording, RecordingError};
 use crate::request::Row;
@@ -43,17 +43,6 @@ pub struct Study {
     pub seeds: u64,
     /// The first one's seed.
     pub seed: u64,
-}
-
-/// A log as candidates take it.
-#[derive(Debug, Clone)]
-pub struct Recorded {
-    /// The file's name.
-    pub name: String,
-    /// F_i, u1, u2; at least one sample.
-    pub measured: Vec<Measured<f64>>,
-    /// F_o \[N\], where it was recorded; without it there is nothing to hold estimators against.
-    pub output: Option<Vec<f64>>,
 }
 
 /// Why there is no answer.
@@ -110,22 +99,18 @@ impl Study {
         Ok(Self::without_log(spec, asked))
     }
 
-    /// A log of F_i, u1, u2 and, for estimators, F_o, with the spec's spring; the log's own rate counts.
+    /// A log of F_i, u1, u2 and, for estimators, F_o, with the spec's spring, or with that of the log's stiffness where that is another; the
+    /// log's own rate counts. A held end 2 needs no u2.
     ///
     /// # Errors
-    /// [`RecordingError`] for a log without one of the three, or not evenly sampled.
+    /// [`RecordingError`] for a log without one of the three, not evenly sampled, of another spring, or with a turned sign.
     pub fn on(spec: &Spec, asked: &Request, log: &Recording) -> Result<Self, RecordingError> {
-        let [force, first, second] =
-            [log.channel(Channel::InputForce)?, log.channel(Channel::U1)?, log.channel(Channel::U2)?];
-        let each = force.iter().zip(first).zip(second);
-        let measured = each.map(|((force, first), second)| Measured { force: *force, ends: [*first, *second] });
-        let recorded = Recorded {
-            name: log.account().file.display().to_string(),
-            measured: measured.collect(),
-            output: log.signals().channel(Channel::OutputForce).ok().map(<[f64]>::to_vec),
-        };
         let plain = Self::without_log(spec, asked);
-        Ok(Self { recorded: Some(recorded), rate: log.sample_rate()?, seeds: 1, conditions: Vec::new(), ..plain })
+        let rate = log.sample_rate()?;
+        let is_held = matches!(plain.far_end, FarEnd::Position);
+        let known = Known { spring: &plain.spring, is_held, tolerance: plain.tolerances.stiffness() };
+        let (recorded, spring) = Recorded::of(&known, asked, log)?;
+        Ok(Self { recorded: Some(recorded), spring, rate, seeds: 1, conditions: Vec::new(), ..plain })
     }
 
     fn without_log(spec: &Spec, asked: &Request) -> Self {

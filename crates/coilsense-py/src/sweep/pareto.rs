@@ -89,9 +89,9 @@ impl PyPareto {
     }
 }
 
-/// The Pareto front of a sweep: for none of its designs is there another that is as good in every objective and better in one.
+/// The Pareto front of a sweep: designs that cannot be improved in one objective without a loss in another.
 ///
-/// Rows in which windings would touch, that could not be judged, fail a condition, or lack a number for an objective are never on the front.
+/// Never on the front are rows in which windings would touch, that could not be judged, that fail a condition, or that lack a number for an objective.
 ///
 /// Parameters
 /// ----------

@@ -4,7 +4,7 @@
 
 use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
-use super::text::percent;
+use super::text::{judged, percent};
 use crate::mitigation::{Made, Origin, Ranking, Truth};
 
 /// Worst-case error against lag.
@@ -34,10 +34,17 @@ pub(super) fn trade_off(answer: &Ranking) -> Figure {
         ..Panel::default()
     };
     Figure {
-        panels: vec![panel("Filters of F_i", Truth::Static), panel("Estimators of F_o", Truth::Output)],
+        panels: judged(answer).into_iter().map(|truth| panel(title(truth), truth)).collect(),
         columns: 2,
         panel_width: 420.0,
         panel_height: 320.0,
+    }
+}
+
+fn title(truth: Truth) -> &'static str {
+    match truth {
+        Truth::Static => "Filters of F_i",
+        Truth::Output => "Estimators of F_o",
     }
 }
 

@@ -6,7 +6,7 @@ use coilsense_figure::{Figure, Theme};
 use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::shaping::{percent as share, shaping_advice};
-use super::text::{advice, conditions, percent};
+use super::text::{advice, conditions, judged, notes, percent};
 use super::{EXPORTS, figures};
 use crate::mitigation::{Ranking, Shaping, Truth};
 use crate::quantity::digits;
@@ -26,8 +26,8 @@ pub(super) fn page(answer: &Ranking, spec: &Spec, date: &str, trade_off: &Drawn)
         file => std::path::Path::new(&spec.file).file_name().map(|name| name.to_string_lossy()),
         log => study.recorded.as_ref().map(|log| &log.name),
         text => &spec.text,
-        answer => advice(answer).lines().map(str::to_owned).collect::<Vec<_>>(),
-        groups => [Truth::Static, Truth::Output].map(|truth| group(answer, truth)),
+        answer => advice(answer).lines().map(str::to_owned).chain(notes(answer).iter().cloned()).collect::<Vec<_>>(),
+        groups => judged(answer).into_iter().map(|truth| group(answer, truth)).collect::<Vec<_>>(),
         left_out => answer.left_out.iter().map(|it| context! { name => &it.name, reason => &it.reason }).collect::<Vec<_>>(),
         conditions => conditions(answer),
         nominal_force => digits(study.spring.nominal_force()),

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::shaping::shaping_advice;
-use super::text::advice;
+use super::text::{advice, notes};
 use crate::mitigation::{Candidate, Judgement, LeftOut, Ranking, Shaped, Shaping};
 use crate::report::ReportError;
 use crate::report::outcome::{Outcome, to_json};
@@ -29,6 +29,14 @@ pub struct MitigationOutcome {
     most_lag_rad: f64,
     /// The log that it was judged on; null for conditions.
     log: Option<String>,
+    /// Of the log; null for conditions, or where it tells none.
+    log_stiffness_n_per_m: Option<f64>,
+    /// Half of the interval that holds it with 95 %.
+    log_stiffness_n_per_m_half_width: Option<f64>,
+    /// Length of the coil where u1 and u2 of the log read zero; null for conditions.
+    length_at_zero_m: Option<f64>,
+    /// What the log says of its spring, a sentence each.
+    notes: Vec<String>,
     /// How many series of noise.
     seeds: u64,
     /// The first one's seed.
@@ -114,6 +122,7 @@ impl MitigationOutcome {
     /// Of a study that was run.
     pub fn of(answer: &Ranking) -> Self {
         let study = &answer.study;
+        let stiffness = study.recorded.as_ref().and_then(|recorded| recorded.stiffness);
         Self {
             advice: advice(answer).lines().map(str::to_owned).collect(),
             nominal_force_n: study.spring.nominal_force(),
@@ -122,6 +131,10 @@ impl MitigationOutcome {
             bandwidth_hz: study.bandwidth,
             most_lag_rad: study.most_lag,
             log: study.recorded.as_ref().map(|recorded| recorded.name.clone()),
+            log_stiffness_n_per_m: stiffness.map(|stiffness| stiffness.value),
+            log_stiffness_n_per_m_half_width: stiffness.map(|stiffness| stiffness.expanded),
+            length_at_zero_m: study.recorded.as_ref().map(|recorded| recorded.length_at_zero),
+            notes: notes(answer).to_vec(),
             seeds: study.seeds,
             first_seed: study.seed,
             stiffness_tolerance: study.tolerances.stiffness(),

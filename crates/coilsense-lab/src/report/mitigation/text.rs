@@ -10,12 +10,15 @@ use crate::mitigation::{Candidate, Judgement, Origin, Ranking, Truth};
 /// The table, what was left out, and the advice.
 pub fn mitigation_text(answer: &Ranking) -> String {
     let mut text = advice(answer);
+    for note in notes(answer) {
+        let _ = write!(text, "\n{note}");
+    }
     let _ = write!(
         text,
         "\n\n{:62} {:9} {:>8} {:>8} {:>8} {:>8} {:>7} {:>9}\n",
         "errors in % of F_nom, rms", "", "nominal", "worst", "aligned", "lag [°]", "noise", "settling"
     );
-    for truth in [Truth::Static, Truth::Output] {
+    for truth in judged(answer) {
         let _ = writeln!(text, "against {}", truth.name());
         for (candidate, judgement) in answer.judged.iter().filter(|(candidate, _)| candidate.truth == truth) {
             let _ = writeln!(text, "{}", line(answer, candidate, judgement));
@@ -27,12 +30,23 @@ pub fn mitigation_text(answer: &Ranking) -> String {
     text + &conditions(answer) + "\n" + &answer.shaping.as_ref().map(shaping_text).unwrap_or_default()
 }
 
+/// The forces that candidates were held against.
+pub(super) fn judged(answer: &Ranking) -> Vec<Truth> {
+    let any = |truth: &Truth| answer.judged.iter().any(|(candidate, _)| candidate.truth == *truth);
+    [Truth::Static, Truth::Output].into_iter().filter(any).collect()
+}
+
+/// What a log says of its spring, a sentence each.
+pub(super) fn notes(answer: &Ranking) -> &[String] {
+    answer.study.recorded.as_ref().map_or(&[], |recorded| &recorded.notes)
+}
+
 /// What candidates were judged on, and what the columns mean.
 pub(super) fn conditions(answer: &Ranking) -> String {
     let study = &answer.study;
     if let Some(recorded) = &study.recorded {
         return format!(
-            "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there; k·Δl is of the nominal spring;\n\
+            "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there;\n\
              designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; best: of those with a lag of at most {}°.",
             recorded.name,
             recorded.measured.len(),

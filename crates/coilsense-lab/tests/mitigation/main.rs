@@ -1,6 +1,8 @@
 //! What the fitted designs gain over textbook choices, on the stated scenario, and what `mitigate` makes of a spec.
 //!
-//! Next door: exported settings (`exports`), each design by itself (`coilsense`'s tests of its mitigation).
+//! Next door: logs that are judged on (`log`), exported settings (`exports`), each design by itself (`coilsense`'s tests of its mitigation).
+
+mod log;
 
 use coilsense::mitigation::ToleranceBox;
 use coilsense::signals::sampled_window;
@@ -93,7 +95,16 @@ duration = "0.5 s"
 
 fn asked() -> Request {
     let tolerances = ToleranceBox::new(0.05, 0.05).unwrap();
-    Request { rate: 2000.0, noise: None, bandwidth: None, tolerances, most_lag: 30_f64.to_radians(), seeds: 1 }
+    Request {
+        rate: 2000.0,
+        noise: None,
+        bandwidth: None,
+        tolerances,
+        most_lag: 30_f64.to_radians(),
+        seeds: 1,
+        length_at_zero: None,
+        end2_held: None,
+    }
 }
 
 fn spec(condition: &str) -> Spec {
