@@ -57,6 +57,8 @@ TOLD: dict[str, str] = {
     "Experiment.peak": "dict[str, Any] | None",
     "Experiment.rows": "list[dict[str, Any]]",
     "Identification.lines": "list[dict[str, Any]]",
+    "Identification.channels": "list[dict[str, Any]]",
+    "Identification.explanations": "list[dict[str, Any]]",
     "Identification.spectra": "dict[str, tuple[_Floats, _Floats]]",
     "Identification.trust": "dict[str, float] | None",
     "Mitigation.ranking": "list[dict[str, Any]]",

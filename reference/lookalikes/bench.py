@@ -39,6 +39,10 @@ def ask(command, path, arguments):
     said = json.loads(done.stdout)
     named = {"first": "first_frequency_hz", "mass": "mass_kg", "stiffness": "stiffness_n_per_m", "zeta": "damping_ratio"}
     numbers = {name: said.get(key) for name, key in named.items()}
+    # What a mount may do to f1 and m is part of their intervals.
+    for name, key in {"first": "first_frequency_range_hz", "mass": "mass_range_kg"}.items():
+        if numbers[name] and said.get(key):
+            numbers[name] |= dict(zip(("low", "high"), said[key]))
     sentences = said.get("answer", []) + said.get("evidence", []) + said.get("record_next", [])
     return {"verdict": said["verdict"], "why": "; ".join(said.get("evidence", [])), "sentences": sentences, "seconds": seconds} | numbers
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use coilsense::identify::Estimate;
 use coilsense_lab::identification::request::{
-    ACCURACY_FORCE, ACCURACY_POSITION, END_MASS, END2, MASS, PREDICTION_TOLERANCE, TOLERANCE, WINDINGS, settings,
+    ACCURACY_FORCE, ACCURACY_POSITION, END_MASS, END2, MASS, PREDICTION_TOLERANCE, TOLERANCE, TURN, WINDINGS, settings,
 };
 use coilsense_lab::identification::{Coil, Identified, spec_file};
 use coilsense_lab::quantity::Dimension;
@@ -47,8 +47,12 @@ getters! {
     answer: Vec<String> = coilsense_lab::identification::answer(&self.0);
     /// f1: frequency of the first mode with both ends held, undamped [Hz].
     first_frequency: Option<PyEstimate> = estimate(self.0.found.first_frequency);
+    /// Where f1 lies with 95 % [Hz]: noise, and what a mount that gives may do to it; lowest and highest.
+    first_frequency_range: Option<(f64, f64)> = self.0.found.first_range;
     /// ζ: damping ratio of the lowest mode that was found [1].
     damping_ratio: Option<PyEstimate> = estimate(self.0.found.ratio);
+    /// Which mode that damping ratio belongs to.
+    damping_ratio_mode: Option<usize> = self.0.found.ratio_mode;
     /// k: stiffness [N/m].
     stiffness: Option<PyEstimate> = estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.stiffness));
     /// Why there is no stiffness; None where there is one.
@@ -57,12 +61,20 @@ getters! {
     rest_length: Option<PyEstimate> = estimate(self.0.found.stiffness.as_ref().ok().map(|line| line.length_at_zero));
     /// m: mass of the coil that rings, k τ² [kg].
     mass: Option<PyEstimate> = estimate(self.0.found.mass);
+    /// Where m lies with 95 % [kg]: noise, and what a mount that gives may do to f1; lowest and highest.
+    mass_range: Option<(f64, f64)> = self.0.found.mass_range;
     /// τ: how long a wave takes from end to end [s].
     transit_time: Option<PyEstimate> = estimate(self.0.found.transit_time);
     /// Mass at end 2 [kg], where end 2 moves with the ringing.
     end_mass: Option<f64> = self.0.found.end_mass;
     /// Which mount the modes fit, in words; None without modes.
     mount: Option<&'static str> = self.0.found.mode_series.map(|series| series.name());
+    /// The channel whose sign is turned; None where none is.
+    sign_turned: Option<&'static str> = self.0.found.turned.map(|channel| channel.name());
+    /// What may be the cause of the lines, the likeliest first, each a dict under the names of results.json.
+    explanations<'py>(py): PyResult<Bound<'py, PyAny>> = self.to_dict(py)?.get_item("explanations");
+    /// What instruments did to the forces, each a dict under the names of results.json.
+    channels<'py>(py): PyResult<Bound<'py, PyAny>> = self.to_dict(py)?.get_item("channels");
     /// The lines of the record, lowest frequency first, each a dict under the names of results.json.
     lines<'py>(py): PyResult<Bound<'py, PyAny>> = self.to_dict(py)?.get_item("lines");
     /// Times of the hits [s], shape (hits,).
@@ -197,6 +209,8 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 ///     What end 2 is tied to; without it the record decides.
 /// end_mass : float or str, optional
 ///     Mass at end 2 [kg]; without it F_o over the acceleration of u2.
+/// turn : {"F_i", "F_o", "u1", "u2"}, optional
+///     Channel whose sign is turned before anything else.
 /// prediction_tolerance : float
 ///     How far a predicted f1 may be off, as a share [1].
 /// tolerance : float
@@ -226,7 +240,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// >>> found.verdict, round(found.first_frequency.value, 1)
 /// ('spring', 54.1)
 #[pyfunction]
-#[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, prediction_tolerance=0.05,
+#[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, turn=None, prediction_tolerance=0.05,
                     tolerance=0.01, accuracy_force=0.0, accuracy_position=0.0))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn identify(
@@ -237,6 +251,7 @@ pub fn identify(
     windings: Option<f64>,
     end2: Option<&str>,
     end_mass: Option<Quantity>,
+    turn: Option<&str>,
     prediction_tolerance: f64,
     tolerance: f64,
     accuracy_force: f64,
@@ -251,6 +266,7 @@ pub fn identify(
         (&WINDINGS, windings.into()),
         (&END2, end2.into()),
         (&END_MASS, end_mass.into()),
+        (&TURN, turn.into()),
         (&PREDICTION_TOLERANCE, prediction_tolerance.into()),
         (&TOLERANCE, tolerance.into()),
         (&ACCURACY_FORCE, accuracy_force.into()),

@@ -15,9 +15,12 @@ export interface Identification {
   record_next: string[];
   answer: string[];
   first_frequency_hz: Estimate | null;
+  first_frequency_range_hz: [number, number] | null;
   damping_ratio: Estimate | null;
+  damping_ratio_mode: number | null;
   stiffness_n_per_m: Estimate | null;
   mass_kg: Estimate | null;
+  mass_range_kg: [number, number] | null;
   length_at_zero_force_m: Estimate | null;
   no_stiffness_because: string | null;
   lines: {
@@ -41,7 +44,12 @@ export interface Recorded {
     file: string;
     /** What was added to its times [s]. */
     offset: number;
-    found: { channels: [string, string]; halfWidth: number; correlation: number } | null;
+    found: {
+      channels: [string, string];
+      halfWidth: number;
+      drift: [number, number] | null;
+      correlation: number;
+    } | null;
   } | null;
   /** When it was struck [s]. */
   hits?: number[];

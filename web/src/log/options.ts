@@ -112,6 +112,17 @@ export const GROUPS: readonly Group[] = [
         ],
       },
       { name: 'end-mass', label: 'Mass at end 2', example: '1.2 kg', only: ['end2', ['', 'mass']] },
+      {
+        name: 'turn',
+        label: 'Turn the sign of',
+        words: [
+          ['', 'no channel'],
+          ['F_i', 'F_i'],
+          ['F_o', 'F_o'],
+          ['u1', 'u1'],
+          ['u2', 'u2'],
+        ],
+      },
     ],
   },
   {

@@ -72,8 +72,11 @@ export class Results {
     if (!clock) return this.clock.replaceChildren();
     const { file, offset, found } = clock;
     const milliseconds = (value: number) => `${digits(1e3 * value, 6)} ms`;
+    const drift = found?.drift
+      ? `drift ${digits(found.drift[0], 4)} ± ${digits(found.drift[1], 2)} ppm`
+      : 'drift not resolved, taken as up to 100 ppm';
     const words = found
-      ? `${milliseconds(offset)} were added to its times, ± ${milliseconds(found.halfWidth)} in 95 of 100 cases: its ${found.channels[1]} against ${found.channels[0]} of the first, correlation ${digits(found.correlation, 3)}.`
+      ? `${milliseconds(offset)} were added to its times, ± ${milliseconds(found.halfWidth)} in 95 of 100 cases: its ${found.channels[1]} against ${found.channels[0]} of the first, correlation ${digits(found.correlation, 3)}, ${drift}.`
       : `${milliseconds(offset)} were added to its times, as told.`;
     this.clock.replaceChildren(card('The second device', make('p', {}, `${file}: ${words}`)));
   }

@@ -12,11 +12,21 @@ function telling({ value, low, high }: Estimate): number {
 }
 
 export function numbers(found: Identification): HTMLElement {
+  // What a mount may do to f1 is part of its interval.
+  const within = (estimate: Estimate | null, range: [number, number] | null): Estimate | null =>
+    estimate && range ? { ...estimate, low: range[0], high: range[1] } : estimate;
+  const mode = found.damping_ratio_mode ?? 1;
   const rows: [string, string, string, Estimate | null, number][] = [
-    ['first surge frequency f1', 'Hz', 'first_frequency_hz', found.first_frequency_hz, 1],
-    ['damping ratio ζ', '', 'damping_ratio', found.damping_ratio, 1],
+    [
+      'first surge frequency f1',
+      'Hz',
+      'first_frequency_hz',
+      within(found.first_frequency_hz, found.first_frequency_range_hz),
+      1,
+    ],
+    [mode === 1 ? 'damping ratio ζ' : `damping ratio ζ of mode ${mode}`, '', 'damping_ratio', found.damping_ratio, 1],
     ['stiffness k', 'N/m', 'stiffness_n_per_m', found.stiffness_n_per_m, 1],
-    ['mass of the active coil', 'g', 'mass_kg', found.mass_kg, 1e3],
+    ['mass of the active coil', 'g', 'mass_kg', within(found.mass_kg, found.mass_range_kg), 1e3],
     ['length at zero force', 'mm', 'length_at_zero_force_m', found.length_at_zero_force_m, 1e3],
   ];
   const row = ([label, unit, key, value, factor]: (typeof rows)[number]) =>

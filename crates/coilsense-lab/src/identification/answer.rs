@@ -16,7 +16,7 @@ pub fn answer(identified: &Identified) -> Vec<String> {
     lines.extend(numbers(identified));
     if let (Some(trust), Some(first)) = (found.trust, found.first_frequency) {
         let percent = digits(100.0 * trust.tolerance);
-        let if_spring = if verdict.answer == Answer::Spring { "" } else { ", if it is the spring," };
+        let if_spring = if verdict.answer == Answer::Spring { "" } else { " if it is the spring" };
         lines.push(format!(
             "Dynamic error at most {percent} % of a force's amplitude{if_spring}: F_o in place of the force at the driven end up to {} Hz, F_x in its \
              place up to {} Hz, F_x in place of the force at the held end up to {} Hz (a sinusoid, f1 = {} Hz, no damping).",
@@ -38,7 +38,9 @@ fn numbers(identified: &Identified) -> Option<String> {
         parts.extend(estimate.map(|estimate| format!("{name} = {}{unit}", interval(estimate, scale))));
     };
     add("f1", found.first_frequency.as_ref(), 1.0, " Hz");
-    add("ζ", found.ratio.as_ref(), 1.0, "");
+    let first = found.ratio_mode.is_none_or(|mode| mode == 1);
+    let ratio = if first { "ζ".to_owned() } else { format!("ζ of mode {}", found.ratio_mode.unwrap_or_default()) };
+    add(&ratio, found.ratio.as_ref(), 1.0, "");
     let stiffness = found.stiffness.as_ref().ok();
     add("k", stiffness.map(|line| &line.stiffness), 1.0, " N/m");
     if let Some(line) = stiffness {
@@ -52,7 +54,16 @@ fn numbers(identified: &Identified) -> Option<String> {
     }
     let sure = found.verdict.answer == Answer::Spring || found.first_frequency.is_none();
     let head = if sure { "" } else { "If it is the spring: " };
+    if let Some((low, high)) = wide(found.first_frequency.as_ref(), found.first_range) {
+        parts[0] += &format!(" by noise alone, {low:.2} to {high:.2} Hz whatever the mount");
+    }
     (!parts.is_empty()).then(|| format!("{head}{} (95 % intervals).", parts.join(", ")))
+}
+
+/// A range, where it says more than an estimate's interval.
+fn wide(estimate: Option<&Estimate>, range: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    let (estimate, (low, high)) = (estimate?, range?);
+    (high - low > 4.0 * estimate.expanded && high - low > 1e-4 * estimate.value).then_some((low, high))
 }
 
 /// A value with its 95 % interval, in another unit.

@@ -4,14 +4,14 @@
 
 use coilsense::identify::Settings;
 use coilsense::modes::ChainModes;
-use coilsense::{FarEnd, Spring};
+use coilsense::{Channel, FarEnd, Spring};
 
 use super::Coil;
 use crate::quantity::Dimension;
 use crate::request::{self, Allowed, Door, Given, IfAbsent, KNOWN_SPRING, LENGTH, Row, Takes, Wrong};
 
 /// The options, in the order in which they are told.
-pub const OPTIONS: [Row; 12] = [
+pub const OPTIONS: [Row; 13] = [
     SPEC,
     MASS,
     WINDINGS,
@@ -19,6 +19,7 @@ pub const OPTIONS: [Row; 12] = [
     WIRE,
     END2,
     END_MASS,
+    TURN,
     PREDICTION_TOLERANCE,
     TOLERANCE,
     ACCURACY_FORCE,
@@ -81,6 +82,14 @@ pub const END_MASS: Row = Row {
     meaning: "Mass at end 2",
     ..A_MASS
 };
+/// A sign that is wrong in the log.
+pub const TURN: Row = Row {
+    name: "turn",
+    takes: Takes::Word(&["F_i", "F_o", "u1", "u2"]),
+    if_absent: IfAbsent::Found("no sign is turned; where one is, it is said"),
+    meaning: "Channel whose sign is turned before anything else",
+    ..Row::PLAIN
+};
 /// Of f1.
 pub const PREDICTION_TOLERANCE: Row = Row {
     name: "prediction_tolerance",
@@ -126,11 +135,15 @@ pub fn settings(given: &Given, spring: Option<&Spring>) -> Result<Settings, Wron
         predicted: predicted.map(|angular| angular / std::f64::consts::TAU),
         prediction_tolerance: share(&PREDICTION_TOLERANCE),
         far_end: far_end(given)?,
+        turned: given.text(&TURN).and_then(|name| TURNABLE.into_iter().find(|channel| channel.name() == name)),
         tolerance: share(&TOLERANCE),
         accuracy_force: share(&ACCURACY_FORCE),
         accuracy_position: share(&ACCURACY_POSITION),
     })
 }
+
+/// Channels whose sign may be turned.
+const TURNABLE: [Channel; 4] = [Channel::InputForce, Channel::OutputForce, Channel::U1, Channel::U2];
 
 fn far_end(given: &Given) -> Result<Option<FarEnd>, Wrong> {
     let mass = given.number(&END_MASS).map(FarEnd::Mass);

@@ -74,7 +74,14 @@ pub const VERBS: [Verb; 16] = [
     Verb {
         name: "mitigate",
         about: "What to do about ringing: every filter and observer on the spec's conditions, ranked, and settings to paste",
-        groups: &[&[SPEC], &mitigation::request::BASIS, &mitigation::request::OPTIONS, &MITIGATE],
+        groups: &[
+            &[SPEC],
+            &mitigation::request::BASIS,
+            &mitigation::request::OPTIONS,
+            &mitigation::request::OF_LOG,
+            &mitigation::request::READING,
+            &MITIGATE,
+        ],
         more: "",
     },
     Verb {
@@ -97,7 +104,7 @@ pub const VERBS: [Verb; 16] = [
     },
     Verb {
         name: "pareto",
-        about: "The Pareto front of a sweep: designs that none betters in one objective without a loss in another",
+        about: "The Pareto front of a sweep: designs that cannot be improved in one objective without a loss in another",
         groups: &[&PARETO],
         more: "",
     },

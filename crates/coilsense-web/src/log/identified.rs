@@ -49,7 +49,10 @@ fn recording(log: Named, second: Option<Named>, asked: &Request) -> Result<Recor
 fn clock(recording: &Recording) -> Value {
     recording.account().joined.as_ref().map_or(Value::Null, |joined| {
         let found = joined.found.as_ref().map(|(channels, found)| {
-            json!({ "channels": channels, "halfWidth": found.half_width, "correlation": found.correlation })
+            let span = joined.account.span.unwrap_or_default();
+            let widest = span.map(|time| found.half_width_at(time)).into_iter().fold(found.half_width, f64::max);
+            let drift = found.drift.map(|drift| [1e6 * drift.rate, 1e6 * drift.half_width]);
+            json!({ "channels": channels, "halfWidth": widest, "drift": drift, "correlation": found.correlation })
         });
         json!({ "file": joined.account.file, "offset": joined.offset, "found": found })
     })

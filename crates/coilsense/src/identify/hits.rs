@@ -2,9 +2,10 @@
 //!
 //! Next door: the prediction (`whitening`), a record that begins with ringing (`beginning`), what rings after them (`lines`, `refine`).
 
-use super::ringing::Series;
+use super::channel_check::{Conditions, QUIET};
+use super::ringing::{NEARBY, Series};
 use super::sampling::Sampling;
-use super::whitening::ORDER;
+use super::whitening::{ORDER, Surprise};
 
 /// Samples over which a surprise is added up.
 const WINDOW: usize = 4;
@@ -16,13 +17,17 @@ const ECHOES: [(f64, f64); 2] = [(5.0, 0.06), (0.5, 0.25)];
 /// What prediction leaves of ringing at most, as a share of the largest force that rings nearby: a filter of finite length does not know
 /// all modes, and running means carry a share of a hit to before it. Where a sensor's noise is less, this is what hits have to exceed.
 const LEFT: f64 = 0.02;
-/// How near that is, at least \[s\]: as far as the running means reach.
-const NEARBY: f64 = 0.4;
 /// How far from both ends of a record hits are looked for \[s\]: there the running means have few samples left, and a hit could not be told
 /// from its echoes.
 const EDGE: f64 = 0.06;
 /// How long a hit may last \[s\].
 const LASTING: f64 = 0.004;
+/// Periods of a low-pass's corner after which it has answered a hit.
+const RESPONSE: f64 = 2.0;
+/// Energy of a soft hit's slow surprise over that of the usual hit, at least.
+const SOFTEST: f64 = 0.02;
+/// What comes this soon after a hit is of it \[s\].
+const TOGETHER: f64 = 0.02;
 /// Most hits that are used, the strongest.
 const MOST: usize = 32;
 
@@ -39,12 +44,48 @@ pub struct Hit {
     pub strength: f64,
 }
 
-/// The hits of a record, first to last, by each series' surprises (`innovations`).
-pub(super) fn find(series: &[Series], sampling: &Sampling) -> Vec<Hit> {
-    let squares = squares(series, sampling);
-    let expected = (WINDOW * series.len()) as f64;
-    let energy: Vec<f64> = squares.windows(WINDOW).map(|window| window.iter().sum::<f64>() / expected).collect();
-    let mut hits = between_edges(&energy, sampling);
+/// The hits of a record, first to last, by each series' surprises.
+///
+/// They are sought in the quick surprises. One that leaves the slow ones as they were was no hit but what the quick prediction, which reaches back
+/// over less than a period of a low mode, does not know of ringing.
+pub(super) fn find(series: &[Series], sampling: &Sampling, conditions: &Conditions) -> Vec<Hit> {
+    let Some(first) = series.first() else { return Vec::new() };
+    let (step, far) = (first.quick.step, first.slow.step);
+    let quick = energy(series, sampling, conditions, |one| &one.quick);
+    let slow = energy(series, sampling, conditions, |one| &one.slow);
+    let confirmed = |onset: usize| {
+        let sample = onset * step;
+        let from = (sample / far).min(slow.len().saturating_sub(1));
+        let to = (from + WINDOW).min(slow.len());
+        // Where the slow prediction says nothing for clipped samples are all about, a hit is what begins after quiet.
+        let silent = conditions.any_clipped(sample.saturating_sub(ORDER * far)..sample + 2 * WINDOW * far);
+        let fresh = || !conditions.any_clipped(sample.saturating_sub((QUIET * sampling.rate) as usize)..sample);
+        slow[from..to].iter().any(|energy| *energy > THRESHOLD) || silent && fresh()
+    };
+    let at = |hits: Vec<Hit>, step: usize| {
+        let scaled =
+            move |hit: Hit| Hit { onset: hit.onset * step, after: (hit.after * step).min(sampling.samples - 1), ..hit };
+        hits.into_iter().map(scaled)
+    };
+    let mut hits: Vec<Hit> = at(between_edges(&quick, &sampling.every(step), confirmed), step).collect();
+    // A soft hit has no part that is quick, and is no corner of a slow motion, which is far below the hits there are. Running means carry a
+    // share of a hit to before it, and know little at the record's ends.
+    let slow_part = |hit: &Hit| {
+        let from = (hit.onset / far).min(slow.len().saturating_sub(1));
+        slow[from..(from + 2 * WINDOW).min(slow.len())].iter().copied().fold(0.0, f64::max)
+    };
+    let mut parts: Vec<f64> = hits.iter().map(slow_part).collect();
+    parts.sort_by(f64::total_cmp);
+    let usual = parts.get(parts.len() / 2).copied().unwrap_or(0.0);
+    let near = (NEARBY * sampling.rate) as usize;
+    let soft = at(between_edges(&slow, &sampling.every(far), |_| true), far)
+        .filter(|soft| soft.onset > near && soft.onset + near < sampling.samples)
+        .filter(|soft| soft.strength > SOFTEST * usual)
+        .filter(|soft| hits.iter().all(|hit| hit.onset.abs_diff(soft.onset) > near));
+    let soft: Vec<Hit> = soft.collect();
+    hits.extend(soft);
+    hits.sort_by_key(|hit| hit.onset);
+    hits = one_each(&hits, (TOGETHER * sampling.rate) as usize);
     if hits.len() > MOST {
         hits.sort_by(|a, b| b.strength.total_cmp(&a.strength));
         hits.truncate(MOST);
@@ -53,18 +94,53 @@ pub(super) fn find(series: &[Series], sampling: &Sampling) -> Vec<Hit> {
     hits
 }
 
+/// Hits that are one: its wave may reach the louder end later.
+fn one_each(hits: &[Hit], together: usize) -> Vec<Hit> {
+    let mut merged: Vec<Hit> = Vec::new();
+    for hit in hits {
+        match merged.last_mut() {
+            Some(last) if hit.onset < last.onset + together => {
+                last.after = hit.after;
+                last.strength = last.strength.max(hit.strength);
+            }
+            _ => merged.push(*hit),
+        }
+    }
+    merged
+}
+
+/// Lets what is fitted begin behind the logger's low-pass, and behind the last clipped sample of each hit.
+pub(super) fn begin_behind(hits: &mut [Hit], sampling: &Sampling, conditions: &Conditions) {
+    let response = conditions.low_pass.map_or(0, |corner| (RESPONSE / corner * sampling.rate) as usize);
+    for index in 0..hits.len() {
+        let end = hits.get(index + 1).map_or(sampling.samples - 1, |next| next.onset);
+        let hit = &mut hits[index];
+        let clipped = conditions.last_clipped(hit.onset..end).map_or(0, |last| last + 1);
+        hit.after = (hit.after + response).max(clipped).min(end.max(hit.after));
+    }
+}
+
+/// Energy of the surprises of all series over `WINDOW` samples, relative to that of noise.
+fn energy(series: &[Series], sampling: &Sampling, conditions: &Conditions, of: fn(&Series) -> &Surprise) -> Vec<f64> {
+    let expected = (WINDOW * series.len()) as f64;
+    let mut squares = squares(series, sampling, of);
+    conditions.leave_out_clipped(&mut squares, of(&series[0]).step, sampling.rate);
+    squares.windows(WINDOW).map(|window| window.iter().sum::<f64>() / expected).collect()
+}
+
 /// Squares of the surprises of all series, each over its noise or over what prediction leaves of ringing, whichever is more; shape `samples`.
-fn squares(series: &[Series], sampling: &Sampling) -> Vec<f64> {
-    let block = ((NEARBY * sampling.rate) as usize).max(1);
-    let mut sum = vec![0.0; sampling.samples];
+fn squares(series: &[Series], sampling: &Sampling, of: fn(&Series) -> &Surprise) -> Vec<f64> {
+    let step = of(&series[0]).step;
+    let mut sum = vec![0.0; sampling.samples.div_ceil(step)];
     for one in series {
-        let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let of_blocks: Vec<f64> = one.flat.chunks(block).map(largest).collect();
-        for (index, (sum, surprise)) in sum.iter_mut().zip(&one.surprise).enumerate() {
-            let own = index / block;
-            let nearby = largest(&of_blocks[own.saturating_sub(1)..(own + 2).min(of_blocks.len())]);
-            let share = if LEFT * nearby > one.noise { one.noise / (LEFT * nearby) } else { 1.0 };
-            *sum += (share * surprise).powi(2);
+        let surprise = of(one);
+        let peaks = &surprise.peaks;
+        for (index, (sum, value)) in sum.iter_mut().zip(&surprise.values).enumerate() {
+            let own = index / surprise.block;
+            let near = &peaks[own.saturating_sub(1)..(own + 2).min(peaks.len())];
+            let left = LEFT * near.iter().fold(0.0, |most: f64, peak| most.max(*peak));
+            let share = if left > surprise.noise { surprise.noise / left } else { 1.0 };
+            *sum += (share * value).powi(2);
         }
     }
     sum
@@ -81,7 +157,7 @@ pub(super) fn first_looked_at(sampling: &Sampling) -> usize {
 }
 
 /// The hits by the energy of the surprises over `WINDOW` samples.
-fn between_edges(energy: &[f64], sampling: &Sampling) -> Vec<Hit> {
+fn between_edges(energy: &[f64], sampling: &Sampling, confirmed: impl Fn(usize) -> bool) -> Vec<Hit> {
     let samples = sampling.samples;
     let near = lasting(sampling);
     let mut hits: Vec<Hit> = Vec::new();
@@ -100,7 +176,7 @@ fn between_edges(energy: &[f64], sampling: &Sampling) -> Vec<Hit> {
             ECHOES.iter().any(|(louder, lasting)| since < *lasting && strength < louder * hit.strength)
         };
         let louder = hits.iter().rev().take_while(|hit| index - hit.onset < sampling.rate as usize).any(echo_of);
-        if !louder {
+        if !louder && confirmed(index) {
             let after = (peak + near).min(samples - 1);
             hits.push(Hit { time: sampling.time(index + WINDOW - 1), after, onset: index, strength });
         }

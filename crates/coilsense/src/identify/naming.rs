@@ -2,8 +2,8 @@
 //!
 //! Next door: the series that names modes (`mode_series`), whether ends move with a line (`end_motion`).
 
+use super::explain::Coil;
 use super::line::{Line, Meaning};
-use super::mode_series::Match;
 
 /// How far mains may be off \[1\], relative, and the highest multiple that is thought of.
 const MAINS_OFF: f64 = 3e-3;
@@ -11,14 +11,21 @@ const MULTIPLES: usize = 20;
 /// How near a force is to following motion statically: |k X/F − 1|.
 const FOLLOWS: f64 = 0.15;
 
-/// Names the lines: steady ones by mains and motion, those that decay by the series. `static_part` is k X/F of each line, where known.
-pub(super) fn name(lines: &mut [Line], mode_series: Option<&Match>, rate: f64, static_part: &[Option<f64>]) {
+/// Names the lines: steady ones by mains and motion, those that decay by the coil's modes and `aliases` of them. `static_part` is k X/F of each
+/// line, where known.
+pub(super) fn name(
+    lines: &mut [Line],
+    coil: Option<&Coil>,
+    aliases: &[(usize, usize, f64)],
+    rate: f64,
+    static_part: &[Option<f64>],
+) {
     for (index, line) in lines.iter_mut().enumerate() {
         (line.meaning, line.reason) = steady(line, static_part.get(index).copied().flatten());
     }
     harmonics(lines);
-    let Some(mode_series) = mode_series else { return };
-    for &(index, mode, expected) in &mode_series.modes {
+    let Some(coil) = coil else { return };
+    for &(index, mode, expected) in &coil.modes {
         if !lines[index].decays {
             continue;
         }
@@ -28,7 +35,7 @@ pub(super) fn name(lines: &mut [Line], mode_series: Option<&Match>, rate: f64, s
         lines[index].meaning = Meaning::Mode(mode);
         lines[index].reason = format!("mode {mode}: {expected:.2} Hz expected, {off} % off");
     }
-    for &(index, mode, expected) in &mode_series.aliases {
+    for &(index, mode, expected) in aliases {
         if lines[index].decays {
             lines[index].meaning = Meaning::Alias { mode, frequency: expected };
             lines[index].reason = format!("alias of mode {mode} at {expected:.1} Hz, folded at {:.0} Hz", 0.5 * rate);

@@ -93,6 +93,16 @@ pub(super) fn fit(blocks: &[Block], free: &[Complex<f64>], fixed: &[Complex<f64>
     Some(Fit { poles, standard, excess, freedom, amplitudes: state.amplitudes, residuals: state.residuals })
 }
 
+/// Amplitudes of poles that stay as they are, in each block at the stretch's first sample, over the noise; shape `blocks` of `poles`.
+pub(super) fn amplitudes(
+    blocks: &[Block],
+    poles: &[Complex<f64>],
+    fixed: &[Complex<f64>],
+) -> Option<Vec<Vec<Complex<f64>>>> {
+    let prepared: Vec<Prepared> = blocks.iter().map(|block| prepare(block, fixed)).collect();
+    State::at(blocks, &prepared, poles).map(|state| state.amplitudes)
+}
+
 /// A pole that grows or that no longer swings is none.
 fn bounded(pole: Complex<f64>) -> Complex<f64> {
     Complex::new(pole.re.clamp(-1.0, 1e-4), pole.im.clamp(1e-6, std::f64::consts::PI - 1e-6))

@@ -9,7 +9,7 @@ use crate::signals::{Channel, Signals};
 use crate::uncertainty::coverage_factor;
 
 /// Length of a block over which force and length are averaged \[s\]: a Hann mean over it lets no surge line above 20 Hz through.
-const BLOCK: f64 = 0.2;
+pub(super) const BLOCK: f64 = 0.2;
 /// Fewest blocks of a fit.
 const LEAST_BLOCKS: usize = 12;
 /// The least share of the length's power that must be slow. Half the power of a record of an end mass is its swing, faster than a block;
@@ -66,6 +66,38 @@ pub(super) fn force(signals: &Signals) -> Option<Vec<f64>> {
 }
 
 impl Stiffness {
+    /// Of a record by itself, of a spring whose first surge frequency is known \[Hz\]; a text says why there is none.
+    ///
+    /// F = k (l − l0) by least squares over Hann means of 0.2 s, the lengths' own noise taken off their variance; k's interval holds k (ωτ)²/6 of
+    /// the coil's own mass, τ = 1/2f1, ω the blocks' √(−Σ l l̈/Σ l²).
+    ///
+    /// Source:   `[Bendat2010]` section 6.1.4 (H1); `[Rao2011]` for the static limit of a heavy spring.
+    /// Valid:    a slow motion of at least a twentieth of the length's power; both forces' mean where both are recorded.
+    /// Accuracy: intervals of `identify`'s tests.
+    ///
+    /// ```
+    /// use coilsense::identify::Stiffness;
+    /// use coilsense::{Channel, Signals};
+    ///
+    /// let time: Vec<f64> = (0..4000).map(|n| f64::from(n) / 200.0).collect();
+    /// let length: Vec<f64> = time.iter().map(|t| 0.14 + 1e-3 * (1.9 * t).sin()).collect();
+    /// let mut signals = Signals::new(time)?;
+    /// signals.insert(Channel::InputForce, length.iter().map(|l| 760.0 * (l - 0.104)).collect())?;
+    /// signals.insert(Channel::U2, length)?;
+    /// let found = Stiffness::of_record(&signals, 54.0)?;
+    /// assert!((found.stiffness.value - 760.0).abs() < 0.1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Why there is none, in words.
+    pub fn of_record(signals: &Signals, first_frequency: f64) -> Result<Self, String> {
+        let sampling = Sampling::of(signals).map_err(|error| error.to_string())?;
+        let mut found = Self::of(signals, &sampling, &Settings::default())?;
+        found.with_mass(first_frequency);
+        Ok(found)
+    }
+
     /// Least squares of F = k (l − l0) over block means, the lengths' own noise taken off their variance.
     ///
     /// k = Σ(l − l̄)(F − F̄)/(Σ(l − l̄)² − B u_l²); u² = s²/Σ(l − l̄)² · (1 + ρ)/(1 − ρ) + k²(a_F² + a_x²)/3
@@ -105,6 +137,11 @@ impl Stiffness {
         let longer = (1.0 + correlation) / (1.0 - correlation);
         let variance = square / (count - 2.0) * longer;
         let own = (variance / spread).sqrt();
+        if k < 0.0 && own < LARGEST_ERROR * -k {
+            return Err(format!(
+                "the force falls where the spring gets longer ({k:.4} ± {own:.4} N/m): the sign of a force or a position is turned"
+            ));
+        }
         if !(k > 0.0 && own < LARGEST_ERROR * k) {
             return Err(format!("{moved}: {k:.4} ± {own:.4} N/m"));
         }
@@ -166,7 +203,7 @@ impl Stiffness {
 }
 
 /// Hann-weighted means of successive blocks.
-fn block_means(values: &[f64], block: usize) -> Vec<f64> {
+pub(super) fn block_means(values: &[f64], block: usize) -> Vec<f64> {
     let turn = std::f64::consts::TAU / block as f64;
     let weights: Vec<f64> = (0..block).map(|n| (1.0 - (turn * (n as f64 + 0.5)).cos()) / block as f64).collect();
     values.chunks_exact(block).map(|chunk| chunk.iter().zip(&weights).map(|(x, w)| x * w).sum()).collect()

@@ -10,7 +10,7 @@ use realfft::{RealFftPlanner, RealToComplex};
 
 use super::hits::Hit;
 use super::lines::Peak;
-use super::pole_fit::{Block, Fit, column, fit};
+use super::pole_fit::{Block, Fit, amplitudes, column, fit};
 use super::ringing::Series;
 use super::sampling::Sampling;
 
@@ -22,6 +22,8 @@ const HALF_BAND: f64 = 30.0;
 const LEAST: usize = 24;
 /// Most lines that a look at what is left may add to a fit.
 const MOST_ADDED: usize = 3;
+/// Values of transforms that are kept, at most: 64 MB.
+const MOST_KEPT: usize = 4_000_000;
 /// Modes that are looked for where no peak is.
 const GUESSED: usize = 6;
 /// A hit whose ringing fits this much worse than the others' is left out (something else happened in it).
@@ -42,9 +44,14 @@ pub(super) struct Fitted {
     pub(super) hits: Vec<usize>,
     /// Peak amplitude \[N\] per series and hit, at the stretch's begin: (series, hit, 2|A|, its phase).
     pub(super) amplitudes: Vec<(usize, usize, Complex<f64>)>,
+    /// The same in series in which it was not fitted.
+    pub(super) elsewhere: Vec<(usize, usize, Complex<f64>)>,
     /// Strength of the peak it came from.
     pub(super) strength: f64,
 }
+
+/// A stretch of a series whose transform, over noise and √N, is kept: series, first sample, length.
+type Stretch = (usize, usize, usize);
 
 /// Fits lines to a record.
 pub(super) struct Refiner<'a> {
@@ -54,12 +61,23 @@ pub(super) struct Refiner<'a> {
     samples: usize,
     planner: RealFftPlanner<f64>,
     plans: HashMap<usize, Arc<dyn RealToComplex<f64>>>,
+    transforms: HashMap<Stretch, Arc<Vec<Complex<f64>>>>,
+    kept: usize,
 }
 
 impl<'a> Refiner<'a> {
     pub(super) fn new(series: &'a [Series], hits: &'a [Hit], sampling: &Sampling) -> Self {
         let planner = RealFftPlanner::new();
-        Self { series, hits, rate: sampling.rate, samples: sampling.samples, planner, plans: HashMap::new() }
+        Self {
+            series,
+            hits,
+            rate: sampling.rate,
+            samples: sampling.samples,
+            planner,
+            plans: HashMap::new(),
+            transforms: HashMap::new(),
+            kept: 0,
+        }
     }
 
     /// The lines behind `peaks`, strongest first.
@@ -77,7 +95,46 @@ impl<'a> Refiner<'a> {
             }
         }
         lines.retain(|line| line.standard.is_finite());
+        for index in 0..lines.len() {
+            lines[index].elsewhere = self.elsewhere(&lines, index);
+        }
         lines
+    }
+
+    /// A line's amplitudes in the series in which it was not fitted, its pole as it was found.
+    fn elsewhere(&mut self, lines: &[Fitted], index: usize) -> Vec<(usize, usize, Complex<f64>)> {
+        let line = &lines[index];
+        let mut found = Vec::new();
+        for series in (0..self.series.len()).filter(|series| !line.series.contains(series)) {
+            let mut stretches = self.stretches(line.pole);
+            stretches.retain(|(hit, _)| line.hits.contains(hit));
+            let Some(band) = band_about(line.pole, &stretches) else { continue };
+            let mut near: Vec<&Fitted> = lines
+                .iter()
+                .enumerate()
+                .filter(|(other, of)| *other != index && of.pole.im > band.0 && of.pole.im < band.1)
+                .map(|(_, of)| of)
+                .collect();
+            near.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+            let mut poles = vec![line.pole];
+            poles.extend(near.iter().take(5).map(|of| of.pole));
+            let fixed: Vec<Complex<f64>> = if half_band(&stretches).is_some_and(|half| line.pole.im < 1.5 * half) {
+                vec![line.pole.conj()]
+            } else {
+                Vec::new()
+            };
+            let blocks = self.blocks(&[series], &stretches, band);
+            let Some(amplitudes) =
+                amplitudes(&blocks, &poles, &fixed).or_else(|| amplitudes(&blocks, &poles[..1], &fixed))
+            else {
+                continue;
+            };
+            for (block, amplitudes) in blocks.iter().zip(&amplitudes) {
+                let scale = 2.0 * self.series[block.series].noise * (block.length as f64).sqrt();
+                found.push((block.series, block.hit, amplitudes[0] * scale));
+            }
+        }
+        found
     }
 
     /// Adds modes that no spectrum shows apart, broad ones on the flank of the strongest line: where the strongest line's series has them,
@@ -131,6 +188,7 @@ impl<'a> Refiner<'a> {
                     freedom: 1.0,
                     hits: Vec::new(),
                     amplitudes: Vec::new(),
+                    elsewhere: Vec::new(),
                     strength: peak.strength,
                 }),
             }
@@ -142,12 +200,9 @@ impl<'a> Refiner<'a> {
     fn refit(&mut self, lines: &[Fitted], index: usize, look: bool) -> Option<Fitted> {
         let line = &lines[index];
         let stretches = self.stretches(line.pole);
-        let mut lengths: Vec<usize> = stretches.iter().map(|(_, length)| *length).collect();
-        lengths.sort_unstable();
-        let typical = *lengths.get(lengths.len() / 2)? as f64;
-        let half = std::f64::consts::TAU * HALF_BAND / typical;
+        let half = half_band(&stretches)?;
         let centre = line.pole.im;
-        let band = ((centre - half).max(0.0), (centre + half).min(0.98 * std::f64::consts::PI));
+        let band = band_about(line.pole, &stretches)?;
         let others = lines
             .iter()
             .enumerate()
@@ -203,8 +258,6 @@ impl<'a> Refiner<'a> {
     fn blocks(&mut self, series: &[usize], stretches: &[(usize, usize)], band: (f64, f64)) -> Vec<Block> {
         let mut blocks = Vec::new();
         for &(hit, length) in stretches {
-            let planner = &mut self.planner;
-            let plan = self.plans.entry(length).or_insert_with(|| planner.plan_fft_forward(length)).clone();
             let turn = std::f64::consts::TAU / length as f64;
             let first = ((band.0 / turn).ceil() as usize).max(2);
             let last = ((band.1 / turn).floor() as usize).min(length / 2 - 1);
@@ -212,19 +265,36 @@ impl<'a> Refiner<'a> {
                 continue;
             }
             for &index in series {
-                let start = self.hits[hit].after;
-                let mut input = self.series[index].force[start..start + length].to_vec();
-                let mut output = plan.make_output_vec();
-                if plan.process(&mut input, &mut output).is_err() {
-                    continue;
-                }
-                let scale = 1.0 / (self.series[index].noise * (length as f64).sqrt()).max(f64::MIN_POSITIVE);
+                let Some(transform) = self.transform(index, self.hits[hit].after, length) else { continue };
                 let angles = (first..=last).map(|line| turn * line as f64).collect();
-                let values = output[first..=last].iter().map(|value| value * scale).collect();
+                let values = transform[first..=last].to_vec();
                 blocks.push(Block { series: index, hit, angles, values, length });
             }
         }
         blocks
+    }
+
+    /// A stretch's transform, which lines near one another share.
+    fn transform(&mut self, series: usize, start: usize, length: usize) -> Option<Arc<Vec<Complex<f64>>>> {
+        let key = (series, start, length);
+        if let Some(known) = self.transforms.get(&key) {
+            return Some(known.clone());
+        }
+        let planner = &mut self.planner;
+        let plan = self.plans.entry(length).or_insert_with(|| planner.plan_fft_forward(length)).clone();
+        let mut input = self.series[series].force[start..start + length].to_vec();
+        let mut output = plan.make_output_vec();
+        plan.process(&mut input, &mut output).ok()?;
+        let scale = 1.0 / (self.series[series].noise * (length as f64).sqrt()).max(f64::MIN_POSITIVE);
+        output.iter_mut().for_each(|value| *value *= scale);
+        if self.kept > MOST_KEPT {
+            self.transforms.clear();
+            self.kept = 0;
+        }
+        self.kept += output.len();
+        let output = Arc::new(output);
+        self.transforms.insert(key, output.clone());
+        Some(output)
     }
 
     /// Leaves out hits in whose stretch something else happened.
@@ -262,9 +332,22 @@ impl<'a> Refiner<'a> {
             freedom: 2.0 * found.freedom as f64,
             hits,
             amplitudes: amplitudes.collect(),
+            elsewhere: Vec::new(),
             strength: line.strength,
         }
     }
+}
+
+/// Half the width of the band in which a line is fitted \[rad per sample\].
+fn half_band(stretches: &[(usize, usize)]) -> Option<f64> {
+    let mut lengths: Vec<usize> = stretches.iter().map(|(_, length)| *length).collect();
+    lengths.sort_unstable();
+    Some(std::f64::consts::TAU * HALF_BAND / *lengths.get(lengths.len() / 2)? as f64)
+}
+
+fn band_about(pole: Complex<f64>, stretches: &[(usize, usize)]) -> Option<(f64, f64)> {
+    let half = half_band(stretches)?;
+    Some(((pole.im - half).max(0.0), (pole.im + half).min(0.98 * std::f64::consts::PI)))
 }
 
 /// Whether what a fit found is the mode that it was sent for.

@@ -2,14 +2,23 @@
 //!
 //! Next door: the stiffness that it takes (`quasi_static`), the moments at which ringing begins (`hits`).
 
+use super::channel_check::Conditions;
 use super::quasi_static::{Stiffness, length};
 use super::sampling::Sampling;
-use super::whitening::innovations;
+use super::whitening::{ORDER, Surprise};
 use crate::error::Error;
 use crate::signals::{Channel, Signals};
 
 /// Length of the running means that take slow motion out \[s\].
 const SLOW: f64 = 0.4;
+/// How far back the slow prediction reaches \[s\], and the fewest samples it is made of.
+const REACH: f64 = 0.15;
+const LEAST_SAMPLES: usize = 8 * ORDER;
+/// Samples per period of the frequency at which a low-pass begins.
+const PER_CORNER: f64 = 3.0;
+
+/// How near that is, at least \[s\]: as far as the running means reach.
+pub(super) const NEARBY: f64 = 0.4;
 
 /// What a series is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,10 +39,12 @@ pub(super) struct Series {
     pub(super) force: Vec<f64>,
     /// The same less its own running mean, for finding things; shape `samples`.
     pub(super) flat: Vec<f64>,
-    /// Standard deviation of what is not predicted, in N.
+    /// Standard deviation of its noise, in N: of white noise as dense as where the channel lets ringing through.
     pub(super) noise: f64,
-    /// What is not predicted, over that; shape `samples`.
-    pub(super) surprise: Vec<f64>,
+    /// What is not predicted of samples as near as the channel has news in them.
+    pub(super) quick: Surprise,
+    /// The same of samples so far apart that a prediction reaches back over several periods of the lowest modes.
+    pub(super) slow: Surprise,
 }
 
 /// The series of a record: difference and sum of both ends' forces, or the single force.
@@ -46,6 +57,7 @@ pub(super) fn series(
     signals: &Signals,
     sampling: &Sampling,
     stiffness: Option<&Stiffness>,
+    conditions: &Conditions,
 ) -> Result<Vec<Series>, Error> {
     let slow = slow_force(signals, sampling, stiffness);
     let ends = [Channel::InputForce, Channel::OutputForce].map(|channel| signals.channel(channel).ok());
@@ -66,11 +78,16 @@ pub(super) fn series(
         },
     };
     let window = ((SLOW * sampling.rate) as usize).clamp(3, sampling.samples / 4);
+    let most = (sampling.samples / LEAST_SAMPLES).max(1);
+    let quick = conditions.low_pass.map_or(1, |corner| (sampling.rate / (PER_CORNER * corner)) as usize).clamp(1, most);
+    let steps = [quick, ((REACH * sampling.rate / ORDER as f64) as usize).clamp(quick, most)];
+    let block = (NEARBY * sampling.rate) as usize;
     let flattened = |(part, force): (Part, Vec<f64>)| {
         let slow = running_mean(&running_mean(&force, window), window);
         let flat: Vec<f64> = force.iter().zip(&slow).map(|(f, s)| f - s).collect();
-        let (surprise, noise) = innovations(&flat);
-        Series { part, force, flat, noise, surprise }
+        let [quick, slow] = steps.map(|step| Surprise::of(&flat, step, block, conditions.rounding));
+        let noise = quick.noise * (quick.step as f64).sqrt();
+        Series { part, force, flat, noise, quick, slow }
     };
     Ok(parts.into_iter().map(flattened).collect())
 }

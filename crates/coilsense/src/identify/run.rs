@@ -4,14 +4,16 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use super::channel_check::{self, Conditions};
 use super::end_motion::receptance;
+use super::explain::{Coil, Heard, Known, Weighed, weigh};
 use super::line::{Line, Meaning};
 use super::lines::{Peak, after_hits, steady};
-use super::mode_series::{Match, Observation, best, mass_ratio_of};
+use super::mode_series::{Observation, folded};
 use super::refine::{Fitted, Refiner};
 use super::ringing::{Part, Series, series};
 use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict};
-use super::{beginning, half_power, hits, naming, ring_down, verdict};
+use super::{beginning, half_power, hits, naming, ring_down, signs, verdict};
 use crate::error::Error;
 use crate::measures::alias_of;
 use crate::mount::FarEnd;
@@ -19,7 +21,10 @@ use crate::signals::{Channel, Signals};
 use crate::uncertainty::coverage_factor;
 
 /// Lines that are fitted at most, the strongest.
-const MOST_LINES: usize = 12;
+const MOST_LINES: usize = 80;
+/// The same times hits, and what is fitted in any case: a fit's cost goes with both.
+const MOST_FITS: usize = 600;
+const FEWEST_LINES: usize = 24;
 /// What a line's own rate is over its uncertainty, at least.
 const SURE: f64 = 6.0;
 /// A part holds a line where its power is this many times the other's.
@@ -42,13 +47,26 @@ impl Identification {
     /// settings outside of their range.
     pub fn of(signals: &Signals, settings: &Settings) -> Result<Self, Error> {
         let settings = settings.checked()?.clone();
+        let turned = match settings.turned {
+            Some(channel) => Some(signs::with_turned(signals, channel).ok_or(Error::MissingSignal(channel.name()))?),
+            None => None,
+        };
+        let signals = turned.as_ref().unwrap_or(signals);
+        let recorded = Sampling::of(signals)?;
+        let channels = channel_check::check(signals, &recorded);
+        let with_slow_motion = channel_check::with_slow_motion(signals, &channels);
+        let stiffness = Stiffness::of(with_slow_motion.as_ref().unwrap_or(signals), &recorded, &settings);
+        drop(with_slow_motion);
+        let paced = channel_check::at_own_pace(signals, &channels);
+        let signals = paced.as_ref().unwrap_or(signals);
         let sampling = Sampling::of(signals)?;
-        let stiffness = Stiffness::of(signals, &sampling, &settings);
-        let series = series(signals, &sampling, stiffness.as_ref().ok())?;
-        let mut hits = hits::find(&series, &sampling);
+        let conditions = Conditions::of(signals, &channels);
+        let series = series(signals, &sampling, stiffness.as_ref().ok(), &conditions)?;
+        let mut hits = hits::find(&series, &sampling, &conditions);
         if hits.is_empty() {
             hits.extend(beginning::of(&series, &sampling));
         }
+        hits::begin_behind(&mut hits, &sampling, &conditions);
         let mut spectra = Vec::new();
         let mut steady_peaks = Vec::new();
         for (index, one) in series.iter().enumerate() {
@@ -57,8 +75,9 @@ impl Identification {
             spectra.push((one.part, welch));
         }
         let spacing = spectra.first().map_or(1.0, |(_, welch)| welch.spacing);
-        let (lines, foldings) = lines_of(&series, &hits, &sampling, &steady_peaks, spacing);
+        let Heards { lines, foldings, heard } = lines_of(&series, &hits, &sampling, &steady_peaks, spacing);
         let mut found = Self {
+            channels,
             sampling,
             settings,
             has_both_forces: series.len() > 1,
@@ -66,6 +85,12 @@ impl Identification {
             hits,
             lines,
             mode_series: None,
+            explanations: Vec::new(),
+            first_range: None,
+            mass_range: None,
+            ratio_mode: None,
+            turned: None,
+            opposed: false,
             fitted_windings: None,
             end_mass: None,
             first_frequency: None,
@@ -79,7 +104,7 @@ impl Identification {
             ring_down: None,
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
-        found.explain(signals, &foldings);
+        let weighed = found.explain(signals, &foldings, &heard);
         found.stiffness = found.stiffness.and_then(|mut stiffness| match &found.first_frequency {
             Some(first) => {
                 stiffness.with_mass(first.value);
@@ -92,66 +117,51 @@ impl Identification {
         found.derive();
         found.half_powers(&series);
         found.ring_down = ring_down::of(&found.lines, &series, &found.hits, &found.sampling);
-        found.verdict = verdict::verdict(&found);
+        found.verdict = verdict::verdict(&found, &weighed);
+        found.verdict.evidence.extend(channel_check::sentences(&found.channels));
         Ok(found)
     }
 
-    /// Names the lines: finds the mount and its series.
-    fn explain(&mut self, signals: &Signals, foldings: &[f64]) {
+    /// Weighs what explains the lines, names them by it, and takes its numbers over.
+    fn explain(&mut self, signals: &Signals, foldings: &[f64], heard: &[Heard]) -> Weighed {
         let motions = self.motions(signals, foldings);
-        let seen: Vec<Observation> = self.lines.iter().map(|line| seen(line, self.has_both_forces)).collect();
-        let candidates = self.candidates(signals, foldings, &motions);
-        let windings = self.settings.windings;
-        let matches =
-            candidates.into_iter().filter_map(|mode_series| best(&seen, mode_series, windings, self.sampling.rate));
-        let found = matches.reduce(|old, new| if new.score > old.score { new } else { old });
-        naming::name(&mut self.lines, found.as_ref(), self.sampling.rate, &motions.follows);
-        if let Some(found) = found.filter(|found| found.modes.iter().any(|entry| self.lines[entry.0].decays)) {
-            self.adopt(&found);
-        }
-    }
-
-    /// Takes a series's numbers over.
-    fn adopt(&mut self, found: &Match) {
-        self.mode_series = Some(found.mode_series);
-        self.fitted_windings =
-            (self.settings.windings.is_none() && found.windings.is_finite()).then_some(found.windings);
-        let lowest = found.modes.iter().find(|(line, _, _)| self.lines[*line].mode().is_some());
-        if let Some(&(line, mode, _)) = lowest {
-            let step = found.mode_series.multiple(mode, found.windings);
-            let mut first = self.lines[line].frequency.scaled(1.0 / step);
-            if matches!(found.mode_series, ModeSeries::EndMass { .. }) {
-                // The steps hang on m/M, which follows from the lines too: how far these lie off them says how well.
-                let off = |entry: &(usize, usize, f64)| (self.lines[entry.0].frequency.value / entry.2 - 1.0).powi(2);
-                let spread = (found.modes.iter().map(off).sum::<f64>() / found.modes.len() as f64).sqrt() * first.value;
-                first.standard = first.standard.hypot(spread);
-                first.expanded = first.expanded.hypot(2.0 * spread);
+        let signs = signs::of(signals, &self.sampling);
+        let u2 = signals.channel(Channel::U2).is_ok() && self.stiffness.is_ok();
+        let known = Known::of(&self.settings, self.has_both_forces, u2.then_some(motions.end_moves), signs.opposed);
+        let weighed = weigh(heard, &known, 0.5 * self.sampling.rate);
+        let coil = weighed.coil.as_ref();
+        let aliases = coil.map_or_else(Vec::new, |coil| self.aliases(coil));
+        naming::name(&mut self.lines, coil, &aliases, self.sampling.rate, &motions.follows);
+        self.explanations = weighed.ranked.clone();
+        self.turned = signs.turned;
+        self.opposed = self.turned.is_none() && (signs.opposed == Some(true) || coil.is_some_and(|coil| coil.turned));
+        if let Some(coil) = coil {
+            self.adopt(coil);
+            if matches!(coil.mode_series, ModeSeries::EndMass { .. }) {
+                self.end_mass = self.end_mass_of(signals, foldings).map(|(mass, _)| mass);
             }
-            self.first_frequency = Some(first);
-            self.ratio = self.lines[line].ratio;
         }
+        weighed
     }
 
-    /// Mounts that the record allows.
-    fn candidates(&mut self, signals: &Signals, foldings: &[f64], motions: &Motions) -> Vec<ModeSeries> {
-        match self.settings.far_end {
-            Some(FarEnd::Position) => return vec![ModeSeries::HeldHeld],
-            Some(FarEnd::Force) => return vec![ModeSeries::HeldFree],
-            _ => {}
-        }
-        if !motions.end_moves && self.settings.far_end.is_none() {
-            return vec![ModeSeries::HeldHeld];
-        }
-        let mass = self.end_mass_of(signals, foldings);
-        self.end_mass = mass.map(|(mass, _)| mass);
-        let Some((_, rough)) = mass else { return vec![ModeSeries::HeldFree] };
-        // Where the mass is heavy, its own swing tells little of the coil's; the step from there to the next mode does.
-        let decaying: Vec<f64> =
-            self.lines.iter().filter(|line| line.decays).map(|line| line.frequency.value).take(4).collect();
-        let lowest = decaying.first().copied();
-        let sharper = decaying.iter().skip(1).filter_map(|second| mass_ratio_of(lowest?, *second));
-        let near = sharper.filter(|ratio| (ratio / rough).ln().abs() < 1.0);
-        near.chain([rough]).map(|mass_ratio| ModeSeries::EndMass { mass_ratio }).collect()
+    /// Lines that modes above half the sampling rate fold to.
+    fn aliases(&self, coil: &Coil) -> Vec<(usize, usize, f64)> {
+        let seen: Vec<Observation> = self.lines.iter().map(|line| seen(line, self.has_both_forces)).collect();
+        let taken: Vec<usize> = coil.modes.iter().map(|entry| entry.0).collect();
+        folded(&seen, coil.mode_series, coil.first, coil.windings, self.sampling.rate, &taken)
+    }
+
+    /// Takes a coil's numbers over.
+    fn adopt(&mut self, coil: &Coil) {
+        self.mode_series = Some(coil.mode_series);
+        let fitted = self.settings.windings.is_none() || coil.other_windings.is_some();
+        self.fitted_windings = (fitted && coil.windings.is_finite()).then_some(coil.windings);
+        let lowest = coil.modes.iter().find(|(line, _, _)| self.lines[*line].mode().is_some());
+        let Some(&(line, mode, _)) = lowest else { return };
+        self.first_frequency = Some(Estimate::new(coil.first, coil.first * coil.spread, coil.factor));
+        self.first_range = Some(coil.range);
+        self.ratio = self.lines[line].ratio;
+        self.ratio_mode = self.ratio.map(|_| mode);
     }
 
     /// M \[kg\] from F_o over the end's acceleration in the lowest line (or as given), and m/M: tan β/β = k/(Mω²).
@@ -191,7 +201,11 @@ impl Identification {
 
     /// ω1 τ: π for the continuous coil, 2N sin(π/2N) for a chain.
     fn turns(&self) -> f64 {
-        self.settings.windings.map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin())
+        // What was said of N and the lines contradict is left out.
+        self.settings
+            .windings
+            .filter(|_| self.fitted_windings.is_none())
+            .map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin())
     }
 
     /// f1 from a spec, or from mass and stiffness.
@@ -215,6 +229,7 @@ impl Identification {
             line.meaning = Meaning::Alias { mode: 1, frequency: predicted };
             line.reason = format!("where mode 1, predicted at {predicted:.2} Hz, folds to at {rate:.0} Hz");
             (self.first_frequency, self.ratio, self.mode_series, self.fitted_windings) = (None, None, None, None);
+            (self.first_range, self.mass_range, self.ratio_mode) = (None, None, None);
         }
     }
 
@@ -230,6 +245,12 @@ impl Identification {
             let relative = |of: fn(&Estimate) -> f64| mass * (of(&k) / k.value).hypot(2.0 * of(&first) / first.value);
             self.mass =
                 Some(Estimate { value: mass, standard: relative(|e| e.standard), expanded: relative(|e| e.expanded) });
+            // m goes with f1 to the power of −2, so the highest f1 makes the least m; k's own share is added.
+            self.mass_range = self.first_range.map(|(low, high)| {
+                let own = k.expanded / k.value;
+                let at = |frequency: f64, share: f64| mass * (first.value / frequency).powi(2) * share;
+                (at(high, 1.0 - own), at(low, 1.0 + own))
+            });
         }
         self.trust = Trust::of(time, self.settings.tolerance).ok();
     }
@@ -280,33 +301,45 @@ struct Motions {
     end_moves: bool,
 }
 
-/// The lines of a record, lowest first, with the e-folding time of each \[s\].
-fn lines_of(
-    series: &[Series],
-    hits: &[Hit],
-    sampling: &Sampling,
-    steady: &[Peak],
-    spacing: f64,
-) -> (Vec<Line>, Vec<f64>) {
-    let mut lines: Vec<(Line, f64)> = Vec::new();
+/// The lines of a record, lowest first.
+struct Heards {
+    lines: Vec<Line>,
+    /// e-folding time of each \[s\].
+    foldings: Vec<f64>,
+    /// What was heard of those that decay, lowest first.
+    heard: Vec<Heard>,
+}
+
+fn lines_of(series: &[Series], hits: &[Hit], sampling: &Sampling, steady: &[Peak], spacing: f64) -> Heards {
+    let mut lines: Vec<(Line, f64, Option<Fitted>)> = Vec::new();
     if !hits.is_empty() {
         let mut peaks: Vec<Peak> =
             series.iter().enumerate().flat_map(|(n, one)| after_hits(n, one, hits, sampling)).collect();
         peaks.sort_by(|a, b| b.strength.total_cmp(&a.strength));
-        peaks.truncate(MOST_LINES);
+        peaks.truncate(MOST_LINES.min((MOST_FITS / hits.len()).max(FEWEST_LINES)));
         let fitted = Refiner::new(series, hits, sampling).lines(&peaks);
-        lines.extend(fitted.iter().filter_map(|fitted| line_of(fitted, series, sampling.rate)));
+        lines.extend(fitted.into_iter().filter_map(|fitted| {
+            let (line, folding) = line_of(&fitted, series, sampling.rate)?;
+            Some((line, folding, Some(fitted)))
+        }));
     }
     for peak in steady {
         let known = lines
             .iter()
-            .any(|(line, _)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * width(line));
+            .any(|(line, ..)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * width(line));
         if !known && (hits.is_empty() || peak.strength > 100.0) {
-            lines.push((steady_line(peak, series, spacing), f64::INFINITY));
+            lines.push((steady_line(peak, series, spacing), f64::INFINITY, None));
         }
     }
     lines.sort_by(|a, b| a.0.frequency.value.total_cmp(&b.0.frequency.value));
-    lines.into_iter().unzip()
+    let mut found = Heards { lines: Vec::new(), foldings: Vec::new(), heard: Vec::new() };
+    for (index, (line, folding, fitted)) in lines.into_iter().enumerate() {
+        let heard = fitted.filter(|_| line.decays).and_then(|fitted| Heard::of(index, &fitted, series, sampling.rate));
+        found.heard.extend(heard);
+        found.lines.push(line);
+        found.foldings.push(folding);
+    }
+    found
 }
 
 /// Width of a line at half its power \[Hz\].

@@ -37,6 +37,11 @@ impl Sampling {
         Ok(Self { rate: 1.0 / interval, samples: times.len(), start: times[0] })
     }
 
+    /// That of every `step`th sample.
+    pub(super) fn every(&self, step: usize) -> Self {
+        Self { rate: self.rate / step as f64, samples: self.samples.div_ceil(step), start: self.start }
+    }
+
     /// How long the record lasts \[s\].
     pub fn duration(&self) -> f64 {
         self.samples as f64 / self.rate

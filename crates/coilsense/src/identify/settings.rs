@@ -4,6 +4,7 @@
 
 use crate::error::{Error, above_zero, called, check};
 use crate::mount::FarEnd;
+use crate::signals::Channel;
 
 /// What a user knows of spring and sensors; [`Settings::default`] knows nothing.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +19,8 @@ pub struct Settings {
     pub prediction_tolerance: f64,
     /// What end 2 is tied to, where it is known; else the record decides.
     pub far_end: Option<FarEnd>,
+    /// A force or position that was recorded with the wrong sign, to be turned.
+    pub turned: Option<Channel>,
     /// Dynamic error of a force that is still trusted \[1\], relative.
     pub tolerance: f64,
     /// Limit of error of the force sensors \[1\], relative.
@@ -34,6 +37,7 @@ impl Default for Settings {
             predicted: None,
             prediction_tolerance: 0.05,
             far_end: None,
+            turned: None,
             tolerance: 0.01,
             accuracy_force: 0.0,
             accuracy_position: 0.0,

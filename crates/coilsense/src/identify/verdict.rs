@@ -2,9 +2,10 @@
 //!
 //! Next door: the evidence (the parent).
 
+use super::Identification;
+use super::explain::Weighed;
 use super::line::Meaning;
-use super::ringing::Part;
-use super::{Identification, ModeSeries};
+use super::reasons;
 
 /// The answer to "is it the spring that rings?".
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,19 +42,25 @@ pub struct Verdict {
 
 /// Amplitude below which a line decides nothing, relative to the largest.
 const SMALL: f64 = 0.05;
-/// Modes that make a mode series without any knowledge of the spring.
-const LEAST_MODES: usize = 3;
+/// How much more the coil explains than any other cause, at least \[nats\]: the chance of its coming about otherwise is 1 in 1100.
+const LEAD: f64 = 7.0;
+/// How much of that the places of the lines alone have to say \[nats\].
+const PLACES: f64 = 4.0;
+/// Share of the ringing's power that the coil's modes hold, and of the loud lines that are its modes, at least \[1\].
+const EXPLAINED: f64 = 0.6;
+const EXPLAINED_LOUD: f64 = 0.7;
+/// Probability that f1 is off by more than 1 %, at most.
+const MOVED: f64 = 0.07;
 
-pub(super) fn verdict(found: &Identification) -> Verdict {
-    let (answer, evidence) = answer(found);
+pub(super) fn verdict(found: &Identification, weighed: &Weighed) -> Verdict {
+    let (answer, mut evidence) = answer(found, weighed);
+    evidence.extend(reasons::turned(found));
     Verdict { answer, evidence, next: next(found, answer) }
 }
 
-fn answer(found: &Identification) -> (Answer, Vec<String>) {
-    let modes: Vec<_> = found.lines.iter().filter(|line| line.mode().is_some()).collect();
+fn answer(found: &Identification, weighed: &Weighed) -> (Answer, Vec<String>) {
     let decaying = found.lines.iter().filter(|line| line.decays).count();
-    let predicted = found.predicted;
-    let agrees = match (predicted, found.first_frequency) {
+    let agrees = match (found.predicted, found.first_frequency) {
         (Some(predicted), Some(first)) => {
             Some((first.value / predicted - 1.0).abs() <= found.settings.prediction_tolerance)
         }
@@ -63,68 +70,50 @@ fn answer(found: &Identification) -> (Answer, Vec<String>) {
         let evidence = format!("a line at {:.2} Hz is {}: it may be the spring's", line.frequency.value, line.reason);
         return (Answer::Undecided, vec![evidence]);
     }
-    let first = found.first_frequency.map_or(f64::NAN, |first| first.value);
-    if agrees == Some(false) && decaying > 0 {
+    let Some(coil) = weighed.coil.as_ref().filter(|_| found.first_frequency.is_some()) else {
+        return without_series(found, decaying, 0);
+    };
+    let modes = coil.modes.len();
+    let leads = coil.lead >= LEAD && coil.by_places >= PLACES;
+    if agrees == Some(false) {
+        let predicted = found.predicted.unwrap_or(f64::NAN);
         let line = format!(
-            "what rings has f1 = {first:.2} Hz, the spring would have {:.2} Hz ({:+.1} %)",
-            predicted.unwrap_or(f64::NAN),
-            100.0 * (first / predicted.unwrap_or(f64::NAN) - 1.0)
+            "what rings has f1 = {:.2} Hz, the spring would have {predicted:.2} Hz ({:+.1} %)",
+            coil.first,
+            100.0 * (coil.first / predicted - 1.0)
         );
         // A series of its own may be this spring with another mass than was said.
-        let answer = if modes.len() >= LEAST_MODES { Answer::Undecided } else { Answer::NotTheSpring };
-        return (answer, vec![line]);
+        return (if leads { Answer::Undecided } else { Answer::NotTheSpring }, vec![line]);
     }
-    let folded = 2.0 * first > 0.5 * found.sampling.rate;
-    if modes.len() >= LEAST_MODES || is_pair(found) || agrees == Some(true) && !modes.is_empty() {
-        let mut evidence = series_evidence(found, modes.len());
-        if agrees == Some(true) {
-            evidence
-                .push(format!("f1 = {first:.2} Hz agrees with the {:.2} Hz predicted", predicted.unwrap_or(f64::NAN)));
-        } else if folded {
-            evidence.push(format!(
-                "sampled at {:.0} Hz it may as well be a line above {:.0} Hz, folded",
-                found.sampling.rate,
-                0.5 * found.sampling.rate
-            ));
-            return (Answer::Undecided, evidence);
-        }
+    if agrees == Some(true) && coil.lead > 0.0 || agrees == Some(true) && modes < 3 {
+        let mut evidence = reasons::series(found, coil);
+        let (first, predicted) = (coil.first, found.predicted.unwrap_or(f64::NAN));
+        evidence.push(format!("f1 = {first:.2} Hz agrees with the {predicted:.2} Hz predicted"));
         return (Answer::Spring, evidence);
     }
-    without_series(found, decaying, modes.len())
-}
-
-/// Whether the lowest two modes ring, the first pulling the ends in turn and the second together, alike in damping: two resonances elsewhere
-/// would have to meet in ratio, signs and damping at once.
-fn is_pair(found: &Identification) -> bool {
-    let of = |mode: usize| found.lines.iter().find(|line| line.mode() == Some(mode));
-    let (Some(first), Some(second)) = (of(1), of(2)) else { return false };
-    let held = found.mode_series == Some(ModeSeries::HeldHeld)
-        && [first, second].iter().all(|line| line.part.is_some_and(Part::of_both_ends));
-    let ratio = first.ratio.zip(second.ratio).map_or(0.0, |(first, second)| second.value / first.value);
-    held && (0.4..2.5).contains(&ratio)
-}
-
-fn series_evidence(found: &Identification, modes: usize) -> Vec<String> {
-    let name = found.mode_series.map_or("an unknown mount", |mode_series| mode_series.name());
-    let hits = found.hits.len();
-    let after =
-        if hits == 0 { String::new() } else { format!(" after {hits} hit{}", if hits == 1 { "" } else { "s" }) };
-    let mut evidence = vec![match modes {
-        1 => format!("1 decaying line{after} matches a mode of a coil with {name}"),
-        modes => format!("{modes} decaying lines{after} match the modes of a coil with {name}"),
-    }];
-    let patterned = found
-        .lines
-        .iter()
-        .filter(|line| line.mode().is_some() && line.part.is_some_and(|part| part.of_both_ends()))
-        .count();
-    if patterned > 0 && matches!(found.mode_series, Some(ModeSeries::HeldHeld)) {
-        evidence.push(
-            "odd modes pull the two ends in opposite phase and even ones in phase, as a coil between held ends does"
-                .to_owned(),
-        );
+    if !leads {
+        return if modes < 3 || decaying < 3 {
+            without_series(found, decaying, modes)
+        } else {
+            (Answer::Undecided, vec![reasons::no_lead(decaying, coil, &weighed.rival)])
+        };
     }
-    evidence
+    let mut evidence = reasons::series(found, coil);
+    if 2.0 * coil.first > 0.5 * found.sampling.rate {
+        evidence.push(format!(
+            "sampled at {:.0} Hz it may as well be a line above {:.0} Hz, folded",
+            found.sampling.rate,
+            0.5 * found.sampling.rate
+        ));
+        return (Answer::Undecided, evidence);
+    }
+    if coil.share < EXPLAINED || coil.loud < EXPLAINED_LOUD {
+        return (Answer::Undecided, vec![reasons::unexplained(coil)]);
+    }
+    if coil.moved > MOVED {
+        return (Answer::Undecided, vec![reasons::moved(coil)]);
+    }
+    (Answer::Spring, evidence)
 }
 
 fn without_series(found: &Identification, decaying: usize, modes: usize) -> (Answer, Vec<String>) {
@@ -186,8 +175,15 @@ fn lines(count: usize) -> String {
 
 fn next(found: &Identification, answer: Answer) -> Vec<String> {
     let mut next = Vec::new();
+    if let Some(channel) = found.turned {
+        next.push(format!("with the sign of {} put right, or turned when this is asked", channel.name()));
+    }
     let rate = found.sampling.rate;
-    let first = found.first_frequency.map(|first| first.value).or(found.predicted);
+    // Where it is open what rings, its loudest line may be the first mode.
+    let loudest =
+        found.lines.iter().max_by(|a, b| a.amplitude.total_cmp(&b.amplitude)).map(|line| line.frequency.value);
+    let certain = found.first_frequency.map(|first| first.value).filter(|_| answer == Answer::Spring);
+    let first = certain.or(found.predicted).or(loudest);
     let slowest = found
         .lines
         .iter()
@@ -204,7 +200,7 @@ fn next(found: &Identification, answer: Answer) -> Vec<String> {
             found.hits.len()
         ));
     }
-    let wanted = first.or(found.lines.first().map(|line| line.frequency.value)).map(|frequency| 10.0 * frequency);
+    let wanted = first.map(|frequency| 10.0 * frequency);
     if let Some(wanted) = wanted.filter(|wanted| *wanted > rate && answer != Answer::NotTheSpring) {
         next.push(format!("sample at {:.0} Hz or faster behind a low-pass below half of that, so that the first five modes show unfolded (now {rate:.0} Hz)", round_up(wanted)));
     }

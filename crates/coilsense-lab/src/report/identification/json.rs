@@ -2,7 +2,7 @@
 //!
 //! Next door: the same for people (`text`, `html`).
 
-use coilsense::identify::{Estimate, Identification, Line, Meaning, ModeSeries, Trust};
+use coilsense::identify::{ChannelCheck, Estimate, Identification, Line, Meaning, ModeSeries, Trust, Weight};
 use serde::Serialize;
 
 use crate::identification::{Identified, answer, component_name};
@@ -28,7 +28,11 @@ pub struct IdentificationOutcome<'a> {
     /// When the spring was hit.
     hits_s: Vec<f64>,
     first_frequency_hz: Option<EstimatePart>,
+    /// Where f1 lies with 95 %: noise, and what a mount that gives may do to it.
+    first_frequency_range_hz: Option<[f64; 2]>,
     damping_ratio: Option<EstimatePart>,
+    /// The mode that it belongs to.
+    damping_ratio_mode: Option<usize>,
     stiffness_n_per_m: Option<EstimatePart>,
     length_at_zero_force_m: Option<EstimatePart>,
     /// Whether that length is between both ends' positions; else it is end 1's alone.
@@ -36,6 +40,8 @@ pub struct IdentificationOutcome<'a> {
     length_range_m: Option<[f64; 2]>,
     no_stiffness_because: Option<&'a str>,
     mass_kg: Option<EstimatePart>,
+    /// Where it lies with 95 %: noise, and what a mount that gives may do to f1.
+    mass_range_kg: Option<[f64; 2]>,
     /// From one end to the other.
     transit_time_s: Option<EstimatePart>,
     mount: Option<&'static str>,
@@ -46,6 +52,12 @@ pub struct IdentificationOutcome<'a> {
     /// From stiffness and mass.
     predicted_first_frequency_hz: Option<f64>,
     trust: Option<TrustPart>,
+    /// The channel whose sign is turned, where one is.
+    sign_turned: Option<&'static str>,
+    /// What may be the cause of the lines, the likeliest first.
+    explanations: Vec<ExplanationRow<'a>>,
+    /// What instruments did to the forces.
+    channels: Vec<ChannelRow>,
     lines: Vec<LineRow<'a>>,
     /// What became of the log's rows, line by line.
     account: &'a [String],
@@ -75,6 +87,35 @@ struct TrustPart {
     output_for_input_hz: f64,
     deflection_for_input_hz: f64,
     deflection_for_output_hz: f64,
+}
+
+/// A cause of lines.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct ExplanationRow<'a> {
+    cause: &'a str,
+    /// Natural logarithm of its evidence over that of lines that have nothing in common.
+    evidence_nats: f64,
+    /// Share of the ringing's energy that it explains.
+    share: f64,
+    /// f1 of the coil between held ends; null for what is no coil.
+    first_frequency_hz: Option<f64>,
+}
+
+/// A force's channel; null for what it does not show.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct ChannelRow {
+    channel: &'static str,
+    /// How often it has a new value, where that is less often than the log's rate.
+    update_rate_hz: Option<f64>,
+    last_digit_n: Option<f64>,
+    /// Share of the samples at a limit, where it is clipped.
+    clipped_share: Option<f64>,
+    /// Corner of a low-pass, roughly.
+    low_pass_hz: Option<f64>,
+    /// Frequency of slow motion that the force misses: a high-pass lies above.
+    high_pass_above_hz: Option<f64>,
 }
 
 /// A line of the spectrum.
@@ -120,23 +161,29 @@ impl<'a> IdentificationOutcome<'a> {
             sample_rate_hz: found.sampling.rate,
             hits_s: found.hits.iter().map(|hit| hit.time).collect(),
             first_frequency_hz: EstimatePart::maybe(&found.first_frequency),
+            first_frequency_range_hz: found.first_range.map(|(low, high)| [low, high]),
             damping_ratio: EstimatePart::maybe(&found.ratio),
+            damping_ratio_mode: found.ratio_mode,
             stiffness_n_per_m: line.map(|line| EstimatePart::of(&line.stiffness)),
             length_at_zero_force_m: line.map(|line| EstimatePart::of(&line.length_at_zero)),
             length_is_of_both_ends: line.map(|line| line.both_positions),
             length_range_m: line.map(|line| [line.range.0, line.range.1]),
             no_stiffness_because: found.stiffness.as_ref().err().map(String::as_str),
             mass_kg: EstimatePart::maybe(&found.mass),
+            mass_range_kg: found.mass_range.map(|(low, high)| [low, high]),
             transit_time_s: EstimatePart::maybe(&found.transit_time),
             mount: found.mode_series.map(|series| series.name()),
             mass_ratio: match found.mode_series {
                 Some(ModeSeries::EndMass { mass_ratio }) => Some(mass_ratio),
-                Some(ModeSeries::HeldHeld | ModeSeries::HeldFree) | None => None,
+                Some(ModeSeries::HeldHeld | ModeSeries::HeldFree | ModeSeries::Gives { .. }) | None => None,
             },
             end_mass_kg: found.end_mass,
             windings_fitted: found.fitted_windings,
             predicted_first_frequency_hz: found.predicted,
             trust: found.trust.as_ref().map(TrustPart::of),
+            sign_turned: found.turned.map(|channel| channel.name()),
+            explanations: found.explanations.iter().map(ExplanationRow::of).collect(),
+            channels: found.channels.iter().map(ChannelRow::of).collect(),
             lines: found.lines.iter().map(LineRow::of).collect(),
             account: &identified.account,
         }
@@ -151,6 +198,26 @@ impl EstimatePart {
 
     fn maybe(estimate: &Option<Estimate>) -> Option<Self> {
         estimate.as_ref().map(Self::of)
+    }
+}
+
+impl<'a> ExplanationRow<'a> {
+    fn of(weight: &'a Weight) -> Self {
+        let Weight { name, evidence, share, first_frequency } = weight;
+        Self { cause: name, evidence_nats: *evidence, share: *share, first_frequency_hz: *first_frequency }
+    }
+}
+
+impl ChannelRow {
+    fn of(check: &ChannelCheck) -> Self {
+        Self {
+            channel: check.channel.name(),
+            update_rate_hz: check.update_rate,
+            last_digit_n: check.last_digit,
+            clipped_share: check.clipping.map(|clipping| clipping.share),
+            low_pass_hz: check.low_pass,
+            high_pass_above_hz: check.high_pass,
+        }
     }
 }
 

@@ -48,10 +48,13 @@ pub fn identification_text(identified: &Identified) -> String {
     }
     let _ = writeln!(
         text,
-        "{} samples at {} Hz, {} hits found; ± is half of a 95 % interval",
+        "{} samples at {} Hz, {} found; ± is half of a 95 % interval",
         found.sampling.samples,
         digits(found.sampling.rate),
-        found.hits.len()
+        match found.hits.len() {
+            1 => "1 hit".to_owned(),
+            hits => format!("{hits} hits"),
+        }
     );
     for line in &identified.account {
         let _ = writeln!(text, "{line}");
