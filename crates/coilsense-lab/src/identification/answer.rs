@@ -63,7 +63,7 @@ fn numbers(identified: &Identified) -> Option<String> {
 /// A range, where it says more than an estimate's interval.
 fn wide(estimate: Option<&Estimate>, range: Option<(f64, f64)>) -> Option<(f64, f64)> {
     let (estimate, (low, high)) = (estimate?, range?);
-    (high - low > 4.0 * estimate.expanded && high - low > 1e-4 * estimate.value).then_some((low, high))
+    (high - low > 4.0 * estimate.expanded && high - low > 3e-4 * estimate.value).then_some((low, high))
 }
 
 /// A value with its 95 % interval, in another unit.

@@ -75,6 +75,17 @@ pub(super) fn unexplained(coil: &Coil) -> String {
     )
 }
 
+/// A coil between whose modes steady lines lie like those of a coil with a lower f1.
+pub(super) fn steady_between(coil: &Coil, divisor: usize, steady: usize) -> String {
+    format!(
+        "{} decaying lines match the modes of a coil with f1 = {:.2} Hz, but {steady} steady lines lie between them where a coil with f1 = \
+         {:.2} Hz has modes, too",
+        coil.modes.len(),
+        coil.first,
+        coil.first / divisor as f64
+    )
+}
+
 /// A coil whose mount may move f1.
 pub(super) fn moved(coil: &Coil) -> String {
     format!(

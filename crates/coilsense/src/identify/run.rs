@@ -27,6 +27,8 @@ const MOST_FITS: usize = 600;
 const FEWEST_LINES: usize = 24;
 /// What a line's own rate is over its uncertainty, at least.
 const SURE: f64 = 6.0;
+/// Up to this share of its corner a low-pass leaves amplitudes as they are.
+const PASSED: f64 = 0.5;
 /// A part holds a line where its power is this many times the other's.
 const DOMINANT: f64 = 10.0;
 /// End 2 counts as moving where k times its motion is this share of the force that rings.
@@ -75,7 +77,10 @@ impl Identification {
             spectra.push((one.part, welch));
         }
         let spacing = spectra.first().map_or(1.0, |(_, welch)| welch.spacing);
-        let Heards { lines, foldings, heard } = lines_of(&series, &hits, &sampling, &steady_peaks, spacing);
+        let Heards { lines, foldings, mut heard } = lines_of(&series, &hits, &sampling, &steady_peaks, spacing);
+        if let Some(corner) = conditions.low_pass {
+            heard.iter_mut().for_each(|one| one.sized = one.frequency() < PASSED * corner);
+        }
         let mut found = Self {
             channels,
             sampling,

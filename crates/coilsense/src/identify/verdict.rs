@@ -3,8 +3,9 @@
 //! Next door: the evidence (the parent).
 
 use super::Identification;
-use super::explain::Weighed;
+use super::explain::{Coil, Weighed};
 use super::line::Meaning;
+use super::phase_law::{Seat, mode_of};
 use super::reasons;
 
 /// The answer to "is it the spring that rings?".
@@ -49,6 +50,11 @@ const PLACES: f64 = 4.0;
 /// Share of the ringing's power that the coil's modes hold, and of the loud lines that are its modes, at least \[1\].
 const EXPLAINED: f64 = 0.6;
 const EXPLAINED_LOUD: f64 = 0.7;
+/// Steady lines between a coil's modes that make another coil of it, at least; which modes are looked at; how near they have to lie, in the
+/// finer coil's f1 \[1\].
+const FEWEST_BETWEEN: usize = 3;
+const MOST_BETWEEN: usize = 60;
+const CHANCE: f64 = 0.03;
 /// Probability that f1 is off by more than 1 %, at most.
 const MOVED: f64 = 0.07;
 
@@ -110,10 +116,32 @@ fn answer(found: &Identification, weighed: &Weighed) -> (Answer, Vec<String>) {
     if coil.share < EXPLAINED || coil.loud < EXPLAINED_LOUD {
         return (Answer::Undecided, vec![reasons::unexplained(coil)]);
     }
+    if let Some((divisor, steady)) = steady_between(found, coil) {
+        return (Answer::Undecided, vec![reasons::steady_between(coil, divisor, steady)]);
+    }
     if coil.moved > MOVED {
         return (Answer::Undecided, vec![reasons::moved(coil)]);
     }
     (Answer::Spring, evidence)
+}
+
+/// Steady lines between the modes of a coil, where those of one with half or a third of its f1 would lie: (divisor, how many).
+fn steady_between(found: &Identification, coil: &Coil) -> Option<(usize, usize)> {
+    let between = |divisor: usize| {
+        let base = coil.first / divisor as f64;
+        let places: Vec<f64> = (1..MOST_BETWEEN)
+            .filter(|mode| mode % divisor != 0)
+            .map_while(|mode| mode_of(coil.windings * divisor as f64, [Seat::Rigid; 2], mode))
+            .map(|mode| base * mode.multiple)
+            .take_while(|place| *place < 0.5 * found.sampling.rate)
+            .collect();
+        // Between neighbours, this share of all frequencies would count by chance.
+        let near = |frequency: f64| places.iter().any(|place| (frequency - place).abs() < CHANCE * base);
+        let unnamed = found.lines.iter().filter(|line| !line.decays && line.meaning == Meaning::Unknown);
+        let (there, elsewhere): (Vec<_>, Vec<_>) = unnamed.partition(|line| near(line.frequency.value));
+        (there.len() >= FEWEST_BETWEEN && there.len() > elsewhere.len()).then_some((divisor, there.len()))
+    };
+    [2, 3].into_iter().find_map(between)
 }
 
 fn without_series(found: &Identification, decaying: usize, modes: usize) -> (Answer, Vec<String>) {

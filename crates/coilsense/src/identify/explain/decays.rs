@@ -67,7 +67,7 @@ fn power(place: &Place, heard: &[Heard], exponent: f64) -> f64 {
 fn sizes(place: &Place, heard: &[Heard], fall: impl Fn(f64) -> f64) -> f64 {
     let Some(&(lowest, 1)) = place.modes.first() else { return 0.0 };
     let first = heard[lowest].loudness.ln();
-    let each = place.modes[1..].iter().map(|&(line, mode)| {
+    let each = place.modes[1..].iter().filter(|(line, _)| heard[*line].sized).map(|&(line, mode)| {
         let ratio = 0.5 * (heard[line].loudness.ln() - first);
         (normal(ratio + fall(mode as f64), SIZES_OFF).max(1e-6) / normal(ratio, STRANGE).max(1e-6)).ln()
     });

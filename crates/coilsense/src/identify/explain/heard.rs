@@ -26,6 +26,8 @@ pub(in crate::identify) struct Heard {
     pub(super) energy: f64,
     /// Σ over hits and ends of the amplitudes' squares right after the hit \[N²\].
     pub(super) loudness: f64,
+    /// Whether its size is what drove it, and not what a filter left of it.
+    pub(in crate::identify) sized: bool,
     /// How the ends pull, where both forces were recorded.
     pub(super) ends: Option<Ends>,
     /// Amplitude after each hit where it is heard better \[N\]: (hit, complex amplitude).
@@ -46,6 +48,11 @@ pub(in crate::identify) struct Ends {
 }
 
 impl Heard {
+    /// Undamped frequency \[Hz\].
+    pub(in crate::identify) fn frequency(&self) -> f64 {
+        self.frequency
+    }
+
     /// ζ \[1\].
     pub(super) fn ratio(&self) -> f64 {
         self.decay / (TAU * self.frequency)
@@ -107,6 +114,7 @@ impl Heard {
             decay: -fitted.pole.re * rate,
             decay_spread: (fitted.standard / fitted.pole.re).abs(),
             loudness: energy,
+            sized: true,
             energy: 0.5 * energy / (-fitted.pole.re * rate).max(f64::MIN_POSITIVE),
             ends,
             by_hit,

@@ -24,8 +24,8 @@ use search::Mount;
 
 /// A coil between held ends is preferred to other mounts that explain no more than this better \[nats\].
 const SIMPLER: f64 = 5.0;
-/// Misfit of a seat's law beyond noise from which on it is not believed \[1\], relative.
-const ROUGH: f64 = 1e-5;
+/// Misfit of a seat's law beyond noise from which on it is not believed \[nats\].
+const ROUGH: f64 = 3.0;
 /// Amplitude over the largest from which on a line counts as loud \[1\].
 const LOUD: f64 = 0.1;
 /// ζ \[1\] above which a line is too broad for that, unless the strongest line is as broad.
@@ -36,6 +36,12 @@ const FAR: f64 = 0.15;
 const CAUTION: f64 = 0.6;
 /// How far f1 may lie elsewhere before it counts as another \[1\], relative.
 const ELSEWHERE: f64 = 0.01;
+/// How far f1 may be off because no spring is exactly its model \[1\], relative.
+const MODEL: f64 = 5e-5;
+/// How far f1 may be off where none of what rings is explained \[1\], relative; else less, by the root of that share.
+const DISTURBED: f64 = 5e-3;
+/// Compliance of a seat over the coil's that is as likely by its amount as by its logarithm \[1\].
+const USUAL: f64 = 0.01;
 /// Evidence beyond chance that a second coil among the other lines needs \[nats\].
 const SECOND: f64 = 12.0;
 
@@ -71,6 +77,17 @@ impl Explanation {
     /// f1 \[Hz\] of the coil between held ends, and its relative standard uncertainty \[1\].
     fn first(&self) -> (f64, f64) {
         (self.place.trial.base, self.place.standard(Knob::Base))
+    }
+
+    /// Compliance of both seats over \[1\] what makes a mount that gives as likely by its amount as by the amount's logarithm; none where
+    /// nothing gives.
+    fn gives(&self) -> Option<f64> {
+        let Law::Coil { seats, .. } = self.place.trial.law else { return None };
+        let each = seats.iter().filter_map(|seat| match seat {
+            Seat::Gives(kappa, _) => Some(kappa),
+            _ => None,
+        });
+        each.copied().reduce(|one, other| one + other).map(|kappa| kappa / USUAL)
     }
 
     /// In words.
@@ -166,6 +183,15 @@ pub(super) struct Coil {
     pub(super) other_windings: Option<f64>,
 }
 
+impl Coil {
+    /// f1's range with what the rest of the ringing may do to it.
+    fn disturbed(&mut self) {
+        let off = DISTURBED * (1.0 - self.share).max(0.0).sqrt() * self.first;
+        let (low, high) = self.range;
+        self.range = (self.first - (self.first - low).hypot(off), self.first + (high - self.first).hypot(off));
+    }
+}
+
 /// All of it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Weighed {
@@ -220,6 +246,7 @@ pub(super) fn weigh(heard: &[Heard], known: &Known, top: f64) -> Weighed {
         coil.other_windings = other_windings;
         coil.delay = late.unwrap_or(0.0);
         second(heard, known, top, &mut coil);
+        coil.disturbed();
         weighed.coil = Some(coil);
     }
     weighed
@@ -257,8 +284,12 @@ fn coil_of(room: &Room, coils: &[Explanation]) -> Option<Coil> {
     let nearby = odds(logs(&|one| off(one) && !far(one), CAUTION) - logs(&|one| !off(one), CAUTION));
     let moved = nearby + odds(logs(&far, 1.0) - logs(&|one| !far(one), 1.0));
     // A seat whose law misses its lines by more than noise is not the seat that is there.
-    let doubtful = matches!(series_of(&chosen.place), ModeSeries::Gives { .. }) && chosen.place.off > ROUGH;
+    let gives = matches!(series_of(&chosen.place), ModeSeries::Gives { .. });
+    let doubtful = gives && (chosen.place.misfit > ROUGH || chosen.place.mimics_windings());
     let moved = if doubtful { moved.max(0.5) } else { moved };
+    let expanded = (factor * spread).hypot(MODEL);
+    // All that the seat does to f1 is in the interval then.
+    let expanded = if doubtful { expanded.hypot(USUAL * chosen.gives().unwrap_or(1.0).max(1.0)) } else { expanded };
     Some(Coil {
         mode_series: series_of(&chosen.place),
         windings: windings_of(&chosen.place),
@@ -278,8 +309,11 @@ fn coil_of(room: &Room, coils: &[Explanation]) -> Option<Coil> {
         by_places: chosen.place.evidence,
         share: chosen.place.share(room.heard),
         loud: loud(room.heard, |index| chosen.place.modes.iter().any(|(line, _)| *line == index)),
-        // For the range, mounts that give are taken for as likely as those that do not.
-        range: range(coils, first, factor * spread, |one| (one.total - one.prior.max(search::GIVES) - all).exp()),
+        // For the range, mounts that give are taken for as likely as those that do not, and by any amount alike.
+        range: range(coils, first, expanded, |one| {
+            let own = if one.gives().is_some() { one.prior.max(search::GIVES) } else { one.prior };
+            one.gives().unwrap_or(1.0) * (one.total - own - all).exp()
+        }),
         moved,
         turned: chosen.told.turned,
         delay: 0.0,

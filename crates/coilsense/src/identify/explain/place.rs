@@ -11,6 +11,8 @@ use crate::identify::phase_law::{Law, Seat};
 
 /// How far a line may lie off its place because no spring is exactly its model \[1\], relative: each is tried, all are as likely.
 const OFF: [f64; 4] = [3e-7, 3e-6, 3e-5, 3e-4];
+/// From where on that is more than noise \[1\].
+const ROUGH: f64 = 1e-5;
 /// The same while a place is sought.
 const OFF_SEARCH: f64 = 1e-4;
 /// Highest mode that is looked for.
@@ -200,8 +202,8 @@ pub(super) struct Place {
     pub(super) trial: Trial,
     /// (index of what is heard, mode), the lowest mode first.
     pub(super) modes: Vec<(usize, usize)>,
-    /// Scatter by which it fits best \[1\].
-    pub(super) off: f64,
+    /// By how much it fits better where lines scatter by more than noise \[nats\].
+    pub(super) misfit: f64,
     /// Covariance of the knobs.
     pub(super) covariance: DMatrix<f64>,
     /// ln of the evidence over that of lines by chance.
@@ -219,6 +221,12 @@ impl Place {
     pub(super) fn share(&self, heard: &[Heard]) -> f64 {
         let all: f64 = heard.iter().map(|heard| heard.energy).sum();
         self.modes.iter().map(|(index, _)| heard[*index].energy).sum::<f64>() / all.max(f64::MIN_POSITIVE)
+    }
+
+    /// Whether both seats resonate under a coil without windings: one of them may stand for those.
+    pub(super) fn mimics_windings(&self) -> bool {
+        let Law::Coil { windings, .. } = self.trial.law else { return false };
+        windings.is_infinite() && (0..2).all(|end| self.trial.knobs.contains(&Knob::Mu(end)))
     }
 
     /// Of a sketch.
@@ -253,16 +261,20 @@ impl Place {
         }
         let mut found: Option<Self> = None;
         let mut levels = Vec::new();
+        let mut misfit = [f64::NEG_INFINITY; 2];
         for off in OFF {
             let mut own = trial.clone();
             let Some(covariance) = fit(room, &mut own, &modes, off, None) else { continue };
             let evidence = evidence(room, &own, &modes, off, &covariance);
             levels.push(evidence);
+            let side = &mut misfit[usize::from(off > ROUGH)];
+            *side = side.max(evidence);
             if found.as_ref().is_none_or(|best| evidence > best.evidence) {
-                found = Some(Self { trial: own, modes: modes.clone(), off, covariance, evidence });
+                found = Some(Self { trial: own, modes: modes.clone(), misfit: 0.0, covariance, evidence });
             }
         }
         let mut found = found?;
+        found.misfit = misfit[1] - misfit[0];
         found.evidence = sum_of_logs(&levels) - (OFF.len() as f64).ln();
         Some(found)
     }

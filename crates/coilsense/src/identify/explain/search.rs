@@ -6,7 +6,7 @@ use std::f64::consts::{LN_2, PI};
 
 use super::heard::Heard;
 use super::place::{Knob, Place, Room, Sketch, Trial};
-use super::{Cause, Explanation, Known, ROUGH, ends};
+use super::{Cause, Explanation, Known, ends};
 use crate::identify::phase_law::{Law, Seat, Support};
 
 /// Lines that are taken for a mode, the strongest.
@@ -22,6 +22,12 @@ const RESONATES: f64 = -2.5;
 const MOVES: f64 = -0.7;
 /// The same of an end that moves where no record says that it does.
 const UNSEEN_MOVES: f64 = -5.0;
+/// Squares of the highest line's frequency over that of a seat's own resonance, which lies above all that is heard.
+const NEAR: [f64; 1] = [0.0];
+/// N from which windings are sought where the lines say nothing of them.
+const USUAL_WINDINGS: f64 = 100.0;
+/// Seats that are tried with windings, where no line speaks of those.
+const WOUND: usize = 4;
 /// Coils between held ends from which other mounts are sought.
 const STARTS: usize = 4;
 
@@ -171,9 +177,12 @@ fn trials(known: &Known, seats: [Seat; 2], more: &[(Knob, f64)]) -> Vec<(Trial, 
 fn giving(room: &Room, known: &Known, place: &Place) -> Vec<Explanation> {
     let mut found = Vec::new();
     let ends: &[usize] = if known.both { &[0, 1] } else { &[1] };
-    let with = |kappas: [f64; 2], knobs: &[Knob]| -> Option<Place> {
+    let highest = place.modes.last().map_or(1, |mode| mode.1) as f64;
+    // `near`: the square of the highest line's frequency over that of the seat's own resonance.
+    let with = |kappas: [f64; 2], near: f64, knobs: &[Knob]| -> Option<Place> {
         let Law::Coil { windings, .. } = place.trial.law else { return None };
-        let seats = kappas.map(|kappa| if kappa > 0.0 { Seat::Gives(kappa, 0.0) } else { Seat::Rigid });
+        let mass = |kappa: f64| near / (kappa * (PI * highest).powi(2));
+        let seats = kappas.map(|kappa| if kappa > 0.0 { Seat::Gives(kappa, mass(kappa)) } else { Seat::Rigid });
         let mut trial = place.trial.clone();
         trial.law = Law::Coil { windings, seats };
         trial.base *= 1.0 + kappas[0] + kappas[1];
@@ -182,12 +191,12 @@ fn giving(room: &Room, known: &Known, place: &Place) -> Vec<Explanation> {
     };
     let grid: Vec<f64> = (0..14).map(|n| 1e-4 * 1500.0_f64.powf((f64::from(n) + 0.5) / 14.0)).collect();
     // Frequencies do not tell one end from the other: each place is fitted once, and turned round.
-    let share = GIVES - ((grid.len() * ends.len()) as f64).ln();
+    let share = GIVES - ((grid.len() * ends.len() * NEAR.len()) as f64).ln();
     let mut resolved: Option<(f64, [f64; 2])> = None;
     let mut best: Option<(f64, f64)> = None;
     let mut single = Vec::new();
-    for &kappa in &grid {
-        let Some(place) = with([0.0, kappa], &[]) else { continue };
+    for (&kappa, near) in grid.iter().flat_map(|kappa| NEAR.map(|near| (kappa, near))) {
+        let Some(place) = with([0.0, kappa], near, &[]) else { continue };
         for &end in ends {
             let own = if end == 1 { place.clone() } else { turned_round(&place) };
             let one = known.coil(room, own, share);
@@ -199,9 +208,10 @@ fn giving(room: &Room, known: &Known, place: &Place) -> Vec<Explanation> {
     }
     // Both ends alike: what shows least of all.
     let both = BOTH_GIVE - (grid.len() as f64).ln();
-    found
-        .extend(grid.iter().filter_map(|kappa| with([0.5 * kappa; 2], &[])).map(|place| known.coil(room, place, both)));
-    let sharp = best.and_then(|(_, kappa)| with([0.0, kappa], &[Knob::Kappa(1)]));
+    found.extend(
+        grid.iter().filter_map(|kappa| with([0.5 * kappa; 2], 0.0, &[])).map(|place| known.coil(room, place, both)),
+    );
+    let sharp = best.and_then(|(_, kappa)| with([0.0, kappa], 0.0, &[Knob::Kappa(1)]));
     if let Some(place) = sharp.filter(|place| place.standard(Knob::Kappa(1)) < 0.5) {
         for &end in ends {
             let own = if end == 1 { place.clone() } else { turned_round(&place) };
@@ -218,7 +228,7 @@ fn giving(room: &Room, known: &Known, place: &Place) -> Vec<Explanation> {
     }
     // Both, from where one alone fits best.
     let start = resolved.map_or([0.005; 2], |(_, kappas)| kappas.map(|kappa| (0.5 * kappa).max(2e-3)));
-    let both = with(start, &[Knob::Kappa(0), Knob::Kappa(1)]);
+    let both = with(start, 0.0, &[Knob::Kappa(0), Knob::Kappa(1)]);
     let both = both.filter(|place| (0..2).all(|end| place.standard(Knob::Kappa(end)) < 0.7));
     found.extend(both.map(|place| known.coil(room, place, BOTH_GIVE)));
     found
@@ -259,6 +269,13 @@ fn resonating(room: &Room, known: &Known, starts: &[&Place]) -> Vec<Explanation>
         }
     };
     let mut one_end = best_of(room, rough, |place| decided(1, place));
+    // A second seat mimics windings that no held coil's lines showed: those come first.
+    if known.windings.is_none() {
+        let plain: Vec<&Place> = one_end.iter().filter(|place| !place.trial.knobs.contains(&Knob::Chain)).collect();
+        let wound = plain.iter().take(WOUND).flat_map(|place| wound(room, place));
+        let wound: Vec<Place> = wound.filter(|place| decided(1, place)).collect();
+        one_end.extend(wound);
+    }
     one_end.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     // The same seat under a coil whose f1 is a multiple of that, or a part.
     let mut others: Vec<Place> = Vec::new();
@@ -275,7 +292,7 @@ fn resonating(room: &Room, known: &Known, starts: &[&Place]) -> Vec<Explanation>
     }
     one_end.extend(others);
     // The other end as well, where the lines leave room for it.
-    for place in one_end.iter().filter(|place| place.modes.len() > 7 && place.off > ROUGH).take(2) {
+    for place in one_end.iter().filter(|place| place.modes.len() > 7 && place.misfit > 0.0).take(2) {
         let Law::Coil { windings, seats } = place.trial.law else { continue };
         let mut rough = Vec::new();
         for number in 0..12 {
@@ -297,6 +314,17 @@ fn resonating(room: &Room, known: &Known, starts: &[&Place]) -> Vec<Explanation>
         give(place, RESONATES);
     }
     found
+}
+
+/// The same seat under a coil of windings.
+fn wound<'a>(room: &'a Room, place: &'a Place) -> impl Iterator<Item = Place> + 'a {
+    [200.0, USUAL_WINDINGS, 60.0, 35.0].into_iter().filter_map(|windings| {
+        let Law::Coil { seats, .. } = place.trial.law else { return None };
+        let mut trial = place.trial.clone();
+        trial.law = Law::Coil { windings, seats };
+        trial.knobs.insert(1, Knob::Chain);
+        Place::near(room, &trial, 0.004)
+    })
 }
 
 /// The same coil with its ends exchanged, which frequencies do not tell.
@@ -359,7 +387,7 @@ fn seated(room: &Room, known: &Known, starts: &[&Place], seat: Seat) -> Vec<Plac
     // Where a heavy mass swings, the lowest line lies far below the others.
     let knobs = if known.windings.is_some() { vec![Knob::Base] } else { vec![Knob::Base, Knob::Chain] };
     for line in bases(room.heard, 6) {
-        let windings = known.windings.unwrap_or(100.0);
+        let windings = known.windings.unwrap_or(USUAL_WINDINGS);
         firsts.extend((1..=4).map(|mode| (room.heard[line].frequency / f64::from(mode), windings, knobs.clone())));
     }
     let lowest = firsts.iter().map(|first| 0.94 * first.0).fold(f64::INFINITY, f64::min);
