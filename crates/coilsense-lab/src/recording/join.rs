@@ -48,6 +48,9 @@ impl Clock {
 /// Most samples of an even clock on which two devices are compared.
 const MOST_SAMPLES: f64 = 4e6;
 
+/// How far an offset is off without any noise, in the second device's steps \[1\].
+const CLOCK_OFF: f64 = 1e-3;
+
 impl Recording {
     /// Adds the channels of a second device that this one has not, on this one's times; rows where the second has no values are left out.
     ///
@@ -58,8 +61,8 @@ impl Recording {
         let wrong = |message: String| RecordingError::of_file(&other.account.file, message);
         let (time, theirs) = (self.signals.time(), other.signals.time());
         let (Some(first), Some(last)) = (theirs.first(), theirs.last()) else { return Ok(self) };
-        // A clock that is off by rounding must not cost a row.
-        let slack = 1e-9 * (last - first);
+        // An offset that is off by less than it can be found must not cost a row.
+        let slack = CLOCK_OFF * (last - first) / (theirs.len() as f64 - 1.0).max(1.0);
         let shared = |time: f64| (first - slack..=last + slack).contains(&joined.own(time));
         let kept: Vec<usize> = (0..time.len()).filter(|&row| shared(time[row])).collect();
         if kept.is_empty() {

@@ -12,9 +12,7 @@ fn identified(rig: &coilsense_lab::rig::Rig, name: &str) -> Identification {
     let (force, u1) = ends(&log);
     signals.insert(Channel::OutputForce, force.to_vec()).unwrap();
     signals.insert(Channel::U1, u1.to_vec()).unwrap();
-    // The rig clamps both ends.
-    let settings = Settings { far_end: Some(coilsense::FarEnd::Position), ..Settings::default() };
-    Identification::of(&signals, &settings).unwrap()
+    Identification::of(&signals, &Settings::default()).unwrap()
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! Next door: the prediction (`whitening`), a record that begins with ringing (`beginning`), what rings after them (`lines`, `refine`).
 
 use super::channel_check::{Conditions, QUIET};
-use super::ringing::{NEARBY, Series};
+use super::ringing::NEARBY;
 use super::sampling::Sampling;
 use super::whitening::{ORDER, Surprise};
 
@@ -14,9 +14,6 @@ const THRESHOLD: f64 = 9.0;
 /// What echoes of a hit stay below, relative to it, and for how long \[s\]: the wave runs to and fro, and a hammer bounces. The first time
 /// that it comes back to an end, the force jumps by twice what it jumped at the hit: four times the energy.
 const ECHOES: [(f64, f64); 2] = [(5.0, 0.06), (0.5, 0.25)];
-/// What prediction leaves of ringing at most, as a share of the largest force that rings nearby: a filter of finite length does not know
-/// all modes, and running means carry a share of a hit to before it. Where a sensor's noise is less, this is what hits have to exceed.
-const LEFT: f64 = 0.02;
 /// How far from both ends of a record hits are looked for \[s\]: there the running means have few samples left, and a hit could not be told
 /// from its echoes.
 const EDGE: f64 = 0.06;
@@ -44,15 +41,13 @@ pub struct Hit {
     pub strength: f64,
 }
 
-/// The hits of a record, first to last, by each series' surprises.
+/// The hits of a record, first to last, by the quick and the slow surprises of so many series.
 ///
 /// They are sought in the quick surprises. One that leaves the slow ones as they were was no hit but what the quick prediction, which reaches back
 /// over less than a period of a low mode, does not know of ringing.
-pub(super) fn find(series: &[Series], sampling: &Sampling, conditions: &Conditions) -> Vec<Hit> {
-    let Some(first) = series.first() else { return Vec::new() };
-    let (step, far) = (first.quick.step, first.slow.step);
-    let quick = energy(series, sampling, conditions, |one| &one.quick);
-    let slow = energy(series, sampling, conditions, |one| &one.slow);
+pub(super) fn find(surprises: [Surprise; 2], series: usize, sampling: &Sampling, conditions: &Conditions) -> Vec<Hit> {
+    let [step, far] = [surprises[0].step, surprises[1].step];
+    let [quick, slow] = surprises.map(|surprise| energy(surprise, series, sampling, conditions));
     let confirmed = |onset: usize| {
         let sample = onset * step;
         let from = (sample / far).min(slow.len().saturating_sub(1));
@@ -121,29 +116,16 @@ pub(super) fn begin_behind(hits: &mut [Hit], sampling: &Sampling, conditions: &C
 }
 
 /// Energy of the surprises of all series over `WINDOW` samples, relative to that of noise.
-fn energy(series: &[Series], sampling: &Sampling, conditions: &Conditions, of: fn(&Series) -> &Surprise) -> Vec<f64> {
-    let expected = (WINDOW * series.len()) as f64;
-    let mut squares = squares(series, sampling, of);
-    conditions.leave_out_clipped(&mut squares, of(&series[0]).step, sampling.rate);
-    squares.windows(WINDOW).map(|window| window.iter().sum::<f64>() / expected).collect()
-}
-
-/// Squares of the surprises of all series, each over its noise or over what prediction leaves of ringing, whichever is more; shape `samples`.
-fn squares(series: &[Series], sampling: &Sampling, of: fn(&Series) -> &Surprise) -> Vec<f64> {
-    let step = of(&series[0]).step;
-    let mut sum = vec![0.0; sampling.samples.div_ceil(step)];
-    for one in series {
-        let surprise = of(one);
-        let peaks = &surprise.peaks;
-        for (index, (sum, value)) in sum.iter_mut().zip(&surprise.values).enumerate() {
-            let own = index / surprise.block;
-            let near = &peaks[own.saturating_sub(1)..(own + 2).min(peaks.len())];
-            let left = LEFT * near.iter().fold(0.0, |most: f64, peak| most.max(*peak));
-            let share = if left > surprise.noise { surprise.noise / left } else { 1.0 };
-            *sum += (share * value).powi(2);
-        }
+fn energy(surprise: Surprise, series: usize, sampling: &Sampling, conditions: &Conditions) -> Vec<f64> {
+    let expected = (WINDOW * series) as f64;
+    let Surprise { step, mut squares } = surprise;
+    conditions.leave_out_clipped(&mut squares, step, sampling.rate);
+    let windows = (squares.len() + 1).saturating_sub(WINDOW);
+    for index in 0..windows {
+        squares[index] = squares[index..index + WINDOW].iter().sum::<f64>() / expected;
     }
-    sum
+    squares.truncate(windows);
+    squares
 }
 
 /// How long a hit lasts \[samples\].

@@ -41,7 +41,12 @@ pub(super) struct Series {
     pub(super) flat: Vec<f64>,
     /// Standard deviation of its noise, in N: of white noise as dense as where the channel lets ringing through.
     pub(super) noise: f64,
-    /// What is not predicted of samples as near as the channel has news in them.
+}
+
+/// What a record's series are, and what of them is not predicted.
+pub(super) struct Rings {
+    pub(super) series: Vec<Series>,
+    /// Of samples as near as the channel has news in them.
     pub(super) quick: Surprise,
     /// The same of samples so far apart that a prediction reaches back over several periods of the lowest modes.
     pub(super) slow: Surprise,
@@ -53,12 +58,12 @@ pub(super) struct Series {
 ///
 /// # Errors
 /// [`Error::MissingSignal`] where no force was recorded.
-pub(super) fn series(
+pub(super) fn rings(
     signals: &Signals,
     sampling: &Sampling,
     stiffness: Option<&Stiffness>,
     conditions: &Conditions,
-) -> Result<Vec<Series>, Error> {
+) -> Result<Rings, Error> {
     let slow = slow_force(signals, sampling, stiffness);
     let ends = [Channel::InputForce, Channel::OutputForce].map(|channel| signals.channel(channel).ok());
     let less_slow = |values: Vec<f64>| match &slow {
@@ -82,14 +87,18 @@ pub(super) fn series(
     let quick = conditions.low_pass.map_or(1, |corner| (sampling.rate / (PER_CORNER * corner)) as usize).clamp(1, most);
     let steps = [quick, ((REACH * sampling.rate / ORDER as f64) as usize).clamp(quick, most)];
     let block = (NEARBY * sampling.rate) as usize;
-    let flattened = |(part, force): (Part, Vec<f64>)| {
-        let slow = running_mean(&running_mean(&force, window), window);
-        let flat: Vec<f64> = force.iter().zip(&slow).map(|(f, s)| f - s).collect();
-        let [quick, slow] = steps.map(|step| Surprise::of(&flat, step, block, conditions.rounding));
-        let noise = quick.noise * (quick.step as f64).sqrt();
-        Series { part, force, flat, noise, quick, slow }
-    };
-    Ok(parts.into_iter().map(flattened).collect())
+    let [mut quick, mut slow] = steps.map(|step| Surprise::none(sampling.samples, step));
+    let mut series = Vec::with_capacity(parts.len());
+    for (part, force) in parts {
+        let mut flat = force.clone();
+        running_mean(&mut flat, window);
+        running_mean(&mut flat, window);
+        flat.iter_mut().zip(&force).for_each(|(flat, force)| *flat = force - *flat);
+        let noise = quick.add(&flat, block, conditions.rounding) * (quick.step as f64).sqrt();
+        slow.add(&flat, block, conditions.rounding);
+        series.push(Series { part, force, flat, noise });
+    }
+    Ok(Rings { series, quick, slow })
 }
 
 /// k times the smoothed length, where both are known and the smoothing leaves less noise than the force sensors have.
@@ -97,28 +106,31 @@ fn slow_force(signals: &Signals, sampling: &Sampling, stiffness: Option<&Stiffne
     let stiffness = stiffness?;
     let (length, _) = length(signals)?;
     let window = ((0.05 * sampling.rate) as usize).clamp(1, sampling.samples / 4);
-    let smooth = running_mean(&running_mean(&length, window), window);
+    let mut smooth = length;
+    running_mean(&mut smooth, window);
+    running_mean(&mut smooth, window);
     Some(smooth.iter().map(|l| stiffness.value() * (l - stiffness.length_at_zero.value)).collect())
 }
 
-/// Means over `window` samples about each sample, fewer at the ends; shape `samples`.
-fn running_mean(values: &[f64], window: usize) -> Vec<f64> {
+/// Puts means over `window` samples about each sample in its place, fewer at the ends.
+fn running_mean(values: &mut [f64], window: usize) {
     let half = window / 2;
-    let mut sums = Vec::with_capacity(values.len() + 1);
-    // Sums count from the first value, so that a large offset does not eat their digits.
+    let count = values.len();
+    // Sums count from the first value, so that a large offset does not eat their digits; those of the samples that were replaced are kept.
     let first = values.first().copied().unwrap_or(0.0);
-    let mut sum = 0.0;
-    sums.push(0.0);
-    for value in values {
-        sum += value - first;
-        sums.push(sum);
-    }
-    let mean = |index: usize| {
+    let mut sums = vec![0.0; 2 * half + 2];
+    let (turn, mut ahead, mut sum) = (sums.len(), 0, 0.0);
+    for index in 0..count {
         // As many on either side: a slope then leaves no trace.
-        let reach = half.min(index).min(values.len() - 1 - index);
-        first + (sums[index + reach + 1] - sums[index - reach]) / (2 * reach + 1) as f64
-    };
-    (0..values.len()).map(mean).collect()
+        let reach = half.min(index).min(count - 1 - index);
+        while ahead <= index + reach {
+            sum += values[ahead] - first;
+            ahead += 1;
+            sums[ahead % turn] = sum;
+        }
+        let mean = (sums[(index + reach + 1) % turn] - sums[(index - reach) % turn]) / (2 * reach + 1) as f64;
+        values[index] = first + mean;
+    }
 }
 
 impl Part {

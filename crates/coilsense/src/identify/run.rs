@@ -11,7 +11,7 @@ use super::line::{Line, Meaning};
 use super::lines::{Peak, after_hits, steady};
 use super::mode_series::{Observation, folded};
 use super::refine::{Fitted, Refiner};
-use super::ringing::{Part, Series, series};
+use super::ringing::{Part, Rings, Series, rings};
 use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict};
 use super::{beginning, half_power, hits, naming, ring_down, signs, verdict};
 use crate::error::Error;
@@ -63,8 +63,8 @@ impl Identification {
         let signals = paced.as_ref().unwrap_or(signals);
         let sampling = Sampling::of(signals)?;
         let conditions = Conditions::of(signals, &channels);
-        let series = series(signals, &sampling, stiffness.as_ref().ok(), &conditions)?;
-        let mut hits = hits::find(&series, &sampling, &conditions);
+        let Rings { series, quick, slow } = rings(signals, &sampling, stiffness.as_ref().ok(), &conditions)?;
+        let mut hits = hits::find([quick, slow], series.len(), &sampling, &conditions);
         if hits.is_empty() {
             hits.extend(beginning::of(&series, &sampling));
         }

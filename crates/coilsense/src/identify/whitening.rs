@@ -12,58 +12,72 @@ const BLOCK: usize = 16_384;
 /// White noise put under the series, relative to its power, so that a pure sine has a solution.
 const FLOOR: f64 = 1e-10;
 
-/// What of the means of every `step` samples the past ones do not predict.
+/// What prediction leaves of ringing at most, as a share of the largest force that rings nearby: a filter of finite length does not know
+/// all modes, and running means carry a share of a hit to before it. Where a sensor's noise is less, this is what hits have to exceed.
+const LEFT: f64 = 0.02;
+/// Errors from which their usual size is learnt, at most.
+const LEARNT: usize = 1_000_000;
+
+/// What of the means of every `step` samples the past ones do not predict, in all series of a record.
 #[derive(Debug, Clone)]
 pub(super) struct Surprise {
-    /// Samples of the series per sample that is predicted.
+    /// Samples of a series per sample that is predicted.
     pub(super) step: usize,
-    /// Errors of prediction over their noise, the first few zero; shape `samples / step`.
-    pub(super) values: Vec<f64>,
-    /// Standard deviation of the errors, in the series' unit.
-    pub(super) noise: f64,
-    /// Largest size of what is predicted in each block, in the series' unit.
-    pub(super) peaks: Vec<f64>,
-    /// Length of a block \[values\].
-    pub(super) block: usize,
+    /// Σ over the series of the errors' squares, each over its noise or over what prediction leaves of ringing, whichever is more; the first few
+    /// zero; shape `samples / step`.
+    pub(super) squares: Vec<f64>,
 }
 
 impl Surprise {
-    /// e_n = x_n − Σ_p a_p x_(n−p), a from the Yule–Walker equations of the whole record; `rounding`: standard deviation of what the last digit
-    /// adds to a sample, below which errors say nothing.
+    /// Of no series yet.
+    pub(super) fn none(samples: usize, step: usize) -> Self {
+        Self { step, squares: vec![0.0; samples.div_ceil(step)] }
+    }
+
+    /// Adds a series; its noise as dense as that of the means \[the series' unit\].
+    ///
+    /// e_n = x_n − Σ_p a_p x_(n−p), a from the Yule–Walker equations of the whole record; `block`: samples nearby; `rounding`: standard
+    /// deviation of what the last digit adds to a sample, below which errors say nothing.
     ///
     /// Source:   Levinson's recursion, `[Oppenheim2010]` section 11.3.
     /// Valid:    a record whose ringing is steady but for hits.
     /// Accuracy: what matters is the ratio to the noise, not its last digits.
-    pub(super) fn of(series: &[f64], step: usize, block: usize, rounding: f64) -> Self {
+    pub(super) fn add(&mut self, series: &[f64], block: usize, rounding: f64) -> f64 {
+        let step = self.step;
         let block = (block / step).max(1);
         if step <= 1 {
-            return Self::at_pace(series, 1, block, rounding);
+            return self.add_at_pace(series, block, rounding);
         }
         // Means keep pulses that run to and fro from being missed between samples.
         let means: Vec<f64> = series.chunks(step).map(|part| part.iter().sum::<f64>() / part.len() as f64).collect();
         // Rounding errors of a quiet signal stay alike over many samples, those of a busy one are independent: between 1 and 1/√step of one.
-        Self::at_pace(&means, step, block, rounding / (step as f64).powf(0.25))
+        self.add_at_pace(&means, block, rounding / (step as f64).powf(0.25))
     }
 
-    fn at_pace(values: &[f64], step: usize, block: usize, rounding: f64) -> Self {
-        let peaks = values.chunks(block).map(|part| part.iter().fold(0.0, |most: f64, x| most.max(x.abs()))).collect();
+    fn add_at_pace(&mut self, values: &[f64], block: usize, rounding: f64) -> f64 {
         let order = ORDER.min(values.len() / 4);
         let correlation = autocorrelation(values, order);
         if correlation[0] <= 0.0 {
-            return Self { step, values: vec![0.0; values.len()], noise: 0.0, peaks, block };
+            return 0.0;
         }
         // Turned round, so that it runs the same way as the samples do.
         let mut filter = levinson(&correlation);
         filter.resize(order, 0.0);
         filter.reverse();
-        let mut errors = vec![0.0; values.len()];
-        for index in order..values.len() {
-            errors[index] = values[index] - dot(&values[index - order..index], &filter);
-        }
+        let error = |index: usize| values[index] - dot(&values[index - order..index], &filter);
         let least = 1e-6 * correlation[0].sqrt() / (values.len() as f64).sqrt();
-        let noise = median_deviation(&errors[order..]).max(least).max(rounding);
-        errors.iter_mut().for_each(|error| *error /= noise);
-        Self { step, values: errors, noise, peaks, block }
+        let stride = (values.len() / LEARNT).max(1);
+        let noise = median_deviation((order..values.len()).step_by(stride).map(error)).max(least).max(rounding);
+        let peaks: Vec<f64> =
+            values.chunks(block).map(|part| part.iter().fold(0.0, |most: f64, x| most.max(x.abs()))).collect();
+        for (own, squares) in self.squares.chunks_mut(block).enumerate() {
+            let near = &peaks[own.saturating_sub(1)..(own + 2).min(peaks.len())];
+            let scale = noise.max(LEFT * near.iter().fold(0.0, |most: f64, peak| most.max(*peak)));
+            for (index, square) in (own * block..).zip(squares).skip(order.saturating_sub(own * block)) {
+                *square += (error(index) / scale).powi(2);
+            }
+        }
+        noise
     }
 }
 
@@ -135,8 +149,8 @@ fn levinson(correlation: &[f64]) -> Vec<f64> {
 }
 
 /// Standard deviation of what is normal among values, by their median size.
-fn median_deviation(values: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+fn median_deviation(values: impl Iterator<Item = f64>) -> f64 {
+    let mut sizes: Vec<f64> = values.map(f64::abs).collect();
     if sizes.is_empty() {
         return 0.0;
     }
