@@ -5,12 +5,13 @@ import zlib
 import numpy as np
 
 import channel_kinds
+import last_kinds
 import mount_kinds
 import resonance_kinds
 import source_kinds
 
-SPRINGS = mount_kinds.KINDS + channel_kinds.KINDS
-STRANGERS = resonance_kinds.KINDS + source_kinds.KINDS
+SPRINGS = mount_kinds.KINDS + channel_kinds.KINDS + last_kinds.SPRINGS
+STRANGERS = resonance_kinds.KINDS + source_kinds.KINDS + last_kinds.STRANGERS
 KINDS = {kind.__name__.replace("_", "-"): kind for kind in SPRINGS + STRANGERS}
 
 
