@@ -22,7 +22,7 @@ const LASTING: f64 = 0.004;
 /// Periods of a low-pass's corner after which it has answered a hit.
 const RESPONSE: f64 = 2.0;
 /// Energy of a soft hit's slow surprise over that of the usual hit, at least.
-const SOFTEST: f64 = 0.02;
+const SOFTEST: f64 = 0.1;
 /// What comes this soon after a hit is of it \[s\].
 const TOGETHER: f64 = 0.02;
 /// Most hits that are used, the strongest.

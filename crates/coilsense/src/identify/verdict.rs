@@ -56,7 +56,7 @@ const FEWEST_BETWEEN: usize = 3;
 const MOST_BETWEEN: usize = 60;
 const CHANCE: f64 = 0.03;
 /// Probability that f1 is off by more than 1 %, at most.
-const MOVED: f64 = 0.07;
+const MOVED: f64 = 0.12;
 
 pub(super) fn verdict(found: &Identification, weighed: &Weighed) -> Verdict {
     let (answer, mut evidence) = answer(found, weighed);

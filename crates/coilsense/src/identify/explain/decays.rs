@@ -12,7 +12,7 @@ use crate::identify::phase_law::Law;
 const OFF: f64 = 0.05;
 const STRANGE: f64 = 1.2;
 /// Scatter of ln |A_n/A_1| of multiples about what their cause makes of them.
-const SIZES_OFF: f64 = 1.0;
+const SIZES_OFF: f64 = 0.7;
 /// Share of lines whose decay is disturbed.
 const DISTURBED: f64 = 0.1;
 /// Scatter of ln |A| about a power of the lowest line's amplitude, and of amplitudes that follow nothing.
@@ -26,7 +26,8 @@ pub(super) fn of(place: &Place, heard: &[Heard]) -> f64 {
         Law::Harmonics => {
             let powers = power(place, heard, 1.0);
             // A machine's run down together; a motion that is cut has multiples that die out as they like.
-            let of_powers = powers + amplitudes(place, heard) + sizes(place, heard, |n| 1.2 * (n - 1.0));
+            let of_sizes = sizes(place, heard, |n| 1.2 * (n - 1.0)).max(sizes(place, heard, |n| n.ln()) - 0.7);
+            let of_powers = powers + amplitudes(place, heard) + of_sizes;
             let of_machine = power(place, heard, 0.0) + sizes(place, heard, |n| 0.7 * n.ln()) - 0.7;
             of_powers.max(of_machine).max(sizes(place, heard, |n| n.ln()) - 1.0)
         }

@@ -13,6 +13,8 @@ use crate::identify::phase_law::{Law, Seat};
 const OFF: [f64; 4] = [3e-7, 3e-6, 3e-5, 3e-4];
 /// From where on that is more than noise \[1\].
 const ROUGH: f64 = 1e-5;
+/// By how much more the square of that may be for the faintest lines \[1\].
+const FAINTEST: f64 = 30.0;
 /// The same while a place is sought.
 const OFF_SEARCH: f64 = 1e-4;
 /// Highest mode that is looked for.
@@ -433,12 +435,15 @@ fn fit(
     start: Option<(&[f64], &[f64])>,
 ) -> Option<DMatrix<f64>> {
     let count = trial.knobs.len();
+    // What lines do to one another moves the faint ones more.
+    let loudest = modes.iter().map(|(line, _)| room.heard[*line].energy).fold(f64::MIN_POSITIVE, f64::max);
+    let faint = |heard: &Heard| if off > OFF_SEARCH { (loudest / heard.energy).min(FAINTEST) } else { 1.0 };
     let state = |trial: &Trial| -> Option<(f64, DMatrix<f64>, DVector<f64>)> {
         let (mut normal, mut right, mut cost) = (DMatrix::zeros(count, count), DVector::zeros(count), 0.0);
         for &(line, mode) in modes {
             let heard = &room.heard[line];
             let (place, slopes) = trial.slopes(mode)?;
-            let (left, variance) = (heard.log - place, heard.spread * heard.spread + off * off);
+            let (left, variance) = (heard.log - place, heard.spread * heard.spread + off * off * faint(heard));
             let z2 = left * left / variance;
             cost += 0.5 * (FREEDOM + 1.0) * (1.0 + z2 / FREEDOM).ln();
             let weight = (FREEDOM + 1.0) / (FREEDOM + z2) / variance;

@@ -28,6 +28,8 @@ const NEAR: [f64; 1] = [0.0];
 const USUAL_WINDINGS: f64 = 100.0;
 /// Seats that are tried with windings, where no line speaks of those.
 const WOUND: usize = 4;
+/// Lines beyond one per knob that this takes, at least.
+const SPARE: usize = 2;
 /// Coils between held ends from which other mounts are sought.
 const STARTS: usize = 4;
 
@@ -323,7 +325,8 @@ fn wound<'a>(room: &'a Room, place: &'a Place) -> impl Iterator<Item = Place> + 
         let mut trial = place.trial.clone();
         trial.law = Law::Coil { windings, seats };
         trial.knobs.insert(1, Knob::Chain);
-        Place::near(room, &trial, 0.004)
+        // Few lines fit anything.
+        Place::near(room, &trial, 0.004).filter(|place| place.modes.len() > place.trial.knobs.len() + SPARE)
     })
 }
 
