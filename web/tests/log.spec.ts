@@ -11,7 +11,7 @@ test.beforeAll(rigLogs);
 test('a dropped log is identified with the numbers of the command', async ({ page }) => {
   await page.goto('./#S_T&@tab="log"');
   await drop(page, { 'hit.csv': readFileSync(join(folder, 'hit.csv'), 'utf8') });
-  await expect(page.locator('#panel-log .verdict')).toContainText('spring: 12 decaying lines', { timeout: 60_000 });
+  await expect(page.locator('#panel-log .verdict')).toContainText('spring: 13 decaying lines', { timeout: 60_000 });
   await expect(page.locator('[data-quantity=first_frequency_hz] td').first()).toHaveText(/^54\.0\d+ Hz$/);
   const here = JSON.parse(await saved(page, 'Everything (JSON)')) as unknown;
   const difference = apart(here, JSON.parse(told('identify', 'hit.csv', '--json')));
