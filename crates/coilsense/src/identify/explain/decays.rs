@@ -12,7 +12,7 @@ use crate::identify::phase_law::Law;
 const OFF: f64 = 0.05;
 const STRANGE: f64 = 1.2;
 /// Scatter of ln |A_n/A_1| of multiples about what their cause makes of them.
-const SIZES_OFF: f64 = 0.7;
+const SIZES_OFF: f64 = 0.6;
 /// Share of lines whose decay is disturbed.
 const DISTURBED: f64 = 0.1;
 /// Scatter of ln |A| about a power of the lowest line's amplitude, and of amplitudes that follow nothing.
@@ -66,11 +66,12 @@ fn power(place: &Place, heard: &[Heard], exponent: f64) -> f64 {
 /// ln of how much better than a coil's modes, which are as large as the first or larger, the lines' sizes fit multiples that fall by e to the
 /// power of `fall(n)`.
 fn sizes(place: &Place, heard: &[Heard], fall: impl Fn(f64) -> f64) -> f64 {
-    let Some(&(lowest, 1)) = place.modes.first() else { return 0.0 };
+    let Some(&(lowest, begin)) = place.modes.first() else { return 0.0 };
     let first = heard[lowest].loudness.ln();
     let each = place.modes[1..].iter().filter(|(line, _)| heard[*line].sized).map(|&(line, mode)| {
         let ratio = 0.5 * (heard[line].loudness.ln() - first);
-        (normal(ratio + fall(mode as f64), SIZES_OFF).max(1e-6) / normal(ratio, STRANGE).max(1e-6)).ln()
+        (normal(ratio + fall(mode as f64) - fall(begin as f64), SIZES_OFF).max(1e-6) / normal(ratio, STRANGE).max(1e-6))
+            .ln()
     });
     each.sum()
 }
