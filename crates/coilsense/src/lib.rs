@@ -52,6 +52,9 @@ pub mod paper;
 /// Wire and coil to stiffness, mass, stress and lengths.
 pub mod geometry;
 
+/// A stretched helix to every one of its modes.
+pub mod helix;
+
 /// A coil to the first frequencies of the motions that are left out.
 pub mod neighbours;
 
