@@ -48,8 +48,7 @@ impl Chain {
                 below += release(&mut part.stiffness, holding, first);
             }
         }
-        let sum =
-            std::array::from_fn(|i| std::array::from_fn(|j| one.stiffness[6 + i][6 + j] + two.stiffness[i][j]));
+        let sum = std::array::from_fn(|i| std::array::from_fn(|j| one.stiffness[6 + i][6 + j] + two.stiffness[i][j]));
         (below, sum)
     }
 

@@ -62,9 +62,9 @@ impl Holding {
         self
     }
 
-    /// Whether the spring's axis is held in length here.
-    pub(super) fn holds_length(&self) -> bool {
-        !self.free[2]
+    /// Whether one of its six freedoms is free.
+    pub(super) fn is_free(&self, freedom: usize) -> bool {
+        self.free[freedom]
     }
 
     /// Angle of the first axis across the spring \[rad\].
@@ -139,11 +139,8 @@ impl Arm {
         let (sine, cosine) = (sweep - direction).sin_cos();
         // Section's axes in those of the holding: 1 along the wire, 2 to the axis, 3 across both.
         let (radial, around) = ([cosine, sine, 0.0], [-sine, cosine, 0.0]);
-        let axes = [
-            [c * around[0], c * around[1], s],
-            [-radial[0], -radial[1], 0.0],
-            [-s * around[0], -s * around[1], c],
-        ];
+        let axes =
+            [[c * around[0], c * around[1], s], [-radial[0], -radial[1], 0.0], [-s * around[0], -s * around[1], c]];
         let arm = radial.map(|x| state.radius * x);
         // θ × r = −r × θ
         let turned = cross(arm);
@@ -156,9 +153,7 @@ impl Arm {
             }
         }
         let force = [0.0, 0.0, pull];
-        let geometric = std::array::from_fn(|i| {
-            std::array::from_fn(|j| 0.5 * (force[i] * arm[j] + arm[i] * force[j]))
-        });
+        let geometric = std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (force[i] * arm[j] + arm[i] * force[j])));
         Self { motion, geometric }
     }
 

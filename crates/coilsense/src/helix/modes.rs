@@ -162,7 +162,13 @@ pub(super) fn symmetric(matrix: &[[f64; 6]; 6]) -> nalgebra::Matrix6<f64> {
 
 /// What cannot be followed.
 fn beyond(field: &'static str, value: f64, unit: &'static str) -> Error {
-    Error::Value { field: Some(field), quantity: field.into(), value, unit, allowed: "one that the helix can be divided for".into() }
+    Error::Value {
+        field: Some(field),
+        quantity: field.into(),
+        value,
+        unit,
+        allowed: "one that the helix can be divided for".into(),
+    }
 }
 
 /// A search, with all that it has seen, by rising frequency.

@@ -46,7 +46,12 @@ impl Rod {
     /// assert!((rod.mass() - 0.065).abs() < 1e-15);
     /// # Ok::<(), coilsense::Error>(())
     /// ```
-    pub fn of_spring(spring: &Spring, geometry: &Geometry, stiffness_at: StiffnessAt, hand: Hand) -> Result<Self, Error> {
+    pub fn of_spring(
+        spring: &Spring,
+        geometry: &Geometry,
+        stiffness_at: StiffnessAt,
+        hand: Hand,
+    ) -> Result<Self, Error> {
         let material = geometry.material();
         let nominal = RodParameters {
             wire_diameter: spring.wire_diameter(),

@@ -226,8 +226,7 @@ fn stiffness(transfer: &[Square<f64, 12>; TERMS], couple: &[f64; 3]) -> ([Square
             }
         }
         let largest = k.iter().flatten().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        let averaged: Square<f64, 12> =
-            std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (k[i][j] + k[j][i])));
+        let averaged: Square<f64, 12> = std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (k[i][j] + k[j][i])));
         let apart = (0..144).map(|at| (k[at / 12][at % 12] - averaged[at / 12][at % 12]).abs()).fold(0.0, f64::max);
         asymmetry = asymmetry.max(2.0 * apart / largest);
         averaged

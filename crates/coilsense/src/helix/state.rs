@@ -29,7 +29,7 @@ pub enum Turning {
 ///
 /// with p the turn per length of wire, 2π N/L held, or such that the couple C = T sin g + B cos g is zero.
 ///
-/// Source:   derived: the energy per length, stationary in radius and angle. κ of `[Cowper1966]`, 6 (1 + ν)/(7 + 6ν).
+/// Source:   derived: the energy per length, stationary in radius and angle. κ = 6 (1 + ν)²/(7 + 12ν + 4ν²) of `[Hutchinson2001]`.
 /// Valid:    windings that do not touch, ends that follow the angle of the wire.
 /// Accuracy: solved to 1e-14; F(l) without shear and extension is the closed form of [`super::inextensible`] to 1e-9, and k(l) the
 ///           static limit of the dynamic stiffness to 1e-8 (`tests/helix`).
@@ -95,6 +95,9 @@ pub(super) struct Scaled {
 
 /// Most steps of Newton's method; five are common.
 const MOST_STEPS: usize = 60;
+
+/// A step of Newton's method after which the next is at rounding.
+const SETTLED: f64 = 1e-9;
 
 /// Longest span in lengths of wire: at 1 the coil is a straight wire.
 const LONGEST: f64 = 0.995;
@@ -210,7 +213,8 @@ impl Equations {
         let unit = p.coil_radius.min(rod.wire_length());
         let slender = if rod.is_thin() { 0.0 } else { (0.25 * p.wire_diameter / unit).powi(2) };
         let ratio = p.youngs_modulus / (2.0 * p.shear_modulus);
-        let cowper = 6.0 * ratio / (1.0 + 6.0 * ratio);
+        let poisson = ratio - 1.0;
+        let kappa = 6.0 * ratio * ratio / (7.0 + 12.0 * poisson + 4.0 * poisson * poisson);
         let wire = rod.wire_length() / unit;
         let turn = p.hand.sign() * TAU * p.windings / wire;
         let angle = (p.rest_span / unit).atan2(turn * p.coil_radius / unit * wire);
@@ -220,7 +224,7 @@ impl Equations {
             bending: rod.bending(),
             torsion: 1.0 / ratio,
             extension: slender,
-            shear: slender * 2.0 * ratio / cowper,
+            shear: slender * 2.0 * ratio / kappa,
             inertia: slender,
             wire,
             angle,
@@ -284,12 +288,13 @@ impl Equations {
             angle += step[1];
             let size = step[0].abs() / (1.0 + force.abs()) + step[1].abs();
             // Steps stop shrinking at rounding.
-            if size < 1e-9 && size >= 0.5 * last || size == 0.0 {
+            let settled = size < 1e-15 || (size < SETTLED && size >= 0.5 * last);
+            last = size;
+            if settled {
                 break;
             }
-            last = size;
         }
-        (last < 1e-9).then(|| self.state(q, force, angle)).flatten()
+        (last < SETTLED).then(|| self.state(q, force, angle)).flatten()
     }
 
     fn state(&self, q: f64, force: f64, angle: f64) -> Option<Scaled> {
