@@ -2,7 +2,7 @@
 //!
 //! Next door: one piece (`segment`), what is read from the whole (`modes`, `mode`, `response`).
 
-use super::block::{Block, Number, Square};
+use super::block::{Block, Number, Square, eliminate};
 use super::ends::{Arm, Ends, release};
 use super::segment::Segment;
 use super::state::Helix;
@@ -50,6 +50,12 @@ impl Chain {
         }
         let sum = std::array::from_fn(|i| std::array::from_fn(|j| one.stiffness[6 + i][6 + j] + two.stiffness[i][j]));
         (below, sum)
+    }
+
+    /// How many modes lie below λ.
+    pub fn count(&self, lambda: f64) -> usize {
+        let (held, mut middle) = self.section(lambda);
+        held + eliminate(&mut middle, &[0, 1, 2, 3, 4, 5])
     }
 
     /// The stiffness between both points on the axis, nothing released.

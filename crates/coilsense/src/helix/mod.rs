@@ -5,6 +5,7 @@
 //! (`neighbours`).
 
 mod block;
+mod buckling;
 mod chain;
 mod ends;
 pub mod inextensible;
@@ -12,16 +13,19 @@ mod mode;
 mod modes;
 mod of_spring;
 mod reaction;
+mod response;
 mod rod;
 mod segment;
 mod shares;
 mod state;
 
+pub use buckling::buckling_length;
 pub use ends::{Ends, Holding};
 pub use mode::Mode;
 pub use modes::Modes;
 pub use of_spring::StiffnessAt;
 pub use reaction::Reaction;
+pub use response::Response;
 pub use rod::{Hand, Rod, RodParameters};
 pub use shares::{Kind, Shares};
 pub use state::{Helix, Turning};

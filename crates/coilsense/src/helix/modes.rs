@@ -4,7 +4,6 @@
 
 use std::f64::consts::TAU;
 
-use super::block::eliminate;
 use super::chain::Chain;
 use super::ends::Ends;
 use super::state::Helix;
@@ -12,7 +11,7 @@ use crate::error::{Error, check};
 
 /// Pieces per winding at the least: the series in λ of one piece then holds up to about 100 times the surge of common springs, and no
 /// frequency moves by more than 1e-9 with more of them.
-const PER_WINDING: f64 = 4.0;
+pub(super) const PER_WINDING: f64 = 4.0;
 
 /// Most modes that are asked for at once.
 const MOST_MODES: usize = 10_000;
@@ -136,8 +135,10 @@ impl Modes {
     }
 
     fn count(&self, lambda: f64) -> Option<usize> {
-        let (held, mut middle) = self.section(lambda)?;
-        Some(held + eliminate(&mut middle, &[0, 1, 2, 3, 4, 5]))
+        if lambda <= self.chain.segment.most() {
+            return Some(self.chain.count(lambda));
+        }
+        Some(Chain::new(&self.helix, &self.chain.ends, PER_WINDING, lambda)?.count(lambda))
     }
 
     fn section(&self, lambda: f64) -> Option<(usize, [[f64; 6]; 6])> {
@@ -161,7 +162,7 @@ pub(super) fn symmetric(matrix: &[[f64; 6]; 6]) -> nalgebra::Matrix6<f64> {
 }
 
 /// What cannot be followed.
-fn beyond(field: &'static str, value: f64, unit: &'static str) -> Error {
+pub(super) fn beyond(field: &'static str, value: f64, unit: &'static str) -> Error {
     Error::Value {
         field: Some(field),
         quantity: field.into(),

@@ -151,9 +151,23 @@ fn print_modes() {
         for i in 1..=10 {
             let m = modes.mode(i).unwrap();
             let s = m.shares();
+            let n = (m.shape().len() - 1) as f64;
+            let (mut a, mut b, mut c) = (0.0, 0.0, 0.0);
+            for (k, w) in m.shape().iter().enumerate() {
+                a += w[2] * k as f64 / n / n;
+                b += (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / n;
+                c += w[2] * w[2] / n;
+            }
+            let om = (6.283185307 * m.frequency()).powi(2);
+            println!(
+                "   {:.5} {:.5} {:.5}",
+                om * h.rod().mass() * a * a / b / 2.0 / h.stiffness(),
+                om * h.rod().mass() * a * a / b / 2.0 / case.0.stiffness(),
+                c / b
+            );
             let r = m.reaction(coilsense::End::Two);
             println!(
-                "{:9.3} {:10} {:.3} {:.3} {:.3} {:.3}  {:.4}  {:.4} {:.5} {:.5}",
+                "{:9.3} {:10} {:.3} {:.3} {:.3} {:.3}  {:.5}  {:.4} {:.5} {:.5}",
                 m.frequency(),
                 format!("{:?}", m.kind()),
                 s.axial,
