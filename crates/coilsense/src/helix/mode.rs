@@ -101,7 +101,7 @@ impl Modes {
     /// # Errors
     /// [`Error::Value`] as [`Self::frequencies`], and for a mode that does not swing: a helix that has buckled, a free rotation.
     pub fn mode(&self, index: usize) -> Result<Mode, Error> {
-        let roots = self.roots(index)?;
+        let roots = self.roots("index", index)?;
         let root = roots.last().copied().unwrap_or(0.0);
         check(root > 0.0, "index", index as f64, "", "that of a mode that swings")?;
         let fine = Chain::new(self.helix(), self.ends(), POINTS_PER_WINDING, root * root);

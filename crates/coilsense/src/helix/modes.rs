@@ -121,17 +121,17 @@ impl Modes {
     /// # Errors
     /// [`Error::Value`] for no modes or more than 10 000, and where they lie so high that no piece is short enough for them.
     pub fn frequencies(&self, count: usize) -> Result<Vec<f64>, Error> {
-        let roots = self.roots(count)?;
+        let roots = self.roots("count", count)?;
         Ok(roots.into_iter().map(|root| root / self.unit.sqrt() / TAU).collect())
     }
 
     /// √λ of the lowest modes.
-    pub(super) fn roots(&self, count: usize) -> Result<Vec<f64>, Error> {
+    pub(super) fn roots(&self, quantity: &'static str, count: usize) -> Result<Vec<f64>, Error> {
         let allowed = format!("from 1 to {MOST_MODES}");
-        check((1..=MOST_MODES).contains(&count), "count", count as f64, "", allowed)?;
+        check((1..=MOST_MODES).contains(&count), quantity, count as f64, "", allowed)?;
         let mut search = Search { modes: self, samples: Vec::new() };
         let found = search.start(count).and_then(|()| (1..=count).map(|index| search.root(index)).collect());
-        found.ok_or_else(|| beyond("count", count as f64, ""))
+        found.ok_or_else(|| beyond(quantity, count as f64, ""))
     }
 
     fn count(&self, lambda: f64) -> Option<usize> {

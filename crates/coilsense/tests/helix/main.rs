@@ -2,8 +2,14 @@
 //!
 //! | ours | beside it |
 //! |---|---|
-//! | `helix::Modes::frequencies` | figures of an independent program of the same rod, by bisection of a determinant's count |
+//! | `helix::Modes` | figures of an independent program of the same rod (`figures`), straight finite elements by their counts |
+//! | `helix::Helix` | closed forms of a wire that neither shears nor extends, textbook couple of the unloaded helix (`limits`) |
+//! | `helix::Modes` | straight beam, bar, shaft, column that buckles (`limits`) |
+//! | `helix::Response` | the static state at a length nearby, residues of its own modes (`laws`) |
 
 mod cases;
 mod figures;
-mod scratch;
+mod laws;
+mod limits;
+mod lines;
+mod refused;
