@@ -250,3 +250,38 @@ impl Search<'_> {
         Some(0.5 * (a + b))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::helix::{Hand, Rod, RodParameters, Turning};
+
+    #[test]
+    fn no_number_of_pieces_changes_a_frequency() {
+        let s_t = RodParameters {
+            wire_diameter: 0.002,
+            coil_radius: 0.008,
+            windings: 52.0,
+            rest_span: 0.104,
+            youngs_modulus: 206e9,
+            shear_modulus: 81.5e9,
+            density: 7850.0,
+            hand: Hand::Right,
+        };
+        let short =
+            RodParameters { windings: 5.75, wire_diameter: 0.004, coil_radius: 0.0125, rest_span: 0.049, ..s_t };
+        for (parameters, span) in [(s_t, 0.230), (short, 0.035)] {
+            let helix = Helix::new(&Rod::new(parameters).unwrap(), span, Turning::Held).unwrap();
+            let mut modes = Modes::new(&helix, Ends::clamped()).unwrap();
+            let expected = modes.frequencies(30).unwrap();
+            for per_winding in [1.0, 2.0, 8.0, 32.0] {
+                modes.chain = Chain::new(&helix, &Ends::clamped(), per_winding, 0.0).unwrap();
+                let largest = modes.frequencies(30).unwrap().iter().zip(&expected).map(|(f, g)| (f / g - 1.0).abs());
+                let largest = largest.fold(0.0, f64::max);
+                println!("{per_winding} {largest:e}");
+                // Rounding that the joins of many stiff pieces to a soft chain bring, 1e-16 times their ratio.
+                assert!(largest < 1e-8, "{per_winding}: {largest:e}");
+            }
+        }
+    }
+}

@@ -233,3 +233,54 @@ fn stiffness(transfer: &[Square<f64, 12>; TERMS], couple: &[f64; 3]) -> ([Square
     });
     (series, asymmetry)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::helix::{Hand, Rod, RodParameters, Turning};
+
+    /// S_T-like at 230 mm, and a thick compressed coil, either under load.
+    fn loaded() -> [Helix; 2] {
+        let s_t = RodParameters {
+            wire_diameter: 0.002,
+            coil_radius: 0.008,
+            windings: 52.0,
+            rest_span: 0.104,
+            youngs_modulus: 206e9,
+            shear_modulus: 81.5e9,
+            density: 7850.0,
+            hand: Hand::Right,
+        };
+        let thick =
+            RodParameters { wire_diameter: 0.004, coil_radius: 0.0125, windings: 5.75, rest_span: 0.049, ..s_t };
+        [(s_t, 0.230), (thick, 0.035)]
+            .map(|(parameters, span)| Helix::new(&Rod::new(parameters).unwrap(), span, Turning::Held).unwrap())
+    }
+
+    #[test]
+    fn the_stiffness_of_a_piece_is_symmetric_under_load() {
+        for helix in loaded() {
+            for per_winding in [2.0, 4.0, 8.0, 32.0] {
+                // Rounding of the exponential and of one inverse; without the rotation vectors of the ends it is 1e-3.
+                let asymmetry = Segment::new(&helix, per_winding, 0.0).unwrap().asymmetry;
+                println!("{asymmetry:e}");
+                assert!(asymmetry < 1e-14, "{asymmetry:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_series_ends_early_enough() {
+        for helix in loaded() {
+            let long = Segment::new(&helix, 4.0, 0.0).unwrap();
+            let lambda = long.most();
+            let short = Segment::at_level(&helix.scaled, long.doublings() + 1);
+            let (one, two) = (long.at(lambda), short.at(lambda).then(&short.at(lambda)));
+            let largest = one.stiffness.iter().flatten().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            for (one, two) in one.stiffness.iter().flatten().zip(two.stiffness.iter().flatten()) {
+                // At the largest λ that is taken: the first term left out, and rounding of the join.
+                assert!((one - two).abs() < 1e-12 * largest, "{one} {two}");
+            }
+        }
+    }
+}

@@ -67,10 +67,15 @@ fn the_dynamic_stiffness_follows_the_state_from_length_to_length() {
     let (force, couple) = (per_length(Helix::force), per_length(Helix::couple));
     // Under a couple C about the axis the rotation vector of an end has half of C × θ in its couple.
     let lean = 0.5 * now.couple();
-    let expected = [
-        [0.0, 0.0, -force, lean * motion[4], -lean * motion[3], -couple],
-        [0.0, 0.0, force, -lean * motion[10], lean * motion[9], couple],
-    ];
+    // The point of the holding has moved with the wire's end: the load has an arm to it.
+    let load = now.force();
+    let couples = |first: usize, pull: f64, lean: f64| {
+        let [x, y] = [motion[first], motion[first + 1]];
+        let [about_x, about_y] = [motion[first + 3], motion[first + 4]];
+        [-y * pull - lean * about_y, x * pull + lean * about_x]
+    };
+    let ([x1, y1], [x2, y2]) = (couples(0, -load, -lean), couples(6, load, lean));
+    let expected = [[0.0, 0.0, -force, x1, y1, -couple], [0.0, 0.0, force, x2, y2, couple]];
     let scales = [force, force, force, 0.005 * force, 0.005 * force, 0.005 * force];
     for (i, (value, expected)) in feels.iter().zip(expected.iter().flatten()).enumerate() {
         // Differences over 4e-5 of the length: their square and rounding.
