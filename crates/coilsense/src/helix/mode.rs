@@ -71,7 +71,7 @@ impl Mode {
     ///
     /// Source:   residue of the force at one end over the motion of the other, over that of a uniform bar.
     /// Valid:    one line at a time; of a close pair, the sum counts.
-    /// Accuracy: as the table of `tests/helix`, to the digits printed.
+    /// Accuracy: the residue of [`super::Response`] to 1e-4 (`tests/helix`).
     pub fn line_strength(&self) -> f64 {
         self.line_strength
     }

@@ -46,6 +46,38 @@ fn both_of_a_pair_are_found() {
 }
 
 #[test]
+fn a_hundred_modes_are_where_the_counts_are() {
+    for (helix, ends) in [(helix(&s_t(), 0.230), Ends::clamped()), (helix(&s_a(), 0.102), Ends::pinned())] {
+        let modes = Modes::new(&helix, ends).unwrap();
+        let found = modes.frequencies(100).unwrap();
+        for (index, pair) in found.windows(2).enumerate() {
+            assert!(pair[0] <= pair[1]);
+            // Between neighbours that are told apart there are as many as were found.
+            if pair[1] > pair[0] * (1.0 + 1e-8) {
+                assert_eq!(modes.count_below(0.5 * (pair[0] + pair[1])).unwrap(), index + 1);
+            }
+        }
+        // Where two parts of the wire meet some modes have a node: their shapes are found as well as others'.
+        let response = Response::new(&helix, ends, 0.0).unwrap();
+        for index in (1..=100).step_by(3) {
+            let mode = modes.mode(index).unwrap();
+            let offset = 1e-7;
+            let residue = |sign: f64| {
+                let reaction = response.reaction(mode.frequency() * (1.0 + sign * offset), End::One, End::Two).unwrap();
+                reaction.force()[2].re * sign * offset / helix.stiffness()
+            };
+            let mean = 0.5 * (residue(1.0) + residue(-1.0)).abs();
+            println!(
+                "{index} {:.3} {mean:.3e} {:.3e} {:.3e}",
+                mode.frequency(),
+                mode.line_strength(),
+                mean / mode.line_strength() - 1.0
+            );
+        }
+    }
+}
+
+#[test]
 fn the_dynamic_stiffness_follows_the_state_from_length_to_length() {
     // Both states of a thin wire, whose section is across it: how the ends move from one length to the next, and what they feel.
     let rod = Rod::new(standard_parameters()).unwrap().thin();
