@@ -57,8 +57,9 @@ fn helix(criterion: &mut Criterion) {
     criterion.bench_function("helix of 52 windings, ten frequencies", |bencher| {
         bencher.iter(|| modes(black_box(0.23)).and_then(|modes| modes.frequencies(10)));
     });
-    criterion
-        .bench_function("helix of 52 windings, shape of one mode", |bencher| bencher.iter(|| mid.mode(black_box(3))));
+    criterion.bench_function("helix of 52 windings, ten modes with their shapes", |bencher| {
+        bencher.iter(|| mid.lowest(black_box(10)));
+    });
     criterion.bench_function("helix of 52 windings, ten frequencies at 50 lengths", |bencher| {
         let lengths: Vec<f64> = (0..50).map(|step| 0.196 + 0.068 / 49.0 * f64::from(step)).collect();
         bencher.iter(|| lengths.iter().map(|length| modes(*length)?.frequencies(10)).collect::<Result<Vec<_>, _>>());

@@ -104,10 +104,28 @@ impl Modes {
         let roots = self.roots("index", index)?;
         let root = roots.last().copied().unwrap_or(0.0);
         check(root > 0.0, "index", index as f64, "", "that of a mode that swings")?;
+        Ok(self.shaped(&self.fine(root), root, index))
+    }
+
+    /// The lowest modes, lowest first, found together; those that do not swing (see [`Self::frequencies`]) are left out.
+    ///
+    /// # Errors
+    /// [`Error::Value`] as [`Self::frequencies`].
+    pub fn lowest(&self, count: usize) -> Result<Vec<Mode>, Error> {
+        let roots = self.roots("count", count)?;
+        let chain = self.fine(roots.last().copied().unwrap_or(0.0));
+        let swinging = roots.iter().zip(1..).filter(|(root, _)| **root > 0.0);
+        Ok(swinging.map(|(root, index)| self.shaped(&chain, *root, index)).collect())
+    }
+
+    /// Pieces that are short enough for a shape.
+    fn fine(&self, root: f64) -> Chain {
         let fine = Chain::new(self.helix(), self.ends(), POINTS_PER_WINDING, root * root);
-        let chain = fine.as_ref().unwrap_or(&self.chain);
-        let motion = Motion::new(chain, root * root, index);
-        Ok(motion.mode(self.helix(), chain, root * root))
+        fine.unwrap_or_else(|| self.chain.clone())
+    }
+
+    fn shaped(&self, chain: &Chain, root: f64, index: usize) -> Mode {
+        Motion::new(chain, root * root, index).mode(self.helix(), chain, root * root)
     }
 }
 

@@ -67,12 +67,8 @@ fn a_hundred_modes_are_where_the_counts_are() {
                 reaction.force()[2].re * sign * offset / helix.stiffness()
             };
             let mean = 0.5 * (residue(1.0) + residue(-1.0)).abs();
-            println!(
-                "{index} {:.3} {mean:.3e} {:.3e} {:.3e}",
-                mode.frequency(),
-                mode.line_strength(),
-                mean / mode.line_strength() - 1.0
-            );
+            // What the pair's other mode adds does not cancel where it lies close: 4e-4 of the first pair's.
+            assert!(relative(mean, mode.line_strength()) < 1e-3, "{index}: {mean} {}", mode.line_strength());
         }
     }
 }
