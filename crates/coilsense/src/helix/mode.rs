@@ -9,7 +9,7 @@ use num_complex::Complex;
 use super::block::{Block, Square, reduce};
 use super::chain::Chain;
 use super::ends::Holding;
-use super::modes::{Modes, symmetric};
+use super::modes::{Modes, beyond, finite, symmetric};
 use super::reaction::Reaction;
 use super::shares::{Kind, Shares};
 use super::state::Helix;
@@ -104,7 +104,7 @@ impl Modes {
         let roots = self.roots("index", index)?;
         let root = roots.last().copied().unwrap_or(0.0);
         check(root > 0.0, "index", index as f64, "", "that of a mode that swings")?;
-        Ok(self.shaped(&self.fine(root), root, index))
+        self.shaped(&self.fine(root), root, index).ok_or_else(|| beyond("index", index as f64, ""))
     }
 
     /// The lowest modes, lowest first, found together; those that do not swing (see [`Self::frequencies`]) are left out.
@@ -115,7 +115,8 @@ impl Modes {
         let roots = self.roots("count", count)?;
         let chain = self.fine(roots.last().copied().unwrap_or(0.0));
         let swinging = roots.iter().zip(1..).filter(|(root, _)| **root > 0.0);
-        Ok(swinging.map(|(root, index)| self.shaped(&chain, *root, index)).collect())
+        let modes = swinging.map(|(root, index)| self.shaped(&chain, *root, index)).collect::<Option<_>>();
+        modes.ok_or_else(|| beyond("count", count as f64, ""))
     }
 
     /// Pieces that are short enough for a shape.
@@ -124,8 +125,8 @@ impl Modes {
         fine.unwrap_or_else(|| self.chain.clone())
     }
 
-    fn shaped(&self, chain: &Chain, root: f64, index: usize) -> Mode {
-        Motion::new(chain, root * root, index).mode(self.helix(), chain, root * root)
+    fn shaped(&self, chain: &Chain, root: f64, index: usize) -> Option<Mode> {
+        Some(Motion::new(chain, root * root, index)?.mode(self.helix(), chain, root * root))
     }
 }
 
@@ -137,9 +138,9 @@ struct Motion {
 }
 
 impl Motion {
-    fn new(chain: &Chain, lambda: f64, index: usize) -> Self {
+    fn new(chain: &Chain, lambda: f64, index: usize) -> Option<Self> {
         let tree = Tree::new(chain, lambda);
-        let middle = middle(chain, lambda, index);
+        let middle = middle(chain, lambda, index)?;
         let [mut one, mut two] = tree.parts.map(|part| part.stiffness);
         chain.arms[0].apply(&mut one, 0);
         chain.arms[1].apply(&mut two, 6);
@@ -149,7 +150,7 @@ impl Motion {
         let mut motion = Self { joints: tree.spread(at_wire(0), middle, at_wire(1)), forces };
         let size = motion.mass(chain, lambda).sqrt();
         motion.joints.iter_mut().chain(&mut motion.forces).flatten().for_each(|value| *value /= size);
-        motion
+        Some(motion)
     }
 
     fn mass(&self, chain: &Chain, lambda: f64) -> f64 {
@@ -205,15 +206,18 @@ impl Motion {
 }
 
 /// The motion of the section where both parts meet: the eigenvector of the eigenvalue that is zero.
-fn middle(chain: &Chain, lambda: f64, index: usize) -> [f64; 6] {
+fn middle(chain: &Chain, lambda: f64, index: usize) -> Option<[f64; 6]> {
     let (held, stiffness) = chain.section(lambda);
+    if !finite(&stiffness) {
+        return None;
+    }
     let eigen = symmetric(&stiffness).symmetric_eigen();
     let mut order: [usize; 6] = std::array::from_fn(|i| i);
     order.sort_by(|i, j| eigen.eigenvalues[*i].total_cmp(&eigen.eigenvalues[*j]));
     let smallest = || (0..6).min_by(|i, j| eigen.eigenvalues[*i].abs().total_cmp(&eigen.eigenvalues[*j].abs()));
     let counted = index.checked_sub(held + 1).and_then(|at| order.get(at).copied());
     let column = eigen.eigenvectors.column(counted.or_else(smallest).unwrap_or(0));
-    std::array::from_fn(|i| column[i])
+    Some(std::array::from_fn(|i| column[i]))
 }
 
 /// The wire's joints by halves of halves.

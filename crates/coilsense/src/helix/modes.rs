@@ -86,9 +86,10 @@ impl Modes {
         let mass = helix.rod().mass();
         let bar = 0.5 * TAU * 0.5 * (helix.stiffness().abs() / mass).sqrt();
         let start = bar * unit.sqrt();
+        let swings = start.is_finite() && start > 0.0;
         match Chain::new(helix, &ends, PER_WINDING, start * start) {
-            Some(chain) => Ok(Self { helix: *helix, chain, unit, start }),
-            None => Err(beyond("windings", helix.rod().parameters().windings, "")),
+            Some(chain) if swings => Ok(Self { helix: *helix, chain, unit, start }),
+            _ => Err(beyond("windings", helix.rod().parameters().windings, "")),
         }
     }
 
@@ -147,6 +148,11 @@ pub(super) fn symmetric(matrix: &[[f64; 6]; 6]) -> nalgebra::Matrix6<f64> {
     nalgebra::Matrix6::from_fn(|i, j| matrix[i][j])
 }
 
+/// Whether a stiffness is one: its eigenvalues are not asked for else.
+pub(super) fn finite(matrix: &[[f64; 6]; 6]) -> bool {
+    matrix.iter().flatten().all(|value| value.is_finite())
+}
+
 /// What cannot be followed.
 pub(super) fn beyond(field: &'static str, value: f64, unit: &'static str) -> Error {
     Error::Value {
@@ -184,6 +190,9 @@ impl Search<'_> {
             self.chain = Chain::new(&self.modes.helix, &self.chain.ends, PER_WINDING, lambda)?;
         }
         let (held, middle) = self.chain.section(lambda);
+        if !finite(&middle) {
+            return None;
+        }
         let mut eigenvalues: [f64; 6] = symmetric(&middle).symmetric_eigenvalues().into();
         eigenvalues.sort_by(f64::total_cmp);
         let sample = Sample { root, held, eigenvalues };
@@ -205,7 +214,11 @@ impl Search<'_> {
             if low.held == high.held
                 && let (Some(above), Some(under)) = (low.eigenvalue(index), high.eigenvalue(index))
             {
-                return self.refine(index, (low.root, above), (high.root, under));
+                // Where rounding moves a mode of the held parts in between, what has been seen narrows the search all the same.
+                match self.refine(index, (low.root, above), (high.root, under)) {
+                    Some(root) => return Some(root),
+                    None => continue,
+                }
             }
             self.look(0.5 * (low.root + high.root))?;
         }

@@ -42,8 +42,8 @@ const MOST_SHEAR: f64 = 0.079;
 /// Length of a part that is taken by Taylor's series, in radii of the coil.
 const SHORT: f64 = 0.5;
 
-/// Halvings of the wire that are tried: as many pieces as no spring needs.
-const MOST_DOUBLINGS: u32 = 24;
+/// Halvings of the wire that are tried: a million pieces, as many as no spring needs.
+const MOST_DOUBLINGS: u32 = 20;
 
 impl Segment {
     /// So many pieces that one winding has at least `per_winding`, and more where λ asks for them; `None` beyond any use.

@@ -1,8 +1,11 @@
 //! What is refused, and in which words.
 
+use coilsense::End;
 use coilsense::helix::{
-    Ends, Helix, Holding, Modes, Response, Rod, RodParameters, Turning, buckling_length, inextensible,
+    Ends, Hand, Helix, Holding, Modes, Response, Rod, RodParameters, Turning, buckling_length, inextensible,
 };
+
+use proptest::prelude::*;
 
 use crate::cases::{standard, standard_parameters};
 
@@ -54,4 +57,77 @@ fn what_cannot_be_asked_is_refused_in_one_line() {
     let loose = Modes::new(&helix, Ends::both(Holding::swivel())).unwrap();
     assert_eq!(loose.frequencies(1).unwrap(), [0.0]);
     says(loose.mode(1).unwrap_err(), "index must be that of a mode that swings, got 1");
+}
+
+/// Any number at all, and often one of a size that springs have.
+fn any_number() -> impl Strategy<Value = f64> {
+    prop_oneof![any::<f64>(), 0.0..3.0_f64, (-9.0..9.0_f64).prop_map(|e| 10_f64.powf(e))]
+}
+
+/// A coil within decades of a common one, and its stretch.
+fn any_coil() -> impl Strategy<Value = (RodParameters, f64)> {
+    (prop::collection::vec(-1.0..1.0_f64, 7), any::<bool>()).prop_map(|(exponents, left)| {
+        let power = |index: usize, decades: f64| 10_f64.powf(decades * exponents[index]);
+        let (wire, windings) = (1e-3 * power(0, 3.0), 10.0 * power(1, 1.5));
+        let coil_radius = wire * (0.51 + 3.0 * power(2, 2.0));
+        let rest_span = windings * wire * (1.0 + power(3, 1.5));
+        let youngs_modulus = 2e11 * power(4, 1.5);
+        let shear_modulus = youngs_modulus / (2.0 + 0.9 * exponents[5].abs());
+        let hand = if left { Hand::Left } else { Hand::Right };
+        let density = 7850.0;
+        let parameters = RodParameters {
+            wire_diameter: wire,
+            coil_radius,
+            windings,
+            rest_span,
+            youngs_modulus,
+            shear_modulus,
+            density,
+            hand,
+        };
+        (parameters, rest_span * power(6, 0.5))
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn no_number_panics(numbers in prop::collection::vec(any_number(), 9), ball in any::<bool>()) {
+        let rod = Rod::new(RodParameters {
+            wire_diameter: numbers[0],
+            coil_radius: numbers[1],
+            windings: numbers[2],
+            rest_span: numbers[3],
+            youngs_modulus: 1e9 * numbers[4].abs(),
+            shear_modulus: 4e8 * numbers[4].abs(),
+            density: numbers[5],
+            ..standard_parameters()
+        });
+        if let Ok(helix) = rod.and_then(|rod| Helix::new(&rod, numbers[6], Turning::Held)) {
+            prop_assert!(helix.force().is_finite() && helix.coil_radius() > 0.0);
+            let ends = if ball { Ends::both(Holding::ball()) } else { Ends::clamped() };
+            if let Ok(modes) = Modes::new(&helix, ends) {
+                let _ = modes.count_below(numbers[7]);
+                for frequency in modes.frequencies(3).unwrap_or_default() {
+                    prop_assert!(frequency.is_finite() && frequency >= 0.0);
+                }
+            }
+            let response = Response::new(&helix, ends, 0.01).and_then(|r| r.reaction(numbers[8], End::One, End::Two));
+            let _ = response;
+        }
+    }
+
+    #[test]
+    fn every_coil_that_could_be_wound_has_modes((parameters, span) in any_coil()) {
+        let rod = Rod::new(parameters).unwrap();
+        if let Ok(helix) = Helix::new(&rod, span, Turning::Free) {
+            let modes = Modes::new(&helix, Ends::swivel()).unwrap();
+            let found = modes.frequencies(4).unwrap();
+            prop_assert!(found.windows(2).all(|pair| pair[0] <= pair[1]) && found[3].is_finite());
+            for mode in modes.lowest(4).unwrap() {
+                prop_assert!(mode.line_strength().is_finite() && mode.frequency() > 0.0);
+            }
+        }
+    }
 }
