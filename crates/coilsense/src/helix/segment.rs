@@ -207,11 +207,8 @@ fn inverse(series: &[Square<f64, 6>; TERMS]) -> [Square<f64, 6>; TERMS] {
     result[0] = std::array::from_fn(|i| std::array::from_fn(|j| first[i][6 + j]));
     for p in 1..TERMS {
         let sum = product(series, &result)[p];
-        for i in 0..6 {
-            for j in 0..6 {
-                result[p][i][j] = -(0..6).map(|k| result[0][i][k] * sum[k][j]).sum::<f64>();
-            }
-        }
+        let first = result[0];
+        result[p] = first.map(|row| std::array::from_fn(|j| -(0..6).map(|k| row[k] * sum[k][j]).sum::<f64>()));
     }
     result
 }
