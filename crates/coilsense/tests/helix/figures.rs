@@ -1,9 +1,9 @@
 //! Figures of an independent program of the same rod (a determinant's count, by bisection), to the digits that it printed; straight
 //! finite elements of another formulation agree with it to 1e-5 to 9e-5.
 
-use coilsense::helix::{Ends, Helix, Holding, Modes, Turning};
+use coilsense::helix::{Ends, Helix, Holding, Modes, Rod, RodParameters, Turning};
 
-use crate::cases::{Case, car, frequencies, helix, knee, s_a, s_t, standard, valve};
+use crate::cases::{Case, car, frequencies, helix, knee, relative, s_a, s_t, standard, valve};
 
 #[test]
 fn the_standard_spring_has_its_ten_lowest_modes() {
@@ -56,6 +56,34 @@ fn springs_under_load_have_their_ten_lowest_modes() {
             // Half a unit of the last printed digit.
             assert!((value - printed).abs() < 5.01e-4, "{length} m: {value} {printed}");
         }
+    }
+}
+
+#[test]
+fn other_lengths_have_their_lines() {
+    for (case, length, printed) in [
+        (s_a(), 0.082, [111.39, 111.43, 166.61, 188.07]),
+        (s_a(), 0.122, [128.83, 128.90, 167.55, 188.40]),
+        (car(), 0.1533, [50.24, 55.67, 57.98, 60.46]),
+        (car(), 0.2933, [51.02, 52.00, 52.43, 58.86]),
+    ] {
+        for (value, printed) in frequencies(&helix(&case, length), Ends::clamped(), 4).iter().zip(printed) {
+            // Half a unit of the last printed digit.
+            assert!((value - printed).abs() < 5.01e-3, "{length} m: {value} {printed}");
+        }
+    }
+}
+
+#[test]
+fn without_its_load_a_spring_swings_sideways_far_more_slowly() {
+    let printed = [13.911, 13.912, 37.418, 37.422, 53.953, 60.788, 71.043, 71.069, 107.746, 113.040];
+    let stretched = helix(&s_t(), 0.230);
+    // A wire that has this shape without load; the strain of shear and extension is left out, 1e-5 of it.
+    let shape =
+        RodParameters { coil_radius: stretched.coil_radius(), rest_span: 0.230, ..*stretched.rod().parameters() };
+    let unloaded = Helix::new(&Rod::new(shape).unwrap(), 0.230, Turning::Held).unwrap();
+    for (value, printed) in frequencies(&unloaded, Ends::clamped(), 10).iter().zip(printed) {
+        assert!(relative(*value, printed) < 1e-4, "{value} {printed}");
     }
 }
 
