@@ -5,6 +5,8 @@ mod paper_springs;
 
 use std::hint::black_box;
 
+use coilsense::geometry::{EndType, Geometry, Material, MaterialParameters};
+use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, StiffnessAt, Turning};
 use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductances};
 use coilsense::signals::sampled_window;
 use coilsense::{EndInput, Excitation, Motion, Start};
@@ -41,5 +43,28 @@ fn inductance(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, motion, inductance);
+fn helix(criterion: &mut Criterion) {
+    let spring = paper_springs::s_t();
+    let steel = Material::new(MaterialParameters::elastic(81.5e9, 206e9, 7850.0)).expect("valid");
+    let geometry = Geometry::of_spring(&spring, EndType::Hooks, steel).expect("valid");
+    let rod = Rod::of_spring(&spring, &geometry, StiffnessAt::Range, Hand::Right).expect("valid");
+    let modes =
+        |length: f64| Helix::new(&rod, length, Turning::Held).and_then(|state| Modes::new(&state, Ends::clamped()));
+    let mid = modes(0.23).expect("valid");
+    criterion.bench_function("helix of 52 windings, modes below 100 Hz counted", |bencher| {
+        bencher.iter(|| mid.count_below(black_box(100.0)));
+    });
+    criterion.bench_function("helix of 52 windings, ten frequencies", |bencher| {
+        bencher.iter(|| modes(black_box(0.23)).and_then(|modes| modes.frequencies(10)));
+    });
+    criterion.bench_function("helix of 52 windings, ten modes with their shapes", |bencher| {
+        bencher.iter(|| mid.lowest(black_box(10)));
+    });
+    criterion.bench_function("helix of 52 windings, ten frequencies at 50 lengths", |bencher| {
+        let lengths: Vec<f64> = (0..50).map(|step| 0.196 + 0.068 / 49.0 * f64::from(step)).collect();
+        bencher.iter(|| lengths.iter().map(|length| modes(*length)?.frequencies(10)).collect::<Result<Vec<_>, _>>());
+    });
+}
+
+criterion_group!(benches, motion, inductance, helix);
 criterion_main!(benches);

@@ -10,7 +10,8 @@
 //!
 //! The model is that of van der Weijde, van Ostayen and Vallery, *Influence of Internal Oscillations on Force Sensing in Coil
 //! Springs*: a chain of N winding masses, Maxwell's summation for the inductance. It ends where windings touch (see
-//! [`measures::Clash`]), and it moves along the spring's axis only: no lateral or torsional motion, no initial tension.
+//! [`measures::Clash`]), and it moves along the spring's axis only: no lateral or torsional motion, no initial tension. What moves
+//! besides, and how near, [`helix`] tells.
 //!
 //! SI units at every door. Positions grow from end 1 to end 2; force is tension-positive.
 //!
@@ -51,6 +52,9 @@ pub mod paper;
 
 /// Wire and coil to stiffness, mass, stress and lengths.
 pub mod geometry;
+
+/// A stretched helix to every one of its modes.
+pub mod helix;
 
 /// A coil to the first frequencies of the motions that are left out.
 pub mod neighbours;

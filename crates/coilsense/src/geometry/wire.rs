@@ -31,6 +31,20 @@ impl Geometry {
         self.wire_length().hypot(length)
     }
 
+    /// What the active windings span along the axis at a length of the spring \[m\], from wire centre to wire centre.
+    ///
+    /// l_a = l − (l_s − n d)
+    ///
+    /// - `length`: l \[m\] over all, see [`super::EndType::solid_length`]
+    ///
+    /// Source:   solid, the active windings span n wires; what is left of the length is dead windings and the wire's own thickness.
+    /// Valid:    dead windings that lie wire on wire. Hooks: l itself; closed and ground: l − 2 d.
+    /// Accuracy: rounding of the difference.
+    pub fn active_span(&self, length: f64) -> f64 {
+        let p = &self.parameters;
+        length - (p.end_type.solid_length(self.total_windings, p.wire_diameter) - p.active_windings * p.wire_diameter)
+    }
+
     /// Cross-section of the wire \[m²\]: π d²/4.
     pub fn wire_area(&self) -> f64 {
         0.25 * PI * self.parameters.wire_diameter.powi(2)

@@ -1,0 +1,31 @@
+//! Every motion of a real coil: axial, torsional and sideways, with the wire's prestress.
+//!
+//! The wire of a stretched (or compressed) spring as an exact rod: [`Rod`] is the wire without load, [`Helix`] its state at a length,
+//! [`Ends`] what holds it, [`Modes`] its natural frequencies. Next door: the axial chain alone (`modes`), formulas for a first look
+//! (`neighbours`).
+
+mod block;
+mod buckling;
+mod chain;
+mod ends;
+pub mod inextensible;
+mod mode;
+mod modes;
+mod of_spring;
+mod reaction;
+mod response;
+mod rod;
+mod segment;
+mod shares;
+mod state;
+
+pub use buckling::buckling_length;
+pub use ends::{Ends, Holding};
+pub use mode::Mode;
+pub use modes::Modes;
+pub use of_spring::StiffnessAt;
+pub use reaction::Reaction;
+pub use response::Response;
+pub use rod::{Hand, Rod, RodParameters};
+pub use shares::{Kind, Shares};
+pub use state::{Helix, Turning};
