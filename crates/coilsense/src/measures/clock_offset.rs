@@ -41,6 +41,11 @@ pub struct ClockDrift {
 
 /// Fewest samples that both must have in common.
 pub(super) const FEWEST: usize = 256;
+/// Half of an offset's interval over the record, at most \[1\]: beyond, the signals do not tell it.
+const SHARE: f64 = 0.02;
+/// Share of the speed's square that no straight line over time takes away, at least \[1\], and the means by which it is judged.
+const TURNING: f64 = 0.5;
+const MEANS: usize = 24;
 /// Parts of the record whose scatter tells the interval.
 const PARTS: usize = 20;
 
@@ -111,10 +116,27 @@ impl ClockOffset {
             }
             None => (refined(&a, &b)?, None),
         };
+        let turns = turning(&a);
+        check(
+            turns >= TURNING,
+            "share of the motion that is no parabola",
+            turns,
+            "",
+            "at least 0.5: a parabola that is late looks like one that is tilted",
+        )?;
+        let told = fine.half_width <= SHARE * a.len() as f64;
+        let half_width = fine.half_width * interval;
+        check(
+            told,
+            "half-width of the offset",
+            half_width,
+            "s",
+            "at most a fiftieth of the record: the signals hardly tell it",
+        )?;
         let offset = starts[0] - starts[1] - (coarse.lag as f64 + fine.lag) * interval;
         Ok(Self {
             offset,
-            half_width: fine.half_width * interval,
+            half_width,
             at: starts[0] + (from as f64 + fine.centre) * interval - offset,
             drift,
             correlation: coarse.correlation,
@@ -128,6 +150,16 @@ struct Fine {
     half_width: f64,
     /// Of the information.
     centre: f64,
+}
+
+/// Share of a signal's speed, squared, that is no straight line over time \[1\]: what of a delay is left when slow trends are taken out.
+fn turning(a: &[f64]) -> f64 {
+    let part = a.len() / MEANS;
+    let means: Vec<f64> = a.chunks_exact(part).map(|part| part.iter().sum::<f64>()).collect();
+    let speeds: Vec<f64> = means.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let all: f64 = speeds.iter().map(|speed| speed * speed).sum();
+    let left: f64 = straightened(&speeds).iter().map(|speed| speed * speed).sum();
+    if all > 0.0 { left / all } else { 1.0 }
 }
 
 /// The lag of b behind a, which is within a few samples.
