@@ -4,6 +4,8 @@
 
 use realfft::RealFftPlanner;
 
+use super::median::median;
+
 /// Segments that are looked at, at most; and their length \[s\], at most.
 const SEGMENTS: usize = 64;
 const SECONDS: f64 = 1.7;
@@ -129,9 +131,5 @@ fn rough(powers: &[Vec<f64>], from: usize, to: usize) -> bool {
     let bend = |segment: &[f64], k: usize| (log(segment[k - 3]) - 2.0 * log(segment[k]) + log(segment[k + 3])).abs();
     let mut bends: Vec<f64> =
         quietest.iter().flat_map(|(_, segment)| lines.clone().map(|k| bend(segment, k))).collect();
-    if bends.is_empty() {
-        return false;
-    }
-    let middle = bends.len() / 2;
-    *bends.select_nth_unstable_by(middle, f64::total_cmp).1 > 1.2
+    median(&mut bends) > 1.2
 }

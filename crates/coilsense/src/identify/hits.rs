@@ -3,6 +3,7 @@
 //! Next door: the prediction (`whitening`), a record that begins with ringing (`beginning`), what rings after them (`lines`, `refine`).
 
 use super::channel_check::{Conditions, QUIET};
+use super::median::median;
 use super::ringing::NEARBY;
 use super::sampling::Sampling;
 use super::whitening::{ORDER, Surprise};
@@ -70,8 +71,7 @@ pub(super) fn find(surprises: [Surprise; 2], series: usize, sampling: &Sampling,
         slow[from..(from + 2 * WINDOW).min(slow.len())].iter().copied().fold(0.0, f64::max)
     };
     let mut parts: Vec<f64> = hits.iter().map(slow_part).collect();
-    parts.sort_by(f64::total_cmp);
-    let usual = parts.get(parts.len() / 2).copied().unwrap_or(0.0);
+    let usual = median(&mut parts);
     let near = (NEARBY * sampling.rate) as usize;
     let soft = at(between_edges(&slow, &sampling.every(far), |_| true), far)
         .filter(|soft| soft.onset > near && soft.onset + near < sampling.samples)

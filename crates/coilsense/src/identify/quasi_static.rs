@@ -2,6 +2,7 @@
 //!
 //! Next door: what is left of the forces then (`ringing`).
 
+use super::median::median;
 use super::sampling::Sampling;
 use super::settings::Settings;
 use super::value::Estimate;
@@ -169,8 +170,15 @@ impl Stiffness {
         })
     }
 
+    /// Judged by the coil's own mass: f1 \[Hz\] tells what that adds, where a mode is known.
+    pub(super) fn beside_mass(mut self, first_frequency: Option<f64>) -> Result<Self, String> {
+        let Some(first_frequency) = first_frequency else { return self.without_mass() };
+        self.with_mass(first_frequency);
+        Ok(self)
+    }
+
     /// Its interval with what the coil's own mass adds to a stiffness at the frequency of the blocks: up to k (ωτ)²/6, τ = 1/2f1.
-    pub(super) fn with_mass(&mut self, first_frequency: f64) {
+    fn with_mass(&mut self, first_frequency: f64) {
         let more = self.stiffness.value * (0.5 * self.angular_frequency / first_frequency).powi(2) / 6.0;
         let wider = |estimate: &mut Estimate, more: f64| {
             let standard = estimate.standard.hypot(more);
@@ -185,7 +193,7 @@ impl Stiffness {
     }
 
     /// What is left of it where no mode is known, by which the coil's own mass could be judged: a slow one.
-    pub(super) fn without_mass(self) -> Result<Self, String> {
+    fn without_mass(self) -> Result<Self, String> {
         let hertz = self.angular_frequency / std::f64::consts::TAU;
         if hertz <= SLOW_ENOUGH {
             return Ok(self);
@@ -226,11 +234,6 @@ fn slowness(length: &[f64], block: usize, rate: f64, means: &[f64], mean: f64) -
 /// what jumps does not count.
 pub(super) fn noise_variance(values: &[f64]) -> f64 {
     let mut squares: Vec<f64> = values.windows(3).map(|w| (w[0] - 2.0 * w[1] + w[2]).powi(2) / 6.0).collect();
-    if squares.is_empty() {
-        return 0.0;
-    }
-    let middle = squares.len() / 2;
-    let (_, median, _) = squares.select_nth_unstable_by(middle, f64::total_cmp);
     // The median of a squared normal number of variance 1.
-    *median / 0.454_936
+    median(&mut squares) / 0.454_936
 }

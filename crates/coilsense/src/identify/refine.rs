@@ -8,9 +8,12 @@ use std::sync::Arc;
 use num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
+use super::fitted::{Fitted, without_doubles};
 use super::hits::Hit;
 use super::lines::Peak;
-use super::pole_fit::{Block, Fit, amplitudes, column, fit};
+use super::median::median;
+use super::pole_fit::{Block, Fit, amplitudes, fit};
+use super::residuals::{left_over, near_excess};
 use super::ringing::Series;
 use super::sampling::Sampling;
 
@@ -28,27 +31,6 @@ const MOST_KEPT: usize = 4_000_000;
 const GUESSED: usize = 6;
 /// A hit whose ringing fits this much worse than the others' is left out (something else happened in it).
 const WORSE: f64 = 4.0;
-
-/// A line, fitted.
-#[derive(Debug, Clone)]
-pub(super) struct Fitted {
-    /// In which series it rings.
-    pub(super) series: Vec<usize>,
-    /// λ \[per sample\].
-    pub(super) pole: Complex<f64>,
-    /// Standard uncertainty of Re λ and Im λ each \[per sample\]; infinite before it is fitted.
-    pub(super) standard: f64,
-    /// Real degrees of freedom.
-    pub(super) freedom: f64,
-    /// Hits used.
-    pub(super) hits: Vec<usize>,
-    /// Peak amplitude \[N\] per series and hit, at the stretch's begin: (series, hit, 2|A|, its phase).
-    pub(super) amplitudes: Vec<(usize, usize, Complex<f64>)>,
-    /// The same in series in which it was not fitted.
-    pub(super) elsewhere: Vec<(usize, usize, Complex<f64>)>,
-    /// Strength of the peak it came from.
-    pub(super) strength: f64,
-}
 
 /// A stretch of a series whose transform, over noise and √N, is kept: series, first sample, length.
 type Stretch = (usize, usize, usize);
@@ -160,7 +142,7 @@ impl<'a> Refiner<'a> {
             lines.push(Fitted { series, pole: guess, standard: f64::INFINITY, amplitudes: Vec::new(), ..base.clone() });
             let found = self.refit(lines, lines.len() - 1, false);
             lines.pop();
-            if let Some(found) = found.filter(|found| is_mode(found, guess)) {
+            if let Some(found) = found.filter(|found| found.is_mode(guess)) {
                 lines.push(Fitted { strength: (found.pole.re / found.standard).powi(2), ..found });
             }
         }
@@ -303,9 +285,7 @@ impl<'a> Refiner<'a> {
             residual.iter().map(Complex::norm_sqr).sum::<f64>() / residual.len().max(1) as f64
         };
         let squares: Vec<f64> = found.residuals.iter().map(square).collect();
-        let mut sorted = squares.clone();
-        sorted.sort_by(f64::total_cmp);
-        let usual = sorted[sorted.len() / 2];
+        let usual = median(&mut squares.clone());
         let bad: Vec<usize> =
             blocks.iter().zip(&squares).filter(|(_, s)| **s > WORSE * usual).map(|(block, _)| block.hit).collect();
         let kept: Vec<Block> = blocks.iter().filter(|block| !bad.contains(&block.hit)).cloned().collect();
@@ -348,85 +328,6 @@ fn half_band(stretches: &[(usize, usize)]) -> Option<f64> {
 fn band_about(pole: Complex<f64>, stretches: &[(usize, usize)]) -> Option<(f64, f64)> {
     let half = half_band(stretches)?;
     Some(((pole.im - half).max(0.0), (pole.im + half).min(0.98 * std::f64::consts::PI)))
-}
-
-/// Whether what a fit found is the mode that it was sent for.
-fn is_mode(found: &Fitted, guess: Complex<f64>) -> bool {
-    let damped = found.pole.re / guess.re;
-    let sure = -found.pole.re > 6.0 * found.standard;
-    sure && (found.pole.im / guess.im - 1.0).abs() < 0.06 && (0.3..3.0).contains(&damped)
-}
-
-/// Mean square left near the line over that of the whole band, where it is larger by more than chance: noise that is not white.
-fn near_excess(blocks: &[Block], found: &Fit) -> f64 {
-    let (mut near, mut count) = (0.0, 0.0_f64);
-    for (block, residual) in blocks.iter().zip(&found.residuals) {
-        let reach = 6.0 * std::f64::consts::TAU / block.length as f64 + 2.0 * found.poles[0].re.abs();
-        for (angle, value) in block.angles.iter().zip(residual) {
-            if (angle - found.poles[0].im).abs() < reach {
-                near += value.norm_sqr();
-                count += 1.0;
-            }
-        }
-    }
-    let ratio = near / count.max(1.0) / found.excess.max(f64::MIN_POSITIVE);
-    if ratio > 1.0 + 3.0 / count.max(1.0).sqrt() { ratio } else { 1.0 }
-}
-
-/// A pole that what is left asks for: as broad as the line, or far broader, as a folded high mode is.
-fn left_over(blocks: &[Block], found: &Fit, band: (f64, f64)) -> Option<Complex<f64>> {
-    let typical = blocks.first()?.length as f64;
-    let step = 0.5 * std::f64::consts::TAU / typical;
-    let narrow = found.poles[0].re.abs().max(1.0 / typical);
-    let mut best = (0.0, Complex::default());
-    let mut angle = band.0 + 2.0 * step;
-    while angle < band.1 - 2.0 * step {
-        for broader in [1.0, 8.0] {
-            let pole = Complex::new(-narrow * broader, angle);
-            let score = score(blocks, found, pole);
-            if score > best.0 {
-                best = (score, pole);
-            }
-        }
-        angle += step;
-    }
-    let count = blocks.len() as f64;
-    let chance = found.excess * (count + 5.0 * count.sqrt() + 12.0);
-    (best.0 > chance).then_some(best.1)
-}
-
-/// How much of what is left one more pole would take.
-fn score(blocks: &[Block], found: &Fit, pole: Complex<f64>) -> f64 {
-    let each = blocks.iter().zip(&found.residuals).map(|(block, residual)| {
-        let shape = column(pole, &block.angles);
-        let part: Complex<f64> = shape.iter().zip(residual).map(|(a, b)| a.conj() * b).sum();
-        part.norm_sqr() / shape.iter().map(Complex::norm_sqr).sum::<f64>()
-    });
-    each.sum()
-}
-
-/// Lines that came to the same pole are one: the surer one stays.
-fn without_doubles(mut lines: Vec<Fitted>) -> Vec<Fitted> {
-    let mut kept: Vec<Fitted> = Vec::new();
-    lines.sort_by(|a, b| b.strength.total_cmp(&a.strength));
-    for line in lines {
-        let same = |other: &&mut Fitted| {
-            let near =
-                0.3 * (line.pole.re.abs().min(other.pole.re.abs())) + 4.0 * line.standard.min(1.0).min(other.standard);
-            (other.pole.im - line.pole.im).abs() < near
-        };
-        match kept.iter_mut().find(same) {
-            Some(other) => {
-                for series in &line.series {
-                    if !other.series.contains(series) {
-                        other.series.push(*series);
-                    }
-                }
-            }
-            None => kept.push(line),
-        }
-    }
-    kept
 }
 
 /// The largest length up to `room` that a fast transform likes: 2^k times 1, 1.25 or 1.5.

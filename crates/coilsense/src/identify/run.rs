@@ -8,29 +8,20 @@ use super::channel_check::{self, Conditions};
 use super::end_motion::receptance;
 use super::explain::{Coil, Heard, Known, Weighed, weigh};
 use super::line::{Line, Meaning};
-use super::lines::{Peak, after_hits, steady};
+use super::lines::{Peak, steady};
 use super::mode_series::{Observation, folded};
-use super::refine::{Fitted, Refiner};
+use super::record_lines::{RecordLines, seen};
 use super::ringing::{Part, Rings, Series, rings};
-use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict};
+use super::whitening::Surprise;
+use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict, Welch};
 use super::{beginning, half_power, hits, naming, ring_down, signs, verdict};
 use crate::error::Error;
 use crate::measures::alias_of;
 use crate::mount::FarEnd;
 use crate::signals::{Channel, Signals};
-use crate::uncertainty::coverage_factor;
 
-/// Lines that are fitted at most, the strongest.
-const MOST_LINES: usize = 80;
-/// The same times hits, and what is fitted in any case: a fit's cost goes with both.
-const MOST_FITS: usize = 600;
-const FEWEST_LINES: usize = 24;
-/// What a line's own rate is over its uncertainty, at least.
-const SURE: f64 = 6.0;
 /// Up to this share of its corner a low-pass leaves amplitudes as they are.
 const PASSED: f64 = 0.5;
-/// A part holds a line where its power is this many times the other's.
-const DOMINANT: f64 = 10.0;
 /// End 2 counts as moving where k times its motion is this share of the force that rings.
 const MOVES: f64 = 0.2;
 
@@ -64,20 +55,11 @@ impl Identification {
         let sampling = Sampling::of(signals)?;
         let conditions = Conditions::of(signals, &channels);
         let Rings { series, quick, slow } = rings(signals, &sampling, stiffness.as_ref().ok(), &conditions)?;
-        let mut hits = hits::find([quick, slow], series.len(), &sampling, &conditions);
-        if hits.is_empty() {
-            hits.extend(beginning::of(&series, &sampling));
-        }
-        hits::begin_behind(&mut hits, &sampling, &conditions);
-        let mut spectra = Vec::new();
-        let mut steady_peaks = Vec::new();
-        for (index, one) in series.iter().enumerate() {
-            let (peaks, welch) = steady(index, one, &sampling);
-            steady_peaks.extend(peaks);
-            spectra.push((one.part, welch));
-        }
+        let hits = hits_of(&series, [quick, slow], &sampling, &conditions);
+        let (steady_peaks, spectra) = spectra_of(&series, &sampling);
         let spacing = spectra.first().map_or(1.0, |(_, welch)| welch.spacing);
-        let Heards { lines, foldings, mut heard } = lines_of(&series, &hits, &sampling, &steady_peaks, spacing);
+        let RecordLines { lines, foldings, mut heard } =
+            RecordLines::of(&series, &hits, &sampling, &steady_peaks, spacing);
         if let Some(corner) = conditions.low_pass {
             heard.iter_mut().for_each(|one| one.sized = one.frequency() < PASSED * corner);
         }
@@ -110,21 +92,21 @@ impl Identification {
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
         let weighed = found.explain(signals, &foldings, &heard);
-        found.stiffness = found.stiffness.and_then(|mut stiffness| match &found.first_frequency {
-            Some(first) => {
-                stiffness.with_mass(first.value);
-                Ok(stiffness)
-            }
-            None => stiffness.without_mass(),
-        });
-        found.predict();
-        found.unfold();
-        found.derive();
-        found.half_powers(&series);
-        found.ring_down = ring_down::of(&found.lines, &series, &found.hits, &found.sampling);
-        found.verdict = verdict::verdict(&found, &weighed);
-        found.verdict.evidence.extend(channel_check::sentences(&found.channels));
-        Ok(found)
+        Ok(found.concluded(&weighed, &series))
+    }
+
+    /// With all that follows from the lines and what explains them.
+    fn concluded(mut self, weighed: &Weighed, series: &[Series]) -> Self {
+        self.stiffness =
+            self.stiffness.and_then(|stiffness| stiffness.beside_mass(self.first_frequency.map(|first| first.value)));
+        self.predict();
+        self.unfold();
+        self.derive();
+        self.half_powers(series);
+        self.ring_down = ring_down::of(&self.lines, series, &self.hits, &self.sampling);
+        self.verdict = verdict::verdict(&self, weighed);
+        self.verdict.evidence.extend(channel_check::sentences(&self.channels));
+        self
     }
 
     /// Weighs what explains the lines, names them by it, and takes its numbers over.
@@ -298,112 +280,32 @@ impl Identification {
     }
 }
 
+/// The hits, or where the record begins to ring.
+fn hits_of(series: &[Series], surprises: [Surprise; 2], sampling: &Sampling, conditions: &Conditions) -> Vec<Hit> {
+    let mut hits = hits::find(surprises, series.len(), sampling, conditions);
+    if hits.is_empty() {
+        hits.extend(beginning::of(series, sampling));
+    }
+    hits::begin_behind(&mut hits, sampling, conditions);
+    hits
+}
+
+/// Steady lines and the spectrum of each series.
+fn spectra_of(series: &[Series], sampling: &Sampling) -> (Vec<Peak>, Vec<(Part, Welch)>) {
+    let mut spectra = Vec::new();
+    let mut steady_peaks = Vec::new();
+    for (index, one) in series.iter().enumerate() {
+        let (peaks, welch) = steady(index, one, sampling);
+        steady_peaks.extend(peaks);
+        spectra.push((one.part, welch));
+    }
+    (steady_peaks, spectra)
+}
+
 /// Which ends move while lines ring.
 struct Motions {
     /// k X/F of steady lines.
     follows: Vec<Option<f64>>,
     /// Whether end 2 moves in the strongest line that decays.
     end_moves: bool,
-}
-
-/// The lines of a record, lowest first.
-struct Heards {
-    lines: Vec<Line>,
-    /// e-folding time of each \[s\].
-    foldings: Vec<f64>,
-    /// What was heard of those that decay, lowest first.
-    heard: Vec<Heard>,
-}
-
-fn lines_of(series: &[Series], hits: &[Hit], sampling: &Sampling, steady: &[Peak], spacing: f64) -> Heards {
-    let mut lines: Vec<(Line, f64, Option<Fitted>)> = Vec::new();
-    if !hits.is_empty() {
-        let mut peaks: Vec<Peak> =
-            series.iter().enumerate().flat_map(|(n, one)| after_hits(n, one, hits, sampling)).collect();
-        peaks.sort_by(|a, b| b.strength.total_cmp(&a.strength));
-        peaks.truncate(MOST_LINES.min((MOST_FITS / hits.len()).max(FEWEST_LINES)));
-        let fitted = Refiner::new(series, hits, sampling).lines(&peaks);
-        lines.extend(fitted.into_iter().filter_map(|fitted| {
-            let (line, folding) = line_of(&fitted, series, sampling.rate)?;
-            Some((line, folding, Some(fitted)))
-        }));
-    }
-    for peak in steady {
-        let known = lines
-            .iter()
-            .any(|(line, ..)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * width(line));
-        if !known && (hits.is_empty() || peak.strength > 100.0) {
-            lines.push((steady_line(peak, series, spacing), f64::INFINITY, None));
-        }
-    }
-    lines.sort_by(|a, b| a.0.frequency.value.total_cmp(&b.0.frequency.value));
-    let mut found = Heards { lines: Vec::new(), foldings: Vec::new(), heard: Vec::new() };
-    for (index, (line, folding, fitted)) in lines.into_iter().enumerate() {
-        let heard = fitted.filter(|_| line.decays).and_then(|fitted| Heard::of(index, &fitted, series, sampling.rate));
-        found.heard.extend(heard);
-        found.lines.push(line);
-        found.foldings.push(folding);
-    }
-    found
-}
-
-/// Width of a line at half its power \[Hz\].
-fn width(line: &Line) -> f64 {
-    line.ratio.map_or(0.0, |ratio| 2.0 * ratio.value.abs() * line.frequency.value)
-}
-
-/// A fitted line, where it is sure.
-fn line_of(fitted: &Fitted, series: &[Series], rate: f64) -> Option<(Line, f64)> {
-    let size = fitted.pole.norm();
-    let factor = coverage_factor(0.95, fitted.freedom.max(1.0)).ok()?;
-    let decays = -fitted.pole.re > 3.0 * fitted.standard;
-    // What does not decay is as sure as its stretches are long.
-    let pace = if decays { -fitted.pole.re } else { 10.0 * fitted.standard };
-    if pace < SURE * fitted.standard || fitted.pole.re > 3.0 * fitted.standard || -fitted.pole.re > 0.5 * size {
-        return None;
-    }
-    let power =
-        |n: usize| fitted.amplitudes.iter().filter(|entry| entry.0 == n).map(|entry| entry.2.norm_sqr()).sum::<f64>();
-    let powers: Vec<f64> = (0..series.len()).map(power).collect();
-    let strongest = (0..series.len()).max_by(|&a, &b| powers[a].total_cmp(&powers[b]))?;
-    let others = (0..series.len()).filter(|n| *n != strongest).map(|n| powers[n]).fold(0.0, f64::max);
-    let part = (series.len() == 1 || powers[strongest] > DOMINANT * others).then_some(series[strongest].part);
-    let amplitude = fitted.amplitudes.iter().map(|entry| entry.2.norm()).fold(0.0, f64::max);
-    let line = Line {
-        frequency: Estimate::new(size * rate / TAU, fitted.standard * rate / TAU, factor),
-        ratio: Some(Estimate::new(-fitted.pole.re / size, fitted.standard / size, factor)),
-        decays,
-        amplitude,
-        part,
-        hits: fitted.hits.len(),
-        strength: fitted.strength,
-        meaning: Meaning::Unknown,
-        reason: String::new(),
-        half_power: Err("the line does not decay".to_owned()),
-    };
-    let folding = if decays { -1.0 / (fitted.pole.re * rate) } else { f64::INFINITY };
-    Some((line, folding))
-}
-
-/// A steady line of a spectrum, as sure as the spectrum is fine.
-fn steady_line(peak: &Peak, series: &[Series], spacing: f64) -> Line {
-    Line {
-        frequency: Estimate::new(peak.frequency, 0.25 * spacing, 2.0),
-        ratio: None,
-        decays: false,
-        amplitude: peak.amplitude,
-        part: Some(series[peak.series].part),
-        hits: 0,
-        strength: peak.strength,
-        meaning: Meaning::Unknown,
-        reason: String::new(),
-        half_power: Err("no ring-down in the record".to_owned()),
-    }
-}
-
-fn seen(line: &Line, both: bool) -> Observation {
-    // What does not decay is no candidate for a mode.
-    let weight = if line.decays { line.strength } else { 1e-9 };
-    let part = if both { line.part } else { Some(line.part.unwrap_or(Part::Single(Channel::OutputForce))) };
-    Observation { frequency: line.frequency.value, standard: line.frequency.standard, weight, part }
 }

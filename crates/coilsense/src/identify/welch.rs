@@ -4,6 +4,8 @@
 
 use realfft::RealFftPlanner;
 
+use super::median::median;
+
 /// One-sided power spectral density, Hann-tapered segments half overlapping.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Welch {
@@ -64,10 +66,7 @@ pub(super) fn floor(values: &[f64], least: usize) -> Vec<f64> {
         // A last band that is too thin reaches back into the one before it.
         let wide = if to - from < least { to.saturating_sub(least).max(1)..to } else { from..to };
         let mut band = values[wide].to_vec();
-        let middle = band.len() / 2;
-        let (_, median, _) = band.select_nth_unstable_by(middle, f64::total_cmp);
-        let median = *median;
-        floor[from..to].fill(median);
+        floor[from..to].fill(median(&mut band));
         from = to;
     }
     if let Some(&second) = floor.get(1) {

@@ -5,6 +5,8 @@
 use num_complex::Complex;
 use realfft::RealFftPlanner;
 
+use super::median::median;
+
 /// How many past samples predict the next.
 pub(super) const ORDER: usize = 64;
 /// Samples that are transformed together.
@@ -151,10 +153,5 @@ fn levinson(correlation: &[f64]) -> Vec<f64> {
 /// Standard deviation of what is normal among values, by their median size.
 fn median_deviation(values: impl Iterator<Item = f64>) -> f64 {
     let mut sizes: Vec<f64> = values.map(f64::abs).collect();
-    if sizes.is_empty() {
-        return 0.0;
-    }
-    let middle = sizes.len() / 2;
-    let (_, median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
-    *median / 0.674_490
+    median(&mut sizes) / 0.674_490
 }

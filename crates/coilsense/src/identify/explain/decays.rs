@@ -2,10 +2,11 @@
 //!
 //! Next door: where the lines lie (`place`), the ends (`ends`).
 
-use std::f64::consts::TAU;
-
+use super::fit::sum_of_logs;
 use super::heard::Heard;
-use super::place::{Place, sum_of_logs};
+use super::normal::density;
+use super::place::Place;
+use crate::identify::median::median;
 use crate::identify::phase_law::Law;
 
 /// Scatter of decay rates about a law \[1\], relative, and of those that follow none.
@@ -48,15 +49,16 @@ fn power(place: &Place, heard: &[Heard], exponent: f64) -> f64 {
         .map(|(line, _)| &heard[*line])
         .map(|heard| (heard.decay.ln() - exponent * heard.frequency.ln(), heard.decay_spread.hypot(OFF)))
         .collect();
-    let mut sorted: Vec<f64> = lines.iter().map(|line| line.0).collect();
-    sorted.sort_by(f64::total_cmp);
-    let Some(&middle) = sorted.get(sorted.len() / 2) else { return 0.0 };
+    if lines.is_empty() {
+        return 0.0;
+    }
+    let mut rates: Vec<f64> = lines.iter().map(|line| line.0).collect();
+    let middle = median(&mut rates);
     let mut overall: Vec<f64> = place.modes.iter().map(|(line, _)| heard[*line].decay.ln()).collect();
-    overall.sort_by(f64::total_cmp);
-    let usual = overall[overall.len() / 2];
+    let usual = median(&mut overall);
     let gain = |(line, of): (&(f64, f64), &(usize, usize))| {
-        let strange = normal(heard[of.0].decay.ln() - usual, line.1.hypot(STRANGE)).max(1e-6);
-        ((1.0 - DISTURBED) * normal(line.0 - middle, line.1) + DISTURBED * strange).ln() - strange.ln()
+        let strange = density(heard[of.0].decay.ln() - usual, line.1.hypot(STRANGE)).max(1e-6);
+        ((1.0 - DISTURBED) * density(line.0 - middle, line.1) + DISTURBED * strange).ln() - strange.ln()
     };
     let all: f64 = lines.iter().zip(&place.modes).map(gain).sum();
     // The rate itself is learnt from one line.
@@ -70,8 +72,8 @@ fn sizes(place: &Place, heard: &[Heard], fall: impl Fn(f64) -> f64) -> f64 {
     let first = heard[lowest].loudness.ln();
     let each = place.modes[1..].iter().filter(|(line, _)| heard[*line].sized).map(|&(line, mode)| {
         let ratio = 0.5 * (heard[line].loudness.ln() - first);
-        (normal(ratio + fall(mode as f64) - fall(begin as f64), SIZES_OFF).max(1e-6) / normal(ratio, STRANGE).max(1e-6))
-            .ln()
+        let of_multiples = density(ratio + fall(mode as f64) - fall(begin as f64), SIZES_OFF).max(1e-6);
+        (of_multiples / density(ratio, STRANGE).max(1e-6)).ln()
     });
     each.sum()
 }
@@ -99,7 +101,7 @@ fn amplitudes(place: &Place, heard: &[Heard]) -> f64 {
         let spread_about = |power: f64, spread: f64| {
             let left: Vec<f64> = pairs.iter().map(|(own, other)| other - power * own).collect();
             let mean = left.iter().sum::<f64>() / left.len() as f64;
-            left.iter().map(|l| normal(l - mean, spread).max(1e-6).ln()).sum::<f64>()
+            left.iter().map(|l| density(l - mean, spread).max(1e-6).ln()).sum::<f64>()
         };
         let wanted = spread_about(mode as f64, AMPLITUDE_OFF);
         let free =
@@ -107,8 +109,4 @@ fn amplitudes(place: &Place, heard: &[Heard]) -> f64 {
         sum += (wanted - free).clamp(-8.0, 6.0);
     }
     sum
-}
-
-fn normal(x: f64, spread: f64) -> f64 {
-    (-0.5 * (x / spread).powi(2)).exp() / (TAU.sqrt() * spread)
 }

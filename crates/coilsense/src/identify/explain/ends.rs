@@ -4,8 +4,11 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::fit::sum_of_logs;
 use super::heard::{Ends, Heard};
+use super::normal::density;
 use super::place::Place;
+use crate::identify::median::median;
 use crate::identify::phase_law::{Law, Seat, mode_of};
 
 /// How far sizes at both ends may be off what the law says \[1\], relative: each is tried.
@@ -86,7 +89,8 @@ pub(super) fn of_rival(place: &Place, heard: &[Heard]) -> f64 {
     };
     let alike = pairs(|_| false);
     // One motion's gain to either end is anything.
-    let middle = median(alike.iter().map(|pair| pair.ends.ratio).collect());
+    let mut ratios: Vec<f64> = alike.iter().map(|pair| pair.ends.ratio).collect();
+    let middle = median(&mut ratios);
     let alike: Vec<Pair> = alike.into_iter().map(|pair| Pair { ratio: middle, ..pair }).collect();
     let turn = |told: Told| told.evidence - if told.turned { TURNED } else { 0.0 };
     let by_turns = match place.trial.law {
@@ -124,7 +128,8 @@ pub(super) fn delay(place: &Place, heard: &[Heard], turned: Option<bool>) -> Opt
 
 /// ln of the sensors' relative gain.
 fn offset(pairs: &[Pair]) -> f64 {
-    median(pairs.iter().map(|pair| pair.ends.ratio - pair.ratio).collect())
+    let mut gains: Vec<f64> = pairs.iter().map(|pair| pair.ends.ratio - pair.ratio).collect();
+    median(&mut gains)
 }
 
 /// The likelier sign, and the evidence with it.
@@ -136,7 +141,7 @@ fn judge(pairs: &[Pair], turned: Option<bool>) -> Told {
     let gains = if pairs[0].ends.sized { -0.5 * (offset / GAINS).powi(2).min(12.0) } else { 0.0 };
     let at = |turned: bool| {
         let levels = OFF.map(|off| pairs.iter().map(|pair| gain(pair, off, offset, 0.0, turned)).sum::<f64>());
-        super::place::sum_of_logs(&levels) - (OFF.len() as f64).ln() + gains
+        sum_of_logs(&levels) - (OFF.len() as f64).ln() + gains
     };
     if let Some(turned) = turned {
         return Told { evidence: at(turned), turned };
@@ -150,26 +155,14 @@ fn gain(pair: &Pair, off: f64, offset: f64, delay: f64, turned: bool) -> f64 {
     let phase_spread = pair.ends.spread.hypot(PHASE_OFF);
     let wanted = if pair.opposite != turned { PI } else { 0.0 } - pair.angular * delay;
     let wrapped = |angle: f64| (angle + PI).rem_euclid(TAU) - PI;
-    let about = |angle: f64| normal(wrapped(pair.ends.phase - angle), phase_spread).max(1e-12);
+    let about = |angle: f64| density(wrapped(pair.ends.phase - angle), phase_spread).max(1e-12);
     let size = |off: f64| {
-        if pair.ends.sized { normal(pair.ends.ratio - pair.ratio - offset, pair.ends.spread.hypot(off)) } else { 1.0 }
+        if pair.ends.sized { density(pair.ends.ratio - pair.ratio - offset, pair.ends.spread.hypot(off)) } else { 1.0 }
     };
     let strange_size =
-        if pair.ends.sized { normal(pair.ends.ratio, pair.ends.spread.hypot(STRANGE)).max(1e-6) } else { 1.0 };
+        if pair.ends.sized { density(pair.ends.ratio, pair.ends.spread.hypot(STRANGE)).max(1e-6) } else { 1.0 };
     let strange_phase = 0.35 * (about(0.0) + about(PI)) + 0.3 / TAU;
     let strange = strange_phase * strange_size;
     let own = about(wanted).min(1.0 / phase_spread) * size(off);
     ((1.0 - DISTURBED) * own + DISTURBED * strange).ln() - strange.ln()
-}
-
-fn normal(x: f64, spread: f64) -> f64 {
-    (-0.5 * (x / spread).powi(2)).exp() / (TAU.sqrt() * spread)
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use crate::identify::refine::Fitted;
+use crate::identify::fitted::Fitted;
 use crate::identify::ringing::{Part, Series};
 
 /// One line that decays.
