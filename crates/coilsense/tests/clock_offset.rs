@@ -207,7 +207,8 @@ fn one_second_that_moves_in_ten_minutes_is_refused() {
     let first = drifting(&early, (0.0, 0.0), 60_000, 100.0, 0.01, random);
     let second = drifting(&early, (-0.25, 0.0), 60_000, 100.0, 0.01, random);
     let message = ClockOffset::between(&first, &second, [0.0, 0.0], 0.01).unwrap_err().to_string();
-    assert!(message.contains("hardly tell"), "{message}");
+    let refused = ["hardly tell", "the noise is too large"];
+    assert!(refused.iter().any(|why| message.contains(why)), "{message}");
 }
 
 #[test]

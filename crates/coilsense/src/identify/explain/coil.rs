@@ -68,6 +68,15 @@ pub(in crate::identify) struct Coil {
 }
 
 impl Coil {
+    /// Doubts f1 where a coil between held ends with other windings than were said explains as much, with another \[Hz\].
+    pub(super) fn or_held(&mut self, other: Option<f64>) {
+        let Some(other) = other else { return };
+        if (other / self.first - 1.0).abs() > ELSEWHERE {
+            self.moved = self.moved.max(0.5);
+            self.range = (self.range.0.min(other), self.range.1.max(other));
+        }
+    }
+
     /// f1's range with what the rest of the ringing may do to it.
     pub(super) fn disturbed(&mut self) {
         let off = DISTURBED * (1.0 - self.share).max(0.0).sqrt() * self.first;

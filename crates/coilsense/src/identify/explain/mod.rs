@@ -26,6 +26,7 @@ mod room;
 mod search;
 mod trial;
 
+use crate::identify::ModeSeries;
 pub(super) use coil::Coil;
 use coil::{coil_of, second};
 use explanation::{Cause, Explanation};
@@ -56,6 +57,9 @@ pub(super) struct Weighed {
     pub(super) rival: String,
 }
 
+/// Evidence by which windings that were said are believed beside a simpler coil with others \[nats\].
+const SAID: f64 = 3.0;
+
 /// Weighs what may be the cause of the lines; `top`: highest frequency at which lines are heard \[Hz\].
 pub(super) fn weigh(heard: &[Heard], known: &Known, top: f64) -> Weighed {
     let mut room = Room { heard, top };
@@ -83,6 +87,7 @@ pub(super) fn weigh(heard: &[Heard], known: &Known, top: f64) -> Weighed {
         rival: rival.map_or_else(|| "lines that have nothing in common".to_owned(), Explanation::name),
     };
     let mut other_windings = None;
+    let mut unsaid = None;
     if known.windings.is_some() && heard.len() > 1 {
         // What was said of N is held against what the lines want.
         let free = Known { windings: None, mounts: known.mounts.clone(), ..*known };
@@ -92,6 +97,10 @@ pub(super) fn weigh(heard: &[Heard], known: &Known, top: f64) -> Weighed {
         if wanted > said.max(0.0) + 7.0 {
             other_windings = without.first().map(|coil| coil.windings());
             coils = without;
+        } else {
+            // A mount may stand for the windings that are there.
+            let held = without.iter().find(|coil| coil.mode_series() == ModeSeries::HeldHeld);
+            unsaid = held.filter(|coil| coil.total + SAID > said).map(|coil| coil.first().0);
         }
     }
     weighed.ranked = names(&room, coils.iter().chain(&rivals));
@@ -101,6 +110,7 @@ pub(super) fn weigh(heard: &[Heard], known: &Known, top: f64) -> Weighed {
         coil.delay = late.unwrap_or(0.0);
         second(heard, known, top, &mut coil);
         coil.disturbed();
+        coil.or_held(unsaid);
         weighed.coil = Some(coil);
     }
     weighed
