@@ -46,6 +46,8 @@ const LEFT: f64 = 0.3;
 /// Over which forces are averaged where no line is fitted \[s\], and what of F_nom does not matter then.
 const MEAN: f64 = 0.2;
 const SMALL: f64 = 0.005;
+/// What the mean of F_i does not tell from nothing, ringing and all, in F_nom.
+const UNTOLD: f64 = 1e-3;
 /// Mean error of F_i that is told as one, in F_nom.
 const LARGE: f64 = 0.03;
 
@@ -74,8 +76,15 @@ impl Recorded {
             None => (mean(&lengths), mean(force)),
         };
         let found = spring.rest_length() + f / spring.stiffness() - x;
-        let length_at_zero = asked.length_at_zero.unwrap_or(found);
-        notes.push(where_zero(&spring, asked.length_at_zero, found));
+        // What the mean of F_i does not tell from zero is none.
+        let is_length = (spring.stiffness() * found).abs() <= UNTOLD * spring.nominal_force();
+        let length_at_zero = asked.length_at_zero.unwrap_or(if is_length { 0.0 } else { found });
+        notes.push(match asked.length_at_zero {
+            None if is_length => {
+                "u2 − u1 is taken for the coil's length: the mean of F_i agrees with it to 0.1 % of F_nom.".to_owned()
+            }
+            given => where_zero(&spring, given, found),
+        });
         let each = force.iter().zip(first).zip(&second);
         let measured =
             each.map(|((force, first), second)| Measured { force: *force, ends: [*first, *second + length_at_zero] });
