@@ -2,12 +2,14 @@
 //!
 //! | ours | beside it |
 //! |---|---|
-//! | `helix::Modes` | figures of an independent program of the same rod (`figures`), straight finite elements by their counts |
+//! | `helix::Modes`, `helix::Helix` | straight beam elements of another formulation, extrapolated (`elements`) |
+//! | `helix::Modes` | figures of an independent program of the same rod (`figures`) |
 //! | `helix::Helix` | closed forms of a wire that neither shears nor extends, textbook couple of the unloaded helix (`limits`) |
 //! | `helix::Modes` | straight beam, bar, shaft, column that buckles (`limits`) |
 //! | `helix::Response` | the static state at a length nearby, residues of its own modes (`laws`) |
 
 mod cases;
+mod elements;
 mod figures;
 mod laws;
 mod limits;
