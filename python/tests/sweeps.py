@@ -7,6 +7,7 @@ import coilsense
 SPEC = """
 [spring]
 name = "S_T"
+model = "chain"
 rest_length = "104 mm"
 windings = 52
 coil_radius = "8 mm"

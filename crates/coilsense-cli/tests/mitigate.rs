@@ -6,6 +6,7 @@ use std::process::{Command, Output};
 const SPEC: &str = r#"
 [spring]
 name = "S_T"
+model = "chain"
 rest_length = "104 mm"
 windings = 52
 coil_radius = "8 mm"

@@ -32,6 +32,9 @@ pub mod series;
 /// All files of a command to their places, or none.
 pub mod output;
 
+/// A coil as a helix, its ends held as they are.
+pub mod helix;
+
 /// A TOML file to a checked input model.
 pub mod spec;
 

@@ -73,8 +73,19 @@ fn keys(value: &Value) -> Vec<String> {
 fn spring_as_json_is_for_machines() {
     let (_place, spec) = place("");
     let sheet: Value = serde_json::from_str(&done(&["spring", path(&spec), "--json"])).unwrap();
-    assert_eq!(sheet["schema"], "coilsense/data-sheet/1");
+    assert_eq!(sheet["schema"], "coilsense/data-sheet/2");
     assert_eq!(sheet["nominal_force_n"], 760.0 * (0.264 - 0.104));
+    let lengths = sheet["modes_at"].as_array().unwrap();
+    assert_eq!(lengths.iter().map(|at| at["length_m"].as_f64().unwrap()).collect::<Vec<_>>(), [0.196, 0.230, 0.264]);
+    for at in lengths {
+        let modes = at["modes"].as_array().unwrap();
+        let first = |kind: &str| modes.iter().find(|mode| mode["kind"] == kind).unwrap();
+        assert!(modes.len() >= 10 && first("axial")["axial_strength"].as_f64().unwrap() > 0.9);
+        assert!((first("torsional")["frequency_hz"].as_f64().unwrap() - 60.8).abs() < 0.3);
+        for key in ["side_force_n_per_n", "couple_m"] {
+            assert!(first("lateral")[key].as_f64().unwrap() > first("axial")[key].as_f64().unwrap(), "{key}");
+        }
+    }
     let snake = |key: &String| key.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
     let others: Vec<String> = keys(&sheet).into_iter().filter(|key| !snake(key)).collect();
     assert!(others.is_empty(), "{others:?}");
@@ -85,7 +96,7 @@ fn a_spring_that_is_not_there_is_refused() {
     assert!(refused(&["spring", "none.toml"]).starts_with("error: none.toml: cannot be read: "));
     let (_place, spec) = place("[mount]\nend2 = \"loose\"\n");
     let message = refused(&["spring", path(&spec)]);
-    assert!(message.contains("spec.toml:16: end2 = \"loose\": must be one of"), "{message}");
+    assert!(message.contains("spec.toml:17: end2 = \"loose\": must be one of"), "{message}");
 }
 
 #[test]

@@ -179,9 +179,9 @@ fn untold(analysis: &Analysis) -> Option<String> {
             format!("{} in {place} ({nominal} N on the nominal spring, {most} N on the worst)", name(analysis, verdict))
         })
         .collect();
-    let spring = &analysis.spec.spring.spring;
+    let spring = &analysis.spec.spring;
     let (low, high) = spring.first_frequency_band();
-    let (low, high, chain) = (digits(low), digits(high), digits(spring.chain_frequency()));
+    let (low, high, chain) = (digits(low), digits(high), digits(spring.spring.chain_frequency()));
     (!each.is_empty()).then(|| {
         format!(
             "How far off cannot be told more closely for {}: it hangs on the first surge frequency, which for this coil may be {low} to {high} Hz \

@@ -46,6 +46,7 @@ pub use budget::SensorBudget;
 pub use case::{Case, Reading};
 pub use change::Fix;
 pub use frames::Frames;
+pub(crate) use resonance::lines;
 pub use single::Single;
 pub use verdict::{Assessment, GoalFilter, Verdict};
 pub use warnings::{Subject, Warning};
@@ -203,6 +204,7 @@ fn judged_sensors(spec: &Spec) -> Vec<SensorSpec> {
 /// # Errors
 /// As [`study::enough_masses`].
 pub(crate) fn prepare(spec: &mut Spec) -> Result<Masses, Error> {
+    spec.spring.look_up_surges(&spec.mount.ends);
     study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions)
 }
 

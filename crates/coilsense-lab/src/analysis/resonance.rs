@@ -13,7 +13,7 @@ use super::response::Responses;
 use super::verdict::Verdict;
 use super::warnings::{Subject, Warning};
 use crate::quantity::digits;
-use crate::spec::SensorSpec;
+use crate::spec::{SensorSpec, Spec};
 use crate::study::Masses;
 
 /// An error that grows by less than this from the nominal spring to the loudest is no resonance.
@@ -27,7 +27,7 @@ pub(super) fn of(
     responses: &[Responses],
 ) -> Result<Vec<Warning>, Error> {
     let each = (0..judge.spec.conditions.len()).map(|condition| {
-        let lines = lines(judge, condition);
+        let lines = lines(judge.spec, condition);
         let text = match lines.is_empty() {
             true => by_response(judge, sensors, verdicts, responses, condition),
             false => by_lines(judge, condition, &lines)?,
@@ -49,8 +49,8 @@ pub(super) fn without_limit(masses: &Masses) -> Option<Warning> {
 }
 
 /// Frequencies of the sines that drive the ends \[Hz\].
-fn lines(judge: &Judge<'_>, condition: usize) -> Vec<f64> {
-    let excitation = &judge.spec.conditions[condition].excitation;
+pub(crate) fn lines(spec: &Spec, condition: usize) -> Vec<f64> {
+    let excitation = &spec.conditions[condition].excitation;
     let of = |end| match excitation.input(end).content() {
         Content::Lines(sines) => sines.iter().filter(|sine| sine.amplitude != 0.0).map(|s| s.frequency).collect(),
         Content::Nothing | Content::Broad => Vec::new(),

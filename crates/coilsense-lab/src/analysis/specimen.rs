@@ -3,9 +3,7 @@
 //! Next door: the tolerances (`spec::Tolerances`), how far a sensor is off on such a spring (`response`), what that makes of a verdict
 //! (`spread`).
 
-use coilsense::Spring;
-
-use crate::spec::{Departure, Spec, TOLERANCE_DIMENSIONS, Tolerances};
+use crate::spec::{Departure, Spec, SpringSpec, TOLERANCE_DIMENSIONS, Tolerances};
 
 /// A change of stiffness at the same surge frequencies, and of surge frequencies at the same stiffness: ln κ and ln s.
 pub(super) type Change = [f64; 2];
@@ -66,9 +64,9 @@ impl Specimens {
     /// Source:   the generalised golden ratio, a Kronecker sequence; `[Niederreiter1992]` for its discrepancy.
     /// Valid:    up to some ten numbers.
     /// Accuracy: mean squares of smooth responses to 0.1 % from 256 points.
-    pub fn of(spring: &Spring, tolerances: &Tolerances, count: usize) -> Self {
+    pub fn of(spring: &SpringSpec, tolerances: &Tolerances, count: usize) -> Self {
         let (lowest, highest) = spring.first_frequency_band();
-        let of_model = spring.chain_frequency();
+        let of_model = spring.spring.chain_frequency();
         let varied = varied(tolerances);
         let steps = steps(varied.len() + 1);
         let coil = [lowest / of_model, highest / of_model];
@@ -133,7 +131,7 @@ pub(super) struct Springs {
 impl Springs {
     /// Of a spec, within other tolerances than its own where they are given.
     pub fn of(spec: &Spec, tolerances: &Tolerances, count: usize) -> Self {
-        let specimens = Specimens::of(&spec.spring.spring, tolerances, count);
+        let specimens = Specimens::of(&spec.spring, tolerances, count);
         Self { as_chains: None, specimens, one_by_one: false }
     }
 

@@ -84,7 +84,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
         warnings.extend(range(spec, index, sensor, cases));
     }
     warnings.extend(temperature(spec, sensors));
-    warnings.extend(sheet.neighbour_warnings().into_iter().map(|text| Warning { subject: Subject::Neighbour, text }));
+    warnings.extend(sheet.beyond_axial.iter().map(|text| Warning { subject: Subject::Neighbour, text: text.clone() }));
     Ok(warnings)
 }
 

@@ -178,21 +178,16 @@ pub(super) fn changed(spring: &Spring, [stiffness, frequencies]: Change) -> Resu
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::SpringSpec;
+
+    fn spec() -> SpringSpec {
+        let text = "[spring]\nname = \"valve\"\nrest_length = \"41 mm\"\nwindings = 6\ncoil_radius = \"16.9 mm\"\nwire_radius = \"2.5 mm\"\n\
+                    mass = \"97 g\"\nstiffness = \"27 kN/m\"\nmin_length = \"36 mm\"\nmax_length = \"40 mm\"\nend_type = \"open-ground\"\n";
+        SpringSpec::parse("valve.toml", text).unwrap()
+    }
 
     fn spring() -> Spring {
-        Spring::new(SpringParameters {
-            rest_length: 0.041,
-            windings: 6.0,
-            coil_radius: 0.0169,
-            wire_radius: 0.0025,
-            mass: 0.097,
-            stiffness: 27e3,
-            min_length: 0.056,
-            max_length: 0.067,
-            nominal_force: None,
-            inductance_windings: None,
-        })
-        .unwrap()
+        spec().spring
     }
 
     #[test]
@@ -223,7 +218,7 @@ mod tests {
 
     #[test]
     fn springs_on_a_line_go_along_it() {
-        let mut specimens = Specimens::of(&spring(), &crate::spec::Tolerances::default(), 3);
+        let mut specimens = Specimens::of(&spec(), &crate::spec::Tolerances::default(), 3);
         for (specimen, x) in specimens.each.iter_mut().zip([-0.04, 0.0, 0.02]) {
             specimen.change = [0.6 * x, 0.8 * x];
         }

@@ -1,14 +1,11 @@
-//! Surge frequencies on every mount, and what else swings near them.
+//! Surge frequencies of the axial model on every mount.
 //!
-//! Next door: single numbers of the data sheet (`rows`).
+//! Next door: single numbers of the data sheet (`rows`), all modes of the helix (`modes`).
 
 use std::f64::consts::TAU;
 
 use coilsense::modes::{ChainModes, continuous_frequencies, third_rule_error};
-use coilsense::neighbours::{lateral_frequency, torsional_frequency};
 use coilsense::{Error, FarEnd, Spring};
-
-use crate::spec::SpringSpec;
 
 /// Surge frequencies on a mount.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -61,32 +58,4 @@ fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool)
             .collect(),
         third_rule_error_percent,
     })
-}
-
-/// A motion that the axial model leaves out: ends held in place, free to tilt.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
-pub struct Neighbour {
-    /// `torsional` or `lateral`.
-    pub name: &'static str,
-    /// At which length, where that matters.
-    pub place: String,
-    /// Its first frequency \[Hz\], an estimate; `None` where the spring buckles.
-    pub frequency_hz: Option<f64>,
-}
-
-/// Torsional, and lateral at both ends and in the middle of the range.
-pub(super) fn neighbours(spring: &SpringSpec) -> Result<Vec<Neighbour>, Error> {
-    let (geometry, mass) = (&spring.geometry, spring.spring.mass());
-    let torsional = torsional_frequency(geometry, mass)?;
-    let mut all =
-        vec![Neighbour { name: "torsional", place: "(at any length)".to_owned(), frequency_hz: Some(torsional) }];
-    let (shortest, longest) = spring.spring.operating_range();
-    for length in [shortest, spring.spring.mid_length(), longest] {
-        let force = spring.spring.static_force(length);
-        // The only error left here is a push beyond buckling.
-        let frequency_hz = lateral_frequency(geometry, mass, length, force).ok();
-        all.push(Neighbour { name: "lateral", place: format!("at {:.1} mm", 1e3 * length), frequency_hz });
-    }
-    Ok(all)
 }

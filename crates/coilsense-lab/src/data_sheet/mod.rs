@@ -1,15 +1,17 @@
-//! What follows from a spring alone: rate, mass, stress, lengths, surge frequencies, and the neighbours that the axial model leaves out.
+//! What follows from a spring alone: rate, mass, stress, lengths, surge frequencies, and every mode of the coil as a helix.
 //!
-//! Next door: the formulas (`coilsense::{geometry, modes, neighbours}`), how the sheet is shown (`report`).
+//! Next door: the formulas (`coilsense::{geometry, modes, helix}`), how the sheet is shown (`report`).
 
 mod frequencies;
+mod reach;
 mod rows;
 
-pub use frequencies::{MountFrequencies, Neighbour};
+pub use frequencies::MountFrequencies;
 pub use rows::Row;
 
 use coilsense::Error;
 
+use crate::helix::ModesAt;
 use crate::quantity::digits;
 use crate::spec::{Spec, SpringSpec};
 
@@ -24,8 +26,10 @@ pub struct DataSheet {
     pub groups: Vec<(&'static str, Vec<Row>)>,
     /// Surge frequencies on every mount.
     pub surge: Vec<MountFrequencies>,
-    /// What else the spring can do than surge.
-    pub neighbours: Vec<Neighbour>,
+    /// Every mode at the shortest, the middle and the longest length; none of a spring that is no helix there, which `doubts` then says.
+    pub modes_at: Vec<ModesAt>,
+    /// What of these the axial model leaves out, a sentence each.
+    pub beyond_axial: Vec<String>,
     /// Length with all windings touching \[m\].
     pub solid_length: f64,
     /// What does not fit together, a sentence each.
@@ -34,13 +38,15 @@ pub struct DataSheet {
 
 /// From so large a departure on, stiffness or mass are not those of the wire, coil and material that the spec names.
 const DOUBTFUL: f64 = 0.05;
+/// Error that is asked for where a spec has no goal, as a share.
+const USUAL_GOAL: f64 = 0.01;
 
 /// What does not fit together in a spring.
 fn doubts(spring: &SpringSpec) -> Vec<String> {
     let mut doubts = Vec::new();
     let both = [
         ("k", spring.geometry.stiffness(), spring.spring.stiffness(), 1.0, "N/m"),
-        ("m", spring.geometry.active_mass(), spring.spring.mass(), 1e3, "g"),
+        ("m", spring.geometry.active_mass(), spring.mass, 1e3, "g"),
     ];
     for (letter, wound, given, scale, unit) in both {
         let departure = wound / given - 1.0;
@@ -66,40 +72,27 @@ impl DataSheet {
         let spring = &spec.spring;
         let assumed = if spring.material_is_given { "" } else { " (assumed)" };
         let solid = spring.solid_length();
+        let surge = frequencies::on_every_mount(&spring.spring, spec.mount.far_end())?;
+        let mut doubts = doubts(spring);
+        let coil = spring.helix(&spec.mount.ends);
+        let modes_at =
+            coil.as_ref().map_err(Clone::clone).and_then(|coil| coil.over_lengths(3)).unwrap_or_else(|error| {
+                doubts
+                    .push(format!("the coil cannot be followed as a helix ({error}): only its axial modes are told."));
+                Vec::new()
+            });
+        let own = surge.iter().find(|mount| mount.is_the_specs).and_then(|mount| mount.chain_hz.first().copied());
+        let goal = spec.goal.error.map_or(USUAL_GOAL, |error| error / spring.spring.nominal_force());
+        let model = spring.spring.chain_frequency();
         Ok(Self {
             name: spring.name.clone(),
             material: format!("{}{assumed}", spring.material),
-            groups: rows::groups(spring, solid)?,
-            surge: frequencies::on_every_mount(&spring.spring, spec.mount.far_end())?,
-            neighbours: frequencies::neighbours(spring)?,
+            groups: rows::groups(spring, solid, coil.as_ref().ok(), &modes_at)?,
+            surge,
+            beyond_axial: reach::warnings(&modes_at, model, own.unwrap_or(f64::INFINITY), goal),
+            modes_at,
             solid_length: solid,
-            doubts: doubts(spring),
+            doubts,
         })
-    }
-
-    /// A sentence for each kind of neighbour that lies below the first surge on the spec's own mount.
-    pub fn neighbour_warnings(&self) -> Vec<String> {
-        let Some(own) = self.surge.iter().find(|mount| mount.is_the_specs) else { return Vec::new() };
-        let first = own.chain_hz.first().copied().unwrap_or(f64::INFINITY);
-        let mut sentences = Vec::new();
-        for name in ["torsional", "lateral"] {
-            let of_name = self.neighbours.iter().filter(|neighbour| neighbour.name == name);
-            let lowest = of_name.filter_map(|n| Some((n.frequency_hz?, &n.place))).min_by(|a, b| a.0.total_cmp(&b.0));
-            if let Some((frequency, place)) = lowest.filter(|(frequency, _)| *frequency < first) {
-                sentences.push(format!(
-                    "{name} motion starts at about {frequency:.0} Hz {place}, below the first axial mode of {first:.1} Hz: the axial \
-                     model leaves it out (an estimate)."
-                ));
-            }
-        }
-        let buckled: Vec<&str> =
-            self.neighbours.iter().filter(|n| n.frequency_hz.is_none()).map(|n| n.place.as_str()).collect();
-        if !buckled.is_empty() {
-            sentences.push(format!(
-                "the spring may buckle {} where its ends can tilt (flat seats and guides prevent it); the axial model leaves that out.",
-                buckled.join(" and ")
-            ));
-        }
-        sentences
     }
 }

@@ -1,10 +1,12 @@
 //! Single numbers of a data sheet, under headings.
 //!
-//! Next door: frequencies (`frequencies`).
+//! Next door: frequencies of the axial model (`frequencies`).
 
 use coilsense::Error;
+use coilsense::helix::buckling_length;
 use coilsense::inductance::MaxwellSum;
 
+use crate::helix::{Coil, ModesAt};
 use crate::spec::SpringSpec;
 
 /// One number: for machines in SI, for people in the unit they use.
@@ -46,14 +48,53 @@ impl Row {
     }
 }
 
-pub(super) fn groups(spec: &SpringSpec, solid_length: f64) -> Result<Vec<(&'static str, Vec<Row>)>, Error> {
+pub(super) fn groups(
+    spec: &SpringSpec,
+    solid_length: f64,
+    coil: Option<&Coil>,
+    modes_at: &[ModesAt],
+) -> Result<Vec<(&'static str, Vec<Row>)>, Error> {
     Ok(vec![
         ("Spring", of_spring(spec)),
         ("Lengths", of_lengths(spec, solid_length)),
         ("Stress", of_stress(spec)),
         ("Surge wave", of_wave(spec)),
+        ("Force of the helix", of_helix(spec, coil, modes_at)?),
         ("Inductance", of_inductance(spec)),
     ])
+}
+
+/// The static force of the wire as a helix, where it is one.
+fn of_helix(spec: &SpringSpec, coil: Option<&Coil>, modes_at: &[ModesAt]) -> Result<Vec<Row>, Error> {
+    let (Some(coil), [shortest, middle, longest]) = (coil, modes_at) else { return Ok(Vec::new()) };
+    let slope = |at: &ModesAt| at.held.stiffness_n_per_m;
+    let from_rest = middle.held.force_n / (middle.length_m - spec.spring.rest_length());
+    let mut rows = vec![
+        Row::new("stiffness_at_min_n_per_m", "slope of the force at the shortest length", slope(shortest), 1.0, "N/m"),
+        Row::new(
+            "stiffness_at_mid_n_per_m",
+            "the same at mid range: what a fit in use finds",
+            slope(middle),
+            1.0,
+            "N/m",
+        ),
+        Row::new("stiffness_at_max_n_per_m", "the same at the longest length", slope(longest), 1.0, "N/m"),
+        Row::new("force_at_mid_n", "force at mid range", middle.held.force_n, 1.0, "N"),
+        Row::new("stiffness_from_rest_n_per_m", "F/(l − l0) at mid range: not the slope", from_rest, 1.0, "N/m"),
+    ];
+    if !spec.geometry.parameters().end_type.is_extension() {
+        let ways = [
+            (Some(&coil.ways.0), "buckling_length_m", "length at which it buckles, ends as held"),
+            (coil.ways.1.as_ref(), "buckling_length_loosest_m", "the same with ends as loose as may be"),
+        ];
+        for (way, key, label) in ways {
+            let Some(way) = way else { continue };
+            if let Some(span) = buckling_length(&coil.rod, way.ends(), way.turning())? {
+                rows.push(Row::new(key, label, span + coil.dead_length, MM, "mm"));
+            }
+        }
+    }
+    Ok(rows)
 }
 
 const MM: f64 = 1e3;
@@ -62,7 +103,7 @@ fn of_spring(spec: &SpringSpec) -> Vec<Row> {
     let (spring, geometry) = (&spec.spring, &spec.geometry);
     let mut rows = vec![
         Row::new("stiffness_n_per_m", "k, spring rate", spring.stiffness(), 1.0, "N/m"),
-        Row::new("mass_kg", "m, mass of the active windings", spring.mass(), 1e3, "g"),
+        Row::new("mass_kg", "m, mass of the active windings", spec.mass, 1e3, "g"),
         Row::new("windings", "N, active windings", spring.windings(), 1.0, ""),
         Row::new("wire_diameter_m", "d, wire diameter", spring.wire_diameter(), MM, "mm"),
         Row::new("coil_diameter_m", "D, mean coil diameter", 2.0 * spring.coil_radius(), MM, "mm"),
@@ -70,15 +111,7 @@ fn of_spring(spec: &SpringSpec) -> Vec<Row> {
         Row::new("nominal_force_n", "F_nom, largest static force in use", spring.nominal_force(), 1.0, "N"),
     ];
     if spec.by_geometry {
-        let mid = spring.mid_length();
         rows.push(Row::new("total_mass_kg", "mass of all windings", geometry.total_mass(), 1e3, "g"));
-        rows.push(Row::new(
-            "pitch_corrected_stiffness_n_per_m",
-            "k at mid range with the pitch of the helix",
-            geometry.pitch_corrected_stiffness(mid),
-            1.0,
-            "N/m",
-        ));
     } else {
         let (stiffness, mass) = (geometry.stiffness(), geometry.active_mass());
         rows.push(Row::new("stiffness_by_geometry_n_per_m", "k that wire and coil would give", stiffness, 1.0, "N/m"));
@@ -152,6 +185,8 @@ fn of_stress(spec: &SpringSpec) -> Vec<Row> {
 
 fn of_wave(spec: &SpringSpec) -> Vec<Row> {
     let spring = &spec.spring;
+    let (lowest, highest) = spec.first_frequency_band();
+    let bar = 0.5 * (spring.stiffness() / spec.mass).sqrt();
     vec![
         Row::new(
             "surge_frequency_hz",
@@ -160,6 +195,7 @@ fn of_wave(spec: &SpringSpec) -> Vec<Row> {
             1.0,
             "Hz",
         ),
+        Row::new("bar_frequency_hz", "½√(k/m), that of a uniform bar", bar, 1.0, "Hz"),
         Row::new(
             "model_frequency_hz",
             "first frequency of the chain that is used",
@@ -168,20 +204,8 @@ fn of_wave(spec: &SpringSpec) -> Vec<Row> {
             "Hz",
         ),
         Row::new("masses_per_winding", "masses of that chain per winding", spring.masses_per_winding() as f64, 1.0, ""),
-        Row::new(
-            "lowest_first_frequency_hz",
-            "f1 of the real coil, lower bound",
-            spring.first_frequency_band().0,
-            1.0,
-            "Hz",
-        ),
-        Row::new(
-            "highest_first_frequency_hz",
-            "f1 of the real coil, upper bound",
-            spring.first_frequency_band().1,
-            1.0,
-            "Hz",
-        ),
+        Row::new("lowest_first_frequency_hz", "f1 of the coil as a helix, lowest in use", lowest, 1.0, "Hz"),
+        Row::new("highest_first_frequency_hz", "f1 of the coil as a helix, highest in use", highest, 1.0, "Hz"),
         Row::new(
             "surge_frequency_en13906_hz",
             "the same by EN 13906-1, from wire and coil",

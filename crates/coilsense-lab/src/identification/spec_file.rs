@@ -63,6 +63,7 @@ pub fn spec_file(identified: &Identified, coil: &Coil) -> Result<String, SpecFil
         interval(&time, 1e3)
     );
     let _ = writeln!(text, "\n[spring]\nname = \"identified\"");
+    let _ = writeln!(text, "model = \"chain\"           # its mass is the one that gives the measured first frequency");
     let _ = writeln!(text, "rest_length = \"{:.7} m\"  # {} mm", rest.value, interval(&rest, 1e3));
     let _ = writeln!(text, "min_length = \"{shortest:.6} m\"   # the range of the log");
     let _ = writeln!(text, "max_length = \"{longest:.6} m\"");

@@ -93,8 +93,9 @@ impl<'a> Draft<'a> {
     /// What forces follow from.
     pub fn core(&self, files: &Files<'_>) -> Result<Core, SpecError> {
         let document = &self.document;
-        let spring = SpringSpec::of(&document.section("spring")?)?;
-        let mount = MountSpec::parse(document, &spring.spring)?;
+        let mut spring = SpringSpec::of(&document.section("spring")?)?;
+        let mount = MountSpec::parse(document, &spring.spring, spring.geometry.parameters().end_type)?;
+        spring.follow_helix(&mount.ends);
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })

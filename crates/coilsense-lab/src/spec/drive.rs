@@ -143,7 +143,7 @@ mod tests {
         let read = |keys: &str| {
             let text = format!("[[condition]]\nkind = \"step\"\nend = 2\n{keys}");
             let document = Document::parse("toy.toml", &text)?;
-            let mount = MountSpec::parse(&document, &spring)?;
+            let mount = MountSpec::parse(&document, &spring, coilsense::geometry::EndType::Hooks)?;
             let (files, recordings) = (|_: &str| Err("no files".to_owned()), Recordings::default());
             let setting = Setting { spring: &spring, mount: &mount, files: &files, recordings: &recordings };
             document.sections("condition")?.iter().map(|section| inputs(section, &setting, 1.0, toy)).collect()

@@ -1,11 +1,13 @@
 //! The table `[mount]`: what end 2 is tied to, and the dampings for which results are given.
 //!
-//! Next door: what they mean (`coilsense::{Mount, Damping}`).
+//! Next door: what they mean (`coilsense::{Mount, Damping}`), how the ends are held against rotations (`ends`).
 
+use coilsense::geometry::EndType;
 use coilsense::modes::ChainModes;
 use coilsense::{Damping, FarEnd, Mount, Spring};
 
 use super::document::Document;
+use super::ends::EndsSpec;
 use super::section::Section;
 use super::{SpecError, plain};
 use crate::quantity::Dimension;
@@ -20,6 +22,8 @@ pub struct MountSpec {
     pub cases: Vec<DampingCase>,
     /// Whether the spec said nothing of damping, so that the cases are [`BAND`].
     pub is_band: bool,
+    /// How the ends are held against tilting and turning.
+    pub ends: EndsSpec,
 }
 
 /// A mount under one damping.
@@ -41,26 +45,28 @@ impl MountSpec {
         self.cases.first().map_or(FarEnd::Position, |case| case.mount.far_end())
     }
 
-    pub(super) fn parse(document: &Document<'_>, spring: &Spring) -> Result<Self, SpecError> {
+    pub(super) fn parse(document: &Document<'_>, spring: &Spring, end_type: EndType) -> Result<Self, SpecError> {
         let Some(section) = document.optional_section("mount")? else {
             let cases = BAND.map(|ratio| DampingCase::modal(FarEnd::Position, ratio, Damping::Modal(ratio)));
-            return Ok(Self { cases: cases.into_iter().flatten().collect(), is_band: true });
+            let ends = EndsSpec::assumed(end_type);
+            return Ok(Self { cases: cases.into_iter().flatten().collect(), is_band: true, ends });
         };
         let far_end = far_end(&section)?;
+        let ends = EndsSpec::parse(&section, end_type)?;
         let keys = ["damping_ratio", "mass_damping", "stiffness_damping"];
         let given: Vec<&str> = keys.into_iter().filter(|key| section.has(key)).collect();
         if let [first, second, ..] = given.as_slice() {
             return Err(section.refuse(second, format!("only one kind of damping can be given, and {first} is")));
         }
         if let Some(case) = proportional(&section, spring, far_end)? {
-            return Ok(Self { cases: vec![case], is_band: false });
+            return Ok(Self { cases: vec![case], is_band: false, ends });
         }
         let given = section.optional_numbers("damping_ratio")?;
         let is_band = given.is_none();
         let ratios = given.unwrap_or(BAND.to_vec());
         check_ratios(&section, &ratios)?;
         let cases = ratios.into_iter().map(|ratio| modal(&section, spring, far_end, ratio));
-        Ok(Self { cases: cases.collect::<Result<_, _>>()?, is_band })
+        Ok(Self { cases: cases.collect::<Result<_, _>>()?, is_band, ends })
     }
 }
 

@@ -5,15 +5,18 @@
 use std::path::Path;
 
 use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material};
+use coilsense::helix::{Hand, Rod, StiffnessAt};
 use coilsense::inductance::SelfDistance;
-use coilsense::{Spring, SpringParameters};
+use coilsense::{Error, Spring, SpringParameters};
 
 use super::document::Document;
+use super::ends::EndsSpec;
 use super::keys::springs;
 use super::material::material;
 use super::section::Section;
 use super::tolerance::Tolerances;
 use super::{SpecError, plain, read_text};
+use crate::helix::Coil;
 use crate::quantity::Dimension;
 
 /// A spring and what people say of it.
@@ -21,8 +24,15 @@ use crate::quantity::Dimension;
 pub struct SpringSpec {
     /// Its name.
     pub name: String,
-    /// The spring, its rest length shifted by the initial tension: l0 − F_0/k.
+    /// The spring as its axial model has it, its rest length shifted by the initial tension: l0 − F_0/k. Its mass is that with which a
+    /// uniform bar has the first surge frequency of the coil, see [`Model::Coil`]; the real one is [`Self::mass`].
     pub spring: Spring,
+    /// How its axial motion is modelled.
+    pub model: Model,
+    /// m of the active windings \[kg\].
+    pub mass: f64,
+    /// Lowest and highest first surge frequency that the coil as a helix has in use \[Hz\]; `None` until that is looked at, and where it is none.
+    pub first_frequencies: Option<(f64, f64)>,
     /// Wire, coil, ends and material; stiffness and mass by its formulas are not those of `spring` where that is given by values.
     pub geometry: Geometry,
     /// What the wire is made of.
@@ -39,12 +49,28 @@ pub struct SpringSpec {
     pub self_distance: SelfDistance,
     /// How far real springs are from all this.
     pub tolerances: Tolerances,
-    /// Masses of the chain for each winding, where the spec says so; `spring` has as many, else one.
+    /// Masses of the chain for each winding, where the spec says so; `spring` has as many, else the fewest that its model takes.
     pub masses_per_winding: Option<usize>,
+    /// What the stiffness says of the wire.
+    pub stiffness_at: StiffnessAt,
+    /// The sense in which it is wound.
+    pub hand: Hand,
+}
+
+/// What stands for the coil in its motion along the axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Model {
+    /// The paper's chain of masses, with the mass and the stiffness of the spring as they are.
+    Chain,
+    /// That chain, with a mass that gives it the first surge frequency of the coil as a helix.
+    #[default]
+    Coil,
 }
 
 /// Most masses for a winding that a spec may ask for.
 const MOST_MASSES_PER_WINDING: u64 = 64;
+/// A chain of so many masses has the first frequency of a bar to 5e-4, π²/24 over their square.
+const MASSES_OF_A_COIL: usize = 30;
 /// Words for how the wire ends.
 const ENDS: [(&str, EndType); 5] = [
     ("hooks", EndType::Hooks),
@@ -100,6 +126,63 @@ impl SpringSpec {
         self.solid_length() / self.spring.whole_windings() as f64
     }
 
+    /// Its wire as a rod, E and G brought to its stiffness and the density to its mass.
+    ///
+    /// # Errors
+    /// As [`Rod::of_spring`].
+    pub fn rod(&self) -> Result<Rod, Error> {
+        Rod::of_spring(&self.of_mass(self.mass)?, &self.geometry, self.stiffness_at, self.hand)
+    }
+
+    /// The coil as a helix, its ends held in these ways.
+    ///
+    /// # Errors
+    /// As [`Self::rod`].
+    pub fn helix(&self, ends: &EndsSpec) -> Result<Coil, Error> {
+        Ok(Coil {
+            rod: self.rod()?,
+            dead_length: -self.geometry.active_span(0.0),
+            range: self.spring.operating_range(),
+            ways: ends.ways(),
+            misalignment: ends.misalignment,
+        })
+    }
+
+    /// Between which first surge frequencies the coil may lie \[Hz\]: as a helix in use; of the paper's chain, or where that is not looked
+    /// up, also where chain and bar leave it.
+    pub fn first_frequency_band(&self) -> (f64, f64) {
+        let (low, high) = self.spring.first_frequency_band();
+        match (self.first_frequencies, self.model) {
+            (Some(helix), Model::Coil) => helix,
+            (Some(helix), Model::Chain) => (helix.0.min(low), helix.1.max(high)),
+            (None, _) => (low, high),
+        }
+    }
+
+    /// Takes over the first surge frequency of the coil as a helix, at mid range and with its ends held in these ways, where its model
+    /// asks for that. Of a spring that is no helix nothing changes; the data sheet says so.
+    pub(super) fn follow_helix(&mut self, ends: &EndsSpec) {
+        if self.model == Model::Chain {
+            return;
+        }
+        let first = self.helix(ends).and_then(|coil| coil.first_surge(self.spring.mid_length()));
+        let Ok((low, high)) = first else { return };
+        if let Ok(spring) = self.of_mass(self.spring.stiffness() / (low + high).powi(2)) {
+            self.spring = spring;
+        }
+    }
+
+    /// Looks up between which first surge frequencies the coil as a helix lies in use.
+    pub fn look_up_surges(&mut self, ends: &EndsSpec) {
+        self.first_frequencies = self.helix(ends).and_then(|coil| coil.first_surges()).ok();
+    }
+
+    /// The spring with another mass.
+    fn of_mass(&self, mass: f64) -> Result<Spring, Error> {
+        let parameters = SpringParameters { mass, ..self.spring.parameters().clone() };
+        Spring::new(parameters)?.with_masses_per_winding(self.spring.masses_per_winding())
+    }
+
     /// Gap from wire to wire between neighbouring windings \[m\] where neighbours of the chain are `pitch` apart \[m\]; below zero where
     /// wires would overlap.
     ///
@@ -134,6 +217,11 @@ impl SpringSpec {
         let name = section.text("name")?;
         let masses = section.optional_whole("masses_per_winding", 1, MOST_MASSES_PER_WINDING)?;
         let masses_per_winding = masses.map(|masses| masses as usize);
+        let model = match section.optional_word("model", &["coil", "chain"])? {
+            Some("chain") => Model::Chain,
+            _ => Model::Coil,
+        };
+        let least = if model == Model::Coil { MASSES_OF_A_COIL.div_ceil(spring.whole_windings()) } else { 1 };
         let self_distance = match section.optional_word("self_distance", &["as-printed", "geometric-mean"])? {
             Some("geometric-mean") => SelfDistance::GeometricMean,
             _ => SelfDistance::AsPrinted,
@@ -149,8 +237,16 @@ impl SpringSpec {
             self_distance,
             tolerances: Tolerances::parse(section, by_geometry, closed_length)?,
             masses_per_winding,
+            stiffness_at: stiffness_at(section, by_geometry)?,
+            model,
+            mass: spring.mass(),
+            first_frequencies: None,
+            hand: match section.optional_word("hand", &["right", "left"])? {
+                Some("left") => Hand::Left,
+                _ => Hand::Right,
+            },
             spring: spring
-                .with_masses_per_winding(masses_per_winding.unwrap_or(1))
+                .with_masses_per_winding(masses_per_winding.unwrap_or(least))
                 .map_err(|error| section.refuse_science(&error, &[]))?,
         };
         spec.check_range(section)?;
@@ -253,6 +349,16 @@ const ROUNDING: f64 = 1e-9;
 /// A length as messages have it, to a tenth of a micrometre.
 fn millimetres(length: f64) -> String {
     format!("{} mm", plain((1e7 * length).round() / 1e4))
+}
+
+/// What a stiffness is: of a spring by values the slope in use, as one measures it; of one by geometry that of the formula of a flat coil.
+fn stiffness_at(section: &Section<'_>, by_geometry: bool) -> Result<StiffnessAt, SpecError> {
+    Ok(match section.optional_word("stiffness_at", &["range", "flat"])? {
+        Some("range") => StiffnessAt::Range,
+        Some(_) => StiffnessAt::Flat,
+        None if by_geometry => StiffnessAt::Flat,
+        None => StiffnessAt::Range,
+    })
 }
 
 fn end_type(section: &Section<'_>) -> Result<EndType, SpecError> {

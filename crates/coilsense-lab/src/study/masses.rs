@@ -44,13 +44,14 @@ pub fn enough_masses(spring: &SpringSpec, mount: &MountSpec, conditions: &[Condi
     }
     let judged: Vec<&ConditionSpec> = conditions.iter().filter(|condition| !jumps(condition)).collect();
     let rms_of = |masses| rms(spring, mount, &judged, masses);
-    let mut masses = Masses { per_winding: 1, is_given: false, change: None, without_limit };
-    if judged.is_empty() || 2 * spring.spring.whole_windings() > MOST_IN_ALL {
+    let least = spring.spring.masses_per_winding();
+    let mut masses = Masses { per_winding: least, is_given: false, change: None, without_limit };
+    if judged.is_empty() || 2 * least * spring.spring.whole_windings() > MOST_IN_ALL {
         return Ok(masses);
     }
     let samples: f64 = judged.iter().map(|condition| condition.duration * condition.sample_rate).sum();
     let most = (MOST_POSITIONS / (samples * mount.cases.len() as f64)).min(MOST_IN_ALL as f64) as usize;
-    let mut coarse = rms_of(1)?;
+    let mut coarse = rms_of(least)?;
     loop {
         let fine = rms_of(2 * masses.per_winding)?;
         let change = largest_change(&coarse, &fine, LEAST * spring.spring.nominal_force());

@@ -80,7 +80,7 @@ const fn number(word: &'static str, unit: &'static str, of: fn(&SpringSpec) -> f
 /// Every number of a spring that can be asked for.
 const OF_SPRING: [SpringNumber; 16] = [
     number("stiffness", "N/m", |spec| spec.spring.stiffness()),
-    number("mass", "kg", |spec| spec.spring.mass()),
+    number("mass", "kg", |spec| spec.mass),
     number("windings", "1", |spec| spec.spring.windings()),
     number("wire_diameter", "m", |spec| spec.spring.wire_diameter()),
     number("coil_diameter", "m", |spec| 2.0 * spec.spring.coil_radius()),

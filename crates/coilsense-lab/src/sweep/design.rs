@@ -78,6 +78,7 @@ fn judged(
     let (core, assessed) = if !needs.sensors.is_empty() {
         let mut spec = draft.spec(files).map_err(|error| error.to_string())?;
         spec.spring.masses_per_winding = spec.spring.masses_per_winding.or(masses);
+        spec.spring.look_up_surges(&spec.mount.ends);
         prepare(&mut spec.spring, &mut spec.mount, &spec.conditions).map_err(|error| error.to_string())?;
         let assessed = assess(&spec, &needs.sensors).map_err(|error| error.to_string())?;
         let (spring, mount, conditions, goal) = (spec.spring, spec.mount, spec.conditions, spec.goal);

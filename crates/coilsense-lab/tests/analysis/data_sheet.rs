@@ -58,15 +58,114 @@ fn a_mount_with_a_mass_is_the_specs_own() {
 }
 
 #[test]
-fn neighbours_of_s_t_lie_around_its_surge() {
-    let sheet = sheet("");
-    let of = |name: &str, place: &str| {
-        let neighbour = sheet.neighbours.iter().find(|n| n.name == name && n.place.contains(place)).unwrap();
-        neighbour.frequency_hz.unwrap()
+fn the_modes_of_s_t_are_those_of_its_helix() {
+    let flat = S_T.replace("[spring]", "[spring]\nstiffness_at = \"flat\"");
+    let sheet = DataSheet::of(&spec(&format!("{flat}\n{STILL}"))).unwrap();
+    let lengths: Vec<f64> = sheet.modes_at.iter().map(|at| at.length_m).collect();
+    assert_eq!(lengths, [0.196, 0.230, 0.264]);
+    // The finite elements of the reference, five digits: ends held, hooks between held and free to tilt.
+    let expected = [
+        [(42.189, "lateral"), (42.193, "lateral"), (54.005, "axial"), (60.710, "torsional")],
+        [(44.112, "lateral"), (44.118, "lateral"), (54.079, "axial"), (60.796, "torsional")],
+        [(45.513, "lateral"), (45.520, "lateral"), (54.151, "axial"), (60.907, "torsional")],
+    ];
+    for (at, expected) in sheet.modes_at.iter().zip(expected) {
+        assert!(at.held.modes.len() >= 10 && at.held.ends == "ends held" && !at.held.buckles);
+        for (mode, (frequency, kind)) in at.held.modes.iter().zip(expected) {
+            close(mode.frequency_hz, frequency, 2e-5);
+            assert_eq!(mode.kind, kind);
+        }
+        let rising = at.held.modes.windows(2).all(|pair| pair[0].frequency_hz <= pair[1].frequency_hz);
+        let loosest = at.loosest.as_ref().unwrap();
+        assert!(rising && loosest.ends == "ends free to tilt");
+        assert!(loosest.modes[0].frequency_hz < at.held.modes[0].frequency_hz);
+    }
+    close(sheet.modes_at[1].loosest.as_ref().unwrap().modes[0].frequency_hz, 40.29, 2e-4);
+    // Torsion in the axial force: 1.1 % of the axial line; sideways 0.07 %.
+    close(sheet.modes_at[1].held.modes[3].axial_strength, 0.0109, 0.03);
+    close(sheet.modes_at[1].held.modes[0].axial_strength, 0.0007, 0.1);
+}
+
+#[test]
+fn ends_that_are_held_otherwise_ring_otherwise() {
+    let first = |mount: &str| {
+        let sheet = sheet(&format!("[mount]\n{mount}\n"));
+        let middle = sheet.modes_at[1].clone();
+        (middle.held.modes[0].frequency_hz, middle.loosest.map(|loosest| loosest.modes[0].frequency_hz))
     };
-    // Book: theory, section 3: lateral 40 Hz at 230 mm, torsional 60 Hz; estimates, good to a tenth.
-    assert!((of("lateral", "230.0") / 40.0 - 1.0).abs() < 0.1, "{}", of("lateral", "230.0"));
-    assert!((of("torsional", "") / 60.0 - 1.0).abs() < 0.1, "{}", of("torsional", ""));
+    let (held, tilting) = first("");
+    let tilting = tilting.unwrap();
+    assert_eq!(first("ends_tilt = \"held\""), (held, None));
+    assert_eq!(first("ends_tilt = \"free\""), (tilting, None));
+    let (one, none) = first("ends_tilt = \"held\"\nend2_tilt = \"free\"");
+    assert!(none.is_none() && tilting < one && one < held);
+    // Torsion with a swivel has quarter waves: the lowest mode of all.
+    let (swivel, _) = first("ends_tilt = \"held\"\nend2_turn = \"free\"");
+    close(swivel, 30.36, 2e-3);
+    // Both ends free to turn: half waves again, and the spinning coil is no buckled one.
+    let sheet = sheet("[mount]\nends_tilt = \"held\"\nends_turn = \"free\"\n");
+    let middle = &sheet.modes_at[1].held;
+    close(middle.first("torsional").unwrap().frequency_hz, 60.7, 5e-3);
+    assert!(!middle.buckles && middle.modes[0].frequency_hz > 40.0);
+}
+
+#[test]
+fn a_cell_out_of_line_reads_side_forces_too() {
+    let strengths = |mount: &str| {
+        let sheet = sheet(&format!("[mount]\nends_tilt = \"held\"\n{mount}\n"));
+        let mode = sheet.modes_at[1].held.modes[0].clone();
+        (mode.axial_strength, mode.read_strength, mode.side_force_n_per_n.unwrap())
+    };
+    let (axial, read, _) = strengths("");
+    assert_eq!(axial, read);
+    let (axial, read, side) = strengths("misalignment = \"3 deg\"");
+    close(read, axial * (0.052336 * side + 0.99863), 1e-5);
+}
+
+#[test]
+fn a_stretched_helix_stiffens_and_a_seated_one_does_not_buckle() {
+    let value = |sheet: &DataSheet, key: &str| {
+        let rows = sheet.groups.iter().flat_map(|(_, rows)| rows);
+        rows.into_iter().find(|row| row.key == key).map(|row| row.value.unwrap())
+    };
+    let s_t = sheet("");
+    // The given k is the slope at mid range; it rises by 1.0161/1.0073 from end to end, and is not F/(l - l0).
+    close(value(&s_t, "stiffness_at_mid_n_per_m").unwrap(), 760.0, 1e-9);
+    let (low, high) = ("stiffness_at_min_n_per_m", "stiffness_at_max_n_per_m");
+    close(value(&s_t, high).unwrap() / value(&s_t, low).unwrap(), 1.0161 / 1.0073, 2e-4);
+    assert!(value(&s_t, "stiffness_from_rest_n_per_m").unwrap() < 0.995 * 760.0);
+    assert_eq!(value(&s_t, "buckling_length_m"), None, "a spring that is pulled");
+    let car = |ends: &str| {
+        let text = include_str!("../../../../examples/car-suspension.toml");
+        let table = &text[text.find("[spring]").unwrap()..text.find("[mount]").unwrap()];
+        DataSheet::of(&spec(&format!("{table}\n[mount]\n{ends}\n{STILL}"))).unwrap()
+    };
+    let (seated, pinned) = (car(""), car("ends_tilt = \"free\""));
+    assert!(seated.modes_at.iter().all(|at| !at.held.buckles));
+    assert!(!seated.beyond_axial.iter().any(|text| text.contains("buckles")), "{:?}", seated.beyond_axial);
+    assert!(pinned.modes_at[0].held.buckles && !pinned.modes_at[1].held.buckles);
+    let buckled: Vec<&String> = pinned.beyond_axial.iter().filter(|text| text.contains("buckles")).collect();
+    assert!(buckled.len() == 1 && buckled[0].contains("at 153.3 mm with ends free to tilt"), "{buckled:?}");
+    assert!((0.1533..0.2233).contains(&value(&pinned, "buckling_length_m").unwrap()));
+}
+
+#[test]
+fn the_coil_has_the_first_surge_of_its_helix() {
+    let valve = |model: &str| {
+        let text = include_str!("../../../../examples/valve-spring.toml");
+        let table = &text[text.find("[spring]").unwrap()..text.find("[mount]").unwrap()];
+        spec(&format!("{}{STILL}", table.replace("[spring]", &format!("[spring]\n{model}"))))
+    };
+    let (coil, chain) = (valve(""), valve("model = \"chain\""));
+    // Its helix at 43 mm, and half of the root of k/m.
+    close(coil.spring.spring.surge_frequency(), 388.74, 1e-4);
+    close(chain.spring.spring.surge_frequency(), 403.61, 1e-4);
+    assert_eq!(coil.spring.mass, chain.spring.mass);
+    assert_eq!(coil.spring.spring.stiffness(), chain.spring.spring.stiffness());
+    assert_eq!(chain.spring.spring.mass(), chain.spring.mass);
+    let told = |spec: &coilsense_lab::spec::Spec| DataSheet::of(spec).unwrap().beyond_axial;
+    let surge = |text: &String| text.starts_with("f1 of the coil as a helix");
+    assert!(told(&chain).iter().any(surge) && !told(&coil).iter().any(surge), "{:?}", told(&coil));
 }
 
 #[test]
@@ -79,7 +178,7 @@ fn windings_touch_at_one_length_whoever_asks() {
     for (spring, solid) in [(&wound, 0.0615), (&valve, 0.031), (&of(S_T), 0.104)] {
         close(spring.solid_length(), solid, 1e-12);
         close(spring.geometry.solid_length(), solid, 1e-12);
-        let masses = spring.spring.chain_masses() as f64;
+        let masses = spring.spring.whole_windings() as f64;
         // A gap per winding; at the solid length it is none, and windings lie a wire apart.
         let length = spring.spring.operating_range().0;
         close(spring.gap(length / masses), (length - solid) / spring.spring.windings(), 1e-9);

@@ -154,7 +154,7 @@ const VALVE: &str = include_str!("../../../../examples/valve-spring.toml");
 const CAM: &str = include_str!("../../../../examples/cam-6000rpm.csv");
 
 fn valve(masses: &str) -> Analysis {
-    let text = VALVE.replace("windings = 5.75\n", &format!("windings = 5.75\n{masses}"));
+    let text = VALVE.replace("windings = 5.75\n", &format!("model = \"chain\"\nwindings = 5.75\n{masses}"));
     let spec = Spec::parse("valve.toml", &text, &|_| Ok(CAM.to_owned())).unwrap();
     Analysis::run(spec, &|_, _| true).unwrap()
 }

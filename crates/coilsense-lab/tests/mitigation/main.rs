@@ -70,6 +70,7 @@ fn fitted_designs_beat_textbook_choices_on_all_fifty_seeds_of_the_stated_scenari
 
 const SPRING: &str = r#"[spring]
 name = "S_T"
+model = "chain"
 rest_length = "104 mm"
 windings = 52
 coil_radius = "8 mm"

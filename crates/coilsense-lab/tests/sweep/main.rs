@@ -25,6 +25,7 @@ stiffness = "760 N/m"
 min_length = "196 mm"
 max_length = "264 mm"
 masses_per_winding = 1
+model = "chain"
 
 [mount]
 damping_ratio = 0

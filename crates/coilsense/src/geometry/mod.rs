@@ -60,8 +60,6 @@ pub struct GeometryParameters {
 /// assert!((s_t.active_mass() - 0.0645).abs() < 1e-4); // Table I: 65 g
 /// assert!((s_t.active_mass_at(0.104) / s_t.active_mass() - 1.0008).abs() < 1e-4); // wire as a helix
 /// assert!((s_t.wire_length_at(0.104) - 2.6159).abs() < 1e-4);
-/// assert!((s_t.pitch_corrected_stiffness(0.230) / s_t.stiffness() - 0.9978).abs() < 1e-4); // ends free to turn
-/// assert!((s_t.pitch_corrected_stiffness_held(0.230) / s_t.stiffness() - 0.9982).abs() < 1e-4);
 /// assert!((s_t.solid_length() - 0.104).abs() < 1e-12);
 /// assert_eq!((s_t.index(), s_t.total_mass()), (8.0, s_t.active_mass()));
 ///

@@ -54,8 +54,8 @@ pub fn force(rod: &Rod, span: f64, turning: Turning) -> Result<f64, Error> {
 /// Source:   derivative of [`force`] by l.
 /// Valid:    as [`force`]; a stretched spring grows stiffer (S_T at 230 mm 1.1 %), a compressed one with its ends held softer.
 /// Accuracy: 1e-9 against [`super::Helix::stiffness`] of a thin wire (`tests/helix`).
-/// Differs:  [`crate::geometry::Geometry::pitch_corrected_stiffness_held`] leaves the change of the radius and the load out, and has the
-///           other sign for a spring that is stretched.
+/// Differs:  the textbook's correction for the pitch leaves the change of the radius and the load out, and has the other sign for a
+///           spring that is stretched: S_T at 230 mm 0.18 % softer than flat.
 ///
 /// # Errors
 /// As [`force`].

@@ -30,8 +30,6 @@ fn any_end() -> impl Strategy<Value = EndType> {
 fn all_of(geometry: &Geometry) -> Vec<f64> {
     let mut values = vec![
         geometry.stiffness(),
-        geometry.pitch_corrected_stiffness(0.1),
-        geometry.pitch_corrected_stiffness_held(0.1),
         geometry.active_mass(),
         geometry.active_mass_at(0.1),
         geometry.total_mass(),

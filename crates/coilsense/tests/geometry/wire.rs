@@ -133,47 +133,6 @@ fn a_wrong_geometry_is_named() {
 }
 
 #[test]
-fn a_helix_is_softer_with_free_ends_than_with_held_ones() {
-    let geometry = of(&s_t());
-    let (k, free, held) = (
-        geometry.stiffness(),
-        geometry.pitch_corrected_stiffness(0.230),
-        geometry.pitch_corrected_stiffness_held(0.230),
-    );
-    // By hand from tan α = 230 mm / (π 16 mm 52) = 0.08799: −0.22 % and −0.18 %.
-    assert!((free / k - 0.99776).abs() < 1e-5, "{}", free / k);
-    assert!((held / k - 0.99817).abs() < 1e-5, "{}", held / k);
-    // Flat coils know no helix.
-    assert_eq!(geometry.pitch_corrected_stiffness(0.0), k);
-    assert_eq!(geometry.pitch_corrected_stiffness_held(0.0), k);
-    // Where wire bends as it twists (E = 2G), ends that are held or free do not differ.
-    let same = Material::new(MaterialParameters::elastic(80e9, 160e9, 7850.0)).unwrap();
-    let geometry = with(|p| p.material = same).unwrap();
-    assert!(relative(geometry.pitch_corrected_stiffness(0.5), geometry.pitch_corrected_stiffness_held(0.5)) < 1e-15);
-    // A wire pulled nearly straight, ends held, is bent only: EI/(R² L).
-    let steep = of(&s_t());
-    let (length, radius) = (2613.8, 0.008_f64);
-    let bending = 206e9 * PI * 0.002_f64.powi(4) / 64.0;
-    let expected = bending / (radius * radius * steep.wire_length_at(length));
-    // What is left of cos²α is 1e-6.
-    assert!(relative(steep.pitch_corrected_stiffness_held(length), expected) < 1e-5);
-}
-
-#[test]
-fn castigliano_s_integral_gives_the_helix() {
-    // Energy of the wire under F = 1 N, summed along it; its second derivative by F is the compliance.
-    let geometry = of(&s_t());
-    let (d, radius, length) = (0.002_f64, 0.008, 0.230_f64);
-    let angle = length.atan2(geometry.wire_length());
-    let wire = geometry.wire_length() / angle.cos();
-    let (polar, bending) = (PI * d.powi(4) / 32.0, PI * d.powi(4) / 64.0);
-    let (torque, moment) = (radius * angle.cos(), radius * angle.sin());
-    let compliance = wire * (torque * torque / (81.5e9 * polar) + moment * moment / (206e9 * bending));
-    // A dozen roundings.
-    assert!(relative(geometry.pitch_corrected_stiffness(length), 1.0 / compliance) < 1e-14);
-}
-
-#[test]
 fn sensitivities_are_the_slopes_of_the_formulas() {
     type Quantity = fn(&Geometry) -> f64;
     let quantities: [(Sensitivities, Quantity); 3] = [

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::figures;
 use super::viewer_data::viewer_json;
 use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
+use crate::helix::{ModeLine, ModesAt, UnderEnds};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
 use crate::report::prose::{file_name, unbroken};
@@ -42,7 +43,8 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         figures => conditions.par_iter().map(|&condition| figures_of(analysis, condition)).collect::<Result<Vec<_>, _>>()?,
         groups => groups(analysis),
         surge => surge(analysis),
-        neighbours => neighbours(analysis),
+        modes_at => modes_at(analysis),
+        modes => super::modes_figure::modes(analysis).map(|figure| drawn("modes", &figure)).transpose()?,
         material => &analysis.data_sheet.material,
         reference => spec.goal.force.name(),
         nominal => digits(spec.spring.spring.nominal_force()),
@@ -246,11 +248,28 @@ fn surge(analysis: &Analysis) -> Vec<Value> {
     analysis.data_sheet.surge.iter().map(mount).collect()
 }
 
-fn neighbours(analysis: &Analysis) -> Vec<Value> {
-    let one = |neighbour: &crate::data_sheet::Neighbour| {
-        let shown =
-            neighbour.frequency_hz.map_or_else(|| "may buckle".to_owned(), |frequency| format!("{frequency:.1} Hz"));
-        context! { name => format!("{} {}", neighbour.name, neighbour.place), shown }
+/// The modes at each length, one way of the ends after the other.
+fn modes_at(analysis: &Analysis) -> Vec<Value> {
+    let number = |value: Option<f64>, scale: f64| value.map_or_else(|| "–".to_owned(), |value| digits(scale * value));
+    let row = |mode: &ModeLine| {
+        context! {
+            frequency => format!("{:.2}", mode.frequency_hz),
+            kind => mode.kind,
+            strength => digits(100.0 * mode.axial_strength),
+            side => number(mode.side_force_n_per_n, 1.0),
+            couple => number(mode.couple_m, 1e3),
+        }
     };
-    analysis.data_sheet.neighbours.iter().map(one).collect()
+    let of = |at: &ModesAt, way: &UnderEnds| {
+        context! {
+            length => format!("{:.1}", 1e3 * at.length_m),
+            ends => &way.ends,
+            buckles => way.buckles,
+            rows => way.modes.iter().take(MODES_SHOWN).map(row).collect::<Vec<_>>(),
+        }
+    };
+    analysis.data_sheet.modes_at.iter().flat_map(|at| at.ways().map(move |way| of(at, way))).collect()
 }
+
+/// Modes that a table holds.
+const MODES_SHOWN: usize = 10;

@@ -6,6 +6,7 @@ mod figures;
 mod html;
 mod json;
 mod json_cases;
+mod modes_figure;
 mod text;
 mod viewer_data;
 

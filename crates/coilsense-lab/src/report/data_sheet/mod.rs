@@ -8,7 +8,8 @@ use std::fmt::Write;
 use anstyle::{AnsiColor, Style};
 use serde::Serialize;
 
-use crate::data_sheet::{DataSheet, MountFrequencies, Neighbour};
+use crate::data_sheet::{DataSheet, MountFrequencies};
+use crate::helix::{ModeLine, ModesAt, UnderEnds};
 use crate::report::outcome::{Outcome, to_json};
 
 const BOLD: Style = Style::new().bold();
@@ -36,19 +37,50 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
         let _ = writeln!(text, "{star} {:34}{modes}{rule}", mount.mount);
     }
     let _ = writeln!(text, "  * the spec's own mount");
-    let _ = writeln!(
-        text,
-        "\n{BOLD}Lateral and torsional modes{BOLD:#}, not in the axial model (estimates; ends held in place, free to tilt)"
-    );
-    for neighbour in &sheet.neighbours {
-        let shown =
-            neighbour.frequency_hz.map_or_else(|| "may buckle".to_owned(), |frequency| format!("{frequency:.1} Hz"));
-        let _ = writeln!(text, "  {:50}{shown:>15}", format!("{} {}", neighbour.name, neighbour.place));
+    for at in &sheet.modes_at {
+        modes_text(&mut text, at);
     }
-    for warning in sheet.doubts.iter().cloned().chain(sheet.neighbour_warnings()) {
+    for warning in sheet.doubts.iter().chain(&sheet.beyond_axial) {
         let _ = writeln!(text, "{MARK}Warning:{MARK:#} {warning}");
     }
     text
+}
+
+/// How many modes people read.
+const SHOWN: usize = 10;
+
+/// The modes at one length, in one way beside the other where there are two.
+fn modes_text(text: &mut String, at: &ModesAt) {
+    let heading = |way: &UnderEnds| if way.buckles { format!("{}: buckles", way.ends) } else { way.ends.clone() };
+    let ways: Vec<String> = at.ways().map(heading).collect();
+    let _ = writeln!(
+        text,
+        "\n{BOLD}Modes at {:.1} mm{BOLD:#}, wire as a helix, {}: axial line, then side force and couple per newton of axial force",
+        1e3 * at.length_m,
+        ways.join(" | ")
+    );
+    let cells: Vec<Vec<String>> = at.ways().map(|way| way.modes.iter().take(SHOWN).map(mode_text).collect()).collect();
+    for row in 0..SHOWN {
+        let of_way = |cells: &Vec<String>| cells.get(row).cloned().unwrap_or_default();
+        let line = cells.iter().map(of_way).collect::<Vec<_>>().join("   | ");
+        let _ = writeln!(text, "  {}", line.trim_end());
+    }
+}
+
+fn mode_text(mode: &ModeLine) -> String {
+    let side = mode.side_force_n_per_n.map_or_else(String::new, |value| format!("{} N/N", three(value)));
+    let couple = mode.couple_m.map_or_else(String::new, |value| format!("{} mm", three(1e3 * value)));
+    let strength = three(100.0 * mode.axial_strength);
+    format!("{:>9.2} Hz {:9} {strength:>7} % {side:>10} {couple:>10}", mode.frequency_hz, mode.kind)
+}
+
+/// Three significant digits, in a form that fits.
+fn three(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size if !(1e-3..1e4).contains(&size) => format!("{value:.0e}"),
+        size => format!("{value:.*}", (2 - size.log10().floor() as i32).clamp(0, 5) as usize),
+    }
 }
 
 /// The data sheet for machines: a number a key, its SI unit as suffix.
@@ -62,13 +94,13 @@ pub struct DataSheetOutcome<'a> {
     rows: BTreeMap<&'static str, Option<f64>>,
     /// Surge frequencies on every mount.
     surge: &'a [MountFrequencies],
-    /// Motions that the axial model leaves out.
-    neighbours: &'a [Neighbour],
+    /// Every mode of the coil as a helix, at the shortest, the middle and the longest length.
+    modes_at: &'a [ModesAt],
     warnings: Vec<String>,
 }
 
 impl Outcome for DataSheetOutcome<'_> {
-    const SCHEMA: &'static str = "coilsense/data-sheet/1";
+    const SCHEMA: &'static str = "coilsense/data-sheet/2";
 }
 
 impl<'a> DataSheetOutcome<'a> {
@@ -80,8 +112,8 @@ impl<'a> DataSheetOutcome<'a> {
             material: &sheet.material,
             rows: rows.map(|row| (row.key, row.value)).collect(),
             surge: &sheet.surge,
-            neighbours: &sheet.neighbours,
-            warnings: sheet.doubts.iter().cloned().chain(sheet.neighbour_warnings()).collect(),
+            modes_at: &sheet.modes_at,
+            warnings: sheet.doubts.iter().chain(&sheet.beyond_axial).cloned().collect(),
         }
     }
 }

@@ -65,6 +65,26 @@ pub(super) const SPRING: Table = Table {
             "a name of the material table (`coilsense spring --materials` lists it)",
             "`steel EN 10270-1`",
         ),
+        optional(
+            "model",
+            "\"coil\"",
+            "what stands for the coil in its motion along the axis: `coil`, a chain of masses with the first surge frequency of the coil as a helix \
+               (at mid range, with its ends as `[mount]` has them), or `chain`, the paper's chain with the spring's own mass",
+            "`coil`",
+        ),
+        optional(
+            "hand",
+            "\"right\"",
+            "the sense in which the wire is wound, `right` or `left`: the sign of couples",
+            "`right`",
+        ),
+        optional(
+            "stiffness_at",
+            "\"range\"",
+            "what k is to the wire: `range`, the slope of the force at the middle of the range in use, or `flat`, that of the flat coil, \
+               G d⁴/8 D³ n. E and G of the helix are brought to it",
+            "`range`; of a spring by geometry `flat`",
+        ),
         optional("shear_modulus", "\"81.5 GPa\"", "G, in place of the material's", "the material's"),
         optional("youngs_modulus", "\"206 GPa\"", "E, in place of the material's", "the material's"),
         optional("density", "\"7850 kg/m3\"", "in place of the material's", "the material's"),
@@ -146,6 +166,29 @@ pub(super) const MOUNT: Table = Table {
             "`held`",
         ),
         needed("end_mass", "\"2 kg\"", "the mass at end 2").of(MASS),
+        optional(
+            "ends_tilt",
+            "\"between\"",
+            "whether the ends may tilt: `held` (flat seats), `free` (pins, balls) or `between` (not known, or something gives: both are looked at). \
+               Sideways and torsional modes hang on it, the axial model does not",
+            "`held` for ends that are closed and ground, `between` for others",
+        ),
+        optional(
+            "ends_turn",
+            "\"held\"",
+            "whether the ends may turn about the spring's axis, in the same words",
+            "`held`",
+        ),
+        optional("end1_tilt", "\"held\"", "the same of end 1 alone", "`ends_tilt`"),
+        optional("end2_tilt", "\"free\"", "the same of end 2 alone", "`ends_tilt`"),
+        optional("end1_turn", "\"held\"", "the same of end 1 alone", "`ends_turn`"),
+        optional("end2_turn", "\"free\"", "the same of end 2 alone", "`ends_turn`"),
+        optional(
+            "misalignment",
+            "\"1 deg\"",
+            "angle between the spring's axis and that of a load cell, which then reads that share of the side force too",
+            "`\"0 deg\"`",
+        ),
         optional(
             "damping_ratio",
             "0.005",
