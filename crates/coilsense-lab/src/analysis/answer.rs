@@ -273,7 +273,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Alias, "surge lines alias"),
         (Subject::Range, "a load cell is overloaded"),
         (Subject::Temperature, "a drift with temperature is not known"),
-        (Subject::Neighbour, "a torsional or lateral mode lies below the first surge frequency"),
+        (Subject::Neighbour, "the coil rings in other modes too"),
     ];
     let each: Vec<&str> = kinds.into_iter().filter(|(subject, _)| count(*subject) > 0).map(|(_, text)| text).collect();
     if each.is_empty() { "No warnings.".to_owned() } else { format!("See the warnings: {}.", each.join("; ")) }

@@ -58,7 +58,7 @@ pub(super) fn groups(
         ("Spring", of_spring(spec)),
         ("Lengths", of_lengths(spec, solid_length)),
         ("Stress", of_stress(spec)),
-        ("Surge wave", of_wave(spec)),
+        ("Surge wave", of_wave(spec, modes_at)),
         ("Force of the helix", of_helix(spec, coil, modes_at)?),
         ("Inductance", of_inductance(spec)),
     ])
@@ -183,9 +183,13 @@ fn of_stress(spec: &SpringSpec) -> Vec<Row> {
     ]
 }
 
-fn of_wave(spec: &SpringSpec) -> Vec<Row> {
+fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
     let spring = &spec.spring;
-    let (lowest, highest) = spec.first_frequency_band();
+    let surges = || modes_at.iter().flat_map(ModesAt::ways).map(|way| way.first_surge_hz);
+    let (lowest, highest) = match modes_at {
+        [] => spec.first_frequency_band(),
+        _ => (surges().fold(f64::INFINITY, f64::min), surges().fold(0.0, f64::max)),
+    };
     let bar = 0.5 * (spring.stiffness() / spec.mass).sqrt();
     vec![
         Row::new(

@@ -6,4 +6,8 @@ use coilsense_rt::*;
 pub const SURGE_MEAN_RING: usize = 47;
 
 /// For 2500 Hz.
-pub const SURGE_MEAN: Boxcar<f32> = Boxcar { whole: 46, fraction: 0.24021944, scale: 0.021626195 };
+pub const SURGE_MEAN: Boxcar<f32> = Boxcar {
+    whole: 46,
+    fraction: 0.24021944,
+    scale: 0.021626195,
+};
