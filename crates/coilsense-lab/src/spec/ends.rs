@@ -78,6 +78,11 @@ impl EndsSpec {
         (tightest, Some(self.with(Hold::Free)).filter(|loosest| *loosest != tightest))
     }
 
+    /// Whether an end may tilt.
+    pub fn may_tilt(&self) -> bool {
+        self.ends.iter().any(|end| end.tilt != Hold::Held)
+    }
+
     /// One way, with what is between taken for `between`.
     fn with(&self, between: Hold) -> Held {
         let is_free = |hold: Hold| (if hold == Hold::Between { between } else { hold }) == Hold::Free;

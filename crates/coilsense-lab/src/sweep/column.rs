@@ -2,11 +2,11 @@
 //!
 //! Next door: how it is computed (`row`), which work that needs (`Needs`).
 
-use coilsense::Channel;
+use coilsense::{Channel, neighbours};
 
 use super::SweepError;
 use crate::likeness::nearest;
-use crate::spec::SpringSpec;
+use crate::spec::Core;
 
 /// What kind of values a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,7 +64,7 @@ pub(super) enum OfSensor {
 pub(super) struct SpringNumber {
     pub word: &'static str,
     unit: &'static str,
-    pub of: fn(&SpringSpec) -> f64,
+    pub of: fn(&Core) -> f64,
 }
 
 impl PartialEq for SpringNumber {
@@ -73,29 +73,55 @@ impl PartialEq for SpringNumber {
     }
 }
 
-const fn number(word: &'static str, unit: &'static str, of: fn(&SpringSpec) -> f64) -> SpringNumber {
+const fn number(word: &'static str, unit: &'static str, of: fn(&Core) -> f64) -> SpringNumber {
     SpringNumber { word, unit, of }
 }
 
 /// Every number of a spring that can be asked for.
-const OF_SPRING: [SpringNumber; 16] = [
-    number("stiffness", "N/m", |spec| spec.spring.stiffness()),
-    number("mass", "kg", |spec| spec.mass),
-    number("windings", "1", |spec| spec.spring.windings()),
-    number("wire_diameter", "m", |spec| spec.spring.wire_diameter()),
-    number("coil_diameter", "m", |spec| 2.0 * spec.spring.coil_radius()),
-    number("index", "1", |spec| spec.spring.coil_radius() / spec.spring.wire_radius()),
-    number("rest_length", "m", |spec| spec.closed_length),
-    number("solid_length", "m", SpringSpec::solid_length),
-    number("travel", "m", |spec| spec.spring.operating_range().1 - spec.spring.operating_range().0),
-    number("f1", "Hz", |spec| spec.spring.surge_frequency()),
-    number("model_f1", "Hz", |spec| spec.spring.chain_frequency()),
-    number("masses_per_winding", "1", |spec| spec.spring.masses_per_winding() as f64),
-    number("tau", "s", |spec| spec.spring.transit_time()),
-    number("nominal_force", "N", |spec| spec.spring.nominal_force()),
-    number("wave_impedance", "N s/m", |spec| spec.spring.wave_impedance()),
-    number("stress", "Pa", |spec| spec.geometry.corrected_shear_stress(spec.spring.nominal_force())),
+const OF_SPRING: [SpringNumber; 19] = [
+    number("stiffness", "N/m", |core| core.spring.spring.stiffness()),
+    number("mass", "kg", |core| core.spring.mass),
+    number("windings", "1", |core| core.spring.spring.windings()),
+    number("wire_diameter", "m", |core| core.spring.spring.wire_diameter()),
+    number("coil_diameter", "m", |core| 2.0 * core.spring.spring.coil_radius()),
+    number("index", "1", |core| core.spring.spring.coil_radius() / core.spring.spring.wire_radius()),
+    number("rest_length", "m", |core| core.spring.closed_length),
+    number("solid_length", "m", |core| core.spring.solid_length()),
+    number("travel", "m", |core| core.spring.spring.operating_range().1 - core.spring.spring.operating_range().0),
+    number("f1", "Hz", |core| core.spring.spring.surge_frequency()),
+    number("model_f1", "Hz", |core| core.spring.spring.chain_frequency()),
+    number("masses_per_winding", "1", |core| core.spring.spring.masses_per_winding() as f64),
+    number("tau", "s", |core| core.spring.spring.transit_time()),
+    number("nominal_force", "N", |core| core.spring.spring.nominal_force()),
+    number("wave_impedance", "N s/m", |core| core.spring.spring.wave_impedance()),
+    number("stress", "Pa", |core| core.spring.geometry.corrected_shear_stress(core.spring.spring.nominal_force())),
+    number("f_lateral", "Hz", |core| lateral(core).unwrap_or(f64::NAN)),
+    number("f_torsional", "Hz", |core| {
+        column(core, core.spring.spring.mid_length()).map_or(f64::NAN, |it| it.torsional())
+    }),
+    number("buckling", "1", |core| f64::from(u8::from(lateral(core).is_none()))),
 ];
+
+/// The coil as a column at a length, by formula: a sweep has no time for the helix.
+fn column(core: &Core, length: f64) -> Option<neighbours::Column> {
+    let spring = &core.spring;
+    neighbours::Column::new(
+        &spring.rod().ok()?,
+        spring.geometry.active_span(length),
+        spring.spring.static_force(length),
+    )
+    .ok()
+}
+
+/// Its lowest lateral frequency at either end of the range \[Hz\], with ends as loose as they may be; `None` where it has buckled.
+fn lateral(core: &Core) -> Option<f64> {
+    let (shortest, longest) = core.spring.spring.operating_range();
+    let at = |length: f64| {
+        let column = column(core, length)?;
+        if core.mount.ends.may_tilt() { column.pinned() } else { column.clamped() }
+    };
+    Some(at(shortest)?.min(at(longest)?))
+}
 
 const MEASURES: [(&str, Measure); 3] = [("rmsd", Measure::Rmsd), ("max", Measure::Maximum), ("bias", Measure::Bias)];
 const OF_SENSOR: [(&str, OfSensor); 3] =

@@ -148,3 +148,25 @@ fn windings_that_touch_are_a_row_with_where_and_when() {
     assert!(reason.starts_with("windings touch in resonance at 0."), "{reason}");
     assert!(numbers(chunk, "F_o.rmsd [%]")[1] > 0.0);
 }
+
+#[test]
+fn columns_of_other_modes_follow_ends_and_lengths() {
+    let of = |mount: &str, over: &str| {
+        let text = QUICK.replace("[mount]\n", &format!("[mount]\n{mount}\n")).replace("windings = 12", "windings = 52");
+        let columns = ["f_lateral", "f_torsional", "buckling"];
+        let plan = Plan::new(of(&text, &[over], &columns)).unwrap();
+        let chunk = &whole(&plan)[0];
+        columns.map(|column| {
+            let unit = if column == "buckling" { "1" } else { "Hz" };
+            numbers(chunk, &format!("{column} [{unit}]"))
+        })
+    };
+    let over = "spring.mass=65, 260 g";
+    let ([pinned, ..], [clamped, torsional, buckling]) = (of("", over), of("ends_tilt = \"held\"", over));
+    // S_T at 196 mm by the column: 37.5 and 42.2 Hz, torsion 60.6 Hz; all fall with the root of the mass.
+    assert!((pinned[0] - 37.5).abs() < 0.2 && (clamped[0] - 42.2).abs() < 0.2, "{pinned:?} {clamped:?}");
+    assert!((torsional[0] - 60.7).abs() < 0.3 && buckling == [0.0, 0.0], "{torsional:?} {buckling:?}");
+    for column in [pinned, clamped, torsional] {
+        assert!((column[0] / column[1] - 2.0).abs() < 1e-6, "{column:?}");
+    }
+}

@@ -1,7 +1,11 @@
 //! The motions that the axial model leaves out: how near their first frequencies lie to the surge.
 //!
 //! Both are estimates. Where one lies near a surge line, an excitation that is not purely axial will show up in the forces, and no part
-//! of coilsense follows it. Next door: the surge itself (`modes`).
+//! of coilsense follows it. Next door: the surge itself (`modes`), every mode of the helix (`helix`).
+
+mod column;
+
+pub use column::Column;
 
 use std::f64::consts::PI;
 
