@@ -69,7 +69,27 @@ export interface ExactFacts extends Facts {
   sheet: {
     material: string;
     groups: { heading: string; rows: { key: string; label: string; shown: string; unit: string }[] }[];
+    modesAt: ModesAt[];
   };
+}
+
+/** The modes of the coil as a helix with its ends held in one way, as `spring --json` has them. */
+export interface UnderEnds {
+  ends: string;
+  buckles: boolean;
+  modes: {
+    frequency_hz: number;
+    kind: 'axial' | 'torsional' | 'lateral' | 'mixed';
+    axial_strength: number;
+    side_force_n_per_n: number | null;
+    couple_m: number | null;
+  }[];
+}
+
+/** The same at a length, and with the ends as loose as they may be. */
+export interface ModesAt extends UnderEnds {
+  length_m: number;
+  loosest: UnderEnds | null;
 }
 
 export interface PaperFacts {

@@ -156,3 +156,21 @@ test('Tables II and III of the tab Paper are the reproduction’s', async ({ pag
     );
   expect(shown.map((text) => text.replace(' differs', ''))).toEqual(told);
 });
+
+test('the modes of the coil are those of the data sheet, at every length and with either ends', async ({ page }) => {
+  await open(page, '#valve');
+  const told = resultsOf('valve-spring').spring.modes_at;
+  const details = page.locator('details', { has: page.getByText('Every mode of the coil') });
+  await details.locator('summary').click();
+  const rows = details.locator('tbody tr');
+  await expect(rows).toHaveCount(10);
+  for (const [number, at] of told.entries()) {
+    await details.getByRole('combobox').selectOption({ index: number });
+    const first = at.modes[0];
+    await expect(rows.first().locator('th')).toHaveText(`${first?.frequency_hz.toFixed(1)} Hz`);
+    expect(await rows.first().getAttribute('data-kind')).toBe(first?.kind);
+  }
+  // Hooks: held, and free to tilt.
+  await open(page, '#S_T');
+  await expect(details.getByRole('combobox').locator('option')).toHaveCount(6);
+});

@@ -34,7 +34,7 @@ pub(crate) fn of_spec(spec: &Spec, condition: usize, damping: usize) -> Value {
             "material": spec.spring.material,
             "byGeometry": spec.spring.by_geometry,
             "stiffness": spring.stiffness(),
-            "mass": spring.mass(),
+            "mass": spec.spring.mass,
             "restLength": spring.rest_length(),
             "minLength": shortest,
             "maxLength": longest,
@@ -88,5 +88,6 @@ pub(crate) fn of_clash(clash: &Clash) -> Value {
 pub(crate) fn of_sheet(sheet: &DataSheet) -> Value {
     let row = |row: &coilsense_lab::data_sheet::Row| json!({ "key": row.key, "label": row.label, "shown": row.shown(), "unit": row.unit });
     let group = |(heading, rows): &(&str, Vec<_>)| json!({ "heading": heading, "rows": rows.iter().map(row).collect::<Vec<_>>() });
-    json!({ "material": sheet.material, "groups": sheet.groups.iter().map(group).collect::<Vec<_>>() })
+    let groups: Vec<Value> = sheet.groups.iter().map(group).collect();
+    json!({ "material": sheet.material, "groups": groups, "modesAt": sheet.modes_at })
 }

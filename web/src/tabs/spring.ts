@@ -14,6 +14,7 @@ import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
 import { Views } from '../plots/views';
 import { Downloads } from '../results/downloads';
+import { Modes } from '../results/modes';
 import { sentence } from '../results/sentence';
 import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
@@ -29,6 +30,7 @@ export const open: Open = (panel, store, compute) => {
   const choose = new Choose(store, parts.choose, parts.first);
   const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
   const table = new Table(store, parts.table);
+  const modes = new Modes(parts.modes);
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
     zoom: (times) => store.setView({ times }),
@@ -100,6 +102,7 @@ export const open: Open = (panel, store, compute) => {
       table.show(facts, shown.exact);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
+      if (shown.exact) modes.show(shown.exact.facts.sheet);
       panels.show(store.state, facts);
       views.show(shown);
       downloads.show(shown);
