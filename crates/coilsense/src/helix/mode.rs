@@ -44,6 +44,7 @@ pub struct Mode {
     reactions: [Reaction; 2],
     wire: Vec<[f64; 3]>,
     shape: Vec<[f64; 3]>,
+    largest: f64,
 }
 
 impl Mode {
@@ -92,6 +93,11 @@ impl Mode {
     /// How far each of these points moves along x, y, z; the farthest by 1.
     pub fn shape(&self) -> &[[f64; 3]] {
         &self.shape
+    }
+
+    /// How far the farthest of them moves for a modal mass of 1 kg \[1/√kg\], as [`Self::reaction`] is counted.
+    pub fn largest(&self) -> f64 {
+        self.largest
     }
 }
 
@@ -188,14 +194,14 @@ impl Motion {
                 .map(|(end, holding)| self.reaction(helix, end, holding)),
             wire,
             shape: moved.into_iter().map(|w| w.map(|value| value / largest)).collect(),
+            largest: largest / unit_mass(helix).sqrt(),
         }
     }
 
     /// What the spring does to a holding: the opposite of what holds it.
     fn reaction(&self, helix: &Helix, end: usize, holding: &Holding) -> Reaction {
         let state = &helix.scaled;
-        let mass = helix.rod().parameters().density * helix.rod().area() * state.unit;
-        let force = state.bending / state.unit.powi(3) / mass.sqrt();
+        let force = state.bending / state.unit.powi(3) / unit_mass(helix).sqrt();
         let values = std::array::from_fn(|i| {
             let unit = if i < 3 { force } else { force * state.unit };
             // A free direction has no reaction, but rounding.
@@ -203,6 +209,11 @@ impl Motion {
         });
         Reaction::turned(values, holding.direction())
     }
+}
+
+/// What a modal mass of one in scaled units is \[kg\]: the mass of a unit of length.
+fn unit_mass(helix: &Helix) -> f64 {
+    helix.rod().parameters().density * helix.rod().area() * helix.scaled.unit
 }
 
 /// The motion of the section where both parts meet: the eigenvector of the eigenvalue that is zero.

@@ -135,6 +135,11 @@ impl Modes {
         found.ok_or_else(|| beyond(quantity, count as f64, ""))
     }
 
+    /// λ of a bar of the helix's stiffness and mass, about.
+    pub(super) fn bar(&self) -> f64 {
+        self.start * self.start
+    }
+
     fn count(&self, lambda: f64) -> Option<usize> {
         if lambda <= self.chain.segment.most() {
             return Some(self.chain.count(lambda));

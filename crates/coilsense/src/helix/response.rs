@@ -91,7 +91,24 @@ impl Response {
     /// # Errors
     /// As [`Self::stiffness`].
     pub fn reaction(&self, frequency: f64, moved: End, at: End) -> Result<Reaction, Error> {
-        let mut stiffness = self.in_holdings(frequency)?;
+        Ok(self.followed(self.in_holdings(frequency)?, moved, at))
+    }
+
+    /// What one end feels when one moves along the axis slowly: at rest per metre, and by inertia per m/s² backwards, −d/d(ω²) of it.
+    ///
+    /// The slope is the imaginary part at an imaginary λ, without any difference of large numbers.
+    pub(super) fn slow_reaction(&self, moved: End, at: End) -> [Slow; 2] {
+        let stiffness = self.in_si_units(&self.chain.between_ends(Complex::new(0.0, TINY)), Complex::ONE);
+        let Reaction { force, couple } = self.followed(stiffness, moved, at);
+        let per_square = self.helix.eigenvalue_unit() / TINY;
+        let both = |part: fn(&Complex<f64>) -> f64| -> Slow {
+            std::array::from_fn(|i| if i < 3 { part(&force[i]) } else { part(&couple[i - 3]) })
+        };
+        [both(|value| value.re), both(|value| value.im).map(|slope| slope * per_square)]
+    }
+
+    /// The reaction at one end to a motion of one along the axis, with all else that is free following.
+    fn followed(&self, mut stiffness: Square<Complex<f64>, 12>, moved: End, at: End) -> Reaction {
         let Ends { end1, end2 } = self.chain.ends;
         let drive = first_of(moved) + 2;
         let free: Vec<usize> = end1.freedoms(0).chain(end2.freedoms(6)).filter(|freedom| *freedom != drive).collect();
@@ -104,7 +121,7 @@ impl Response {
             let released = free.contains(&(first + i));
             if released { Complex::ZERO } else { -stiffness[first + i][drive] }
         });
-        Ok(Reaction::turned(values, holding.direction()))
+        Reaction::turned(values, holding.direction())
     }
 
     /// The stiffness in SI units, in the axes of each holding.
@@ -120,13 +137,23 @@ impl Response {
             }
         };
         let chain = finer.as_ref().unwrap_or(&self.chain);
-        let scaled = chain.between_ends(Complex::from(lambda) / lag);
+        Ok(self.in_si_units(&chain.between_ends(Complex::from(lambda) / lag), lag))
+    }
+
+    /// Scaled stiffness times `factor`, in SI units.
+    fn in_si_units(&self, scaled: &Square<Complex<f64>, 12>, factor: Complex<f64>) -> Square<Complex<f64>, 12> {
         let state = &self.helix.scaled;
         let unit = |freedom: usize| if freedom % 6 < 3 { 1.0 } else { state.unit };
-        let whole = lag * (state.bending / state.unit.powi(3));
-        Ok(std::array::from_fn(|i| std::array::from_fn(|j| scaled[i][j] * whole * unit(i) * unit(j))))
+        let whole = factor * (state.bending / state.unit.powi(3));
+        std::array::from_fn(|i| std::array::from_fn(|j| scaled[i][j] * whole * unit(i) * unit(j)))
     }
 }
+
+/// Force along x, y, z and couple about them on what holds an end, per unit of what moves the other or itself.
+pub(super) type Slow = [f64; 6];
+
+/// λ, in scaled units, whose square is nothing beside one.
+const TINY: f64 = 1e-60;
 
 /// Where the freedoms of an end begin.
 fn first_of(end: End) -> usize {

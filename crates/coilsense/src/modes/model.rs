@@ -38,6 +38,8 @@ pub struct ModalModel {
     /// Mass of end 2 over that; zero but for an end mass.
     relative_end_mass: f64,
     shapes: Shapes,
+    /// Force at each end per acceleration of each input that modes which are not here add at rest, `[end][input]` \[kg\].
+    left_out: [[f64; 2]; 2],
 }
 
 /// Where the masses are, and how they move.
@@ -54,6 +56,30 @@ enum Shapes {
         /// φ_j(i), mode by mode.
         shapes: Vec<f64>,
     },
+    /// Of equal shares of a continuous wire, evenly wound.
+    Wire {
+        count: usize,
+        /// φ_j(i), mode by mode.
+        shapes: Vec<f64>,
+        /// Inertia of the wire that follows its ends as if it had no mass, per acceleration of either \[kg\].
+        inertia: [[f64; 2]; 2],
+    },
+}
+
+/// Modes of a continuous wire, for a modal mass of 1 kg.
+pub(crate) struct WireModes {
+    /// ω_j \[rad/s\], ascending.
+    pub frequencies: Vec<f64>,
+    /// Axial force of the mode on what holds each end \[N/(m √kg)\].
+    pub reactions: [Vec<f64>; 2],
+    /// Mean axial displacement of each of N equal shares of the wire \[1/√kg\], mode by mode.
+    pub shapes: Vec<f64>,
+    /// N.
+    pub count: usize,
+    /// Of the whole wire \[kg\].
+    pub mass: f64,
+    /// Inertia of the wire that follows its ends as if it had no mass, per acceleration of either \[kg\].
+    pub inertia: [[f64; 2]; 2],
 }
 
 /// Modes that were found elsewhere: of a spring of unequal masses or segments, say. Shapes may be scaled at will.
@@ -129,6 +155,44 @@ impl ModalModel {
             mean_mass: spring.mass() / shapes.masses as f64,
             relative_end_mass,
             shapes: Shapes::Chain(shapes),
+            left_out: [[0.0; 2]; 2],
+        }
+    }
+
+    /// Of a continuous wire between two prescribed positions.
+    ///
+    /// c_ij = r_ij/ω_j², p1_j = r_1j, p2_j = −r_2j; of the modes that are not here R = M − Σ_j c_j c_jᵀ stays, `F_i −= R_1 ü`, `F_o += R_2 ü`
+    ///
+    /// Source:   reciprocity: what a mode's inertia does along the displacements that a slow motion of end i gives is what it pulls with at
+    ///           end i; R is what modes far above follow with.
+    pub(crate) fn wire(modes: WireModes) -> Self {
+        let WireModes { frequencies, reactions, shapes, count, mass, inertia } = modes;
+        let per = |reactions: &Vec<f64>| -> Vec<f64> {
+            reactions.iter().zip(&frequencies).map(|(reaction, frequency)| reaction / (frequency * frequency)).collect()
+        };
+        let participations = reactions.each_ref().map(per);
+        let [first, second] = &participations;
+        let rigid = first.iter().zip(second).map(|(first, second)| first + second).collect();
+        let kept = |i: usize, j: usize| -> f64 {
+            participations[i].iter().zip(&participations[j]).map(|(one, other)| one * other).sum()
+        };
+        let left_out = [[-1.0, -1.0], [1.0, 1.0]];
+        let left_out = std::array::from_fn(|i| std::array::from_fn(|j| left_out[i][j] * (inertia[i][j] - kept(i, j))));
+        let mean_mass = mass / count as f64;
+        let [input, output] = reactions;
+        Self {
+            far_end: FarEnd::Position,
+            norms: vec![1.0 / mean_mass; frequencies.len()],
+            end_shapes: vec![0.0; frequencies.len()],
+            line: [rigid, second.clone()],
+            frequencies,
+            participations,
+            weights: [input, output.into_iter().map(|reaction| -reaction).collect()],
+            segment: 1.0,
+            mean_mass,
+            relative_end_mass: 0.0,
+            shapes: Shapes::Wire { count, shapes, inertia },
+            left_out,
         }
     }
 
@@ -164,6 +228,7 @@ impl ModalModel {
             mean_mass: mean,
             relative_end_mass: end_mass / mean,
             shapes: Shapes::Table { masses: Vec::new(), places: Vec::new(), shapes: Vec::new() },
+            left_out: [[0.0; 2]; 2],
         };
         for (shape, end) in shapes.chunks_exact(places_count).zip(model.end_shapes.clone()) {
             let sum = |value: &dyn Fn(usize) -> f64, of_end: f64| {
@@ -208,6 +273,7 @@ impl ModalModel {
         match &self.shapes {
             Shapes::Chain(chain) => chain.masses,
             Shapes::Table { masses, .. } => masses.len(),
+            Shapes::Wire { count, .. } => *count,
         }
     }
 
@@ -254,13 +320,14 @@ impl ModalModel {
         match &self.shapes {
             Shapes::Chain(chain) => chain.at(mode, mass),
             Shapes::Table { masses, shapes, .. } => shapes[(mode - 1) * masses.len() + mass - 1],
+            Shapes::Wire { count, shapes, .. } => shapes[(mode - 1) * count + mass - 1],
         }
     }
 
     /// As [`Self::place`], the number trusted.
     pub(crate) fn place_at(&self, mass: usize) -> f64 {
         match &self.shapes {
-            Shapes::Chain(chain) => (mass as f64 - 0.5) / chain.masses as f64,
+            Shapes::Chain(_) | Shapes::Wire { .. } => (mass as f64 - 0.5) / self.masses() as f64,
             Shapes::Table { places, .. } => places[mass - 1],
         }
     }
@@ -268,7 +335,7 @@ impl ModalModel {
     /// m_i over the mean \[1\], the number trusted.
     fn share_of_mass(&self, mass: usize) -> f64 {
         match &self.shapes {
-            Shapes::Chain(_) => 1.0,
+            Shapes::Chain(_) | Shapes::Wire { .. } => 1.0,
             Shapes::Table { masses, .. } => masses[mass - 1],
         }
     }
@@ -285,12 +352,12 @@ impl ModalModel {
 
     /// Whether all masses and segments are alike, so that what is known of an even coil holds.
     pub(crate) fn is_even(&self) -> bool {
-        matches!(self.shapes, Shapes::Chain(_))
+        matches!(self.shapes, Shapes::Chain(_) | Shapes::Wire { .. })
     }
 
     /// Whether modes 1, 3, 5 … look the same from both ends and the others are mirrored.
     pub(crate) fn is_mirrored(&self) -> bool {
-        self.is_even() && self.far_end == FarEnd::Position
+        matches!(self.shapes, Shapes::Chain(_)) && self.far_end == FarEnd::Position
     }
 
     /// How far masses `apart` masses from each other move towards each other in a mode, at most, per unit of q_j; `transit_time` τ \[s\].
@@ -300,8 +367,8 @@ impl ModalModel {
                 let share = apart as f64 / chain.masses as f64;
                 (self.frequencies[mode - 1] * transit_time * share).min(2.0)
             }
-            Shapes::Table { masses, .. } => {
-                let each = (1..=masses.len().saturating_sub(apart))
+            Shapes::Table { .. } | Shapes::Wire { .. } => {
+                let each = (1..=self.masses().saturating_sub(apart))
                     .map(|mass| (self.shape_at(mode, mass + apart) - self.shape_at(mode, mass)).abs());
                 each.fold(0.0, f64::max)
             }
@@ -311,7 +378,7 @@ impl ModalModel {
     /// The smallest share of the ends' distance between masses `apart` masses from each other.
     pub(crate) fn least_between(&self, apart: usize) -> f64 {
         match &self.shapes {
-            Shapes::Chain(chain) => apart as f64 / chain.masses as f64,
+            Shapes::Chain(_) | Shapes::Wire { .. } => apart as f64 / self.masses() as f64,
             Shapes::Table { places, .. } => {
                 let each = places.iter().zip(places.iter().skip(apart)).map(|(before, after)| after - before);
                 each.fold(f64::INFINITY, f64::min)
@@ -332,6 +399,24 @@ impl ModalModel {
     /// c1_j \[1\] and c2_j (\[1\], or \[m/N\] for a force at end 2): how strongly each input drives each mode; shape `count` each.
     pub(crate) fn participations(&self) -> [&[f64]; 2] {
         [&self.participations[0], &self.participations[1]]
+    }
+
+    /// Force at each end per acceleration of each input that modes which are not here add at rest, `[end][input]` \[kg\].
+    pub(crate) fn left_out(&self) -> [[f64; 2]; 2] {
+        self.left_out
+    }
+
+    /// Kinetic energy \[J\] of a wire whose ends move at `line` \[m/s\], from the rates of its modes; `None` of a chain, whose masses tell.
+    ///
+    /// ½ u̇ᵀ M u̇ + Σ_j q̇_j c_j·u̇ + ½ Σ_j q̇_j²: all motions of the wire, what modes that are not here carry along included
+    pub(crate) fn kinetic_energy(&self, line: [f64; 2], rates: &[f64]) -> Option<f64> {
+        let Shapes::Wire { inertia, .. } = &self.shapes else { return None };
+        let carried: f64 = (0..2).map(|i| line[i] * (inertia[i][0] * line[0] + inertia[i][1] * line[1])).sum();
+        let [first, second] = &self.participations;
+        let each = rates.iter().zip(first).zip(second);
+        let swings: f64 =
+            each.map(|((rate, first), second)| rate * (rate + 2.0 * (first * line[0] + second * line[1]))).sum();
+        Some(0.5 * (carried + swings))
     }
 
     /// Modal coordinates of the straight line with the values `line` at ends 1 and 2; shape `count`.

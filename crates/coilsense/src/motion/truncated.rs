@@ -7,6 +7,7 @@ use super::closed::{Closed, ModalState};
 use super::oscillator::Oscillator;
 use crate::error::{Error, check};
 use crate::excitation::{EndInput, Kick, Sine};
+use crate::modes::ModalModel;
 
 /// What is left of the modes that a truncated motion leaves out.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,11 @@ pub(super) struct Remainder {
 impl Remainder {
     /// Of a motion with all its modes: nothing.
     pub(super) const NONE: Self = Self { per_acceleration: [[0.0; 2]; 2], bound: [0.0; 2] };
+
+    /// Of a motion with all the modes of a model.
+    pub(super) fn of(modes: &ModalModel) -> Self {
+        Self { per_acceleration: modes.left_out(), ..Self::NONE }
+    }
 }
 
 impl Motion {
@@ -60,7 +66,8 @@ impl Motion {
         Ok(motion)
     }
 
-    /// How far F_i and F_o of a truncated motion can be from those of all modes \[N\]; zero where none is left out.
+    /// How far F_i and F_o of a truncated motion can be from those of all modes \[N\]; zero where none is left out. Modes that the model
+    /// does not have, as those of a helix beyond [`crate::helix::Surge::reach`], are not in it.
     ///
     /// Σ_{j>n} 2Nk |a_j| (1 + βω_j) √(q² + (q̇/ω_j)²): a mode's ringing never exceeds the sum of what start, jumps and sines give it;
     /// of a step |a_j c_j Δu| (1 + βω_j √(1 + 4ζ_j²)), as it leaves `q = −c_j Δu ġ`, g the answer to a unit impulse, ġ² + (ω_j g)² ≤ 1

@@ -12,4 +12,5 @@ mod figures;
 mod laws;
 mod limits;
 mod lines;
+mod motion;
 mod refused;
