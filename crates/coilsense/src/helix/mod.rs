@@ -1,8 +1,9 @@
 //! Every motion of a real coil: axial, torsional and sideways, with the wire's prestress.
 //!
 //! The wire of a stretched (or compressed) spring as an exact rod: `Rod` is the wire without load, `Helix` its state at a length,
-//! `Ends` what holds it, `Modes` its natural frequencies. Next door: the axial chain alone (`modes`), formulas for a first look
-//! (`neighbours`).
+//! `Ends` what holds it, `Modes` its natural frequencies, `Surge` all of them ready for a motion over time, between two ends that move
+//! along the axis. Next door: the axial chain alone (`modes`), which also takes a force or a mass at end 2; formulas for a first look (`neighbours`);
+//! what a motion tells (`motion`).
 
 mod block;
 mod buckling;

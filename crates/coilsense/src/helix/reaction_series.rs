@@ -34,7 +34,7 @@ impl Surge {
     ///
     /// Source:   as [`Surge`], for each direction of force and couple.
     /// Valid:    as [`Surge`]; holdings that do not move but along the axis.
-    /// Accuracy: that of [`super::Response::reaction`] to 1e-4 of the largest under sines below 0.75 f1 (`tests/helix`).
+    /// Accuracy: that of [`super::Response::reaction`] to 1.1e-5 of the dynamic axial force (couples: at the coil's radius) under sines below 0.75 f1 (`tests/helix`).
     ///
     /// # Errors
     /// [`Error::Value`] for a motion of other modes than this helix's, and as [`Motion::end_forces`].
@@ -50,7 +50,8 @@ impl Surge {
             let (at, sign) = if end == End::One { (0, 1.0) } else { (1, -1.0) };
             let of_modes: Vec<Slow> = self.modes()[..count].iter().map(|mode| of_mode(mode, end)).collect();
             let beside = [0, 1, 3, 4, 5];
-            let weights: Vec<Vec<f64>> = beside.iter().map(|i| of_modes.iter().map(|mode| mode[*i]).collect()).collect();
+            let weights: Vec<Vec<f64>> =
+                beside.iter().map(|i| of_modes.iter().map(|mode| mode[*i]).collect()).collect();
             let mut sums = motion.modal_sums(times, &weights)?;
             for (i, (sums, weights)) in beside.into_iter().zip(sums.iter_mut().zip(&weights)) {
                 let mean = if i == 5 { sign * self.helix.couple() } else { 0.0 };

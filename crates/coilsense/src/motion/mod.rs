@@ -103,7 +103,7 @@ impl Motion {
         Self::built(spring, mount.clone(), ModalModel::chain(spring, mount.far_end()), excitation)
     }
 
-    /// Of a spring whose modes were found elsewhere. F_x, the mean force and where windings may touch are those of `spring`.
+    /// Of a spring whose modes were found elsewhere: a helix's come with [`crate::helix::Surge::motion`]. F_x, the mean force and where windings may touch are those of `spring`.
     ///
     /// # Errors
     /// As [`Self::mounted`].

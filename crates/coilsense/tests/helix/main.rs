@@ -5,6 +5,7 @@
 //! | `helix::Modes` | figures of an independent program of the same rod (`figures`), straight finite elements by their counts |
 //! | `helix::Helix` | closed forms of a wire that neither shears nor extends, textbook couple of the unloaded helix (`limits`) |
 //! | `helix::Modes` | straight beam, bar, shaft, column that buckles (`limits`) |
+//! | `helix::Surge` | `helix::Response`, the chain of a long flat spring, work and energy (`motion`) |
 //! | `helix::Response` | the static state at a length nearby, residues of its own modes (`laws`) |
 
 mod cases;

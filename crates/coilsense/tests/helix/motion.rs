@@ -4,7 +4,7 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use coilsense::geometry::{EndType, Geometry};
 use coilsense::helix::{
-    Ends, Hand, Helix, Holding, Kind, Modes, ReactionSeries, Response, Rod, RodParameters, StiffnessAt, Surge, Turning,
+    Ends, Hand, Helix, Holding, Kind, Mode, Modes, ReactionSeries, Response, Rod, RodParameters, Surge, Turning,
 };
 use coilsense::inductance::{MaxwellSum, SelfDistance};
 use coilsense::measures::Spectrum;
@@ -82,7 +82,9 @@ fn under_sines_the_ends_feel_what_the_response_says() {
                     let load = [0.0, 0.0, helix.force(), 0.0, 0.0, helix.couple()].map(|load| sign * load);
                     let units = [1.0, 1.0, 1.0].into_iter().chain([helix.coil_radius(); 3]);
                     let felt = moving.force().into_iter().chain(moving.couple());
-                    for (i, ((series, felt), unit)) in six(&reactions[at as usize]).into_iter().zip(felt).zip(units).enumerate() {
+                    for (i, ((series, felt), unit)) in
+                        six(&reactions[at as usize]).into_iter().zip(felt).zip(units).enumerate()
+                    {
                         let expected: Vec<f64> = times
                             .iter()
                             .map(|time| load[i] + felt.re * AMPLITUDE * (TAU * frequency * time + PHASE).sin())
@@ -103,12 +105,13 @@ fn under_sines_the_ends_feel_what_the_response_says() {
 
 #[test]
 fn a_loss_is_a_damping_ratio_at_a_mode_only() {
-    // A loss acts on the force of the slow motion, too, and on a mode as if ζ = η ω_j/2ω: alike at the mode.
+    // A loss acts on the force of the slow motion, too; that apart, on a mode as if ζ = η ω_j/2ω, and its force lags by η. Measured at
+    // η = 2ζ = 0.01: 9.9e-4 of the dynamic force at 0.1 f1, 3.5e-3, 4.4e-3, 5.0e-3, and η itself at f1.
     let surge = surge_of(&s_t(), 0.230, Ends::clamped());
     let ratio = 0.005;
     let response = Response::new(surge.helix(), Ends::clamped(), 2.0 * ratio).unwrap();
     let mount = Mount::new(FarEnd::Position, Damping::Modal(ratio)).unwrap();
-    for (share, size) in [(0.1, 0.1), (0.5, 0.03), (0.75, 0.02), (0.95, 0.01), (1.0, 0.006)] {
+    for (share, size) in [(0.1, 1.1e-3), (0.5, 3.9e-3), (0.75, 4.9e-3), (0.95, 5.5e-3), (1.0, 1.1e-2)] {
         let frequency = share * first_axial(&surge);
         let (excitation, times) = sine(0.230, End::One, frequency);
         let output = &both(&surge.motion(&mount, &excitation).unwrap(), &times)[1];
@@ -120,8 +123,24 @@ fn a_loss_is_a_damping_ratio_at_a_mode_only() {
         };
         let dynamic = AMPLITUDE * (moving - still).norm();
         let off = apart(output, &times.iter().map(felt).collect::<Vec<_>>()) / dynamic;
-        println!("loss: {share}: {off:e} {:e}", still.im.abs() / (moving - still).norm());
-        assert!(off < size, "{share}: {off}");
+        assert!(off < size, "{share}: {off:e}");
+    }
+}
+
+#[test]
+fn the_static_line_is_that_of_the_ends_as_they_are_held() {
+    // Clamped ends keep the angle of the wire: S_T 4.0e-4 stiffer than a helix whose ends follow, the valve 4.6e-3 (4.7e-3 on a swivel).
+    for (case, length, size) in [(s_t(), 0.230, 4.1e-4), (valve(), 0.043, 4.8e-3)] {
+        let surge = surge_of(&case, length, Ends::clamped());
+        let stiffer = surge.spring().stiffness() / surge.helix().stiffness() - 1.0;
+        assert!(stiffer > 0.0 && stiffer < size, "{stiffer:e}");
+        assert!(relative(surge.spring().static_force(length), surge.helix().force()) < 1e-12);
+        // Free to turn, brought there free to turn: the slope of that state, as near.
+        let free = Helix::new(surge.helix().rod(), surge.helix().span(), Turning::Free).unwrap();
+        let turning = Surge::new(&case.0, &case.1, &free, Ends::swivel()).unwrap();
+        let stiffer = turning.spring().stiffness() / free.stiffness() - 1.0;
+        assert!(stiffer.abs() < size, "{stiffer:e}");
+        assert!(turning.spring().stiffness() < surge.spring().stiffness());
     }
 }
 
@@ -155,17 +174,22 @@ fn no_mode_is_missed_and_pairs_are_whole() {
         assert!(frequencies.is_sorted() && frequencies[frequencies.len() - 1] <= TAU * surge.reach());
         assert!(relative(surge.reach(), 20.0 * first_axial(&surge)) < 0.04);
     }
-    // S_T, clamped: 44.1122 and 44.1176 Hz, of either plane.
-    let surge = surge_of(&s_t(), 0.230, Ends::clamped());
-    let [one, two] = [0, 1].map(|index| &surge.modes()[index]);
-    assert!(one.kind() == Kind::Lateral && two.kind() == Kind::Lateral);
-    assert!(relative(one.frequency(), two.frequency()) < 2e-4);
-    let side = |index: usize| surge.modes()[index].reaction(End::Two).force().map(|force| force.re);
-    let cosine = {
-        let ([x1, y1, _], [x2, y2, _]) = (side(0), side(1));
-        (x1 * x2 + y1 * y2) / (x1.hypot(y1) * x2.hypot(y2))
-    };
-    assert!(cosine.abs() < 0.05, "{cosine}");
+    // Neighbours are modes of their own, however close: S_T has pairs 1.2e-4 apart, pinned 5.7e-7.
+    for (ends, closest) in [(Ends::clamped(), 2e-4), (Ends::pinned(), 1e-6)] {
+        let surge = surge_of(&s_t(), 0.230, ends);
+        let product = |one: &Mode, other: &Mode| -> f64 {
+            one.shape().iter().flatten().zip(other.shape().iter().flatten()).map(|(one, other)| one * other).sum()
+        };
+        let mut nearest = f64::INFINITY;
+        for pair in surge.modes().windows(2) {
+            let [one, two] = pair else { continue };
+            let cosine = product(one, two) / (product(one, one) * product(two, two)).sqrt();
+            // 2.3e-3: the wire's own rotation is left out.
+            assert!(cosine.abs() < 5e-3, "{} Hz: {cosine:e}", one.frequency());
+            nearest = nearest.min(two.frequency() / one.frequency() - 1.0);
+        }
+        assert!(nearest < closest, "{nearest:e}");
+    }
 }
 
 #[test]
@@ -176,13 +200,18 @@ fn windings_share_the_inertia_that_the_ends_feel() {
         let n = surge.model().masses();
         let each = surge.helix().rod().mass() / n as f64;
         for (index, mode) in surge.modes().iter().enumerate() {
-            let rigid: f64 =
-                [End::One, End::Two].map(|end| mode.reaction(end).force()[2].re).iter().sum::<f64>() / (TAU * mode.frequency()).powi(2);
+            let rigid: f64 = [End::One, End::Two].map(|end| mode.reaction(end).force()[2].re).iter().sum::<f64>()
+                / (TAU * mode.frequency()).powi(2);
             let shares: f64 = (1..=n).map(|winding| each * surge.model().shape(index + 1, winding).unwrap()).sum();
-            // Of √m, the most that a mode can carry.
-            let off = (rigid - shares).abs() / surge.helix().rod().mass().sqrt();
-            println!("share {name} {index} {off:e}");
-            assert!(off < 1e-3, "{name}, {index}: {off:e}");
+            // Of √m, the most that a mode can carry: 1e-7 of S_T, 7.5e-5 pinned, where ends move and the mean over points sees it.
+            let mass = surge.helix().rod().mass();
+            let off = (rigid - shares).abs() / mass.sqrt();
+            assert!(off < 2e-4, "{name}, {index}: {off:e}");
+            // Modal mass 1 kg, but for the share of the wire's own rotation: (d/4R)², up to 3.7 % where short windings bend.
+            let squares =
+                mode.shape().iter().flatten().map(|value| value * value).sum::<f64>() / mode.shape().len() as f64;
+            let modal = mass * squares * mode.largest().powi(2);
+            assert!(modal < 1.0 && modal > 0.95, "{name}, {index}: {modal}");
         }
     }
 }
@@ -213,17 +242,16 @@ fn a_long_flat_spring_moves_as_the_chain_of_many_masses() {
     let case = long_and_flat();
     let length = 1.02 * case.0.rest_length();
     let surge = surge_of(&case, length, Ends::clamped());
-    println!("flat: {} modes, axial {} of {}", surge.modes().len(), first_axial(&surge), surge.spring().surge_frequency());
     let chain = surge.spring().clone().with_masses_per_winding(8).unwrap();
-    for share in [0.1, 0.3, 0.5, 0.75] {
+    // Measured: 2.1e-5 and less, and 7.3e-4 beside a sideways line of the helix at 0.7655 f1, which the chain does not have.
+    for (share, size) in [(0.1, 5e-5), (0.3, 5e-5), (0.5, 5e-5), (0.6, 5e-5), (0.75, 1e-3)] {
         let (excitation, times) = sine(length, End::One, share * chain.surge_frequency());
         let ours = surge.motion(&Mount::default(), &excitation).unwrap();
         let theirs = Motion::new(&chain, &excitation).unwrap();
         let static_force = theirs.deflection_forces(&times).unwrap();
         for (ours, theirs) in both(&ours, &times).iter().zip(both(&theirs, &times)) {
             let off = apart(ours, &theirs) / apart(&theirs, &static_force);
-            println!("flat: {share}: {off:e}");
-            assert!(off < 1e-3, "{share} f1: {off:e}");
+            assert!(off < size, "{share} f1: {off:e}");
         }
     }
 }
@@ -238,10 +266,9 @@ fn energy_stays_once_the_ends_are_held() {
         let motion = surge.motion(&Mount::default(), &excitation).unwrap();
         let [rest, after] = [0.0, 0.41 * period].map(|time| motion.energy(time).unwrap());
         for share in [0.5, 1.0, 3.7, 20.0, 100.0] {
-            // Of what the push gave; rounding of the whole, strain of the mean length included.
+            // Of what the push gave: 1.5e-13, rounding of the whole with the strain of the mean length.
             let off = (motion.energy(share * period).unwrap() - after).abs() / (after - rest);
-            println!("energy {name} {off:e}");
-            assert!(off < 1e-9, "{name}: {off:e}");
+            assert!(off < 1e-11, "{name}: {off:e}");
         }
     }
 }
@@ -264,21 +291,22 @@ fn the_work_of_both_ends_is_the_change_of_energy() {
             .iter()
             .enumerate()
             .map(|(at, time)| {
-                let power = forces.output[at] * inputs[1].velocity(*time) - forces.input[at] * inputs[0].velocity(*time);
+                let power =
+                    forces.output[at] * inputs[1].velocity(*time) - forces.input[at] * inputs[0].velocity(*time);
                 let weight = if at == 0 || at == times.len() - 1 { 1.0 } else { [2.0, 4.0][at % 2] };
                 weight * power * step / 3.0
             })
             .sum();
         let change = motion.energy(until).unwrap() - motion.energy(0.0).unwrap();
-        // Without what a spring without mass would store: that alone is a hundred times as much.
+        // Without what a spring without mass would store: that alone is up to forty times as much.
         let slow = |time: f64| {
             let force = motion.deflection_forces(&[time]).unwrap()[0];
             0.5 * force * force / surge.spring().stiffness()
         };
         let of_motion = change - (slow(until) - slow(0.0));
         let off = (work - change).abs() / of_motion.abs();
-        println!("work {name}: {work} {change} {of_motion} {off:e}");
-        assert!(off < 1e-6, "{name}: {work} {change}");
+        // 2.5e-12.
+        assert!(off < 1e-10, "{name}: {work} {change}");
     }
 }
 
@@ -294,13 +322,12 @@ fn after_a_step_the_torsional_line_of_s_t_has_one_per_cent_of_the_axial_one() {
     let line = |frequency: f64| SQRT_2 * spectrum.rms_within(frequency - 0.5, frequency + 0.5);
     let [axial, torsional] = [Kind::Axial, Kind::Torsional].map(|kind| {
         let mode = surge.modes().iter().find(|mode| mode.kind() == kind).unwrap();
-        // A step of u1 leaves 2 k s of each line.
-        println!("{:e}", relative(line(mode.frequency()), 2.0 * k * height * mode.line_strength()));
-        assert!(relative(line(mode.frequency()), 2.0 * k * height * mode.line_strength()) < 1e-4);
+        // A step of u1 leaves 2 k s of each line: to 1.2e-7, lines beside it in the taper's skirts.
+        assert!(relative(line(mode.frequency()), 2.0 * k * height * mode.line_strength()) < 1e-5);
         line(mode.frequency())
     });
-    println!("torsion {}", torsional / axial);
     assert!((surge.modes()[3].frequency() - 60.8).abs() < 0.05);
+    // 0.01128; the table's 0.0109 is of another normalisation (`lines`).
     assert!((torsional / axial - 0.0109).abs() < 5e-4, "{}", torsional / axial);
 }
 
@@ -329,9 +356,8 @@ fn the_mirror_image_pulls_alike_and_turns_the_other_way() {
             for (i, sign) in [1.0, -1.0, 1.0, -1.0, 1.0, -1.0].into_iter().enumerate() {
                 let turned: Vec<f64> = six(left)[i].iter().map(|value| sign * value).collect();
                 let off = apart(&turned, six(right)[i]) / largest(six(right)[i].iter().copied());
-                println!("hand {i} {off:e}");
-                // Rounding of long chains moves frequencies by 1e-9, and turns close pairs within their plane.
-                assert!(off < 1e-5, "{i}: {off:e}");
+                // 2.3e-9: rounding of long chains turns close pairs within their plane.
+                assert!(off < 1e-7, "{i}: {off:e}");
             }
         }
     }
@@ -353,7 +379,9 @@ fn all_windows_on_a_motion_agree() {
     let thrown = Start::Windings { positions: (0..n).map(even).collect(), velocities: vec![0.25; n] };
     let moving = Start::Moving { velocity: 0.25, profile: VelocityProfile::Uniform };
     let times = sampled_window(10_000.0, 0.0, 0.2).unwrap();
-    for (first, start) in [(EndInput::harmonic(1e-3, 40.0, 0.0), moving.clone()), (recording, Start::Rest), (chirp, moving.clone())] {
+    for (first, start) in
+        [(EndInput::harmonic(1e-3, 40.0, 0.0), moving.clone()), (recording, Start::Rest), (chirp, moving.clone())]
+    {
         let motion = surge.motion(&mount, &Excitation::new(length, first, EndInput::Held, start).unwrap()).unwrap();
         let together = surge.reactions(&motion, &times).unwrap();
         // The same times as no series of equal steps.
@@ -380,8 +408,8 @@ fn all_windows_on_a_motion_agree() {
     let static_force = surge.helix().force();
     for (one, other) in by_windings.iter().zip(&whole) {
         let off = apart(one, other) / largest(other.iter().map(|force| force - static_force));
-        println!("thrown {off:e}");
-        assert!(off < 1e-3, "{off:e}");
+        // 5.0e-7.
+        assert!(off < 5e-6, "{off:e}");
     }
 }
 
@@ -428,5 +456,4 @@ fn what_a_helix_cannot_do_over_time_is_refused_in_one_line() {
     let seated = surge_of(&valve, 0.043, Ends::clamped());
     assert!(seated.motion(&Mount::default(), &about(0.043)).is_ok());
     says(seated.motion(&Mount::default(), &about(0.035)).unwrap_err(), "mean length must be that of the helix, 0.043");
-    let _ = StiffnessAt::Range;
 }
