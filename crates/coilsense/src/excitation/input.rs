@@ -164,6 +164,37 @@ impl EndInput {
         }
     }
 
+    /// Rate of [`Self::acceleration`] at time `time` \[s\], but for its jumps, in \[m/s³\].
+    pub(crate) fn jerk(&self, time: f64) -> f64 {
+        match self {
+            Self::Chirp { amplitude, from, to, duration, .. } if time < *duration => {
+                let (angle, rate) = self.chirp_angle(time);
+                let growth = TAU * (to - from) / duration;
+                -amplitude * rate * (3.0 * growth * angle.sin() + rate * rate * angle.cos())
+            }
+            Self::Harmonics(_) | Self::HalfSine { .. } => {
+                self.sines().map(|sine| -sine.angular * sine.angular * sine.velocity(time)).sum()
+            }
+            Self::Held | Self::Chirp { .. } | Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => 0.0,
+        }
+    }
+
+    /// Rate of [`Self::jerk`] at time `time` \[s\], but for its jumps, in \[m/s⁴\].
+    pub(crate) fn snap(&self, time: f64) -> f64 {
+        match self {
+            Self::Chirp { amplitude, from, to, duration, .. } if time < *duration => {
+                let (angle, rate) = self.chirp_angle(time);
+                let growth = TAU * (to - from) / duration;
+                let (sine, cosine) = angle.sin_cos();
+                amplitude * ((rate.powi(4) - 3.0 * growth * growth) * sine - 6.0 * growth * rate * rate * cosine)
+            }
+            Self::Harmonics(_) | Self::HalfSine { .. } => {
+                self.sines().map(|sine| sine.angular.powi(4) * sine.displacement(time)).sum()
+            }
+            Self::Held | Self::Chirp { .. } | Self::Step { .. } | Self::Ramp { .. } | Self::Sampled(_) => 0.0,
+        }
+    }
+
     /// Largest angular frequency \[rad/s\] in [`Self::acceleration`].
     pub(crate) fn highest_angular(&self) -> f64 {
         match self {

@@ -4,8 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use super::response::Slow;
-use super::surge::{Surge, of_mode};
+use super::surge::{Six, Slow, Surge, of_mode};
 use crate::error::{Error, check};
 use crate::excitation::{End, EndInput};
 use crate::motion::Motion;
@@ -25,10 +24,10 @@ pub struct ReactionSeries {
 impl Surge {
     /// What the ends of a motion of this helix do to what holds them: end 1, then end 2.
     ///
-    /// P = P_0 + S u + Σ_j r_j (q_j + β q̇_j) − R ü
+    /// P = P_0 + G u + Σ_j r_j (q_j + β q̇_j) − R ü + T u⁗
     ///
-    /// with P_0 the load at the helix's length (F and C along the axis), S and r_j what the holding feels of the ends' slow motion and of each
-    /// mode, R what modes that are left out follow with, β the time of stiffness-proportional damping.
+    /// with P_0 the load at the helix's length (F and C along the axis), G and r_j what the holding feels of the ends' slow motion and of each
+    /// mode, R and T what modes that are left out follow with, β the time of stiffness-proportional damping.
     ///
     /// - `times`: t \[s\], shape `samples`, in any order, none below zero
     ///
@@ -45,10 +44,11 @@ impl Surge {
         let forces = motion.end_forces(times)?;
         let [first, second] = [End::One, End::Two].map(|end| motion.excitation().input(end));
         let inputs = [first.displacements(times), second.displacements(times)];
-        let accelerations = [first, second].map(|input| of_each(times, input));
+        let accelerations = [first, second].map(|input| of_each(times, input, EndInput::acceleration));
+        let snaps = [first, second].map(|input| of_each(times, input, EndInput::snap));
         let series = |end: End, axial: Vec<f64>| -> Result<ReactionSeries, Error> {
             let (at, sign) = if end == End::One { (0, 1.0) } else { (1, -1.0) };
-            let of_modes: Vec<Slow> = self.modes()[..count].iter().map(|mode| of_mode(mode, end)).collect();
+            let of_modes: Vec<Six> = self.modes()[..count].iter().map(|mode| of_mode(mode, end)).collect();
             let beside = [0, 1, 3, 4, 5];
             let weights: Vec<Vec<f64>> =
                 beside.iter().map(|i| of_modes.iter().map(|mode| mode[*i]).collect()).collect();
@@ -56,10 +56,13 @@ impl Surge {
             for (i, (sums, weights)) in beside.into_iter().zip(sums.iter_mut().zip(&weights)) {
                 let mean = if i == 5 { sign * self.helix.couple() } else { 0.0 };
                 for moved in 0..2 {
-                    let [slope, inertia] = self.slow[at][moved].map(|slow| slow[i]);
-                    let left = inertia - self.carried(weights, moved);
-                    let each = inputs[moved].iter().zip(&accelerations[moved]).zip(&mut *sums);
-                    each.for_each(|((input, acceleration), sum)| *sum += slope * input - left * acceleration);
+                    let Slow { rest, mass, second } = &self.slow[at][moved];
+                    let left = mass[i] - self.carried(weights, moved, 1);
+                    let next = second[i] - self.carried(weights, moved, 2);
+                    let slow = inputs[moved].iter().zip(&accelerations[moved]).zip(&snaps[moved]);
+                    for (((input, acceleration), snap), sum) in slow.zip(&mut *sums) {
+                        *sum += rest[i] * input - left * acceleration + next * snap;
+                    }
                 }
                 sums.iter_mut().for_each(|sum| *sum += mean);
             }
@@ -70,14 +73,14 @@ impl Surge {
         Ok([series(End::One, forces.input)?, series(End::Two, forces.output)?])
     }
 
-    /// Σ_j r_j/ω_j² c_j of an end that moves: what the modes that are there carry along of the inertia.
-    fn carried(&self, weights: &[f64], moved: usize) -> f64 {
+    /// Σ_j r_j c_j/ω_j² of an end that moves, or with ω_j⁴ in the second term: what the modes that are there carry along of the inertia.
+    fn carried(&self, weights: &[f64], moved: usize, term: i32) -> f64 {
         let [first, second] = self.model().participations();
         let each = self.modes().iter().zip(if moved == 0 { first } else { second }).zip(weights);
-        each.map(|((mode, part), weight)| weight * part / (TAU * mode.frequency()).powi(2)).sum()
+        each.map(|((mode, part), weight)| weight * part / (TAU * mode.frequency()).powi(2 * term)).sum()
     }
 }
 
-fn of_each(times: &[f64], input: &EndInput) -> Vec<f64> {
-    times.iter().map(|&time| input.acceleration(time)).collect()
+fn of_each(times: &[f64], input: &EndInput, derivative: fn(&EndInput, f64) -> f64) -> Vec<f64> {
+    times.iter().map(|&time| derivative(input, time)).collect()
 }

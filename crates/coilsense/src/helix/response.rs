@@ -2,6 +2,7 @@
 //!
 //! Next door: the same at a mode (`mode`), the axial chain's response (`crate::two_port`).
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
@@ -94,17 +95,19 @@ impl Response {
         Ok(self.followed(self.in_holdings(frequency)?, moved, at))
     }
 
-    /// What one end feels when one moves along the axis slowly: at rest per metre, and by inertia per m/s² backwards, −d/d(ω²) of it.
+    /// The same at any ω², with an imaginary part or not \[rad²/s²\], as six numbers; the loss is left out.
     ///
-    /// The slope is the imaginary part at an imaginary λ, without any difference of large numbers.
-    pub(super) fn slow_reaction(&self, moved: End, at: End) -> [Slow; 2] {
-        let stiffness = self.in_si_units(&self.chain.between_ends(Complex::new(0.0, TINY)), Complex::ONE);
-        let Reaction { force, couple } = self.followed(stiffness, moved, at);
-        let per_square = self.helix.eigenvalue_unit() / TINY;
-        let both = |part: fn(&Complex<f64>) -> f64| -> Slow {
-            std::array::from_fn(|i| if i < 3 { part(&force[i]) } else { part(&couple[i - 3]) })
-        };
-        [both(|value| value.re), both(|value| value.im).map(|slope| slope * per_square)]
+    /// # Errors
+    /// As [`Self::stiffness`].
+    pub(super) fn reaction_at(&self, square: Complex<f64>, moved: End, at: End) -> Result<[Complex<f64>; 6], Error> {
+        let lambda = square * self.helix.eigenvalue_unit();
+        let chain = self.fine_enough(lambda.norm()).ok_or_else(|| {
+            let hertz = square.norm().sqrt() / TAU;
+            beyond("frequency", hertz, "Hz")
+        })?;
+        let stiffness = self.in_si_units(&chain.between_ends(lambda), Complex::ONE);
+        let Reaction { force: [x, y, z], couple: [about_x, about_y, about_z] } = self.followed(stiffness, moved, at);
+        Ok([x, y, z, about_x, about_y, about_z])
     }
 
     /// The reaction at one end to a motion of one along the axis, with all else that is free following.
@@ -129,15 +132,16 @@ impl Response {
         check(frequency.is_finite() && frequency >= 0.0, "frequency", frequency, "Hz", "finite and not below zero")?;
         let lambda = (TAU * frequency).powi(2) * self.helix.eigenvalue_unit();
         let lag = Complex::new(1.0, self.loss);
-        let finer = match lambda <= self.chain.segment.most() {
-            true => None,
-            false => {
-                let finer = Chain::new(&self.helix, &self.chain.ends, PER_WINDING, lambda);
-                Some(finer.ok_or_else(|| beyond("frequency", frequency, "Hz"))?)
-            }
-        };
-        let chain = finer.as_ref().unwrap_or(&self.chain);
+        let chain = self.fine_enough(lambda).ok_or_else(|| beyond("frequency", frequency, "Hz"))?;
         Ok(self.in_si_units(&chain.between_ends(Complex::from(lambda) / lag), lag))
+    }
+
+    /// The wire in pieces that are short enough for λ.
+    fn fine_enough(&self, lambda: f64) -> Option<Cow<'_, Chain>> {
+        if lambda <= self.chain.segment.most() {
+            return Some(Cow::Borrowed(&self.chain));
+        }
+        Chain::new(&self.helix, &self.chain.ends, PER_WINDING, lambda).map(Cow::Owned)
     }
 
     /// Scaled stiffness times `factor`, in SI units.
@@ -148,12 +152,6 @@ impl Response {
         std::array::from_fn(|i| std::array::from_fn(|j| scaled[i][j] * whole * unit(i) * unit(j)))
     }
 }
-
-/// Force along x, y, z and couple about them on what holds an end, per unit of what moves the other or itself.
-pub(super) type Slow = [f64; 6];
-
-/// λ, in scaled units, whose square is nothing beside one.
-const TINY: f64 = 1e-60;
 
 /// Where the freedoms of an end begin.
 fn first_of(end: End) -> usize {

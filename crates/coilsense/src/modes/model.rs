@@ -38,8 +38,6 @@ pub struct ModalModel {
     /// Mass of end 2 over that; zero but for an end mass.
     relative_end_mass: f64,
     shapes: Shapes,
-    /// Force at each end per acceleration of each input that modes which are not here add at rest, `[end][input]` \[kg\].
-    left_out: [[f64; 2]; 2],
 }
 
 /// Where the masses are, and how they move.
@@ -61,9 +59,17 @@ enum Shapes {
         count: usize,
         /// φ_j(i), mode by mode.
         shapes: Vec<f64>,
-        /// Inertia of the wire that follows its ends as if it had no mass, per acceleration of either \[kg\].
-        inertia: [[f64; 2]; 2],
+        inertia: SlowInertia,
     },
+}
+
+/// How the force along the axis at the ends of a wire follows slow motion: to `K u` of a wire without mass come `M ü − S u⁗ + …`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SlowInertia {
+    /// M, Σ_j c_j c_jᵀ over all modes \[kg\]: of the wire that follows its ends as if it had no mass.
+    pub mass: [[f64; 2]; 2],
+    /// S, Σ_j c_j c_jᵀ/ω_j² over all modes \[kg s²\].
+    pub second: [[f64; 2]; 2],
 }
 
 /// Modes of a continuous wire, for a modal mass of 1 kg.
@@ -78,8 +84,17 @@ pub(crate) struct WireModes {
     pub count: usize,
     /// Of the whole wire \[kg\].
     pub mass: f64,
-    /// Inertia of the wire that follows its ends as if it had no mass, per acceleration of either \[kg\].
-    pub inertia: [[f64; 2]; 2],
+    /// Of all modes, those that are not here included.
+    pub inertia: SlowInertia,
+}
+
+/// Force at each end per derivative of each input that modes which are not here add, `[end][input]`, tension positive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LeftOut {
+    /// Per acceleration \[kg\].
+    pub per_acceleration: [[f64; 2]; 2],
+    /// Per fourth derivative of the position \[kg s²\].
+    pub per_snap: [[f64; 2]; 2],
 }
 
 /// Modes that were found elsewhere: of a spring of unequal masses or segments, say. Shapes may be scaled at will.
@@ -155,16 +170,15 @@ impl ModalModel {
             mean_mass: spring.mass() / shapes.masses as f64,
             relative_end_mass,
             shapes: Shapes::Chain(shapes),
-            left_out: [[0.0; 2]; 2],
         }
     }
 
     /// Of a continuous wire between two prescribed positions.
     ///
-    /// c_ij = r_ij/ω_j², p1_j = r_1j, p2_j = −r_2j; of the modes that are not here R = M − Σ_j c_j c_jᵀ stays, `F_i −= R_1 ü`, `F_o += R_2 ü`
+    /// c_ij = r_ij/ω_j², p1_j = r_1j, p2_j = −r_2j
     ///
     /// Source:   reciprocity: what a mode's inertia does along the displacements that a slow motion of end i gives is what it pulls with at
-    ///           end i; R is what modes far above follow with.
+    ///           end i.
     pub(crate) fn wire(modes: WireModes) -> Self {
         let WireModes { frequencies, reactions, shapes, count, mass, inertia } = modes;
         let per = |reactions: &Vec<f64>| -> Vec<f64> {
@@ -173,11 +187,6 @@ impl ModalModel {
         let participations = reactions.each_ref().map(per);
         let [first, second] = &participations;
         let rigid = first.iter().zip(second).map(|(first, second)| first + second).collect();
-        let kept = |i: usize, j: usize| -> f64 {
-            participations[i].iter().zip(&participations[j]).map(|(one, other)| one * other).sum()
-        };
-        let left_out = [[-1.0, -1.0], [1.0, 1.0]];
-        let left_out = std::array::from_fn(|i| std::array::from_fn(|j| left_out[i][j] * (inertia[i][j] - kept(i, j))));
         let mean_mass = mass / count as f64;
         let [input, output] = reactions;
         Self {
@@ -192,7 +201,6 @@ impl ModalModel {
             mean_mass,
             relative_end_mass: 0.0,
             shapes: Shapes::Wire { count, shapes, inertia },
-            left_out,
         }
     }
 
@@ -228,7 +236,6 @@ impl ModalModel {
             mean_mass: mean,
             relative_end_mass: end_mass / mean,
             shapes: Shapes::Table { masses: Vec::new(), places: Vec::new(), shapes: Vec::new() },
-            left_out: [[0.0; 2]; 2],
         };
         for (shape, end) in shapes.chunks_exact(places_count).zip(model.end_shapes.clone()) {
             let sum = |value: &dyn Fn(usize) -> f64, of_end: f64| {
@@ -401,22 +408,56 @@ impl ModalModel {
         [&self.participations[0], &self.participations[1]]
     }
 
-    /// Force at each end per acceleration of each input that modes which are not here add at rest, `[end][input]` \[kg\].
-    pub(crate) fn left_out(&self) -> [[f64; 2]; 2] {
-        self.left_out
+    /// What modes of a wire that are not here add to the forces; `None` of a chain, which has all.
+    ///
+    /// F_i −= R_1 ü − T_1 u⁗, F_o += R_2 ü − T_2 u⁗; R = M − Σ_j c_j c_jᵀ, T = S − Σ_j c_j c_jᵀ/ω_j²
+    ///
+    /// Source:   a mode far above its drive follows as `q = −c (ü/ω² − u⁗/ω⁴ + …)`.
+    pub(crate) fn left_out(&self) -> Option<LeftOut> {
+        let [mass, second] = self.inertia_left_out()?;
+        let signed =
+            |[one, two]: [[f64; 2]; 2], sign: f64| [one.map(|value| -sign * value), two.map(|value| sign * value)];
+        Some(LeftOut { per_acceleration: signed(mass, 1.0), per_snap: signed(second, -1.0) })
     }
 
-    /// Kinetic energy \[J\] of a wire whose ends move at `line` \[m/s\], from the rates of its modes; `None` of a chain, whose masses tell.
+    /// R and T of [`Self::left_out`].
+    fn inertia_left_out(&self) -> Option<[[[f64; 2]; 2]; 2]> {
+        let Shapes::Wire { inertia: SlowInertia { mass, second }, .. } = &self.shapes else { return None };
+        let less = |all: &[[f64; 2]; 2], of_mode: &dyn Fn(f64) -> f64| -> [[f64; 2]; 2] {
+            let kept = |i: usize, j: usize| -> f64 {
+                let pairs = self.participations[i].iter().zip(&self.participations[j]);
+                pairs.zip(&self.frequencies).map(|((one, other), frequency)| one * other * of_mode(*frequency)).sum()
+            };
+            std::array::from_fn(|i| std::array::from_fn(|j| all[i][j] - kept(i, j)))
+        };
+        Some([less(mass, &|_| 1.0), less(second, &|frequency| frequency.powi(-2))])
+    }
+
+    /// Energy \[J\] of a wire but for what a wire without mass would store; `None` of a chain, whose masses tell.
     ///
-    /// ½ u̇ᵀ M u̇ + Σ_j q̇_j c_j·u̇ + ½ Σ_j q̇_j²: all motions of the wire, what modes that are not here carry along included
-    pub(crate) fn kinetic_energy(&self, line: [f64; 2], rates: &[f64]) -> Option<f64> {
-        let Shapes::Wire { inertia, .. } = &self.shapes else { return None };
-        let carried: f64 = (0..2).map(|i| line[i] * (inertia[i][0] * line[0] + inertia[i][1] * line[1])).sum();
-        let [first, second] = &self.participations;
-        let each = rates.iter().zip(first).zip(second);
-        let swings: f64 =
-            each.map(|((rate, first), second)| rate * (rate + 2.0 * (first * line[0] + second * line[1]))).sum();
-        Some(0.5 * (carried + swings))
+    /// ½ Σ_j ((q̇_j + c_j·u̇)² + ω_j² q_j²) + ½ u̇ᵀ R u̇ − u̇ᵀ T u⃛ + ½ üᵀ T ü: all motions of the wire, modes that are not here included, and what
+    /// the forces at both ends do work on, to rounding
+    ///
+    /// - `line`: u̇ \[m/s\], ü \[m/s²\], u⃛ \[m/s³\] of both ends
+    pub(crate) fn wire_energy(
+        &self,
+        [velocity, acceleration, jerk]: [[f64; 2]; 3],
+        [q, rates]: [&[f64]; 2],
+    ) -> Option<f64> {
+        let [mass, second] = self.inertia_left_out()?;
+        let product = |one: [f64; 2], matrix: [[f64; 2]; 2], other: [f64; 2]| -> f64 {
+            (0..2).map(|i| one[i] * (matrix[i][0] * other[0] + matrix[i][1] * other[1])).sum()
+        };
+        let left_out = product(velocity, mass, velocity) - 2.0 * product(velocity, second, jerk)
+            + product(acceleration, second, acceleration);
+        let each = self.participations[0].iter().zip(&self.participations[1]).zip(&self.frequencies);
+        let swings: f64 = each
+            .zip(q.iter().zip(rates))
+            .map(|(((first, last), frequency), (q, rate))| {
+                (rate + first * velocity[0] + last * velocity[1]).powi(2) + (frequency * q).powi(2)
+            })
+            .sum();
+        Some(0.5 * (left_out + swings))
     }
 
     /// Modal coordinates of the straight line with the values `line` at ends 1 and 2; shape `count`.

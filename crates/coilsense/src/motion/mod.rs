@@ -260,18 +260,20 @@ impl Motion {
     /// # Errors
     /// [`Error::Value`] for a time that is not finite or below zero.
     pub fn energy(&self, time: f64) -> Result<f64, Error> {
-        check_times(&[time])?;
-        let state = self.modal_state(time);
-        let kinetic = match self.modes.kinetic_energy(self.line_velocity(time), &state.rates) {
-            Some(energy) => 2.0 * energy,
-            None => {
-                let velocities = self.velocities(time)?;
-                let each = velocities.iter().enumerate();
-                each.map(|(index, velocity)| self.modes.mass(index + 1) * velocity * velocity).sum()
-            }
-        };
         let [first, last] = self.line(time);
         let (k, stretch) = (self.spring.stiffness(), last - first - self.spring.rest_length());
+        if self.modes.left_out().is_some() {
+            check_times(&[time])?;
+            let state = self.modal_state(time);
+            let each = |of: fn(&EndInput, f64) -> f64| self.inputs().map(|input| of(input, time));
+            let line = [EndInput::velocity, EndInput::acceleration, EndInput::jerk].map(each);
+            let beside = self.modes.wire_energy(line, [&state.coordinates, &state.rates]).unwrap_or_default();
+            return Ok(0.5 * k * stretch * stretch + beside);
+        }
+        let velocities = self.velocities(time)?;
+        let each = velocities.iter().enumerate();
+        let kinetic: f64 = each.map(|(index, velocity)| self.modes.mass(index + 1) * velocity * velocity).sum();
+        let state = self.modal_state(time);
         let of_mode = |(index, (q, shape)): (usize, (&f64, &f64))| {
             2.0 * k * stretch * shape * q + self.modes.modal_stiffness(index + 1) * q * q
         };
