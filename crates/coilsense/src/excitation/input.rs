@@ -381,3 +381,30 @@ impl EndInput {
         Ok(self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_derivative_is_the_rate_of_the_one_before() {
+        let chirp = EndInput::Chirp { amplitude: 0.3, from: 2.0, to: 9.0, duration: 1.0, phase: 0.4 };
+        let half = EndInput::HalfSine { height: 0.3, from: 0.1, duration: 0.5 };
+        for input in
+            [chirp, half, EndInput::harmonic(0.3, 5.0, 1.0), EndInput::Ramp { height: 1.0, from: 0.0, duration: 1.0 }]
+        {
+            let derivatives = [EndInput::velocity, EndInput::acceleration, EndInput::jerk, EndInput::snap];
+            for (order, pair) in derivatives.windows(2).enumerate() {
+                let (step, time) = (1e-5, 0.37);
+                let rate = (pair[0](&input, time + step) - pair[0](&input, time - step)) / (2.0 * step);
+                // Differences: 2π·6 Hz to the third of the step's square, and their rounding.
+                let size = (TAU * 6.0).powi(order as i32 + 2);
+                assert!((rate - pair[1](&input, time)).abs() < 1e-6 * size, "{order}: {rate} {input:?}");
+            }
+            assert_eq!(
+                [input.acceleration(1.5), input.jerk(1.5), input.snap(1.5)].map(f64::abs) == [0.0; 3],
+                !matches!(input, EndInput::Harmonics(_))
+            );
+        }
+    }
+}

@@ -33,7 +33,7 @@ impl Surge {
     ///
     /// Source:   as [`Surge`], for each direction of force and couple.
     /// Valid:    as [`Surge`]; holdings that do not move but along the axis.
-    /// Accuracy: that of [`super::Response::reaction`] to 1.1e-5 of the dynamic axial force (couples: at the coil's radius) under sines below 0.75 f1 (`tests/helix`).
+    /// Accuracy: that of [`super::Response::reaction`] to 1e-7 of the dynamic axial force (couples: at the coil's radius) under sines below 0.75 f1 (`tests/helix`).
     ///
     /// # Errors
     /// [`Error::Value`] for a motion of other modes than this helix's, and as [`Motion::end_forces`].

@@ -49,11 +49,12 @@ const NEUTRAL: f64 = 1e-8;
 /// helix's length, and R and T what modes beyond the reach follow with, `q = −c (ü/ω² − u⁗/ω⁴ + …)`. M and S are those of all modes: of the
 /// dynamic stiffness `K − ω² M − ω⁴ S − …` at an imaginary ω², where the terms alternate between real and imaginary parts.
 ///
-/// Source:   modes with held ends about a static motion of the ends (Craig and Bampton); c by reciprocity.
-/// Valid:    small motions about one length; both positions prescribed, along the axis. Winding i of a [`Motion`] is the mean of its share of
-///           the wire, along the axis; a start winding by winding is the axial part only. Ringing beyond 20 f1 is left out.
-/// Accuracy: forces under sines below 0.75 f1 are those of [`Response`] to 1.4e-5 of their dynamic part, at 0.25 f1 to 2.5e-6; with the modes
-///           below 10 f1 alone 5.5e-5. Work and energy agree to 1e-10 (`tests/helix`).
+/// Source:   derived: modes with held ends about the slow motion that the ends give; c by reciprocity.
+/// Valid:    small motions about one length; both positions prescribed, along the axis, with inputs slow against 20 f1; ringing beyond is
+///           left out. Winding i of a [`Motion`] is the mean of its share of the wire, along the axis; of a start winding by winding, only the
+///           axial part is known. Windings stand evenly from end to end at rest, dead windings or not, as the chain's do.
+/// Accuracy: forces under sines below 0.75 f1 are those of [`Response`] to 1e-7 of their dynamic part, and with the modes below 10 f1 alone
+///           to 4e-7; work and energy agree to 1e-10 (`tests/helix`).
 /// Differs:  k is the slope with the ends as they are held; clamped ends keep the angle of the wire and are a little stiffer than
 ///           [`Helix::stiffness`], S_T by 0.04 %, a valve spring of 5.75 windings by 0.5 %. F bends with the length: k is that of the
 ///           helix's.
