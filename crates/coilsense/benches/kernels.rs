@@ -6,10 +6,10 @@ mod paper_springs;
 use std::hint::black_box;
 
 use coilsense::geometry::{EndType, Geometry, Material, MaterialParameters};
-use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, StiffnessAt, Turning};
+use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, StiffnessAt, Surge, Turning};
 use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductances};
 use coilsense::signals::sampled_window;
-use coilsense::{EndInput, Excitation, Motion, Start};
+use coilsense::{EndInput, Excitation, Motion, Mount, Start};
 use criterion::{Criterion, criterion_group, criterion_main};
 
 fn motion(criterion: &mut Criterion) {
@@ -63,6 +63,18 @@ fn helix(criterion: &mut Criterion) {
     criterion.bench_function("helix of 52 windings, ten frequencies at 50 lengths", |bencher| {
         let lengths: Vec<f64> = (0..50).map(|step| 0.196 + 0.068 / 49.0 * f64::from(step)).collect();
         bencher.iter(|| lengths.iter().map(|length| modes(*length)?.frequencies(10)).collect::<Result<Vec<_>, _>>());
+    });
+    let state = Helix::new(&rod, 0.23, Turning::Held).expect("valid");
+    let surge = || Surge::new(&spring, &geometry, black_box(&state), Ends::clamped());
+    criterion.bench_function("helix of 52 windings, all modes to 20 f1 for a motion", |bencher| bencher.iter(surge));
+    let (surge, impact) = (surge().expect("valid"), Excitation::impact(0.23, 0.25).expect("valid"));
+    let motion = surge.motion(&Mount::default(), &impact).expect("valid");
+    let times = sampled_window(10_000.0, 0.0, 1.0).expect("a valid window");
+    criterion.bench_function("helix of 52 windings, end forces, impact, 10 001 times", |bencher| {
+        bencher.iter(|| motion.end_forces(black_box(&times)));
+    });
+    criterion.bench_function("helix of 52 windings, all reactions, impact, 10 001 times", |bencher| {
+        bencher.iter(|| surge.reactions(&motion, black_box(&times)));
     });
 }
 

@@ -16,10 +16,6 @@ use super::state::Helix;
 use crate::error::{Error, check};
 use crate::excitation::End;
 
-/// Where the first surge is looked for, in frequencies of the bar; the second lies at about twice.
-const NEAR: (f64, f64) = (0.6, 1.4);
-/// Most modes that are looked at there.
-const MOST_NEAR: usize = 20;
 /// Pieces per winding at the least: points per winding of the shape, too.
 const POINTS_PER_WINDING: f64 = 16.0;
 
@@ -48,6 +44,7 @@ pub struct Mode {
     reactions: [Reaction; 2],
     wire: Vec<[f64; 3]>,
     shape: Vec<[f64; 3]>,
+    largest: f64,
 }
 
 impl Mode {
@@ -97,6 +94,11 @@ impl Mode {
     pub fn shape(&self) -> &[[f64; 3]] {
         &self.shape
     }
+
+    /// How far the farthest of them moves for a modal mass of 1 kg \[1/√kg\], as [`Self::reaction`] is counted.
+    pub fn largest(&self) -> f64 {
+        self.largest
+    }
 }
 
 impl Modes {
@@ -123,35 +125,13 @@ impl Modes {
         modes.ok_or_else(|| beyond("count", count as f64, ""))
     }
 
-    /// First surge frequency \[Hz\]: of the modes near that of a bar, that with the strongest axial line.
-    ///
-    /// Where axial and other motion mix, two lines share the surge, and this is the stronger one. A coil so slender that more than
-    /// twenty modes lie that near is taken for the bar, ½ √(k/m).
-    ///
-    /// Source:   [`Mode::line_strength`], over 0.6 to 1.4 times ½ √(k/m) with the helix's own slope k.
-    /// Valid:    as [`Modes`].
-    /// Accuracy: of a slender coil 0.2 %, else that of the modes.
-    ///
-    /// # Errors
-    /// [`Error::Value`] where no piece is short enough for these modes.
-    pub fn first_surge(&self) -> Result<f64, Error> {
-        let Some(near) = self.roots_between(NEAR.0 * self.bar, NEAR.1 * self.bar, MOST_NEAR) else {
-            return Ok(self.bar);
-        };
-        let chain = self.fine(near.last().map_or(0.0, |(_, root)| *root));
-        let shaped = near.into_iter().map(|(index, root)| self.shaped(&chain, root, index));
-        let modes: Vec<Mode> = shaped.collect::<Option<_>>().ok_or_else(|| beyond("first_surge", self.bar, "Hz"))?;
-        let strongest = modes.iter().max_by(|a, b| a.line_strength.total_cmp(&b.line_strength));
-        Ok(strongest.map_or(self.bar, Mode::frequency))
-    }
-
     /// Pieces that are short enough for a shape.
-    fn fine(&self, root: f64) -> Chain {
+    pub(super) fn fine(&self, root: f64) -> Chain {
         let fine = Chain::new(self.helix(), self.ends(), POINTS_PER_WINDING, root * root);
         fine.unwrap_or_else(|| self.chain.clone())
     }
 
-    fn shaped(&self, chain: &Chain, root: f64, index: usize) -> Option<Mode> {
+    pub(super) fn shaped(&self, chain: &Chain, root: f64, index: usize) -> Option<Mode> {
         Some(Motion::new(chain, root * root, index)?.mode(self.helix(), chain, root * root))
     }
 }
@@ -214,14 +194,14 @@ impl Motion {
                 .map(|(end, holding)| self.reaction(helix, end, holding)),
             wire,
             shape: moved.into_iter().map(|w| w.map(|value| value / largest)).collect(),
+            largest: largest / unit_mass(helix).sqrt(),
         }
     }
 
     /// What the spring does to a holding: the opposite of what holds it.
     fn reaction(&self, helix: &Helix, end: usize, holding: &Holding) -> Reaction {
         let state = &helix.scaled;
-        let mass = helix.rod().parameters().density * helix.rod().area() * state.unit;
-        let force = state.bending / state.unit.powi(3) / mass.sqrt();
+        let force = state.bending / state.unit.powi(3) / unit_mass(helix).sqrt();
         let values = std::array::from_fn(|i| {
             let unit = if i < 3 { force } else { force * state.unit };
             // A free direction has no reaction, but rounding.
@@ -229,6 +209,11 @@ impl Motion {
         });
         Reaction::turned(values, holding.direction())
     }
+}
+
+/// What a modal mass of one in scaled units is \[kg\]: the mass of a unit of length.
+fn unit_mass(helix: &Helix) -> f64 {
+    helix.rod().parameters().density * helix.rod().area() * helix.scaled.unit
 }
 
 /// The motion of the section where both parts meet: the eigenvector of the eigenvalue that is zero.

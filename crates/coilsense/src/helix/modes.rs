@@ -53,7 +53,7 @@ pub struct Modes {
     /// λ per (rad/s)².
     unit: f64,
     /// First frequency of a bar of the stiffness and mass of the helix \[Hz\].
-    pub(super) bar: f64,
+    pub(super) bar_frequency: f64,
     /// Its √λ, from which the search starts.
     start: f64,
 }
@@ -91,7 +91,7 @@ impl Modes {
         let start = 0.5 * TAU * bar * unit.sqrt();
         let swings = start.is_finite() && start > 0.0;
         match Chain::new(helix, &ends, PER_WINDING, start * start) {
-            Some(chain) if swings => Ok(Self { helix: *helix, chain, unit, bar, start }),
+            Some(chain) if swings => Ok(Self { helix: *helix, chain, unit, bar_frequency: bar, start }),
             _ => Err(beyond("windings", helix.rod().parameters().windings, "")),
         }
     }
@@ -148,6 +148,11 @@ impl Modes {
             return None;
         }
         (below + 1..=last).map(|index| Some((index, search.root(index)?))).collect()
+    }
+
+    /// λ of a bar of the helix's stiffness and mass, about.
+    pub(super) fn bar(&self) -> f64 {
+        self.start * self.start
     }
 
     fn count(&self, lambda: f64) -> Option<usize> {

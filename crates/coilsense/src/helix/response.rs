@@ -2,6 +2,7 @@
 //!
 //! Next door: the same at a mode (`mode`), the axial chain's response (`crate::two_port`).
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use num_complex::Complex;
@@ -91,7 +92,26 @@ impl Response {
     /// # Errors
     /// As [`Self::stiffness`].
     pub fn reaction(&self, frequency: f64, moved: End, at: End) -> Result<Reaction, Error> {
-        let mut stiffness = self.in_holdings(frequency)?;
+        Ok(self.followed(self.in_holdings(frequency)?, moved, at))
+    }
+
+    /// The same at any ω², with an imaginary part or not \[rad²/s²\], as six numbers; the loss is left out.
+    ///
+    /// # Errors
+    /// As [`Self::stiffness`].
+    pub(super) fn reaction_at(&self, square: Complex<f64>, moved: End, at: End) -> Result<[Complex<f64>; 6], Error> {
+        let lambda = square * self.helix.eigenvalue_unit();
+        let chain = self.fine_enough(lambda.norm()).ok_or_else(|| {
+            let hertz = square.norm().sqrt() / TAU;
+            beyond("frequency", hertz, "Hz")
+        })?;
+        let stiffness = self.in_si_units(&chain.between_ends(lambda), Complex::ONE);
+        let Reaction { force: [x, y, z], couple: [about_x, about_y, about_z] } = self.followed(stiffness, moved, at);
+        Ok([x, y, z, about_x, about_y, about_z])
+    }
+
+    /// The reaction at one end to a motion of one along the axis, with all else that is free following.
+    fn followed(&self, mut stiffness: Square<Complex<f64>, 12>, moved: End, at: End) -> Reaction {
         let Ends { end1, end2 } = self.chain.ends;
         let drive = first_of(moved) + 2;
         let free: Vec<usize> = end1.freedoms(0).chain(end2.freedoms(6)).filter(|freedom| *freedom != drive).collect();
@@ -104,7 +124,7 @@ impl Response {
             let released = free.contains(&(first + i));
             if released { Complex::ZERO } else { -stiffness[first + i][drive] }
         });
-        Ok(Reaction::turned(values, holding.direction()))
+        Reaction::turned(values, holding.direction())
     }
 
     /// The stiffness in SI units, in the axes of each holding.
@@ -112,19 +132,24 @@ impl Response {
         check(frequency.is_finite() && frequency >= 0.0, "frequency", frequency, "Hz", "finite and not below zero")?;
         let lambda = (TAU * frequency).powi(2) * self.helix.eigenvalue_unit();
         let lag = Complex::new(1.0, self.loss);
-        let finer = match lambda <= self.chain.segment.most() {
-            true => None,
-            false => {
-                let finer = Chain::new(&self.helix, &self.chain.ends, PER_WINDING, lambda);
-                Some(finer.ok_or_else(|| beyond("frequency", frequency, "Hz"))?)
-            }
-        };
-        let chain = finer.as_ref().unwrap_or(&self.chain);
-        let scaled = chain.between_ends(Complex::from(lambda) / lag);
+        let chain = self.fine_enough(lambda).ok_or_else(|| beyond("frequency", frequency, "Hz"))?;
+        Ok(self.in_si_units(&chain.between_ends(Complex::from(lambda) / lag), lag))
+    }
+
+    /// The wire in pieces that are short enough for λ.
+    fn fine_enough(&self, lambda: f64) -> Option<Cow<'_, Chain>> {
+        if lambda <= self.chain.segment.most() {
+            return Some(Cow::Borrowed(&self.chain));
+        }
+        Chain::new(&self.helix, &self.chain.ends, PER_WINDING, lambda).map(Cow::Owned)
+    }
+
+    /// Scaled stiffness times `factor`, in SI units.
+    fn in_si_units(&self, scaled: &Square<Complex<f64>, 12>, factor: Complex<f64>) -> Square<Complex<f64>, 12> {
         let state = &self.helix.scaled;
         let unit = |freedom: usize| if freedom % 6 < 3 { 1.0 } else { state.unit };
-        let whole = lag * (state.bending / state.unit.powi(3));
-        Ok(std::array::from_fn(|i| std::array::from_fn(|j| scaled[i][j] * whole * unit(i) * unit(j))))
+        let whole = factor * (state.bending / state.unit.powi(3));
+        std::array::from_fn(|i| std::array::from_fn(|j| scaled[i][j] * whole * unit(i) * unit(j)))
     }
 }
 

@@ -1,11 +1,14 @@
 //! What a motion needs to know of a spring's modes, whatever found them.
 //!
-//! Next door: the chain's modes in closed form (the parent), the motion that is built from them (`motion`).
+//! Next door: the chain's modes in closed form (the parent), those of a continuous wire (`wire`), the motion that is built from them (`motion`).
+
+mod wire;
 
 use super::{ChainModes, ChainShapes};
 use crate::error::{Error, Subject, all_bounded, at_least_one, called, check, count};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
+pub(crate) use wire::{LeftOut, SlowInertia, WireModes};
 
 /// A spring's modes, ready for a motion: frequencies, participations, end forces, and where its masses are.
 ///
@@ -53,6 +56,13 @@ enum Shapes {
         places: Vec<f64>,
         /// φ_j(i), mode by mode.
         shapes: Vec<f64>,
+    },
+    /// Of equal shares of a continuous wire, evenly wound.
+    Wire {
+        count: usize,
+        /// φ_j(i), mode by mode.
+        shapes: Vec<f64>,
+        inertia: SlowInertia,
     },
 }
 
@@ -208,6 +218,7 @@ impl ModalModel {
         match &self.shapes {
             Shapes::Chain(chain) => chain.masses,
             Shapes::Table { masses, .. } => masses.len(),
+            Shapes::Wire { count, .. } => *count,
         }
     }
 
@@ -254,13 +265,14 @@ impl ModalModel {
         match &self.shapes {
             Shapes::Chain(chain) => chain.at(mode, mass),
             Shapes::Table { masses, shapes, .. } => shapes[(mode - 1) * masses.len() + mass - 1],
+            Shapes::Wire { count, shapes, .. } => shapes[(mode - 1) * count + mass - 1],
         }
     }
 
     /// As [`Self::place`], the number trusted.
     pub(crate) fn place_at(&self, mass: usize) -> f64 {
         match &self.shapes {
-            Shapes::Chain(chain) => (mass as f64 - 0.5) / chain.masses as f64,
+            Shapes::Chain(_) | Shapes::Wire { .. } => (mass as f64 - 0.5) / self.masses() as f64,
             Shapes::Table { places, .. } => places[mass - 1],
         }
     }
@@ -268,7 +280,7 @@ impl ModalModel {
     /// m_i over the mean \[1\], the number trusted.
     fn share_of_mass(&self, mass: usize) -> f64 {
         match &self.shapes {
-            Shapes::Chain(_) => 1.0,
+            Shapes::Chain(_) | Shapes::Wire { .. } => 1.0,
             Shapes::Table { masses, .. } => masses[mass - 1],
         }
     }
@@ -285,12 +297,12 @@ impl ModalModel {
 
     /// Whether all masses and segments are alike, so that what is known of an even coil holds.
     pub(crate) fn is_even(&self) -> bool {
-        matches!(self.shapes, Shapes::Chain(_))
+        matches!(self.shapes, Shapes::Chain(_) | Shapes::Wire { .. })
     }
 
     /// Whether modes 1, 3, 5 … look the same from both ends and the others are mirrored.
     pub(crate) fn is_mirrored(&self) -> bool {
-        self.is_even() && self.far_end == FarEnd::Position
+        matches!(self.shapes, Shapes::Chain(_)) && self.far_end == FarEnd::Position
     }
 
     /// How far masses `apart` masses from each other move towards each other in a mode, at most, per unit of q_j; `transit_time` τ \[s\].
@@ -300,8 +312,8 @@ impl ModalModel {
                 let share = apart as f64 / chain.masses as f64;
                 (self.frequencies[mode - 1] * transit_time * share).min(2.0)
             }
-            Shapes::Table { masses, .. } => {
-                let each = (1..=masses.len().saturating_sub(apart))
+            Shapes::Table { .. } | Shapes::Wire { .. } => {
+                let each = (1..=self.masses().saturating_sub(apart))
                     .map(|mass| (self.shape_at(mode, mass + apart) - self.shape_at(mode, mass)).abs());
                 each.fold(0.0, f64::max)
             }
@@ -311,7 +323,7 @@ impl ModalModel {
     /// The smallest share of the ends' distance between masses `apart` masses from each other.
     pub(crate) fn least_between(&self, apart: usize) -> f64 {
         match &self.shapes {
-            Shapes::Chain(chain) => apart as f64 / chain.masses as f64,
+            Shapes::Chain(_) | Shapes::Wire { .. } => apart as f64 / self.masses() as f64,
             Shapes::Table { places, .. } => {
                 let each = places.iter().zip(places.iter().skip(apart)).map(|(before, after)| after - before);
                 each.fold(f64::INFINITY, f64::min)

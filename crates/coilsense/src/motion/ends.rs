@@ -4,11 +4,11 @@
 
 use num_complex::Complex64;
 
-use super::closed::Closed;
+use super::closed::{Closed, ModalState};
 use super::forces::{is_equidistant, modal_terms};
 use super::modal_rows::{WIDTH, row_of};
 use super::phasor_sum::{Function, Grid, Target, Term, add};
-use super::{Motion, check_times, step_of};
+use super::{Motion, check_times, in_order, step_of};
 use crate::error::Error;
 use crate::excitation::EndInput;
 use crate::mount::FarEnd;
@@ -81,13 +81,54 @@ impl Motion {
         [first, second]
     }
 
+    /// Σ_j w_j (q_j + β q̇_j) at each time for several series of weights, β as in [`Self::end_forces`]; shape `series × samples`.
+    ///
+    /// # Errors
+    /// As [`Self::ends`].
+    pub(crate) fn modal_sums(&self, times: &[f64], weights: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, Error> {
+        let dashpot = self.mount.damping().dashpot_time();
+        let mut sums = vec![vec![0.0; times.len()]; weights.len()];
+        if let Some(closed) = self.closed.as_ref().filter(|_| is_equidistant(times)) {
+            for (weights, sums) in weights.iter().zip(&mut sums) {
+                self.add_modal_sum(closed, times, weights, dashpot, sums);
+            }
+            return Ok(sums);
+        }
+        check_times(times)?;
+        let mut set = |sample: usize, state: &ModalState| {
+            for (weights, sums) in weights.iter().zip(&mut sums) {
+                let each = weights.iter().zip(state.coordinates.iter().zip(&state.rates));
+                sums[sample] = each.map(|(weight, (q, rate))| weight * (q + dashpot * rate)).sum();
+            }
+        };
+        if let Some(closed) = &self.closed {
+            let mut state = ModalState::zero(self.modes.count());
+            for (sample, &time) in times.iter().enumerate() {
+                closed.state_into(time, &mut state);
+                set(sample, &state);
+            }
+        } else {
+            let mut march = self.march(step_of(times));
+            for sample in in_order(times) {
+                march.advance_to(times[sample]);
+                set(sample, &march.state());
+            }
+        }
+        Ok(sums)
+    }
+
     /// Adds `Σ_j ψ_j q_j`, how far end 2 is from where a spring without mass would end, at equidistant times.
     fn add_swing(&self, closed: &Closed, times: &[f64], second: &mut [f64]) {
+        self.add_modal_sum(closed, times, self.modes.end_shapes(), 0.0, second);
+    }
+
+    /// Adds `Σ_j w_j (q_j + β q̇_j)` at equidistant times.
+    fn add_modal_sum(&self, closed: &Closed, times: &[f64], weights: &[f64], dashpot: f64, sums: &mut [f64]) {
         for (segment, samples) in closed.stretches(times) {
             let first = times[samples.start] - closed.segments[segment].from;
             let grid = Grid { first, step: step_of(times), samples: samples.len() };
-            let terms = modal_terms(closed, segment, self.modes.end_shapes(), [1.0, 0.0], |_| 0.0);
-            add(&terms, grid, &mut [Target { values: &mut second[samples], sign: 1.0 }]);
+            let terms = modal_terms(closed, segment, weights, [1.0, dashpot], |_| 0.0);
+            add(&terms, grid, &mut [Target { values: &mut sums[samples], sign: 1.0 }]);
         }
     }
 }

@@ -93,8 +93,11 @@ impl Motion {
         if self.remainder == Remainder::NONE {
             return [0.0; 2];
         }
-        let [first, second] = inputs.map(|input| input.acceleration(time));
-        self.remainder.per_acceleration.map(|per| per[0] * first + per[1] * second)
+        let Remainder { per_acceleration, per_snap, .. } = &self.remainder;
+        let (accelerations, snaps) =
+            (inputs.map(|input| input.acceleration(time)), inputs.map(|input| input.snap(time)));
+        let of = |per: &[f64; 2], values: [f64; 2]| per[0] * values[0] + per[1] * values[1];
+        [0, 1].map(|end| of(&per_acceleration[end], accelerations) + of(&per_snap[end], snaps))
     }
 
     /// F_s \[N\] under inputs counted from their means.
@@ -116,7 +119,8 @@ impl Motion {
     /// Amplitude of the force at an end under a sine, less the kept modes \[N\].
     pub(super) fn straight_gain(&self, drive: &Drive, end: usize) -> f64 {
         let Sine { amplitude, angular, .. } = drive.sine;
-        let remainder = self.remainder.per_acceleration[end][drive.end];
+        let Remainder { per_acceleration, per_snap, .. } = &self.remainder;
+        let remainder = per_acceleration[end][drive.end] - per_snap[end][drive.end] * angular * angular;
         amplitude * (self.static_force_per(drive.end) - remainder * angular * angular)
     }
 

@@ -103,7 +103,7 @@ impl Motion {
         Self::built(spring, mount.clone(), ModalModel::chain(spring, mount.far_end()), excitation)
     }
 
-    /// Of a spring whose modes were found elsewhere. F_x, the mean force and where windings may touch are those of `spring`.
+    /// Of a spring whose modes were found elsewhere: a helix's come with [`crate::helix::Surge::motion`]. F_x, the mean force and where windings may touch are those of `spring`.
     ///
     /// # Errors
     /// As [`Self::mounted`].
@@ -127,11 +127,11 @@ impl Motion {
             spring: spring.clone(),
             mount,
             excitation: excitation.clone(),
+            remainder: Remainder::of(&modes),
             modes,
             ratios,
             start: ModalState { coordinates: Vec::new(), rates: Vec::new() },
             closed: None,
-            remainder: Remainder::NONE,
         };
         motion.start = motion.relative_start()?;
         motion.closed = Closed::new(&motion.modes, &motion.ratios, motion.start.clone(), motion.inputs());
@@ -249,6 +249,7 @@ impl Motion {
     }
 
     /// The masses' mechanical energy at time `time` \[s\], in \[J\]: kinetic plus elastic (counted from the rest length), without an end mass.
+    /// Of a helix ([`crate::helix::Surge`]) that of all motions of its wire.
     ///
     /// E = ½ Σ m_i ẋ_i² + ½ k (û2 − u1 − l0)² + k (û2 − u1 − l0) Σ ψ_j q_j + ½ Σ κ_j q_j², κ_j a mode's stiffness
     ///
@@ -259,11 +260,19 @@ impl Motion {
     /// # Errors
     /// [`Error::Value`] for a time that is not finite or below zero.
     pub fn energy(&self, time: f64) -> Result<f64, Error> {
+        let [first, last] = self.line(time);
+        let (k, stretch) = (self.spring.stiffness(), last - first - self.spring.rest_length());
+        if self.modes.left_out().is_some() {
+            check_times(&[time])?;
+            let state = self.modal_state(time);
+            let each = |of: fn(&EndInput, f64) -> f64| self.inputs().map(|input| of(input, time));
+            let line = [EndInput::velocity, EndInput::acceleration, EndInput::jerk].map(each);
+            let beside = self.modes.wire_energy(line, [&state.coordinates, &state.rates]).unwrap_or_default();
+            return Ok(0.5 * k * stretch * stretch + beside);
+        }
         let velocities = self.velocities(time)?;
         let each = velocities.iter().enumerate();
         let kinetic: f64 = each.map(|(index, velocity)| self.modes.mass(index + 1) * velocity * velocity).sum();
-        let [first, last] = self.line(time);
-        let (k, stretch) = (self.spring.stiffness(), last - first - self.spring.rest_length());
         let state = self.modal_state(time);
         let of_mode = |(index, (q, shape)): (usize, (&f64, &f64))| {
             2.0 * k * stretch * shape * q + self.modes.modal_stiffness(index + 1) * q * q

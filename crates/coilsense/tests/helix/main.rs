@@ -7,6 +7,7 @@
 //! | `neighbours::Column` | figures of an independent program, the helix, the formula of buckling (`column`) |
 //! | `helix::Helix` | closed forms of a wire that neither shears nor extends, textbook couple of the unloaded helix (`limits`) |
 //! | `helix::Modes` | straight beam, bar, shaft, column that buckles (`limits`) |
+//! | `helix::Surge` | `helix::Response`, the chain of a long flat spring, work and energy (`motion`) |
 //! | `helix::Response` | the static state at a length nearby, residues of its own modes (`laws`) |
 
 mod cases;
@@ -16,4 +17,5 @@ mod figures;
 mod laws;
 mod limits;
 mod lines;
+mod motion;
 mod refused;

@@ -1,13 +1,15 @@
 //! What is refused, and in which words.
 
 use coilsense::End;
+use coilsense::geometry::{EndType, Geometry};
 use coilsense::helix::{
-    Ends, Hand, Helix, Holding, Modes, Response, Rod, RodParameters, Turning, buckling_length, inextensible,
+    Ends, Hand, Helix, Holding, Modes, Response, Rod, RodParameters, Surge, Turning, buckling_length, inextensible,
 };
+use coilsense::{Excitation, Mount, Spring, SpringParameters};
 
 use proptest::prelude::*;
 
-use crate::cases::{standard, standard_parameters};
+use crate::cases::{standard, standard_parameters, steel};
 
 #[test]
 fn a_wire_that_could_not_be_is_refused_in_one_line() {
@@ -128,6 +130,38 @@ proptest! {
             for mode in modes.lowest(4).unwrap() {
                 prop_assert!(mode.line_strength().is_finite() && mode.frequency() > 0.0);
             }
+        }
+    }
+
+    #[test]
+    fn every_coil_that_swings_moves((parameters, span) in any_coil(), held in 0..4_usize) {
+        let rod = Rod::new(parameters).unwrap();
+        let ends = [Ends::clamped(), Ends::swivel(), Ends::pinned(), Ends::both(Holding::swivel())][held];
+        let spring = Spring::new(SpringParameters {
+            rest_length: parameters.rest_span,
+            windings: parameters.windings,
+            coil_radius: parameters.coil_radius,
+            wire_radius: 0.5 * parameters.wire_diameter,
+            mass: rod.mass(),
+            stiffness: rod.flat_stiffness(),
+            min_length: parameters.rest_span,
+            max_length: 2.0 * parameters.rest_span,
+            nominal_force: None,
+            inductance_windings: None,
+        });
+        let (Ok(spring), Ok(helix)) = (spring, Helix::new(&rod, span, Turning::Held)) else { return Ok(()) };
+        let geometry = Geometry::of_spring(&spring, EndType::Hooks, steel()).unwrap();
+        match Surge::new(&spring, &geometry, &helix, ends) {
+            Ok(surge) => {
+                prop_assert!(held < 3);
+                let motion = surge.motion(&Mount::default(), &Excitation::impact(span, 0.1).unwrap()).unwrap();
+                let period = 1.0 / surge.spring().surge_frequency();
+                let [before, after] = [0.0, 10.0 * period].map(|time| motion.energy(time).unwrap());
+                prop_assert!(before.is_finite() && (after - before).abs() < 1e-9 * before, "{} {}", before, after);
+                let forces = motion.end_forces(&[0.3 * period]).unwrap();
+                prop_assert!(forces.input[0].is_finite() && forces.output[0].is_finite());
+            }
+            Err(error) => prop_assert!(!error.to_string().contains('\n')),
         }
     }
 }
