@@ -111,6 +111,33 @@ def test_two_encoders_read_a_static_load_through_their_drive_train() -> None:
         encoders.elongation([0.0], [0.1, 0.2], [1.0])
 
 
+VALVE = """
+[spring]
+name = "valve spring"
+rest_length = "57 mm"
+min_length = "38 mm"
+max_length = "48 mm"
+windings = 5.75
+wire_diameter = "4 mm"
+coil_diameter = "25 mm"
+end_type = "closed-ground"
+[[condition]]
+kind = "impact"
+velocity = "0.1 m/s"
+"""
+
+
+def test_a_spec_has_the_modes_of_its_coil_and_its_own_mass() -> None:
+    spec = coilsense.Spec.parse(VALVE)
+    sheet = spec.data_sheet()
+    assert [round(at["length_m"], 4) for at in sheet["modes_at"]] == [0.038, 0.043, 0.048]
+    first = sheet["modes_at"][1]["modes"][0]
+    assert first["kind"] == "axial" and abs(first["frequency_hz"] / 388.74 - 1) < 1e-4
+    # The chain has the surge of the helix; the spring that Python has is what its numbers say.
+    assert abs(sheet["surge_frequency_hz"] / 388.74 - 1) < 1e-4
+    assert abs(spec.spring.mass / sheet["mass_kg"] - 1) < 1e-12 and abs(spec.spring.surge_frequency / 403.61 - 1) < 1e-4
+
+
 def test_neighbours_of_the_surge_meet_their_limits() -> None:
     steel = coilsense.Material.named("steel EN 10270-1")
     coil = coilsense.Geometry.of_spring(samples.SPRING, "hooks", steel)

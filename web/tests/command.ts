@@ -2,6 +2,7 @@
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { ModesAt } from '../src/answer';
 
 export const EXAMPLES = {
   S_T: 'sea-ankle',
@@ -30,6 +31,7 @@ interface Deviation {
 
 export interface Results {
   nominal_force_n: number;
+  spring: { modes_at: ModesAt[] };
   cases: {
     condition: string;
     damping: string;

@@ -95,7 +95,7 @@ test('the faults that are looked for are found', async ({ page }) => {
 test('the spring as it comes', async ({ page }) => {
   await open(page);
   // A table that is wider than its card can be scrolled, but this one need not be.
-  const table = page.locator('.results .scroll');
+  const table = page.getByRole('region', { name: 'How far each force is off' });
   await onEveryScreen(page, async (screen) =>
     expect(await table.evaluate((one) => one.scrollWidth - one.clientWidth), screen).toBeLessThanOrEqual(1),
   );

@@ -85,7 +85,7 @@ test('first load and time until it can be used', async ({ page }) => {
       `${(interactive / bare).toFixed(1)} times what its files take to load and compile`,
   );
   expect(bytes).toBeGreaterThan(100_000);
-  // The goal is 500; what is left of it is not there to be used up unseen.
-  expect(bytes).toBeLessThan(420_000);
+  // The goal is 500; what is left of it is not there to be used up unseen: the helix took 45 of it, since a spec's f1 is the helix's.
+  expect(bytes).toBeLessThan(470_000);
   expect(interactive / bare).toBeLessThan(MOST_LOADS);
 });

@@ -57,8 +57,8 @@ getters! {
     text: &str = &self.spec.text;
     /// The spring's name.
     name: &str = &self.spec.spring.name;
-    /// The spring.
-    spring: PySpring = PySpring(self.spec.spring.spring.clone());
+    /// The spring, with its own mass whatever ``model`` says.
+    spring: PySpring = PySpring(self.spec.spring.as_given());
     /// The conditions of use, as a list of `Condition`; may be empty.
     conditions: Vec<PyCondition> = self.spec.conditions.iter().cloned().map(PyCondition).collect();
     /// The sensors' names; may be empty.
@@ -141,7 +141,7 @@ impl PySpec {
         Ok(dict)
     }
 
-    /// What follows from the spring alone: rate, mass, stress, lengths, surge frequencies, neighbours.
+    /// What follows from the spring alone: rate, mass, stress, lengths, surge frequencies, every mode of the coil as a helix.
     ///
     /// Returns
     /// -------

@@ -44,7 +44,10 @@ export class Modes {
     this.select.addEventListener('change', () => this.fill());
   }
 
-  show(sheet: ExactFacts['sheet']): void {
+  /** Those of the exact answer; while there is none, the last ones in grey. */
+  show(sheet: ExactFacts['sheet'] | null): void {
+    this.body.classList.toggle('stale', sheet === null);
+    if (!sheet) return;
     const chosen = this.select.selectedIndex;
     this.choices = sheet.modesAt.flatMap((at) =>
       [at, ...(at.loosest ? [at.loosest] : [])].map(({ ends, buckles, modes }) => ({

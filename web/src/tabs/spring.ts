@@ -102,7 +102,7 @@ export const open: Open = (panel, store, compute) => {
       table.show(facts, shown.exact);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
-      if (shown.exact) modes.show(shown.exact.facts.sheet);
+      modes.show(shown.exact?.facts.sheet ?? null);
       panels.show(store.state, facts);
       views.show(shown);
       downloads.show(shown);

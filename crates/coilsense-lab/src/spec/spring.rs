@@ -49,7 +49,8 @@ pub struct SpringSpec {
     pub self_distance: SelfDistance,
     /// How far real springs are from all this.
     pub tolerances: Tolerances,
-    /// Masses of the chain for each winding, where the spec says so; `spring` has as many, else the fewest that its model takes.
+    /// Masses of the chain for each winding, where the spec says so; `spring` has as many, else the fewest that its model takes: one, and of
+    /// the coil thirty in all.
     pub masses_per_winding: Option<usize>,
     /// What the stiffness says of the wire.
     pub stiffness_at: StiffnessAt,
@@ -134,6 +135,14 @@ impl SpringSpec {
         Rod::of_spring(&self.of_mass(self.mass)?, &self.geometry, self.stiffness_at, self.hand)
     }
 
+    /// The spring with the mass that the spec says, whatever its model makes of it, and one mass for each winding unless it says more.
+    pub fn as_given(&self) -> Spring {
+        let masses = self.masses_per_winding.unwrap_or(1);
+        // Its mass was let through when the spec was read.
+        let given = self.of_mass(self.mass).and_then(|spring| spring.with_masses_per_winding(masses));
+        given.unwrap_or_else(|_| self.spring.clone())
+    }
+
     /// The coil as a helix, its ends held in these ways.
     ///
     /// # Errors
@@ -167,7 +176,10 @@ impl SpringSpec {
         }
         let first = self.helix(ends).and_then(|coil| coil.first_surge(self.spring.mid_length()));
         let Ok((low, high)) = first else { return };
-        if let Ok(spring) = self.of_mass(self.spring.stiffness() / (low + high).powi(2)) {
+        let least = MASSES_OF_A_COIL.div_ceil(self.spring.whole_windings());
+        let masses = self.masses_per_winding.unwrap_or(least);
+        let coil = self.of_mass(self.spring.stiffness() / (low + high).powi(2));
+        if let Ok(spring) = coil.and_then(|spring| spring.with_masses_per_winding(masses)) {
             self.spring = spring;
         }
     }
@@ -221,7 +233,6 @@ impl SpringSpec {
             Some("chain") => Model::Chain,
             _ => Model::Coil,
         };
-        let least = if model == Model::Coil { MASSES_OF_A_COIL.div_ceil(spring.whole_windings()) } else { 1 };
         let self_distance = match section.optional_word("self_distance", &["as-printed", "geometric-mean"])? {
             Some("geometric-mean") => SelfDistance::GeometricMean,
             _ => SelfDistance::AsPrinted,
@@ -246,7 +257,7 @@ impl SpringSpec {
                 _ => Hand::Right,
             },
             spring: spring
-                .with_masses_per_winding(masses_per_winding.unwrap_or(least))
+                .with_masses_per_winding(masses_per_winding.unwrap_or(1))
                 .map_err(|error| section.refuse_science(&error, &[]))?,
         };
         spec.check_range(section)?;

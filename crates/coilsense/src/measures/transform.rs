@@ -4,7 +4,9 @@
 
 use num_complex::Complex;
 
-use crate::error::{Error, number_of};
+use crate::error::Error;
+#[cfg(not(target_family = "wasm"))]
+use crate::error::number_of;
 
 /// X_k = Σ x_n e^(−2πikn/N) for k = 0…⌊N/2⌋, N at least 1.
 ///

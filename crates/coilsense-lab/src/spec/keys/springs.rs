@@ -186,7 +186,7 @@ pub(super) const MOUNT: Table = Table {
         optional(
             "misalignment",
             "\"1 deg\"",
-            "angle between the spring's axis and that of a load cell, which then reads that share of the side force too",
+            "angle between the spring's axis and that of a load cell: the data sheet then says what the cell reads of each mode with its side force",
             "`\"0 deg\"`",
         ),
         optional(
