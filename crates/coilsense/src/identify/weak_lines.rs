@@ -22,8 +22,8 @@ const ROUNDS: usize = 2;
 const MOST: usize = 16;
 /// E-foldings after which a mode has gone.
 const GONE: f64 = 10.0;
-/// Values of the modes' shapes, at most: 160 MB.
-const MOST_VALUES: usize = 20_000_000;
+/// Values of the modes' shapes, at most: 40 MB.
+const MOST_VALUES: usize = 5_000_000;
 /// What is left of a mode lies this near it: widths at half power, or a share of its frequency \[1\].
 const WIDTHS: f64 = 3.0;
 const NEAR: f64 = 0.01;
@@ -108,9 +108,14 @@ fn without(lines: &[Line], series: &[Series], hits: &[Hit], sampling: &Sampling)
         (-decay * sample as f64).exp() * if column.is_multiple_of(2) { cosine } else { sine }
     });
     let mut rest = series.to_vec();
+    let mut factor = None;
     for &(start, length) in &stretches {
         let own = shapes.rows(0, length);
-        let factor = own.tr_mul(&own).cholesky()?;
+        // Most stretches are as long as the slowest mode rings.
+        if factor.as_ref().is_none_or(|(of, _)| *of != length) {
+            factor = Some((length, own.tr_mul(&own).cholesky()?));
+        }
+        let Some((_, factor)) = &factor else { continue };
         for one in &mut rest {
             let amplitudes = factor.solve(&own.tr_mul(&DVector::from_column_slice(&one.flat[start..start + length])));
             let rings = own * amplitudes;

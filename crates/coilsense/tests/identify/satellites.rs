@@ -305,6 +305,25 @@ fn torsion_beside_the_modes_is_named_and_leaves_f1_alone() {
 }
 
 #[test]
+fn loud_torsion_makes_no_end_mass_and_no_second_coil() {
+    for seed in 0..8 {
+        let mut random = Pcg64::seed_from_u64(900 + seed);
+        let (first, axial) = coil(&mut random);
+        let share = random.random_range(0.05..0.095);
+        let line_of =
+            |mode: &Ringing| line(TORSION * mode.frequency, share * mode.input, mode.output.signum(), &mode.by_hit);
+        let more: Vec<Ringing> = axial.iter().map(line_of).collect();
+        for found in heard(axial, more, &mut random) {
+            assert_eq!(found.verdict.answer, Answer::Spring, "seed {seed}: {:?}", found.verdict);
+            assert_eq!(found.mode_series, Some(ModeSeries::HeldHeld), "seed {seed}: {:?}", found.verdict);
+            assert!((found.first_frequency.unwrap().value / first - 1.0).abs() < 1e-3, "seed {seed}");
+            assert!(torsional(&found).len() > 2, "seed {seed}: {:?}", found.verdict);
+            assert!(!found.verdict.evidence.iter().any(|line| line.contains("second coil")), "{:?}", found.verdict);
+        }
+    }
+}
+
+#[test]
 fn a_pair_beside_the_series_is_lateral_and_said() {
     let mut random = Pcg64::seed_from_u64(9);
     let (first, axial) = coil(&mut random);
