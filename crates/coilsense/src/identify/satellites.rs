@@ -297,11 +297,11 @@ impl Search<'_> {
         Some(self.lines[index].amplitude / self.mode(mode)?.amplitude)
     }
 
-    /// f1 where the lowest axial line is that of held ends.
+    /// What follows a ratio to a mode: f1 where the lowest axial line is that of held ends.
     fn name_of(&self, mode: usize) -> String {
         match self.coil.mode_series {
             ModeSeries::HeldHeld | ModeSeries::Gives { .. } if mode == 1 => "f1".to_owned(),
-            _ => format!("mode {mode}"),
+            _ => format!("times mode {mode}"),
         }
     }
 }

@@ -298,7 +298,7 @@ fn torsion_beside_the_modes_is_named_and_leaves_f1_alone() {
     for count in [with_satellites(0..20), other.join().unwrap()] {
         println!("{count:?}");
         assert_eq!(count.springs, count.logs, "satellites do not count against the verdict");
-        assert!(10 * count.named >= 9 * count.logs, "{count:?}"); // 79 of 80 when written
+        assert!(10 * count.named >= 9 * count.logs, "{count:?}"); // 77 of 80 when written
         // A line is 0.6 % wide: nearer pairs of 0.2 % of a mode are one line to a fit.
         assert!(10 * count.pairs >= 8 * count.wide, "{count:?}");
     }
