@@ -26,6 +26,13 @@ pub enum Meaning {
     },
     /// The force only follows the recorded motion of the ends, as it does in a spring without mass.
     Follows,
+    /// The coil's torsion: no axial mode, but heard in the axial force.
+    Torsional {
+        /// The axial mode beside which it lies; none for quarter waves, where an end may turn.
+        mode: Option<usize>,
+    },
+    /// One of a close pair, as sideways motion of a coil has.
+    Lateral,
     /// None of these.
     Unknown,
 }
@@ -62,5 +69,10 @@ impl Line {
             Meaning::Mode(mode) => Some(mode),
             _ => None,
         }
+    }
+
+    /// Width at half its power \[Hz\]; zero where it is not known.
+    pub(super) fn width(&self) -> f64 {
+        self.ratio.map_or(0.0, |ratio| 2.0 * ratio.value.abs() * self.frequency.value)
     }
 }

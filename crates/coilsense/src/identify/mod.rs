@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Signals ─► channels checked, at their own pace ─► stiffness (slow parts) ─► forces less the slow ones ─► hits ─► lines ─► ring-down fit
-//!         ─► explanations weighed ─► verdict
+//!         ─► explanations weighed ─► verdict ─► satellites named
 //! ```
 //!
 //! Both ends' forces are taken apart into what they pull in turn and what they pull together: between held ends a spring's odd modes
@@ -34,6 +34,7 @@ mod ring_down;
 mod ringing;
 mod run;
 mod sampling;
+mod satellites;
 mod settings;
 mod signs;
 mod slow_motion;
@@ -41,6 +42,7 @@ mod trust;
 mod update_clock;
 mod value;
 mod verdict;
+mod weak_lines;
 mod welch;
 mod whitening;
 

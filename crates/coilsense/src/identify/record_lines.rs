@@ -54,7 +54,7 @@ impl RecordLines {
         for peak in steady {
             let known = lines
                 .iter()
-                .any(|(line, ..)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * width(line));
+                .any(|(line, ..)| (line.frequency.value - peak.frequency).abs() < 3.0 * spacing + 3.0 * line.width());
             if !known && (hits.is_empty() || peak.strength > 100.0) {
                 lines.push((steady_line(peak, series, spacing), f64::INFINITY, None));
             }
@@ -72,13 +72,8 @@ impl RecordLines {
     }
 }
 
-/// Width of a line at half its power \[Hz\].
-fn width(line: &Line) -> f64 {
-    line.ratio.map_or(0.0, |ratio| 2.0 * ratio.value.abs() * line.frequency.value)
-}
-
-/// A fitted line, where it is sure.
-fn line_of(fitted: &Fitted, series: &[Series], rate: f64) -> Option<(Line, f64)> {
+/// A fitted line, where it is sure, and its e-folding time \[s\].
+pub(super) fn line_of(fitted: &Fitted, series: &[Series], rate: f64) -> Option<(Line, f64)> {
     let size = fitted.pole.norm();
     let factor = coverage_factor(0.95, fitted.freedom.max(1.0)).ok()?;
     let decays = -fitted.pole.re > 3.0 * fitted.standard;

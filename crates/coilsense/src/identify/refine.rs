@@ -64,7 +64,12 @@ impl<'a> Refiner<'a> {
 
     /// The lines behind `peaks`, strongest first.
     pub(super) fn lines(&mut self, peaks: &[Peak]) -> Vec<Fitted> {
-        let mut lines = self.merged(peaks);
+        let lines = self.merged(peaks);
+        self.together(lines)
+    }
+
+    /// The lines to which `lines` are fitted, each beside the others, strongest first.
+    pub(super) fn together(&mut self, mut lines: Vec<Fitted>) -> Vec<Fitted> {
         for round in 0..3 {
             for index in 0..lines.len() {
                 if let Some(better) = self.refit(&lines, index, round > 0) {

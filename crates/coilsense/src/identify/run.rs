@@ -14,7 +14,7 @@ use super::record_lines::{RecordLines, seen};
 use super::ringing::{Part, Rings, Series, rings};
 use super::whitening::Surprise;
 use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict, Welch};
-use super::{beginning, half_power, hits, naming, ring_down, signs, verdict};
+use super::{beginning, half_power, hits, naming, ring_down, satellites, signs, verdict, weak_lines};
 use crate::error::Error;
 use crate::measures::alias_of;
 use crate::mount::FarEnd;
@@ -92,21 +92,34 @@ impl Identification {
             verdict: Verdict { answer: Answer::Undecided, evidence: Vec::new(), next: Vec::new() },
         };
         let weighed = found.explain(signals, &foldings, &heard);
-        Ok(found.concluded(&weighed, &series))
+        Ok(found.concluded(weighed, &series))
     }
 
     /// With all that follows from the lines and what explains them.
-    fn concluded(mut self, weighed: &Weighed, series: &[Series]) -> Self {
+    fn concluded(mut self, mut weighed: Weighed, series: &[Series]) -> Self {
         self.stiffness =
             self.stiffness.and_then(|stiffness| stiffness.beside_mass(self.first_frequency.map(|first| first.value)));
         self.predict();
         self.unfold();
         self.derive();
+        self.verdict = verdict::verdict(&self, &weighed);
+        self.satellites(&mut weighed, series);
         self.half_powers(series);
         self.ring_down = ring_down::of(&self.lines, series, &self.hits, &self.sampling);
-        self.verdict = verdict::verdict(&self, weighed);
         self.verdict.evidence.extend(channel_check::sentences(&self.channels));
         self
+    }
+
+    /// Names lines of a spring that are no axial modes, and adds those that the modes hide.
+    fn satellites(&mut self, weighed: &mut Weighed, series: &[Series]) {
+        let Some(coil) = weighed.coil.as_mut().filter(|_| self.verdict.answer == Answer::Spring) else { return };
+        let weak = weak_lines::beside_modes(&self.lines, series, &self.hits, &self.sampling);
+        let (said, no_second) = satellites::name(&mut self.lines, weak, coil);
+        if no_second {
+            coil.second = None;
+            self.verdict = verdict::verdict(self, weighed);
+        }
+        self.verdict.evidence.extend(said);
     }
 
     /// Weighs what explains the lines, names them by it, and takes its numbers over.

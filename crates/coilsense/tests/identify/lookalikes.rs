@@ -14,7 +14,7 @@ use rand_pcg::rand_core::SeedableRng;
 use crate::records::{RATE, noisy};
 
 /// f1 \[Hz\], k \[N/m\], m \[kg\] of S_T with both ends held, and masses of the chains below.
-const STIFFNESS: f64 = 760.0;
+pub(crate) const STIFFNESS: f64 = 760.0;
 const MASS: f64 = 0.065;
 const MASSES: usize = 100;
 
@@ -24,16 +24,21 @@ fn first() -> f64 {
 }
 
 /// One line: f \[Hz\], ζ, and what it pulls at F_i and F_o per unit of a hit, by hit.
-struct Ringing {
-    frequency: f64,
-    ratio: f64,
-    input: f64,
-    output: f64,
-    by_hit: Vec<f64>,
+pub(crate) struct Ringing {
+    pub(crate) frequency: f64,
+    pub(crate) ratio: f64,
+    pub(crate) input: f64,
+    pub(crate) output: f64,
+    pub(crate) by_hit: Vec<f64>,
 }
 
 /// Twenty seconds of lines after five hits, on a slow pull of 1 mm at end 1 against k, 20 N of preload, 0.01 N of noise.
-fn record(lines: &[Ringing], stiffness: f64, random: &mut Pcg64) -> Signals {
+pub(crate) fn record(lines: &[Ringing], stiffness: f64, random: &mut Pcg64) -> Signals {
+    record_in(lines, stiffness, 0.01, random)
+}
+
+/// The same in another noise \[N\].
+pub(crate) fn record_in(lines: &[Ringing], stiffness: f64, noise: f64, random: &mut Pcg64) -> Signals {
     let times: Vec<f64> = (0..50_000).map(|n| n as f64 / RATE).collect();
     let slow = |t: f64| 1e-3 * (TAU * 0.3 * t).sin();
     let mut forces = [(); 2].map(|()| times.iter().map(|t| 20.0 - stiffness * slow(*t)).collect::<Vec<f64>>());
@@ -53,15 +58,15 @@ fn record(lines: &[Ringing], stiffness: f64, random: &mut Pcg64) -> Signals {
     }
     let mut signals = Signals::new(times.clone()).unwrap();
     let [input, output] = forces;
-    signals.insert(Channel::InputForce, noisy(input, 0.0, 0.01, random)).unwrap();
-    signals.insert(Channel::OutputForce, noisy(output, 0.0, 0.01, random)).unwrap();
+    signals.insert(Channel::InputForce, noisy(input, 0.0, noise, random)).unwrap();
+    signals.insert(Channel::OutputForce, noisy(output, 0.0, noise, random)).unwrap();
     let motion = times.iter().map(|t| slow(*t)).collect();
     signals.insert(Channel::U1, noisy(motion, 0.0, 1e-6, random)).unwrap();
     signals
 }
 
 /// Without one force.
-fn without(signals: &Signals, gone: Channel) -> Signals {
+pub(crate) fn without(signals: &Signals, gone: Channel) -> Signals {
     let mut rest = Signals::new(signals.time().to_vec()).unwrap();
     for channel in [Channel::InputForce, Channel::OutputForce, Channel::U1] {
         if channel != gone {
@@ -72,7 +77,7 @@ fn without(signals: &Signals, gone: Channel) -> Signals {
 }
 
 /// The modes of S_T's chain between end 1 and a load cell of stiffness \[N/m\] and mass \[kg\] that stands on the ground, struck at one place.
-fn behind_cell(cell: Option<(f64, f64)>, ratio: impl Fn(f64) -> f64, random: &mut Pcg64) -> Vec<Ringing> {
+pub(crate) fn behind_cell(cell: Option<(f64, f64)>, ratio: impl Fn(f64) -> f64, random: &mut Pcg64) -> Vec<Ringing> {
     let count = MASSES + usize::from(cell.is_some());
     let (link, half) = (MASSES as f64 * STIFFNESS, 2.0 * MASSES as f64 * STIFFNESS);
     let mut masses = vec![MASS / MASSES as f64; MASSES];
@@ -116,7 +121,7 @@ fn behind_cell(cell: Option<(f64, f64)>, ratio: impl Fn(f64) -> f64, random: &mu
         .collect()
 }
 
-fn of(signals: &Signals) -> Identification {
+pub(crate) fn of(signals: &Signals) -> Identification {
     Identification::of(signals, &Settings::default()).unwrap()
 }
 

@@ -10,5 +10,6 @@ mod mounts;
 #[path = "../paper_springs/mod.rs"]
 mod paper_springs;
 mod records;
+mod satellites;
 mod silent;
 mod strangers;

@@ -71,6 +71,8 @@ fn spectrum(identified: &Identified) -> Figure {
         let name = match line.meaning {
             Meaning::Alias { mode, .. } => format!("f_{{{mode}}} folded"),
             Meaning::Mains { mains, .. } => format!("{mains} Hz"),
+            Meaning::Torsional { .. } => "torsional".to_owned(),
+            Meaning::Lateral => "lateral".to_owned(),
             _ => String::new(),
         };
         Mark { x: line.frequency.value, label: name }

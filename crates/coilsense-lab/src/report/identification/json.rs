@@ -135,9 +135,9 @@ struct LineRow<'a> {
     component: &'static str,
     /// How many hits its fit took.
     hits: usize,
-    /// "mode", "alias", "mains", "follows the ends" or "unknown".
+    /// "mode", "alias", "mains", "follows the ends", "torsional", "lateral" or "unknown".
     kind: &'static str,
-    /// Of the mode, or multiple of the mains.
+    /// Of the mode, of the axial mode beside a torsional line, or multiple of the mains.
     number: Option<usize>,
     /// The true frequency of an alias.
     unfolded_hz: Option<f64>,
@@ -239,6 +239,8 @@ impl<'a> LineRow<'a> {
             Meaning::Alias { mode, frequency } => ("alias", Some(mode), Some(frequency)),
             Meaning::Mains { multiple, .. } => ("mains", Some(multiple), None),
             Meaning::Follows => ("follows the ends", None, None),
+            Meaning::Torsional { mode } => ("torsional", mode, None),
+            Meaning::Lateral => ("lateral", None, None),
             Meaning::Unknown => ("unknown", None, None),
         };
         Self {

@@ -63,6 +63,8 @@ pub(in crate::identify) struct Coil {
     pub(in crate::identify) delay: f64,
     /// f1 \[Hz\] of a second coil among the other lines.
     pub(in crate::identify) second: Option<f64>,
+    /// Lines of the record that are its modes.
+    pub(in crate::identify) second_lines: Vec<usize>,
     /// N that the lines want where another was given.
     pub(in crate::identify) other_windings: Option<f64>,
 }
@@ -135,6 +137,7 @@ pub(super) fn coil_of(room: &Room, coils: &[Explanation]) -> Option<Coil> {
         turned: chosen.told.turned,
         delay: 0.0,
         second: None,
+        second_lines: Vec::new(),
         other_windings: None,
     })
 }
@@ -202,6 +205,7 @@ pub(super) fn second(heard: &[Heard], known: &Known, top: f64, coil: &mut Coil) 
     let rival = rivals::of(&room).first().map_or(0.0, |rival| rival.total.max(0.0));
     if let Some(other) = others.first().filter(|other| other.total > SECOND + rival) {
         coil.second = Some(other.place.trial.base);
+        coil.second_lines = other.place.modes.iter().map(|(line, _)| rest[*line].line).collect();
         let own: f64 = other.place.modes.iter().map(|(line, _)| rest[*line].energy).sum();
         let of_second = |index: usize| other.place.modes.iter().any(|(line, _)| rest[*line].line == heard[index].line);
         let of_first = |index: usize| coil.modes.iter().any(|(line, _, _)| *line == heard[index].line);
