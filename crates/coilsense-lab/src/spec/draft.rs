@@ -94,8 +94,10 @@ impl<'a> Draft<'a> {
     pub fn core(&self, files: &Files<'_>) -> Result<Core, SpecError> {
         let document = &self.document;
         let mut spring = SpringSpec::of(&document.section("spring")?)?;
-        let mount = MountSpec::parse(document, &spring.spring, spring.geometry.parameters().end_type)?;
-        spring.follow_helix(&mount.ends);
+        let end_type = spring.geometry.parameters().end_type;
+        // First, for dampings count the masses that the chain then has.
+        spring.follow_helix(&MountSpec::ends(document, end_type)?);
+        let mount = MountSpec::parse(document, &spring.spring, end_type)?;
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })

@@ -45,11 +45,19 @@ impl MountSpec {
         self.cases.first().map_or(FarEnd::Position, |case| case.mount.far_end())
     }
 
+    /// How the ends are held, before anything else of the mount is read.
+    pub(super) fn ends(document: &Document<'_>, end_type: EndType) -> Result<EndsSpec, SpecError> {
+        match document.optional_section("mount")? {
+            Some(section) => EndsSpec::parse(&section, end_type),
+            None => Ok(EndsSpec::assumed(end_type)),
+        }
+    }
+
     pub(super) fn parse(document: &Document<'_>, spring: &Spring, end_type: EndType) -> Result<Self, SpecError> {
         let Some(section) = document.optional_section("mount")? else {
             let cases = BAND.map(|ratio| DampingCase::modal(FarEnd::Position, ratio, Damping::Modal(ratio)));
-            let ends = EndsSpec::assumed(end_type);
-            return Ok(Self { cases: cases.into_iter().flatten().collect(), is_band: true, ends });
+            let cases = cases.into_iter().flatten().collect();
+            return Ok(Self { cases, is_band: true, ends: EndsSpec::assumed(end_type) });
         };
         let far_end = far_end(&section)?;
         let ends = EndsSpec::parse(&section, end_type)?;

@@ -169,6 +169,19 @@ fn the_coil_has_the_first_surge_of_its_helix() {
 }
 
 #[test]
+fn a_damping_for_each_mode_counts_the_masses_of_the_coil() {
+    let text = include_str!("../../../../examples/car-suspension.toml");
+    let table = &text[text.find("[spring]").unwrap()..text.find("[mount]").unwrap()];
+    let mount =
+        "[mount]\nend2 = \"mass\"\nend_mass = \"325 kg\"\nfirst_mode_damping_ratio = 0.28\ndamping_ratio = 0.005\n";
+    let spec = spec(&format!("{table}\n{mount}\n{STILL}"));
+    // Seven windings of five masses, and the end mass: as it was read, before anything prepares it.
+    let (spring, mount) = (&spec.spring.spring, &spec.mount.cases[0].mount);
+    assert_eq!(spring.chain_masses(), 35);
+    coilsense::Motion::mounted(spring, mount, &spec.conditions[0].excitation).unwrap();
+}
+
+#[test]
 fn windings_touch_at_one_length_whoever_asks() {
     let of = |text: &str| spec(&format!("{text}\n{STILL}")).spring;
     let table = |text: &str| text[text.find("[spring]").unwrap()..text.find("[mount]").unwrap()].to_owned();
