@@ -22,6 +22,8 @@ const THREE_QUARTERS: (f64, f64) = (1.65, 1.76);
 const OFF_THREE: f64 = 0.05;
 /// How far the two of a lateral pair lie apart \[1, relative\].
 const PAIR: (f64, f64) = (1e-4, 0.04);
+/// Pairs are sought up to this many f1: higher up lines of anything lie as near one another.
+const PAIRS_UP_TO: f64 = 4.0;
 /// A third line is this many times farther, at least: else they are no pair.
 const ALONE: f64 = 3.0;
 /// How unlike in size, and how strong beside the strongest mode, lines of a pair may be \[1\].
@@ -238,12 +240,13 @@ impl Search<'_> {
         (alone && alike).then_some(nearest)
     }
 
-    /// Whether a line may be one of a pair: not beside an axial mode, not too strong, not of a second coil.
+    /// Whether a line may be one of a pair: not far above f1, not beside an axial mode, not too strong, not of a second coil.
     fn may_pair(&self, index: usize) -> bool {
         let line = &self.lines[index];
         let largest = self.coil.modes.iter().map(|(at, ..)| self.lines[*at].amplitude).fold(0.0, f64::max);
         let beside = |place: f64| (line.frequency.value / place - 1.0).abs() < OF_MODE;
         self.is_open(index)
+            && line.frequency.value < PAIRS_UP_TO * self.coil.first
             && line.amplitude < STRONGEST * largest
             && !self.coil.modes.iter().any(|entry| beside(entry.2))
             && !self.coil.second_lines.contains(&index)
