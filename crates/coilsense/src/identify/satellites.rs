@@ -22,6 +22,8 @@ const THREE_QUARTERS: (f64, f64) = (1.65, 1.76);
 const OFF_THREE: f64 = 0.05;
 /// How far the two of a lateral pair lie apart \[1, relative\].
 const PAIR: (f64, f64) = (1e-4, 0.04);
+/// Pairs are sought up to this many f1: higher up lines of anything lie as near one another.
+const PAIRS_UP_TO: f64 = 4.0;
 /// A third line is this many times farther, at least: else they are no pair.
 const ALONE: f64 = 3.0;
 /// How unlike in size, and how strong beside the strongest mode, lines of a pair may be \[1\].
@@ -120,10 +122,10 @@ impl Search<'_> {
                 _ => {}
             }
         }
-        let &(lowest, first) = named.first()?;
+        let &(_, lowest) = named.first()?;
         for mode in TORSION.len() + 1..=HIGHEST {
-            let (_, own) = *named.last()?;
-            let ratio = self.ratio(own, named.last()?.0);
+            let &(last, own) = named.last()?;
+            let ratio = self.ratio(own, last);
             let near = self.beside(mode, (ratio * (1.0 - SAME_RATIO), ratio * (1.0 + SAME_RATIO)));
             if let [index] = near[..]
                 && self.is_weak(index, mode)
@@ -131,18 +133,12 @@ impl Search<'_> {
                 named.push((mode, index));
             }
         }
-        let percent = |index: usize, mode: usize| self.share(index, mode).map_or_else(String::new, percent);
-        let texts: Vec<(usize, usize, String)> = named
-            .iter()
-            .map(|&(mode, index)| {
-                let of = self.name_of(mode);
-                (
-                    mode,
-                    index,
-                    format!("{:.3} {of} with {} of its strength", self.ratio(index, mode), percent(index, mode)),
-                )
-            })
-            .collect();
+        let text = |&(mode, index): &(usize, usize)| {
+            let (ratio, of) = (self.ratio(index, mode), self.name_of(mode));
+            let share = percent(self.share(index, mode).unwrap_or_default());
+            format!("{ratio:.3} {of} with {share} of its strength")
+        };
+        let texts: Vec<String> = named.iter().map(text).collect();
         let others: Vec<String> =
             named[1..].iter().map(|&(_, index)| format!("{:.1}", self.lines[index].frequency.value)).collect();
         let beside = if others.is_empty() {
@@ -151,13 +147,10 @@ impl Search<'_> {
             format!(" (so {} {} Hz)", if others.len() == 1 { "is" } else { "are" }, others.join(", "))
         };
         let sentence = format!(
-            "{:.1} Hz, {:.3} {} with {} of its strength, is the coil's torsion: not in the axial series{beside}",
-            self.lines[first].frequency.value,
-            self.ratio(first, lowest),
-            self.name_of(lowest),
-            percent(first, lowest)
+            "{:.1} Hz, {}, is the coil's torsion: not in the axial series{beside}",
+            self.lines[lowest].frequency.value, texts[0]
         );
-        for (mode, index, text) in texts {
+        for ((mode, index), text) in named.into_iter().zip(texts) {
             self.lines[index].meaning = Meaning::Torsional { mode: Some(mode) };
             self.lines[index].reason = format!("torsional: {text}");
         }
@@ -247,12 +240,13 @@ impl Search<'_> {
         (alone && alike).then_some(nearest)
     }
 
-    /// Whether a line may be one of a pair: not beside an axial mode, not too strong, not of a second coil.
+    /// Whether a line may be one of a pair: not far above f1, not beside an axial mode, not too strong, not of a second coil.
     fn may_pair(&self, index: usize) -> bool {
         let line = &self.lines[index];
         let largest = self.coil.modes.iter().map(|(at, ..)| self.lines[*at].amplitude).fold(0.0, f64::max);
         let beside = |place: f64| (line.frequency.value / place - 1.0).abs() < OF_MODE;
         self.is_open(index)
+            && line.frequency.value < PAIRS_UP_TO * self.coil.first
             && line.amplitude < STRONGEST * largest
             && !self.coil.modes.iter().any(|entry| beside(entry.2))
             && !self.coil.second_lines.contains(&index)
