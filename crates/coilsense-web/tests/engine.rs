@@ -68,7 +68,7 @@ fn a_refusal_says_line_key_and_what_is_allowed() {
     let engine = Engine::new();
     let refusal = |text: &str| engine.preview(text, 0, 0, 0.0, 0.1, 100).unwrap_err();
     let wrong = refusal(&ANKLE.replace("\"65 g\"", "\"65 m\""));
-    assert!(wrong.starts_with("spec:18: mass = \"65 m\": must be a mass with its unit"), "{wrong}");
+    assert!(wrong.starts_with("spec:19: mass = \"65 m\": must be a mass with its unit"), "{wrong}");
     assert!(refusal("x =").starts_with("spec:1:"), "{}", refusal("x ="));
     assert!(refusal(VALVE).contains("cam-6000rpm.csv is not on this page"), "{}", refusal(VALVE));
     for (condition, damping) in [(5, 0), (0, 4), (usize::MAX, usize::MAX)] {

@@ -147,7 +147,7 @@ impl Design<'_> {
     fn result(&self, column: &Column) -> Result {
         let nominal = self.core.spring.spring.nominal_force();
         match column {
-            Column::Spring(number) => Result::Number((number.of)(&self.core)),
+            Column::Spring(number) => Result::Number((number.of)(self.core)),
             Column::Force { force, measure, condition } => {
                 let of_cases = self.of(*condition).iter().filter_map(|case| case.deviations[*force].as_ref());
                 let largest = of_cases.map(|deviation| measured(deviation, *measure)).max_by(by_size);
