@@ -24,7 +24,7 @@ def test_a_spec_says_what_its_file_says() -> None:
     assert heel_strike.name == "heel strike" and heel_strike.kind == "impact"
     assert heel_strike.excitation.start.kind == "moving"
     assert all(mount.far_end == coilsense.FarEnd.position() for mount in SPEC.mounts.values())
-    assert SPEC.data_sheet()["schema"] == "coilsense/data-sheet/1"
+    assert SPEC.data_sheet()["schema"] == "coilsense/data-sheet/2"
 
 
 def test_the_error_of_a_spec_is_one_line_with_file_line_and_key() -> None:

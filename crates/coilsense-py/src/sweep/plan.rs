@@ -54,6 +54,7 @@ use crate::value::getters;
 /// >>> spec = '''
 /// ... [spring]
 /// ... name = "S_T"
+/// ... model = "chain"
 /// ... rest_length = "104 mm"
 /// ... windings = 52
 /// ... coil_radius = "8 mm"
