@@ -98,8 +98,7 @@ pub(super) fn coil_of(room: &Room, coils: &[Explanation]) -> Option<Coil> {
     });
     let chosen = simplest.unwrap_or(best);
     let (first, spread) = chosen.first();
-    let freedom = 2.0 * chosen.place.modes.len().saturating_sub(chosen.place.trial.knobs.len()).max(1) as f64;
-    let factor = crate::uncertainty::coverage_factor(0.95, freedom).unwrap_or(1.96);
+    let factor = crate::uncertainty::coverage_factor(0.95, chosen.place.freedom()).unwrap_or(1.96);
     let all = sum_of_logs(&coils.iter().map(|one| one.total).collect::<Vec<_>>());
     // A seat whose law misses its lines by more than noise is not the seat that is there.
     let gives = matches!(chosen.mode_series(), ModeSeries::Gives { .. });

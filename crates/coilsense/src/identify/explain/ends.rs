@@ -8,7 +8,7 @@ use super::fit::sum_of_logs;
 use super::heard::{Ends, Heard};
 use super::normal::density;
 use super::place::Place;
-use crate::identify::median::median;
+use crate::identify::median::{median, weighted_median};
 use crate::identify::phase_law::{Law, Seat, mode_of};
 
 /// How far sizes at both ends may be off what the law says \[1\], relative: each is tried.
@@ -126,10 +126,10 @@ pub(super) fn delay(place: &Place, heard: &[Heard], turned: Option<bool>) -> Opt
     (at(best) + LATE > in_time).then_some(best)
 }
 
-/// ln of the sensors' relative gain.
+/// ln of the sensors' relative gain: of faint lines the sizes are unsure, and a mount must not be believed for their chance alone.
 fn offset(pairs: &[Pair]) -> f64 {
-    let mut gains: Vec<f64> = pairs.iter().map(|pair| pair.ends.ratio - pair.ratio).collect();
-    median(&mut gains)
+    let of = |pair: &Pair| (pair.ends.ratio - pair.ratio, pair.ends.spread.hypot(OFF[0]).recip());
+    weighted_median(&mut pairs.iter().map(of).collect::<Vec<_>>())
 }
 
 /// The likelier sign, and the evidence with it.

@@ -25,6 +25,8 @@ pub(super) struct Place {
     pub(super) misfit: f64,
     /// Covariance of the knobs.
     pub(super) covariance: DMatrix<f64>,
+    /// Part of the variance of f1 that the lines' own noise makes \[1\]; the rest is learnt from how they scatter.
+    pub(super) by_noise: f64,
     /// ln of the evidence over that of lines by chance.
     pub(super) evidence: f64,
 }
@@ -34,6 +36,14 @@ impl Place {
     pub(super) fn standard(&self, knob: Knob) -> f64 {
         let index = self.trial.knobs.iter().position(|own| *own == knob);
         index.map_or(f64::INFINITY, |index| self.covariance[(index, index)].max(0.0).sqrt())
+    }
+
+    /// Degrees of freedom of f1's uncertainty: the lines' own noise is known, and how far they scatter beyond is learnt from them
+    /// (Welch and Satterthwaite).
+    pub(super) fn freedom(&self) -> f64 {
+        let lines = 2.0 * self.modes.len().saturating_sub(self.trial.knobs.len()).max(1) as f64;
+        let learnt = (1.0 - self.by_noise).max(0.0);
+        lines / (learnt * learnt).max(f64::MIN_POSITIVE)
     }
 
     /// Share of what is heard that its modes hold \[1\], by the amplitudes' squares.
@@ -79,6 +89,7 @@ impl Place {
             }
         }
         let mut found: Option<Self> = None;
+        let mut by_noise = None;
         let mut levels = Vec::new();
         let mut misfit = [f64::NEG_INFINITY; 2];
         for off in OFF {
@@ -86,10 +97,12 @@ impl Place {
             let Some(covariance) = fit(room, &mut own, &modes, off, None) else { continue };
             let evidence = evidence(room, &own, &modes, off, &covariance);
             levels.push(evidence);
+            let base = own.knobs.iter().position(|knob| *knob == Knob::Base).map_or(0.0, |at| covariance[(at, at)]);
+            let by_noise = (*by_noise.get_or_insert(base) / base).min(1.0);
             let side = &mut misfit[usize::from(off > ROUGH)];
             *side = side.max(evidence);
             if found.as_ref().is_none_or(|best| evidence > best.evidence) {
-                found = Some(Self { trial: own, modes: modes.clone(), misfit: 0.0, covariance, evidence });
+                found = Some(Self { trial: own, modes: modes.clone(), misfit: 0.0, covariance, by_noise, evidence });
             }
         }
         let mut found = found?;
