@@ -8,6 +8,7 @@
 mod block;
 mod buckling;
 mod chain;
+mod changed;
 mod ends;
 mod first_surge;
 pub mod inextensible;
@@ -21,9 +22,11 @@ mod rod;
 mod segment;
 mod shares;
 mod state;
+mod static_curve;
 mod surge;
 
 pub use buckling::buckling_length;
+pub use changed::ChangedSurge;
 pub use ends::{Ends, Holding};
 pub use mode::Mode;
 pub use modes::Modes;
@@ -34,4 +37,5 @@ pub use response::Response;
 pub use rod::{Hand, Rod, RodParameters};
 pub use shares::{Kind, Shares};
 pub use state::{Helix, Turning};
+pub use static_curve::StaticCurve;
 pub use surge::Surge;

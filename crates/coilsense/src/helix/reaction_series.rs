@@ -2,11 +2,10 @@
 //!
 //! Next door: the axial force alone (`crate::motion`), the same by mode and by frequency (`reaction`).
 
-use std::f64::consts::TAU;
-
 use super::surge::{Six, Slow, Surge, of_mode};
 use crate::error::{Error, check};
 use crate::excitation::{End, EndInput};
+use crate::modes::ModalModel;
 use crate::motion::Motion;
 
 /// Force and couples on what holds an end, at the spring's axis, over time.
@@ -38,8 +37,53 @@ impl Surge {
     /// # Errors
     /// [`Error::Value`] for a motion of other modes than this helix's, and as [`Motion::end_forces`].
     pub fn reactions(&self, motion: &Motion, times: &[f64]) -> Result<[ReactionSeries; 2], Error> {
+        self.felt().reactions(&self.model, motion, times)
+    }
+
+    /// What its ends feel.
+    pub(super) fn felt(&self) -> Felt {
+        let of = |end: End| self.modes().iter().map(|mode| of_mode(mode, end)).collect();
+        Felt { modes: [of(End::One), of(End::Two)], slow: self.slow, couple: self.helix.couple() }
+    }
+}
+
+/// What the ends of a helix feel: of each mode for a modal mass of 1 kg, of the slow motion of each end, and at rest.
+#[derive(Debug, Clone)]
+pub(super) struct Felt {
+    modes: [Vec<Six>; 2],
+    /// `[at][moved]`.
+    slow: [[Slow; 2]; 2],
+    /// C \[N m\].
+    couple: f64,
+}
+
+impl Felt {
+    /// The same of a wire with moduli and density multiplied, its shape kept: forces times `stiffness`, frequencies times `frequency`.
+    pub(super) fn changed(&self, stiffness: f64, frequency: f64) -> Self {
+        let mass = stiffness / (frequency * frequency);
+        let all = |six: &Six, by: f64| six.map(|value| by * value);
+        let slow = |slow: &Slow| Slow {
+            rest: all(&slow.rest, stiffness),
+            mass: all(&slow.mass, mass),
+            second: all(&slow.second, mass / (frequency * frequency)),
+        };
+        let of_modes = |modes: &Vec<Six>| modes.iter().map(|six| all(six, stiffness / mass.sqrt())).collect();
+        Self {
+            modes: self.modes.each_ref().map(of_modes),
+            slow: self.slow.each_ref().map(|at| at.each_ref().map(slow)),
+            couple: stiffness * self.couple,
+        }
+    }
+
+    /// [`Surge::reactions`], of modes that belong to these.
+    pub(super) fn reactions(
+        &self,
+        model: &ModalModel,
+        motion: &Motion,
+        times: &[f64],
+    ) -> Result<[ReactionSeries; 2], Error> {
         let count = motion.modes().count();
-        let own = self.model().frequencies().get(..count) == Some(motion.modes().frequencies());
+        let own = model.frequencies().get(..count) == Some(motion.modes().frequencies());
         check(own, "modes of the motion", count as f64, "", "those of this helix")?;
         let forces = motion.end_forces(times)?;
         let [first, second] = [End::One, End::Two].map(|end| motion.excitation().input(end));
@@ -48,17 +92,17 @@ impl Surge {
         let snaps = [first, second].map(|input| of_each(times, input, EndInput::snap));
         let series = |end: End, axial: Vec<f64>| -> Result<ReactionSeries, Error> {
             let (at, sign) = if end == End::One { (0, 1.0) } else { (1, -1.0) };
-            let of_modes: Vec<Six> = self.modes()[..count].iter().map(|mode| of_mode(mode, end)).collect();
+            let of_modes = &self.modes[at][..count];
             let beside = [0, 1, 3, 4, 5];
             let weights: Vec<Vec<f64>> =
                 beside.iter().map(|i| of_modes.iter().map(|mode| mode[*i]).collect()).collect();
             let mut sums = motion.modal_sums(times, &weights)?;
             for (i, (sums, weights)) in beside.into_iter().zip(sums.iter_mut().zip(&weights)) {
-                let mean = if i == 5 { sign * self.helix.couple() } else { 0.0 };
+                let mean = if i == 5 { sign * self.couple } else { 0.0 };
                 for moved in 0..2 {
                     let Slow { rest, mass, second } = &self.slow[at][moved];
-                    let left = mass[i] - self.carried(weights, moved, 1);
-                    let next = second[i] - self.carried(weights, moved, 2);
+                    let left = mass[i] - carried(model, weights, moved, 1);
+                    let next = second[i] - carried(model, weights, moved, 2);
                     let slow = inputs[moved].iter().zip(&accelerations[moved]).zip(&snaps[moved]);
                     for (((input, acceleration), snap), sum) in slow.zip(&mut *sums) {
                         *sum += rest[i] * input - left * acceleration + next * snap;
@@ -72,13 +116,13 @@ impl Surge {
         };
         Ok([series(End::One, forces.input)?, series(End::Two, forces.output)?])
     }
+}
 
-    /// Σ_j r_j c_j/ω_j² of an end that moves, or with ω_j⁴ in the second term: what the modes that are there carry along of the inertia.
-    fn carried(&self, weights: &[f64], moved: usize, term: i32) -> f64 {
-        let [first, second] = self.model().participations();
-        let each = self.modes().iter().zip(if moved == 0 { first } else { second }).zip(weights);
-        each.map(|((mode, part), weight)| weight * part / (TAU * mode.frequency()).powi(2 * term)).sum()
-    }
+/// Σ_j r_j c_j/ω_j² of an end that moves, or with ω_j⁴ in the second term: what the modes that are there carry along of the inertia.
+fn carried(model: &ModalModel, weights: &[f64], moved: usize, term: i32) -> f64 {
+    let [first, second] = model.participations();
+    let each = model.frequencies().iter().zip(if moved == 0 { first } else { second }).zip(weights);
+    each.map(|((frequency, part), weight)| weight * part / frequency.powi(2 * term)).sum()
 }
 
 fn of_each(times: &[f64], input: &EndInput, derivative: fn(&EndInput, f64) -> f64) -> Vec<f64> {

@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use num_complex::Complex;
 
+use super::changed::check_moves;
 use super::ends::Ends;
 use super::mode::Mode;
 use super::modes::Modes;
@@ -16,7 +17,7 @@ use crate::excitation::{End, Excitation};
 use crate::geometry::Geometry;
 use crate::modes::{ModalModel, SlowInertia, WireModes};
 use crate::motion::Motion;
-use crate::mount::{FarEnd, Mount};
+use crate::mount::Mount;
 use crate::spring::{Spring, SpringParameters};
 
 /// Up to this many times f1 all modes are found.
@@ -30,7 +31,7 @@ const TINY: f64 = 1e-60;
 const TELLING: f64 = 16.0;
 
 /// How far lengths that are the same may lie apart, relative.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// ω² over that of a bar which rounding may leave of a motion without stiffness, either way.
 const NEUTRAL: f64 = 1e-8;
@@ -83,9 +84,9 @@ pub struct Surge {
     pub(super) helix: Helix,
     ends: Ends,
     modes: Vec<Mode>,
-    model: ModalModel,
-    spring: Spring,
-    length: f64,
+    pub(super) model: ModalModel,
+    pub(super) spring: Spring,
+    pub(super) length: f64,
     reach: f64,
     /// What each end feels of each end's slow motion, `[at][moved]`.
     pub(super) slow: [[Slow; 2]; 2],
@@ -180,16 +181,7 @@ impl Surge {
     /// [`Error::Value`] for a mount whose end 2 is under a force or carries a mass, and for an excitation about another length than the
     /// helix's; and as [`Motion::of_modes`].
     pub fn motion(&self, mount: &Mount, excitation: &Excitation) -> Result<Motion, Error> {
-        let allowed =
-            "none for a motion of the helix, whose end 2 has a prescribed position (Motion::mounted takes it)";
-        match mount.far_end() {
-            FarEnd::Position => {}
-            FarEnd::Mass(mass) => check(false, "end_mass", mass, "kg", allowed).map(|_| ())?,
-            FarEnd::Force => check(false, "prescribed forces at end 2", 1.0, "", allowed).map(|_| ())?,
-        }
-        let mean = excitation.mean_length();
-        let same = (mean - self.length).abs() <= SAME * self.length;
-        check(same, "mean_length", mean, "m", format!("that of the helix, {} m", self.length))?;
+        check_moves(mount, excitation, self.length)?;
         Motion::of_modes(&self.spring, self.model.clone(), mount.damping().clone(), excitation)
     }
 }

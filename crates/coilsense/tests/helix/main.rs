@@ -8,9 +8,11 @@
 //! | `helix::Helix` | closed forms of a wire that neither shears nor extends, textbook couple of the unloaded helix (`limits`) |
 //! | `helix::Modes` | straight beam, bar, shaft, column that buckles (`limits`) |
 //! | `helix::Surge` | `helix::Response`, the chain of a long flat spring, work and energy (`motion`) |
+//! | `helix::ChangedSurge`, `helix::StaticCurve` | helices found anew (`changed`) |
 //! | `helix::Response` | the static state at a length nearby, residues of its own modes (`laws`) |
 
 mod cases;
+mod changed;
 mod column;
 mod elements;
 mod figures;

@@ -96,6 +96,35 @@ impl ModalModel {
         Some([less(mass, &|_| 1.0), less(second, &|frequency| frequency.powi(-2))])
     }
 
+    /// The same wire with moduli and mass multiplied, its shape kept: forces times `stiffness`, all frequencies times `frequency`.
+    ///
+    /// Modes for a modal mass of 1 kg scale with √m, m being multiplied by stiffness/frequency².
+    pub(crate) fn of_changed_wire(&self, stiffness: f64, frequency: f64) -> Option<Self> {
+        let Shapes::Wire { count, shapes, inertia } = &self.shapes else { return None };
+        let mass = stiffness / (frequency * frequency);
+        let all = |values: &[f64], by: f64| -> Vec<f64> { values.iter().map(|value| by * value).collect() };
+        let square = |matrix: &[[f64; 2]; 2], by: f64| matrix.map(|row| row.map(|value| by * value));
+        let (participation, reaction) = (mass.sqrt(), stiffness / mass.sqrt());
+        let mean_mass = mass * self.mean_mass;
+        Some(Self {
+            frequencies: all(&self.frequencies, frequency),
+            participations: self.participations.each_ref().map(|each| all(each, participation)),
+            weights: self.weights.each_ref().map(|each| all(each, reaction)),
+            line: self.line.each_ref().map(|each| all(each, participation)),
+            norms: vec![1.0 / mean_mass; self.frequencies.len()],
+            mean_mass,
+            shapes: Shapes::Wire {
+                count: *count,
+                shapes: all(shapes, 1.0 / mass.sqrt()),
+                inertia: SlowInertia {
+                    mass: square(&inertia.mass, mass),
+                    second: square(&inertia.second, mass / (frequency * frequency)),
+                },
+            },
+            ..self.clone()
+        })
+    }
+
     /// Energy \[J\] of a wire but for what a wire without mass would store; `None` of a chain, whose masses tell.
     ///
     /// ½ Σ_j ((q̇_j + c_j·u̇)² + ω_j² q_j²) + ½ u̇ᵀ R u̇ − u̇ᵀ T u⃛ + ½ üᵀ T ü: all motions of the wire, modes that are not here included, and what
