@@ -17,6 +17,7 @@ use crate::{date, log, options};
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let spec = Spec::read(given.needed(&SPEC)?)?;
+    spec.needs_chain("mitigate")?;
     let mut output = given.file(&OUT).map(Output::begin).transpose()?;
     let file = spec.file.clone();
     let study = if given.holds(&STATED) {

@@ -201,6 +201,7 @@ pub fn mitigate(
         (&END2, end2.into()),
     ])?;
     let asked = Request::of(&given).map_err(wrong)?;
+    spec.needs_chain("mitigate").map_err(refused)?;
     let study = match (stated, record) {
         (true, _) => Study::stated(&spec.spring.spring).python()?,
         (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,

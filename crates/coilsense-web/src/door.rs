@@ -92,6 +92,8 @@ impl Engine {
 impl Engine {
     pub(crate) fn spec(&self, text: &str) -> Result<Spec, String> {
         let files = |name: &str| self.files.get(name).cloned().ok_or_else(|| format!("{name} is not on this page"));
-        Spec::parse(NAME, text, &files).map_err(|error| error.to_string())
+        let spec = Spec::parse(NAME, text, &files).map_err(|error| error.to_string())?;
+        spec.needs_chain("the page").map_err(|error| error.to_string())?;
+        Ok(spec)
     }
 }

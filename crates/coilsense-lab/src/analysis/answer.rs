@@ -6,13 +6,14 @@ use super::verdict::Verdict;
 use super::{Analysis, Fix, Subject};
 use crate::quantity::{digits, plainly};
 
-/// The answer, one sentence or two per line, at most seven lines.
+/// The answer, one sentence or two per line, at most eight lines.
 pub fn answer(analysis: &Analysis) -> Vec<String> {
     let mut lines = vec![best(analysis)];
     lines.extend(failing(analysis));
     lines.extend(untold(analysis));
     lines.extend(exact_rate(analysis));
     lines.extend(masses(analysis));
+    lines.extend(as_chain(analysis));
     lines.push(damping(analysis));
     lines.push(warned(analysis));
     lines
@@ -189,6 +190,17 @@ fn untold(analysis: &Analysis) -> Option<String> {
             each.join("; ")
         )
     })
+}
+
+/// What the coil's chain says in place of the helix.
+fn as_chain(analysis: &Analysis) -> Option<String> {
+    let combined = analysis.as_chain.as_ref()?;
+    let of = |verdict: &Verdict| format!("{} {} N", name(analysis, verdict), digits(combined[verdict.sensor]));
+    let each: Vec<String> = analysis.verdicts.iter().take(MOST_NAMED).map(of).collect();
+    Some(format!(
+        "Every mode of the helix moves here. Beside it, an axial chain of the same first frequency (model = \"coil\") gives {}.",
+        each.join(", ")
+    ))
 }
 
 /// Most sensors that are named for the usual tolerance.

@@ -15,7 +15,7 @@ use super::specimen::{MANY, Springs};
 use super::trial_run::needs_coil;
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
-use crate::study::{self, Coil, Method, Setup};
+use crate::study::{self, Coil, Helices, Method, Setup};
 
 /// A sensor in a word or three.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +38,9 @@ pub(crate) fn assess(spec: &Spec, wanted: &[usize]) -> Result<Vec<(usize, Assess
     }
     let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
     let springs = Springs::of(spec, &spec.spring.tolerances, MANY);
-    let judge = Judge { spec, coil: &coil, cases: &[], springs: &springs };
+    // A sweep takes no helix.
+    let helices = Helices::default();
+    let judge = Judge { spec, coil: &coil, helices: &helices, cases: &[], springs: &springs };
     let sensors: Vec<(usize, &SensorSpec)> =
         wanted.iter().filter_map(|&index| Some((index, spec.sensors.get(index)?))).collect();
     let mut largest = vec![(f64::NEG_INFINITY, f64::NEG_INFINITY); sensors.len()];
@@ -78,10 +80,10 @@ fn seen(
         false => None,
     };
     let (spring, mount) = (&spec.spring.spring, &spec.mount.cases[damping].mount);
-    let setup = Setup { spring, mount, excitation: &asked.excitation, coil, positions: false };
+    let setup = Setup { spring, mount, excitation: &asked.excitation, coil, positions: false, helix: None };
     let signals = study::simulate(&setup, &times)?.signals;
     let judged = judged(&times, asked.window);
-    let scene = Scene { condition, signals: &signals, judged: &judged };
+    let scene = Scene { condition, signals: &signals, seen: &signals, judged: &judged };
     let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;
         let counted = judge.counted(scene, &instrument.forces(&instrument.steady_readings(&signals)?))?;

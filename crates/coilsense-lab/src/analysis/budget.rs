@@ -9,6 +9,7 @@ use coilsense::uncertainty::{Agreement, Budget, Distribution, Input, MonteCarlo}
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 
+use super::moments::Moments;
 use super::specimen::Specimens;
 use super::spread::Spread;
 use crate::spec::{Spec, SpringSpec};
@@ -51,6 +52,9 @@ pub(super) const OSCILLATION: &str = "oscillation";
 /// The line that says what it adds that a coil's first frequency is not that of the chain.
 pub(super) const CHAIN: &str = "the coil as a chain";
 
+/// The line that says what it adds that a sensor of length takes the spring's force for a straight line.
+pub(super) const STRAIGHT: &str = "the force as a straight line";
+
 /// What is known of a spec's spring.
 pub(super) fn doubt(spring: &SpringSpec) -> SpringDoubt {
     SpringDoubt {
@@ -73,6 +77,8 @@ pub(super) struct Model<'a> {
     pub errors: Vec<f64>,
     /// The same over the springs that the tolerances allow.
     pub spread: Spread,
+    /// What of that is the straight line in place of the static curve \[N\]; nothing where the model's force is one.
+    pub straight: Moments,
 }
 
 /// The inputs of a model, and where each acts.
@@ -103,8 +109,8 @@ impl Model<'_> {
 
     /// Two errors with the mean and the spread of all of them: what a budget needs.
     fn oscillation(&self) -> Distribution {
-        let apart = self.spread.deviation / 2.0_f64.sqrt();
-        Distribution::Empirical(vec![self.spread.mean - apart, self.spread.mean + apart])
+        let varies = self.spread.deviation.powi(2) - self.straight.variance;
+        two_of(Moments { mean: self.spread.mean - self.straight.mean, variance: varies.max(0.0) })
     }
 
     /// The budget with its Monte Carlo.
@@ -113,8 +119,8 @@ impl Model<'_> {
         let budget = self.budget()?;
         let values = Distribution::Empirical(self.spread.values(&self.errors, DRAWN));
         let Inputs { places, mut inputs } = self.inputs(values);
-        // These values hold what the chain adds.
-        inputs.iter_mut().filter(|input| input.name == CHAIN).for_each(|input| {
+        // These values hold what the chain and the straight line add.
+        inputs.iter_mut().filter(|input| input.name == CHAIN || input.name == STRAIGHT).for_each(|input| {
             input.distribution = Distribution::Normal { standard: 0.0 };
         });
         let monte_carlo = MonteCarlo::run(|values| self.force(&places, values), &inputs, asked.trials, asked.seed)?;
@@ -172,13 +178,24 @@ impl Model<'_> {
     fn inputs(&self, oscillation: Distribution) -> Inputs {
         let oscillation = Cause { place: Place::Force, name: OSCILLATION, distribution: oscillation };
         let chain = Cause::normal(Place::Force, CHAIN, self.spread.chain);
+        let straight = (self.straight != Moments::default()).then(|| Cause {
+            place: Place::Force,
+            name: STRAIGHT,
+            distribution: two_of(self.straight),
+        });
         let others = self.measurement.causes();
-        let causes: Vec<Cause> = [oscillation].into_iter().chain(chain).chain(others).collect();
+        let causes: Vec<Cause> = [oscillation].into_iter().chain(chain).chain(straight).chain(others).collect();
         Inputs {
             places: causes.iter().map(|cause| cause.place).collect(),
             inputs: causes.into_iter().map(Cause::into_input).collect(),
         }
     }
+}
+
+/// Two values with a mean and a variance: what a budget needs.
+fn two_of(moments: Moments) -> Distribution {
+    let apart = (0.5 * moments.variance).sqrt();
+    Distribution::Empirical(vec![moments.mean - apart, moments.mean + apart])
 }
 
 /// Errors over specimens and time that stand for all of them in a Monte Carlo.

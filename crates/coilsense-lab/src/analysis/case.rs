@@ -15,7 +15,7 @@ use super::frames::Frames;
 use super::trial_run::needs_coil;
 use crate::series::{Column, Run};
 use crate::spec::{SensorSpec, Spec};
-use crate::study::{self, Coil, Method, Setup, Simulation};
+use crate::study::{self, Coil, EndLoads, Helices, Method, Setup, Simulation};
 
 /// What of a case a sensor is judged by.
 #[derive(Clone, Copy)]
@@ -23,6 +23,8 @@ pub(super) struct Scene<'a> {
     /// Number of the condition in the spec.
     pub condition: usize,
     pub signals: &'a Signals,
+    /// The same as sensors see them.
+    pub seen: &'a Signals,
     pub judged: &'a Range<usize>,
 }
 
@@ -49,6 +51,10 @@ pub struct Case {
     pub lengths: (f64, f64),
     /// Where the windings are, thinned out.
     pub frames: Frames,
+    /// Of a helix: what holds end 1 and end 2 feels beside the axial force.
+    pub loads: Option<[EndLoads; 2]>,
+    /// The signals as sensors see them, where load cells are out of line with a helix.
+    seen: Option<Signals>,
 }
 
 /// What a sensor reads.
@@ -69,8 +75,8 @@ impl Case {
         spec: &Spec,
         sensors: &[SensorSpec],
         coil: &MaxwellSum,
-        condition: usize,
-        damping: usize,
+        helices: &Helices,
+        (condition, damping): (usize, usize),
     ) -> Result<Self, Error> {
         let asked = &spec.conditions[condition];
         let spring = &spec.spring.spring;
@@ -82,8 +88,9 @@ impl Case {
             excitation: &asked.excitation,
             coil: force_of_coil(spec, sensors, coil, mean_length)?,
             positions: true,
+            helix: helices.get(condition, damping).map(|helix| (helix, [1.0; 2])),
         };
-        let Simulation { motion, signals, windings, .. } = study::simulate(&setup, &times)?;
+        let Simulation { motion, signals, windings, loads, seen, .. } = study::simulate(&setup, &times)?;
         // Request for above.
         let windings = windings.map_or_else(|| motion.windings(&times), Ok)?;
 
@@ -104,12 +111,13 @@ impl Case {
             let instrument = sensor.on(&Site { spring, coil, mean_length })?;
             // Each sensor in each case has noise of its own.
             let seed = spec.uncertainty.seed.wrapping_add((number * sensors.len() + index) as u64);
-            Reading::of(&instrument, &signals, truth, &judged, seed)
+            Reading::of(&instrument, seen.as_ref().unwrap_or(&signals), truth, &judged, seed)
         };
         Ok(Self {
             condition,
             damping,
             readings: sensors.iter().enumerate().map(read).collect::<Result<_, _>>()?,
+            loads,
             ideal,
             spectra,
             clash,
@@ -120,6 +128,7 @@ impl Case {
                 judged.start,
                 1.0 / spring.surge_frequency(),
             ),
+            seen,
             signals,
             judged,
         })
@@ -136,12 +145,21 @@ impl Case {
                 run.columns.push(Column::new(sensor.name.as_str(), "N", &reading.force));
             }
         }
+        for (number, loads) in (1..).zip(self.loads.iter().flatten()) {
+            run.columns.push(Column::new(format!("side force {number}"), "N", &loads.side_force));
+            run.columns.push(Column::new(format!("couple {number}"), "N m", &loads.couple));
+        }
         run
     }
 
     /// What of it a sensor is judged by.
     pub(super) fn scene(&self) -> Scene<'_> {
-        Scene { condition: self.condition, signals: &self.signals, judged: &self.judged }
+        Scene { condition: self.condition, signals: &self.signals, seen: self.seen(), judged: &self.judged }
+    }
+
+    /// Its signals as sensors see them.
+    pub(super) fn seen(&self) -> &Signals {
+        self.seen.as_ref().unwrap_or(&self.signals)
     }
 
     /// Times of the judged samples \[s\].

@@ -3,12 +3,12 @@
 //! Next door: what is said of it (`verdict`), what makes a force uncertain (`budget`), sensors tried out (`trial`), the judgement by itself
 //! (`assessed`).
 
-use coilsense::Error;
 use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::{Instrument, MAX_ORDER, Measurement, Readout, Site};
+use coilsense::{Channel, Error};
 
 use super::band;
-use super::budget::{Model, OSCILLATION, SensorBudget, doubt, with_bias};
+use super::budget::{Model, OSCILLATION, STRAIGHT, SensorBudget, doubt, with_bias};
 use super::case::{Case, Scene};
 use super::moments::Moments;
 use super::response::Responses;
@@ -17,12 +17,14 @@ use super::spread::Spread;
 use super::trial_run::Request;
 use super::verdict::{Assessment, GoalFilter, Verdict};
 use crate::spec::{SensorSpec, Spec};
+use crate::study::Helices;
 
 /// What sensors are judged by.
 #[derive(Clone, Copy)]
 pub(super) struct Judge<'a> {
     pub spec: &'a Spec,
     pub coil: &'a MaxwellSum,
+    pub helices: &'a Helices,
     pub cases: &'a [Case],
     pub springs: &'a Springs,
 }
@@ -133,13 +135,14 @@ impl Judge<'_> {
         specimens: &Specimens,
     ) -> Result<Responses, Error> {
         let (spec, coil, goal) = (self.spec, self.coil, self.spec.goal.error);
-        Responses::of(&Request { spec, coil, condition, damping, sensors, known, goal }, specimens)
+        let helix = self.helices.get(condition, damping);
+        Responses::of(&Request { spec, coil, helix, condition, damping, sensors, known, goal }, specimens)
     }
 
     /// Variance of everything but the oscillation \[N²\].
     pub fn beside(&self, sensor: &SensorSpec, instrument: &Instrument, scene: Scene<'_>) -> Result<f64, Error> {
         let budget = self.model_of(sensor, instrument, scene, vec![0.0], None)?.budget()?;
-        let each = budget.contributions().iter().filter(|line| line.name != OSCILLATION);
+        let each = budget.contributions().iter().filter(|line| line.name != OSCILLATION && line.name != STRAIGHT);
         Ok(each.map(|line| line.contribution * line.contribution).sum())
     }
 
@@ -163,6 +166,18 @@ impl Judge<'_> {
         Ok(Counted { errors, raw })
     }
 
+    /// What a sensor of length errs by because it takes the static curve of a helix for the spring's straight line.
+    fn straight(&self, instrument: &Instrument, scene: Scene<'_>) -> Result<Moments, Error> {
+        if self.helices.is_empty() || instrument.slope().is_none() {
+            return Ok(Moments::default());
+        }
+        let spring = &self.spec.spring.spring;
+        let [u1, u2, curve] = [Channel::U1, Channel::U2, Channel::DeflectionForce].map(|of| scene.signals.channel(of));
+        let each = u1?.iter().zip(u2?).zip(curve?).map(|((u1, u2), curve)| spring.static_force(u2 - u1) - curve);
+        let errors: Vec<f64> = each.collect();
+        Ok(Moments::of(&band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?))
+    }
+
     fn model_of<'m>(
         &'m self,
         sensor: &'m SensorSpec,
@@ -174,7 +189,7 @@ impl Judge<'_> {
         let truth = scene.signals.channel(self.spec.goal.force)?;
         let by_size = |a: &usize, b: &usize| truth[*a].abs().total_cmp(&truth[*b].abs());
         let largest = scene.judged.clone().max_by(by_size).unwrap_or(scene.judged.start);
-        let quantity = instrument.quantity(scene.signals)?;
+        let quantity = instrument.quantity(scene.seen)?;
         let nominal = Moments::of(&errors);
         let spread = match over {
             Some(over) => {
@@ -193,7 +208,8 @@ impl Judge<'_> {
             noise: instrument.readout().noise_within(bandwidth, rate),
             warming: self.spec.uncertainty.temperature_change,
         };
-        Ok(Model { spec: self.spec, measurement, errors, spread })
+        let straight = self.straight(instrument, scene)?;
+        Ok(Model { spec: self.spec, measurement, errors, spread, straight })
     }
 
     /// The low-pass that a goal with a bandwidth needs where errors of every frequency exceed it.

@@ -58,8 +58,8 @@ use coilsense::inductance::MaxwellSum;
 use rayon::prelude::*;
 
 use crate::data_sheet::DataSheet;
-use crate::spec::{Quantity, SensorSpec, Spec, Tolerances};
-use crate::study::{self, Masses};
+use crate::spec::{Model, Quantity, SensorSpec, Spec, Tolerances};
+use crate::study::{self, Helices, Masses};
 use moments::Moments;
 use response::Responses;
 use specimen::{MANY, SOME, Specimens, Springs};
@@ -111,6 +111,8 @@ pub struct Analysis {
     pub masses: Masses,
     /// Of a spec that is silent on how far the stiffness may be off: the same question with [`USUAL_TOLERANCE`].
     pub if_usual: Option<IfUsual>,
+    /// Of a helix: the largest combined standard uncertainty of each sensor if the coil's chain moved in its place, in the sensors' order \[N\].
+    pub as_chain: Option<Vec<f64>>,
 }
 
 /// How far the rate of a bought spring is off, where nobody says: 5 to 10 % by the standards for wound springs.
@@ -132,10 +134,15 @@ pub struct IfUsual {
 pub fn simulate(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
     let mut spec = spec.clone();
     prepare(&mut spec)?;
-    simulate_watched(&spec, &spec.sensors, progress)
+    simulate_watched(&spec, &spec.sensors, &helices(&spec)?, progress)
 }
 
-fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
+fn simulate_watched(
+    spec: &Spec,
+    sensors: &[SensorSpec],
+    helices: &Helices,
+    progress: &Progress<'_>,
+) -> Result<Vec<Case>, AnalysisError> {
     if spec.conditions.is_empty() {
         return Err(AnalysisError::NoCondition(spec.file.clone()));
     }
@@ -151,7 +158,7 @@ fn simulate_watched(spec: &Spec, sensors: &[SensorSpec], progress: &Progress<'_>
         if !progress(done.load(Ordering::Relaxed), count) {
             return Err(AnalysisError::Interrupted);
         }
-        let case = run_case(spec, sensors, &coil, condition, damping)?;
+        let case = run_case(spec, sensors, &coil, helices, (condition, damping))?;
         match progress(done.fetch_add(1, Ordering::Relaxed) + 1, count) {
             true => Ok(case),
             false => Err(AnalysisError::Interrupted),
@@ -181,10 +188,16 @@ fn run_case(
     spec: &Spec,
     sensors: &[SensorSpec],
     coil: &MaxwellSum,
-    condition: usize,
-    damping: usize,
+    helices: &Helices,
+    (condition, damping): (usize, usize),
 ) -> Result<Case, AnalysisError> {
-    Case::run(spec, sensors, coil, condition, damping).map_err(|reason| refused(spec, condition, damping, reason))
+    let case = Case::run(spec, sensors, coil, helices, (condition, damping));
+    case.map_err(|reason| refused(spec, condition, damping, reason))
+}
+
+/// The helices of a prepared spec.
+fn helices(spec: &Spec) -> Result<Helices, AnalysisError> {
+    Helices::of(spec).map_err(|(condition, damping, reason)| refused(spec, condition, damping, reason))
 }
 
 /// What the science refuses, and where.
@@ -244,19 +257,34 @@ fn if_usual(judge: &judge::Judge<'_>, sensors: &[SensorSpec], responses: &[Respo
     Ok(IfUsual { best, combined })
 }
 
+/// The same sensors by the coil's chain.
+fn as_chain(spec: &Spec, progress: &Progress<'_>) -> Result<Option<Vec<f64>>, AnalysisError> {
+    if spec.spring.model != Model::Helix {
+        return Ok(None);
+    }
+    let mut chain = Spec { mount: spec.mount.without_ways(), ..spec.clone() };
+    chain.spring.model = Model::Coil;
+    let analysis = Analysis::run(chain, &|_, _| progress(0, 1))?;
+    let mut combined = vec![0.0; analysis.verdicts.len()];
+    analysis.verdicts.iter().for_each(|verdict| combined[verdict.sensor] = verdict.combined());
+    Ok(Some(combined))
+}
+
 impl Analysis {
     /// Processes a spec.
     ///
     /// # Errors
     /// As [`simulate`].
     pub fn run(mut spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
+        let as_chain = as_chain(&spec, progress)?;
         let masses = prepare(&mut spec)?;
         let sensors = judged_sensors(&spec);
-        let cases = simulate_watched(&spec, &sensors, progress)?;
+        let helices = helices(&spec)?;
+        let cases = simulate_watched(&spec, &sensors, &helices, progress)?;
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
         let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
         let usual = usual(&spec);
-        let judge = judge::Judge { spec: &spec, coil: &coil, cases: &cases, springs: &springs };
+        let judge = judge::Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };
         let go_on = || match progress(cases.len(), cases.len()) {
             true => Ok(()),
             false => Err(AnalysisError::Interrupted),
@@ -288,7 +316,7 @@ impl Analysis {
         let mut warnings = resonance::of(&judge, &sensors, &verdicts, &responses)?;
         warnings.extend(resonance::without_limit(&masses));
         warnings.extend(warnings::of(&judge, &sensors, &data_sheet)?);
-        Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet, masses, if_usual })
+        Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet, masses, if_usual, as_chain })
     }
 
     /// The conditions' case under a damping.

@@ -3,7 +3,7 @@
 //! Next door: who finds it (`trial_run`), how it changes from spring to spring (`response`).
 
 /// Mean and spread of an error over time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Moments {
     /// Mean \[N\].
     pub mean: f64,

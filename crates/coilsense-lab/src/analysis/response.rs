@@ -6,15 +6,15 @@ use std::cell::RefCell;
 
 use coilsense::excitation::Content;
 use coilsense::modes::ChainModes;
-use coilsense::{End, Error, FarEnd, Mount};
+use coilsense::{End, Error, FarEnd};
 
 use super::curve::Curve;
 use super::moments::Moments;
 use super::refinement::Refinement;
 use super::specimen::{Specimen, Specimens};
 use super::trial_run::{Request, TrialRun, needs_coil};
-use super::ways::{Way, changed, ways};
-use crate::spec::{ConditionSpec, Spec};
+use super::ways::{Way, ways};
+use crate::spec::ConditionSpec;
 
 /// How far the sensors of a case are off over the springs that tolerances allow.
 #[derive(Debug, Clone)]
@@ -58,7 +58,7 @@ impl Runs<'_> {
             return Ok(moments);
         }
         let spring = &asked.spec.spring.spring;
-        let each = self.run.moments(&changed(spring, self.way.change_at(spring, self.far_end, x))?)?;
+        let each = self.run.moments(self.way.change_at(spring, self.far_end, x))?;
         let moments = each[sensor];
         self.done.borrow_mut().push((x, each));
         Ok(moments)
@@ -79,7 +79,7 @@ impl Responses {
             let of = |specimen: &Specimen| way.coordinate(specimen.change);
             let all = specimens.each.iter().chain(&corners).map(of);
             let ends = all.fold((0.0_f64, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
-            let places = places(spec, condition, mount, &way, ends)?;
+            let places = places(asked, &way, ends)?;
             let runs = Runs { run: &run, way: &way, far_end, done: RefCell::default() };
             let curve = |sensor: usize| {
                 let (beside, goal) = (asked.known[sensor].0, asked.goal);
@@ -136,34 +136,33 @@ impl Responses {
 }
 
 /// Where to look first: both ends, the spec's own spring, and close together where a line of the input meets a mode.
-fn places(
-    spec: &Spec,
-    condition: &ConditionSpec,
-    mount: &Mount,
-    way: &Way,
-    (low, high): (f64, f64),
-) -> Result<Vec<f64>, Error> {
+fn places(asked: &Request<'_>, way: &Way, (low, high): (f64, f64)) -> Result<Vec<f64>, Error> {
+    let (spec, condition) = (asked.spec, &asked.spec.conditions[asked.condition]);
+    let mount = &spec.mount.cases[asked.damping].mount;
     let mut places = vec![low, 0.0, high];
     let (spring, far_end) = (&spec.spring.spring, mount.far_end());
-    let modes = ChainModes::mounted(spring, far_end);
-    let ratios = mount.damping().ratios(modes.frequencies())?;
+    let modes = match asked.helix {
+        Some(helix) => helix.surge().model().frequencies().to_vec(),
+        None => ChainModes::mounted(spring, far_end).frequencies().to_vec(),
+    };
+    let ratios = mount.damping().ratios(&modes)?;
     let mut lines = Vec::new();
     for end in [End::One, End::Two] {
         match condition.excitation.input(end).content() {
             Content::Lines(sines) => {
                 lines.extend(sines.iter().map(|sine| std::f64::consts::TAU * sine.frequency));
-                places.extend(over_beats(modes.frequencies()[0], ratios[0], condition, (low, high)));
+                places.extend(over_beats(modes[0], ratios[0], condition, (low, high)));
             }
             Content::Nothing => {}
             // Whatever line there is, it is no narrower than damping and duration make it.
             Content::Broad => {
-                let width = width(ratios[0], modes.frequencies()[0], condition.duration);
+                let width = width(ratios[0], modes[0], condition.duration);
                 let count = ((high - low) / (2.0 * width)).ceil().clamp(2.0, MOST_EVEN);
                 places.extend((0..=count as usize).map(|index| low + (high - low) * index as f64 / count));
             }
         }
     }
-    for (mode, (frequency, ratio)) in modes.frequencies().iter().zip(&ratios).enumerate() {
+    for (mode, (frequency, ratio)) in modes.iter().zip(&ratios).enumerate() {
         let width = width(*ratio, *frequency, condition.duration);
         for line in &lines {
             let meets = way.meets(spring, far_end, (mode, *frequency), *line);

@@ -40,12 +40,13 @@ impl Single {
         let spec = &prepared;
         let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
         let sensors = judged_sensors(spec);
-        let case = super::run_case(spec, &sensors, &coil, condition, damping)?;
+        let helices = super::helices(spec)?;
+        let case = super::run_case(spec, &sensors, &coil, &helices, (condition, damping))?;
         let data_sheet = DataSheet::of(spec)?;
         let cases = [case];
         let springs = Springs::of(spec, &spec.spring.tolerances, 1);
-        let warnings =
-            warnings::of(&Judge { spec, coil: &coil, cases: &cases, springs: &springs }, &sensors, &data_sheet)?;
+        let judge = Judge { spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };
+        let warnings = warnings::of(&judge, &sensors, &data_sheet)?;
         let [case] = cases;
         Ok(Self { case, sensors, warnings, data_sheet, spec: prepared })
     }

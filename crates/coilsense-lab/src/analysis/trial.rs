@@ -33,7 +33,7 @@ impl Judge<'_> {
             (combined, raw) = (0.0, 0.0);
             for case in self.cases {
                 let instrument = self.instrument(sensor, case.condition)?;
-                let steady = instrument.forces(&instrument.steady_readings(&case.signals)?);
+                let steady = instrument.forces(&instrument.steady_readings(case.seen())?);
                 let counted = self.counted(case.scene(), &steady)?;
                 let responses = match over_springs {
                     true => {

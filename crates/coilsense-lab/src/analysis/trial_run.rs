@@ -6,12 +6,14 @@ use std::ops::Range;
 
 use coilsense::sensors::{ReadoutParameters, Site};
 use coilsense::signals::sampled_window;
-use coilsense::{Calibration, Channel, Error, Spring};
+use coilsense::{Calibration, Channel, Error};
 
 use super::band;
 use super::moments::Moments;
+use super::specimen::Change;
+use super::ways::changed;
 use crate::spec::{SensorSpec, Spec};
-use crate::study::{self, Coil, Method, Setup};
+use crate::study::{self, Coil, Helical, Method, Setup, Simulation};
 
 /// L to second order is good enough for how an error changes.
 const ANY: f64 = 1.0;
@@ -20,6 +22,8 @@ const ANY: f64 = 1.0;
 pub(super) struct Request<'a> {
     pub spec: &'a Spec,
     pub coil: &'a coilsense::inductance::MaxwellSum,
+    /// What moves, where that is no chain.
+    pub helix: Option<&'a Helical>,
     pub condition: usize,
     pub damping: usize,
     pub sensors: &'a [&'a SensorSpec],
@@ -56,9 +60,11 @@ impl<'a> TrialRun<'a> {
         Ok(Self { asked, times, judged, begins, by_coil: needs_coil(asked.spec, asked.sensors) })
     }
 
-    /// Errors of every sensor on a spring, as far as they count: an instrument knows the stiffness of the spring that it is on.
-    pub fn moments(&self, spring: &Spring) -> Result<Vec<Moments>, Error> {
+    /// Errors of every sensor on a changed spring, as far as they count: an instrument knows the stiffness of the spring that it is on.
+    pub fn moments(&self, change: Change) -> Result<Vec<Moments>, Error> {
         let asked = self.asked;
+        let spring = &changed(&asked.spec.spring.spring, change)?;
+        let helix = asked.helix.map(|helix| (helix, change.map(f64::exp)));
         let condition = &asked.spec.conditions[asked.condition];
         let mean_length = condition.excitation.mean_length();
         let coil = match self.by_coil {
@@ -69,13 +75,14 @@ impl<'a> TrialRun<'a> {
             false => None,
         };
         let mount = &asked.spec.mount.cases[asked.damping].mount;
-        let setup = Setup { spring, mount, excitation: &condition.excitation, coil, positions: false };
-        let signals = study::simulate(&setup, &self.times)?.signals;
+        let setup = Setup { spring, mount, excitation: &condition.excitation, coil, positions: false, helix };
+        let Simulation { signals, seen, .. } = study::simulate(&setup, &self.times)?;
+        let seen = seen.as_ref().unwrap_or(&signals);
         let truth = signals.channel(asked.spec.goal.force)?;
         let of = |(sensor, &begin): (&&crate::spec::SensorSpec, &usize)| {
             let instrument = sensor.on(&Site { spring, coil: asked.coil, mean_length })?;
             let times = &self.times[begin..];
-            let readings = instrument.steady_readings_of(times, &instrument.quantity(&signals)?[begin..])?;
+            let readings = instrument.steady_readings_of(times, &instrument.quantity(seen)?[begin..])?;
             let forces = instrument.forces(&readings);
             let errors: Vec<f64> = forces.iter().zip(&truth[begin..]).map(|(force, truth)| force - truth).collect();
             let judged = self.judged.start - begin..self.judged.end - begin;

@@ -13,7 +13,7 @@ use coilsense::Error;
 
 use crate::helix::ModesAt;
 use crate::quantity::digits;
-use crate::spec::{Spec, SpringSpec};
+use crate::spec::{Model, Spec, SpringSpec};
 
 /// The data sheet of a spec's spring.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +89,11 @@ impl DataSheet {
             material: format!("{}{assumed}", spring.material),
             groups: rows::groups(spring, solid, coil.as_ref().ok(), &modes_at)?,
             surge,
-            beyond_axial: reach::warnings(&modes_at, model, own.unwrap_or(f64::INFINITY), goal),
+            beyond_axial: match spring.model {
+                // All of its modes are in the answer.
+                Model::Helix => reach::buckled(&modes_at).into_iter().collect(),
+                Model::Coil | Model::Chain => reach::warnings(&modes_at, model, own.unwrap_or(f64::INFINITY), goal),
+            },
             modes_at,
             solid_length: solid,
             doubts,

@@ -92,7 +92,7 @@ fn limit(all: &[ModesAt], goal: f64) -> Option<String> {
 }
 
 /// Where the spring leaves its axis.
-fn buckled(all: &[ModesAt]) -> Option<String> {
+pub(super) fn buckled(all: &[ModesAt]) -> Option<String> {
     let mut each: Vec<String> = Vec::new();
     for at in all {
         let ways: Vec<&str> = at.ways().filter(|way| way.buckles).map(|way| way.ends.as_str()).collect();

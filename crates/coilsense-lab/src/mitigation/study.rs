@@ -12,7 +12,7 @@ use super::recorded::{Known, Recorded};
 use super::request::{BANDWIDTH, NOISE, RATE, Refused, Request, SEEDS};
 use crate::recording::{Recording, RecordingError};
 use crate::request::Row;
-use crate::spec::Spec;
+use crate::spec::{Spec, SpecError};
 
 /// What candidates are to be good at.
 #[derive(Debug, Clone)]
@@ -51,6 +51,9 @@ pub enum StudyError {
     /// The spec has nothing to judge on.
     #[error("{0}: [[condition]] must be there at least once to judge on")]
     NoCondition(String),
+    /// The spec's model is none for this.
+    #[error(transparent)]
+    Model(#[from] SpecError),
     /// The science refuses.
     #[error("{file}: {source}")]
     Science {
@@ -91,8 +94,9 @@ impl Study {
     /// The conditions and dampings of a spec; noise is 0.2 % of F_nom and the bandwidth the goal's, or f1/20, unless asked otherwise.
     ///
     /// # Errors
-    /// [`StudyError::NoCondition`] for a spec without conditions.
+    /// [`StudyError::NoCondition`] for a spec without conditions, [`StudyError::Model`] for one of a helix.
     pub fn of(spec: &Spec, asked: &Request) -> Result<Self, StudyError> {
+        spec.needs_chain("mitigate")?;
         if spec.conditions.is_empty() {
             return Err(StudyError::NoCondition(spec.file.clone()));
         }

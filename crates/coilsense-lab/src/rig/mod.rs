@@ -27,7 +27,7 @@ use coilsense::{Error, Mount, Spring};
 use rand_pcg::Pcg64;
 
 use crate::output::OutputError;
-use crate::spec::{RigSpec, Spec};
+use crate::spec::{RigSpec, Spec, SpecError};
 use devices::Devices;
 
 /// A rig with a spring in it, ready to run.
@@ -73,6 +73,9 @@ pub enum RigError {
         /// What is wrong.
         reason: Box<Error>,
     },
+    /// The spec's model is none for this.
+    #[error(transparent)]
+    Model(#[from] SpecError),
     /// The files cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -87,6 +90,7 @@ impl Rig {
     /// # Errors
     /// [`RigError`] for a mount that is not held or has not one damping, and for settings that do not fit spring, instruments or each other.
     pub fn new(spec: &Spec, seed: u64) -> Result<Self, RigError> {
+        spec.needs_chain("a rig")?;
         let damping = checks::damping(spec)?;
         let (settings, spring) = (spec.rig.clone(), spec.spring.spring.clone());
         let science = |place: &str| {

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use coilsense::Channel;
+use coilsense::{Channel, FarEnd};
 use toml::de::DeValue;
 
 use super::condition::ConditionSpec;
@@ -15,9 +15,10 @@ use super::keys::{Domain, TABLES, Table};
 use super::mount::MountSpec;
 use super::recordings::Recordings;
 use super::rig::RigSpec;
+use super::section::Section;
 use super::sensor::SensorSpec;
 use super::setting::Setting;
-use super::spring::SpringSpec;
+use super::spring::{Model, SpringSpec};
 use super::synonyms::synonym;
 use super::{Files, Spec, SpecError};
 use crate::likeness::alike;
@@ -98,6 +99,7 @@ impl<'a> Draft<'a> {
         // First, for dampings count the masses that the chain then has.
         spring.follow_helix(&MountSpec::ends(document, end_type)?);
         let mount = MountSpec::parse(document, &spring.spring, end_type)?;
+        let mount = if spring.model == Model::Helix { for_helix(&document.section("spring")?, mount)? } else { mount };
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })
@@ -166,6 +168,20 @@ impl<'a> Draft<'a> {
             None => format!("there is no [[{}]] in the spec", table.name),
         }
     }
+}
+
+/// The mount of a helix, in each way in which its ends may be held.
+fn for_helix(section: &Section<'_>, mount: MountSpec) -> Result<MountSpec, SpecError> {
+    let refused = |what: &str| Err(section.refuse("model", format!("\"helix\" does not take {what}; \"coil\" does")));
+    if section.has("masses_per_winding") {
+        return refused("masses_per_winding: it has no masses");
+    }
+    match mount.far_end() {
+        FarEnd::Position => {}
+        FarEnd::Force => return refused("[mount] end2 = \"force\""),
+        FarEnd::Mass(_) => return refused("[mount] end2 = \"mass\""),
+    }
+    Ok(mount.by_ways())
 }
 
 /// An unknown key, and the one that is probably meant.

@@ -115,6 +115,14 @@ impl Spec {
     pub fn read(path: &Path) -> Result<Self, SpecError> {
         Self::parse(&path.display().to_string(), &read_text(path)?, &files_beside(path))
     }
+
+    /// Refuses the model that is a helix, for what is computed on a chain only: `what` it is, in a word or two.
+    ///
+    /// # Errors
+    /// [`SpecError`] with what takes the helix.
+    pub fn needs_chain(&self, what: &str) -> Result<(), SpecError> {
+        self.spring.needs_chain(&self.file, what)
+    }
 }
 
 /// Reads files that lie beside a spec.

@@ -9,7 +9,8 @@ use coilsense::{Damping, FarEnd, Mount, Spring};
 use super::document::Document;
 use super::ends::EndsSpec;
 use super::section::Section;
-use super::{SpecError, plain};
+use super::{SpecError, plain, stem};
+use crate::helix::Held;
 use crate::quantity::Dimension;
 
 /// Damping ratios for which results are given where a spec says nothing: none is the paper's case, and no measured range is known.
@@ -37,12 +38,41 @@ pub struct DampingCase {
     pub ratio: Option<f64>,
     /// The mount.
     pub mount: Mount,
+    /// The way in which the ends are held, where a case is of one of several.
+    pub held: Option<Held>,
 }
 
 impl MountSpec {
     /// What end 2 is tied to.
     pub fn far_end(&self) -> FarEnd {
         self.cases.first().map_or(FarEnd::Position, |case| case.mount.far_end())
+    }
+
+    /// The same with a case for each way in which the ends may be held: what hangs on them is then told for both.
+    pub(super) fn by_ways(self) -> Self {
+        let (tightest, Some(loosest)) = self.ends.ways() else { return self };
+        let of = |case: &DampingCase, way: Held| DampingCase {
+            label: format!("{}, {}", case.label, way.words()),
+            stem: format!("{}-{}", case.stem, stem(&way.words())),
+            held: Some(way),
+            ..case.clone()
+        };
+        let cases = self.cases.iter().flat_map(|case| [of(case, tightest), of(case, loosest)]).collect();
+        Self { cases, ..self }
+    }
+
+    /// What an axial model takes of it, which the ways in which the ends are held do not concern: each damping once.
+    pub fn without_ways(&self) -> Self {
+        let (tightest, _) = self.ends.ways();
+        let bare = |(text, end): (&String, String)| text.strip_suffix(&end).unwrap_or(text).to_owned();
+        let of = |case: &DampingCase| DampingCase {
+            label: bare((&case.label, format!(", {}", tightest.words()))),
+            stem: bare((&case.stem, format!("-{}", stem(&tightest.words())))),
+            held: None,
+            ..case.clone()
+        };
+        let once = self.cases.iter().filter(|case| case.held.is_none_or(|way| way == tightest));
+        Self { cases: once.map(of).collect(), ..self.clone() }
     }
 
     /// How the ends are held, before anything else of the mount is read.
@@ -147,7 +177,7 @@ impl DampingCase {
     }
 
     fn of(label: String, stem: String, far_end: FarEnd, damping: Damping) -> Result<Self, coilsense::Error> {
-        Ok(Self { label, stem, ratio: None, mount: Mount::new(far_end, damping)? })
+        Ok(Self { label, stem, ratio: None, mount: Mount::new(far_end, damping)?, held: None })
     }
 }
 

@@ -66,6 +66,8 @@ pub enum Model {
     /// That chain, with a mass that gives it the first surge frequency of the coil as a helix.
     #[default]
     Coil,
+    /// All modes of the coil as a helix, about the mean length of a condition; where a chain is needed besides, that of [`Model::Coil`].
+    Helix,
 }
 
 /// Most masses for a winding that a spec may ask for.
@@ -162,7 +164,7 @@ impl SpringSpec {
     pub fn first_frequency_band(&self) -> (f64, f64) {
         let (low, high) = self.spring.first_frequency_band();
         match (self.first_frequencies, self.model) {
-            (Some(helix), Model::Coil) => helix,
+            (Some(helix), Model::Coil | Model::Helix) => helix,
             (Some(helix), Model::Chain) => (helix.0.min(low), helix.1.max(high)),
             (None, _) => (low, high),
         }
@@ -182,6 +184,15 @@ impl SpringSpec {
         if let Ok(spring) = coil.and_then(|spring| spring.with_masses_per_winding(masses)) {
             self.spring = spring;
         }
+    }
+
+    /// As [`super::Spec::needs_chain`]; `file` is the spec's.
+    pub(crate) fn needs_chain(&self, file: &str, what: &str) -> Result<(), SpecError> {
+        if self.model != Model::Helix {
+            return Ok(());
+        }
+        let takes = "\"coil\" or \"chain\"; \"helix\" is for simulate, analyze and spring";
+        Err(SpecError(format!("{file}: [spring] model = \"helix\": {what} takes {takes}")))
     }
 
     /// Looks up between which first surge frequencies the coil as a helix lies in use.
@@ -229,8 +240,9 @@ impl SpringSpec {
         let name = section.text("name")?;
         let masses = section.optional_whole("masses_per_winding", 1, MOST_MASSES_PER_WINDING)?;
         let masses_per_winding = masses.map(|masses| masses as usize);
-        let model = match section.optional_word("model", &["coil", "chain"])? {
+        let model = match section.optional_word("model", &["coil", "chain", "helix"])? {
             Some("chain") => Model::Chain,
+            Some("helix") => Model::Helix,
             _ => Model::Coil,
         };
         let self_distance = match section.optional_word("self_distance", &["as-printed", "geometric-mean"])? {

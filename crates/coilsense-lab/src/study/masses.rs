@@ -6,7 +6,7 @@ use coilsense::signals::sampled_window;
 use coilsense::{Channel, Damping, Deviation, Error, FarEnd, Motion, Mount, Spring};
 use rayon::prelude::*;
 
-use crate::spec::{ConditionSpec, MountSpec, SpringSpec};
+use crate::spec::{ConditionSpec, Model, MountSpec, SpringSpec};
 
 /// How many masses the chain has for a winding, and what says that they are enough.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +39,11 @@ const LEAST: f64 = 1e-5;
 pub fn enough_masses(spring: &SpringSpec, mount: &MountSpec, conditions: &[ConditionSpec]) -> Result<Masses, Error> {
     let jumps = |condition: &&ConditionSpec| condition.kind == "step";
     let without_limit: Vec<String> = conditions.iter().filter(jumps).map(|condition| condition.name.clone()).collect();
+    if spring.model == Model::Helix {
+        // No chain moves; so many places of the wire are followed.
+        let per_winding = spring.spring.masses_per_winding();
+        return Ok(Masses { per_winding, is_given: false, change: None, without_limit });
+    }
     if let Some(per_winding) = spring.masses_per_winding {
         return Ok(Masses { per_winding, is_given: true, change: None, without_limit });
     }

@@ -2,8 +2,10 @@
 //!
 //! Next door: what is made of it (`analysis`, `sweep`, `reproduce`), the motion itself (`coilsense::motion`).
 
+mod helical;
 mod masses;
 mod simulation;
 
+pub use helical::{EndLoads, Helical, Helices, Moved};
 pub use masses::{ENOUGH, Masses, enough_masses, mounted, prepare};
 pub use simulation::{Coil, Method, Setup, Simulation, simulate};

@@ -6,6 +6,8 @@ use coilsense::inductance::{BoundedSeries, MaxwellSum};
 use coilsense::motion::Windings;
 use coilsense::{Calibration, Channel, Error, Excitation, InductanceSensor, Motion, Mount, Signals, Spring};
 
+use super::helical::{EndLoads, Helical, Moved};
+
 /// What is simulated.
 #[derive(Debug, Clone, Copy)]
 pub struct Setup<'a> {
@@ -19,6 +21,8 @@ pub struct Setup<'a> {
     pub coil: Option<Coil<'a>>,
     /// Whether the positions of the windings are wanted.
     pub positions: bool,
+    /// The helix that moves in place of the spring's chain, its stiffness and its frequencies multiplied.
+    pub helix: Option<(&'a Helical, [f64; 2])>,
 }
 
 /// The spring as an inductance, with what its meter is told.
@@ -52,6 +56,10 @@ pub struct Simulation {
     pub windings: Option<Windings>,
     /// L with its bounds, where it was found within a tolerance.
     pub bounded: Option<BoundedSeries>,
+    /// Of a helix: what holds end 1 and end 2 feels beside the axial force.
+    pub loads: Option<[EndLoads; 2]>,
+    /// The signals as sensors see them, where load cells are out of line with a helix.
+    pub seen: Option<Signals>,
 }
 
 impl<'a> Coil<'a> {
@@ -67,12 +75,22 @@ impl<'a> Coil<'a> {
 /// Simulates a setup at `times` \[s\], strictly increasing, none below zero.
 ///
 /// # Errors
-/// Those of [`Motion::mounted`], [`Motion::signals`], [`Motion::windings`] and [`MaxwellSum::series_within`].
+/// Those of [`Motion::mounted`], [`Helical::simulate`], [`Motion::signals`], [`Motion::windings`] and [`MaxwellSum::series_within`].
 pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
-    let motion = Motion::mounted(setup.spring, setup.mount, setup.excitation)?;
+    let (motion, mut signals, loads, read) = match setup.helix {
+        Some((helix, change)) => {
+            let Moved { motion, signals, loads, read } =
+                helix.simulate(change, setup.mount, setup.excitation, times)?;
+            (motion, signals, Some(loads), read)
+        }
+        None => {
+            let motion = Motion::mounted(setup.spring, setup.mount, setup.excitation)?;
+            let signals = motion.signals(times)?;
+            (motion, signals, None, None)
+        }
+    };
     let exact = matches!(setup.coil, Some(Coil { method: Method::Exact, .. }));
     let windings = if setup.positions || exact { Some(motion.windings(times)?) } else { None };
-    let mut signals = motion.signals(times)?;
     let mut bounded = None;
     if let Some(coil) = &setup.coil {
         let inductance = match (&windings, coil.method) {
@@ -85,7 +103,16 @@ pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
         signals.insert(Channel::InductanceForce, force)?;
         signals.insert(Channel::Inductance, inductance)?;
     }
-    Ok(Simulation { motion, signals, windings, bounded })
+    let seen = read.map(|read| seen_by(&signals, read)).transpose()?;
+    Ok(Simulation { motion, signals, windings, bounded, loads, seen })
+}
+
+/// Signals with F_i and F_o as load cells read them.
+fn seen_by(signals: &Signals, [input, output]: [Vec<f64>; 2]) -> Result<Signals, Error> {
+    let mut seen = signals.clone();
+    seen.insert(Channel::InputForce, input)?;
+    seen.insert(Channel::OutputForce, output)?;
+    Ok(seen)
 }
 
 /// L of a series, which is kept with its bounds.

@@ -129,6 +129,8 @@ const OF_SENSOR: [(&str, OfSensor); 3] =
 
 /// F_L among [`Channel::FORCES`].
 pub(super) const BY_INDUCTANCE: usize = 3;
+/// What a sweep calls what needs a motion, where it refuses it.
+pub(super) const MOVES: &str = "a sweep of forces";
 
 /// Which work some columns need.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -139,6 +141,13 @@ pub(super) struct Needs {
     pub pitch: bool,
     /// What sensors read, those of these numbers in the spec.
     pub sensors: Vec<usize>,
+}
+
+impl Needs {
+    /// Whether anything moves for it.
+    pub fn motion(&self) -> bool {
+        self.forces.contains(&true) || self.pitch || !self.sensors.is_empty()
+    }
 }
 
 /// Names of a spec that columns may call.

@@ -77,7 +77,7 @@ pub(super) fn judge(
         }),
         None => None,
     };
-    let setup = Setup { spring, mount, excitation, coil, positions: false };
+    let setup = Setup { spring, mount, excitation, coil, positions: false, helix: None };
     let Simulation { motion, signals, bounded, .. } = study::simulate(&setup, times)?;
     let mut judged = Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() };
     let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);

@@ -12,12 +12,12 @@ use sha2::{Digest, Sha256};
 
 use super::SweepError;
 use super::catalogue::{Catalogue, Ready};
-use super::column::{self, Column, Kind, Names, Needs};
+use super::column::{self, Column, Kind, MOVES, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
 use super::{sobol, variable};
 use crate::message::{Hint, Message};
-use crate::spec::{Draft, Files, Recordings, Spec, TABLES, files_beside, read_text};
+use crate::spec::{Draft, Files, Recordings, Spec, SpringSpec, TABLES, files_beside, read_text};
 
 /// A plan as people give it, and as a manifest keeps it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -142,6 +142,13 @@ impl Plan {
         let columns = columns(&words, &names, &parameters.spec_file)?;
         let mut needs = Needs::default();
         columns.iter().for_each(|(_, column)| column.add_to(&mut needs));
+        if needs.motion() && !variables.iter().any(|variable| variable.target.key == "spring.model") {
+            // Whatever else is wrong with the spring is said by its designs.
+            if let Ok(spring) = SpringSpec::parse(&parameters.spec_file, &parameters.spec) {
+                let refused = spring.needs_chain(&parameters.spec_file, MOVES);
+                refused.map_err(|error| SweepError::new(error.to_string()))?;
+            }
+        }
         let chunk_rows = parameters.chunk_rows.unwrap_or(usual_chunk(&needs));
         if !(1..=MOST_CHUNK).contains(&chunk_rows) {
             return Err(SweepError::new(format!("a chunk must have from 1 to {MOST_CHUNK} rows, got {chunk_rows}")));

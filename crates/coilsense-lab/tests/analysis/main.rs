@@ -6,6 +6,7 @@
 //! | readings of perfect and filtering sensors | the channels themselves, the detuning of the modes (`readings`) |
 //! | lines of a budget | their closed forms; the Monte Carlo (`budget`) |
 //! | what would fix a sensor | the same change written into the spec (`fixes`) |
+//! | a helix that moves | the chain of a long flat spring, its static curve, its own reactions (`helix`) |
 //! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
 //! | the whole run | itself on other threads, and when stopped (`runs`) |
 
@@ -13,6 +14,7 @@ mod band;
 mod budget;
 mod data_sheet;
 mod fixes;
+mod helix;
 mod paper;
 mod readings;
 mod runs;

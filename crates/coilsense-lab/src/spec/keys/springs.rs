@@ -69,7 +69,8 @@ pub(super) const SPRING: Table = Table {
             "model",
             "\"coil\"",
             "what stands for the coil in its motion along the axis: `coil`, a chain of masses with the first surge frequency of the coil as a helix \
-               (at mid range, with its ends as `[mount]` has them), or `chain`, the paper's chain with the spring's own mass",
+               (at mid range, with its ends as `[mount]` has them); `chain`, the paper's chain with the spring's own mass; or `helix`, every mode of the \
+               coil (axial, torsional, sideways) about the mean length of a condition, for `simulate` and `analyze`",
             "`coil`",
         ),
         optional(
