@@ -314,7 +314,7 @@ impl Analysis {
         };
         let data_sheet = DataSheet::of(&spec)?;
         let mut warnings = resonance::of(&judge, &sensors, &verdicts, &responses)?;
-        warnings.extend(resonance::without_limit(&masses));
+        warnings.extend(resonance::without_limit(&masses, spec.spring.model));
         warnings.extend(warnings::of(&judge, &sensors, &data_sheet)?);
         Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet, masses, if_usual, as_chain })
     }

@@ -13,7 +13,7 @@ use super::response::Responses;
 use super::verdict::Verdict;
 use super::warnings::{Subject, Warning};
 use crate::quantity::digits;
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{Model, SensorSpec, Spec};
 use crate::study::Masses;
 
 /// An error that grows by less than this from the nominal spring to the loudest is no resonance.
@@ -38,12 +38,15 @@ pub(super) fn of(
 }
 
 /// A warning for each condition whose rms has no limit.
-pub(super) fn without_limit(masses: &Masses) -> Option<Warning> {
+pub(super) fn without_limit(masses: &Masses, model: Model) -> Option<Warning> {
     let names = masses.without_limit.join(", ");
+    let what = match model {
+        Model::Helix => "modes (those up to 20 f1 here)".to_owned(),
+        Model::Coil | Model::Chain => format!("masses ({} per winding here)", masses.per_winding),
+    };
     let text = format!(
         "{names}: a position that jumps hits every mode alike, so that the rms and the largest value of the end forces grow with the number of \
-         masses ({} per winding here); what a low-pass leaves of them, or a ramp in place of the jump, has a limit.",
-        masses.per_winding
+         {what}; what a low-pass leaves of them, or a ramp in place of the jump, has a limit."
     );
     (!masses.without_limit.is_empty()).then_some(Warning { subject: Subject::NoLimit, text })
 }

@@ -51,7 +51,8 @@ fn a_kind_that_no_spec_names_is_judged_by_what_it_errs_by() {
     let cases = simulate(&spec, &|_, _| true).unwrap();
     let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
     let springs = Springs::of(&spec, &spec.spring.tolerances, MANY);
-    let judge = Judge { spec: &spec, coil: &coil, cases: &cases, springs: &springs };
+    let helices = crate::study::Helices::default();
+    let judge = Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };
     let scene = cases[0].scene();
     let toy = Instrument::new(Readout::new(ReadoutParameters::default()).unwrap(), Arc::new(HalfNewtons));
     let counted = judge.counted(scene, &toy.forces(&toy.steady_readings(scene.signals).unwrap())).unwrap();

@@ -52,7 +52,7 @@ impl MountSpec {
     pub(super) fn by_ways(self) -> Self {
         let (tightest, Some(loosest)) = self.ends.ways() else { return self };
         let of = |case: &DampingCase, way: Held| DampingCase {
-            label: format!("{}, {}", case.label, way.words()),
+            label: format!("{} ({})", case.label, way.words()),
             stem: format!("{}-{}", case.stem, stem(&way.words())),
             held: Some(way),
             ..case.clone()
@@ -66,7 +66,7 @@ impl MountSpec {
         let (tightest, _) = self.ends.ways();
         let bare = |(text, end): (&String, String)| text.strip_suffix(&end).unwrap_or(text).to_owned();
         let of = |case: &DampingCase| DampingCase {
-            label: bare((&case.label, format!(", {}", tightest.words()))),
+            label: bare((&case.label, format!(" ({})", tightest.words()))),
             stem: bare((&case.stem, format!("-{}", stem(&tightest.words())))),
             held: None,
             ..case.clone()

@@ -21,8 +21,8 @@ pub struct Helical {
     turning: Turning,
     /// What the spring is longer than its active windings span \[m\].
     dead_length: f64,
-    /// What the spring's force is more than the helix's \[N\]: its initial tension; of a spring by values, what makes the curve touch its
-    /// straight line in the middle of its range.
+    /// What the spring's force is more than the helix's \[N\]: of a spring by values, what makes the curve touch its straight line in the
+    /// middle of its range.
     more: f64,
     /// Angle between the spring's axis and that of a load cell \[rad\].
     misalignment: f64,
@@ -64,7 +64,8 @@ impl Helical {
                 let force = Helix::new(&rod, middle - dead_length, way.turning())?.force();
                 spring.spring.static_force(middle) - force
             }
-            StiffnessAt::Flat => spring.initial_tension,
+            // The wire's rest length is that at which its own force, initial tension included, is none.
+            StiffnessAt::Flat => 0.0,
         };
         let surge = Surge::new(&spring.spring, &spring.geometry, &helix, way.ends())?;
         Ok(Self { surge, rod, turning: way.turning(), dead_length, more, misalignment })
