@@ -23,7 +23,7 @@ fn moduli_and_density_scale_forces_and_frequencies_of_the_same_shape() {
             youngs_modulus: stiffer * parameters.youngs_modulus,
             shear_modulus: stiffer * parameters.shear_modulus,
             density: stiffer / (faster * faster) * parameters.density,
-            ..parameters.clone()
+            ..*parameters
         })
         .unwrap();
         let anew = Helix::new(&anew, found.span(), Turning::Held).unwrap();
