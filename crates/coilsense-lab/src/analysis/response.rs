@@ -141,7 +141,8 @@ fn places(asked: &Request<'_>, way: &Way, (low, high): (f64, f64)) -> Result<Vec
     let mount = &spec.mount.cases[asked.damping].mount;
     let mut places = vec![low, 0.0, high];
     let (spring, far_end) = (&spec.spring.spring, mount.far_end());
-    let modes = match asked.helix {
+    // Modes with an end mass are moved each its own way; those of the chain are near enough to look first.
+    let modes = match asked.helix.filter(|_| far_end == FarEnd::Position) {
         Some(helix) => helix.surge().model().frequencies().to_vec(),
         None => ChainModes::mounted(spring, far_end).frequencies().to_vec(),
     };

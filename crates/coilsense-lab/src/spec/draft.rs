@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use coilsense::{Channel, FarEnd};
+use coilsense::Channel;
 use toml::de::DeValue;
 
 use super::condition::ConditionSpec;
@@ -172,14 +172,9 @@ impl<'a> Draft<'a> {
 
 /// The mount of a helix, in each way in which its ends may be held.
 fn for_helix(section: &Section<'_>, mount: MountSpec) -> Result<MountSpec, SpecError> {
-    let refused = |what: &str| Err(section.refuse("model", format!("\"helix\" does not take {what}; \"coil\" does")));
     if section.has("masses_per_winding") {
-        return refused("masses_per_winding: it has no masses");
-    }
-    match mount.far_end() {
-        FarEnd::Position => {}
-        FarEnd::Force => return refused("[mount] end2 = \"force\""),
-        FarEnd::Mass(_) => return refused("[mount] end2 = \"mass\""),
+        let why = "\"helix\" does not take masses_per_winding: it has no masses; \"coil\" does";
+        return Err(section.refuse("model", why));
     }
     Ok(mount.by_ways())
 }

@@ -2,13 +2,14 @@
 //!
 //! Next door: the helix that was found (`surge`).
 
+use super::mounted::moved;
 use super::reaction_series::{Felt, ReactionSeries};
-use super::surge::{SAME, Surge};
-use crate::error::{Error, above_zero, check};
+use super::surge::Surge;
+use crate::error::{Error, above_zero};
 use crate::excitation::Excitation;
 use crate::modes::ModalModel;
 use crate::motion::Motion;
-use crate::mount::{FarEnd, Mount};
+use crate::mount::Mount;
 use crate::spring::{Spring, SpringParameters};
 
 impl Surge {
@@ -57,8 +58,7 @@ impl ChangedSurge {
     /// # Errors
     /// As there.
     pub fn motion(&self, mount: &Mount, excitation: &Excitation) -> Result<Motion, Error> {
-        check_moves(mount, excitation, self.length)?;
-        Motion::of_modes(&self.spring, self.model.clone(), mount.damping().clone(), excitation)
+        moved(&self.spring, &self.model, self.length, mount, excitation)
     }
 
     /// As [`Surge::reactions`].
@@ -68,18 +68,4 @@ impl ChangedSurge {
     pub fn reactions(&self, motion: &Motion, times: &[f64]) -> Result<[ReactionSeries; 2], Error> {
         self.felt.reactions(&self.model, motion, times)
     }
-}
-
-/// What a motion of a helix about a length takes.
-pub(super) fn check_moves(mount: &Mount, excitation: &Excitation, length: f64) -> Result<(), Error> {
-    let allowed = "none for a motion of the helix, whose end 2 has a prescribed position (Motion::mounted takes it)";
-    match mount.far_end() {
-        FarEnd::Position => {}
-        FarEnd::Mass(mass) => check(false, "end_mass", mass, "kg", allowed).map(|_| ())?,
-        FarEnd::Force => check(false, "prescribed forces at end 2", 1.0, "", allowed).map(|_| ())?,
-    }
-    let mean = excitation.mean_length();
-    let same = (mean - length).abs() <= SAME * length;
-    check(same, "mean_length", mean, "m", format!("that of the helix, {} m", length))?;
-    Ok(())
 }

@@ -14,6 +14,7 @@ mod first_surge;
 pub mod inextensible;
 mod mode;
 mod modes;
+mod mounted;
 mod of_spring;
 mod reaction;
 mod reaction_series;

@@ -5,7 +5,7 @@
 use super::surge::{Six, Slow, Surge, of_mode};
 use crate::error::{Error, check};
 use crate::excitation::{End, EndInput};
-use crate::modes::ModalModel;
+use crate::modes::{ModalModel, Tied};
 use crate::motion::Motion;
 
 /// Force and couples on what holds an end, at the spring's axis, over time.
@@ -82,6 +82,9 @@ impl Felt {
         motion: &Motion,
         times: &[f64],
     ) -> Result<[ReactionSeries; 2], Error> {
+        if let Some(tied) = motion.modes().tie() {
+            return self.reactions_of_tied(model, tied, motion, times);
+        }
         let count = motion.modes().count();
         let own = model.frequencies().get(..count) == Some(motion.modes().frequencies());
         check(own, "modes of the motion", count as f64, "", "those of this helix")?;
@@ -113,6 +116,54 @@ impl Felt {
             let axial = axial.into_iter().map(|force| sign * force).collect();
             let [x, y, about_x, about_y, about_z]: [Vec<f64>; 5] = sums.try_into().unwrap_or_default();
             Ok(ReactionSeries { force: [x, y, axial], couple: [about_x, about_y, about_z] })
+        };
+        Ok([series(End::One, forces.input)?, series(End::Two, forces.output)?])
+    }
+}
+
+impl Felt {
+    /// The same where end 2 has no prescribed position: it is off the place of a wire without mass by its part of each mode.
+    ///
+    /// Modes beyond the reach follow the acceleration of both ends, that of end 2 being `dragged ü1 − Σ_j ω_j² v_j η_j`.
+    fn reactions_of_tied(
+        &self,
+        model: &ModalModel,
+        tied: &Tied,
+        motion: &Motion,
+        times: &[f64],
+    ) -> Result<[ReactionSeries; 2], Error> {
+        let kept = model.count();
+        let (modes, size) = (motion.modes().count(), kept + 1);
+        check(tied.parts.len() >= modes * size, "modes of the motion", modes as f64, "", "those of this helix")?;
+        let forces = motion.end_forces(times)?;
+        let [first, second] = [End::One, End::Two].map(|end| motion.excitation().input(end));
+        let [u, force] = [first, second].map(|input| input.displacements(times));
+        let acceleration = of_each(times, first, EndInput::acceleration);
+        let compliance = 1.0 / motion.spring().stiffness();
+        let series = |end: End, axial: Vec<f64>| -> Result<ReactionSeries, Error> {
+            let (at, sign) = if end == End::One { (0, 1.0) } else { (1, -1.0) };
+            let slow = &self.slow[at];
+            let component = |i: usize| -> Result<Vec<f64>, Error> {
+                let own: Vec<f64> = self.modes[at].iter().map(|mode| mode[i]).collect();
+                let left = [0, 1].map(|moved| slow[moved].mass[i] - carried(model, &own, moved, 1));
+                let of_mode = |(parts, frequency): (&[f64], &f64)| {
+                    let swings = parts[..kept].iter().zip(&own).map(|(part, own)| part * own).sum::<f64>();
+                    swings + parts[kept] * (slow[1].rest[i] + left[1] * frequency * frequency)
+                };
+                let frequencies = motion.modes().frequencies();
+                let weights: Vec<f64> = tied.parts.chunks_exact(size).zip(frequencies).map(of_mode).collect();
+                let mut sums = motion.modal_sums(times, &[weights])?.pop().unwrap_or_default();
+                let rigid = slow[0].rest[i] + slow[1].rest[i];
+                let mean = if i == 5 { sign * self.couple } else { 0.0 };
+                for (sample, sum) in sums.iter_mut().enumerate() {
+                    *sum += mean + rigid * u[sample] + compliance * slow[1].rest[i] * force[sample]
+                        - (left[0] + tied.dragged * left[1]) * acceleration[sample];
+                }
+                Ok(sums)
+            };
+            let axial = axial.into_iter().map(|force| sign * force).collect();
+            let couple = [component(3)?, component(4)?, component(5)?];
+            Ok(ReactionSeries { force: [component(0)?, component(1)?, axial], couple })
         };
         Ok([series(End::One, forces.input)?, series(End::Two, forces.output)?])
     }

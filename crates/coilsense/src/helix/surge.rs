@@ -6,10 +6,10 @@ use std::f64::consts::{PI, TAU};
 
 use num_complex::Complex;
 
-use super::changed::check_moves;
 use super::ends::Ends;
 use super::mode::Mode;
 use super::modes::Modes;
+use super::mounted::{SAME, moved};
 use super::response::Response;
 use super::state::Helix;
 use crate::error::{Error, called, check};
@@ -30,9 +30,6 @@ const TINY: f64 = 1e-60;
 /// of the terms that are left the next is (16/20²)² of it.
 const TELLING: f64 = 16.0;
 
-/// How far lengths that are the same may lie apart, relative.
-pub(super) const SAME: f64 = 1e-9;
-
 /// ω² over that of a bar which rounding may leave of a motion without stiffness, either way.
 const NEUTRAL: f64 = 1e-8;
 
@@ -51,8 +48,8 @@ const NEUTRAL: f64 = 1e-8;
 /// dynamic stiffness `K − ω² M − ω⁴ S − …` at an imaginary ω², where the terms alternate between real and imaginary parts.
 ///
 /// Source:   derived: modes with held ends about the slow motion that the ends give; c by reciprocity.
-/// Valid:    small motions about one length; both positions prescribed, along the axis, with inputs slow against 20 f1; ringing beyond is
-///           left out. Winding i of a [`Motion`] is the mean of its share of the wire, along the axis; of a start winding by winding, only the
+/// Valid:    small motions about one length, along the axis, with inputs slow against 20 f1; ringing beyond is left out. An end 2 that carries
+///           a mass or is driven by a force adds its position to the modes (component modes); its energy is not told. Winding i of a [`Motion`] is the mean of its share of the wire, along the axis; of a start winding by winding, only the
 ///           axial part is known. Windings stand evenly from end to end at rest, dead windings or not, as the chain's do.
 /// Accuracy: forces under sines below 0.75 f1 are those of [`Response`] to 1e-7 of their dynamic part, and with the modes below 10 f1 alone
 ///           to 4e-7; work and energy agree to 1e-10 (`tests/helix`).
@@ -178,11 +175,9 @@ impl Surge {
     /// The motion of the helix under an excitation about its length.
     ///
     /// # Errors
-    /// [`Error::Value`] for a mount whose end 2 is under a force or carries a mass, and for an excitation about another length than the
-    /// helix's; and as [`Motion::of_modes`].
+    /// [`Error::Value`] for an excitation about another length than the helix's; and as [`Motion::of_modes`].
     pub fn motion(&self, mount: &Mount, excitation: &Excitation) -> Result<Motion, Error> {
-        check_moves(mount, excitation, self.length)?;
-        Motion::of_modes(&self.spring, self.model.clone(), mount.damping().clone(), excitation)
+        moved(&self.spring, &self.model, self.length, mount, excitation)
     }
 }
 

@@ -14,7 +14,7 @@ use crate::spring::Spring;
 pub(crate) use continuous::end_mass_root;
 pub use continuous::{continuous_frequencies, third_rule_error, third_rule_frequency};
 use end_mass::Angle;
-pub(crate) use model::{LeftOut, SlowInertia, WireModes};
+pub(crate) use model::{LeftOut, SlowInertia, Tied, WireModes};
 pub use model::{ModalModel, ModalParameters};
 
 /// Surge frequency of mode `mode` of the continuous coil with both ends held \[rad/s\].

@@ -2,12 +2,14 @@
 //!
 //! Next door: the chain's modes in closed form (the parent), those of a continuous wire (`wire`), the motion that is built from them (`motion`).
 
+mod tied;
 mod wire;
 
 use super::{ChainModes, ChainShapes};
 use crate::error::{Error, Subject, all_bounded, at_least_one, called, check, count};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
+pub(crate) use tied::Tied;
 pub(crate) use wire::{LeftOut, SlowInertia, WireModes};
 
 /// A spring's modes, ready for a motion: frequencies, participations, end forces, and where its masses are.
@@ -63,6 +65,8 @@ enum Shapes {
         /// φ_j(i), mode by mode.
         shapes: Vec<f64>,
         inertia: SlowInertia,
+        /// Where end 2 has no prescribed position.
+        tied: Option<Tied>,
     },
 }
 
@@ -202,6 +206,7 @@ impl ModalModel {
     /// The first `count` of these modes.
     pub(crate) fn first(&self, count: usize) -> Self {
         let mut model = self.clone();
+        model.leave_out_from(count);
         let Self { frequencies, participations, weights, end_shapes, line, norms, .. } = &mut model;
         let pairs = participations.iter_mut().chain(weights).chain(line);
         [frequencies, end_shapes, norms].into_iter().chain(pairs).for_each(|series| series.truncate(count));

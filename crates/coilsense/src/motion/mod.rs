@@ -262,6 +262,10 @@ impl Motion {
     pub fn energy(&self, time: f64) -> Result<f64, Error> {
         let [first, last] = self.line(time);
         let (k, stretch) = (self.spring.stiffness(), last - first - self.spring.rest_length());
+        if let Some(FarEnd::Mass(_) | FarEnd::Force) = self.modes.tie().map(|_| self.mount.far_end()) {
+            let allowed = "none of a helix whose end 2 has no prescribed position";
+            check(false, "energy", time, "s", allowed)?;
+        }
         if self.modes.left_out().is_some() {
             check_times(&[time])?;
             let state = self.modal_state(time);

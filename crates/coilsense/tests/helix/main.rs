@@ -21,3 +21,4 @@ mod limits;
 mod lines;
 mod motion;
 mod refused;
+mod tied;

@@ -67,7 +67,7 @@ impl ModalModel {
             segment: 1.0,
             mean_mass,
             relative_end_mass: 0.0,
-            shapes: Shapes::Wire { count, shapes, inertia },
+            shapes: Shapes::Wire { count, shapes, inertia, tied: None },
         }
     }
 
@@ -77,6 +77,9 @@ impl ModalModel {
     ///
     /// Source:   a mode far above its drive follows as `q = −c (ü/ω² − u⁗/ω⁴ + …)`.
     pub(crate) fn left_out(&self) -> Option<LeftOut> {
+        if let Some(tied) = self.tie() {
+            return Some(tied.left_out());
+        }
         let [mass, second] = self.inertia_left_out()?;
         let signed =
             |[one, two]: [[f64; 2]; 2], sign: f64| [one.map(|value| -sign * value), two.map(|value| sign * value)];
@@ -85,7 +88,7 @@ impl ModalModel {
 
     /// R and T of [`Self::left_out`].
     fn inertia_left_out(&self) -> Option<[[[f64; 2]; 2]; 2]> {
-        let Shapes::Wire { inertia: SlowInertia { mass, second }, .. } = &self.shapes else { return None };
+        let Shapes::Wire { inertia: SlowInertia { mass, second }, tied: None, .. } = &self.shapes else { return None };
         let less = |all: &[[f64; 2]; 2], of_mode: &dyn Fn(f64) -> f64| -> [[f64; 2]; 2] {
             let kept = |i: usize, j: usize| -> f64 {
                 let pairs = self.participations[i].iter().zip(&self.participations[j]);
@@ -100,7 +103,7 @@ impl ModalModel {
     ///
     /// Modes for a modal mass of 1 kg scale with √m, m being multiplied by stiffness/frequency².
     pub(crate) fn of_changed_wire(&self, stiffness: f64, frequency: f64) -> Option<Self> {
-        let Shapes::Wire { count, shapes, inertia } = &self.shapes else { return None };
+        let Shapes::Wire { count, shapes, inertia, tied: None } = &self.shapes else { return None };
         let mass = stiffness / (frequency * frequency);
         let all = |values: &[f64], by: f64| -> Vec<f64> { values.iter().map(|value| by * value).collect() };
         let square = |matrix: &[[f64; 2]; 2], by: f64| matrix.map(|row| row.map(|value| by * value));
@@ -120,6 +123,7 @@ impl ModalModel {
                     mass: square(&inertia.mass, mass),
                     second: square(&inertia.second, mass / (frequency * frequency)),
                 },
+                tied: None,
             },
             ..self.clone()
         })
