@@ -42,6 +42,7 @@ export class Compute {
   private readonly files = new Map<string, string>();
   private readonly previews: Lane;
   private readonly exacts: Lane;
+  private asides: Lane | null = null;
   private readonly listeners: Listener[] = [];
   private readonly loaded = new Map<string, Promise<void>>();
   private last: Shown | null = null;
@@ -82,6 +83,12 @@ export class Compute {
   /** Any one question, in the lane of exact answers. */
   ask(question: Question): Promise<Reply> {
     return new Promise((resolve) => this.exacts.ask(question, resolve));
+  }
+
+  /** The newest question of a part that asks often, in a worker beside the others; nobody answers one that a newer one overtook. */
+  beside(question: Question, done: (reply: Reply) => void): void {
+    this.asides ??= new Lane(this.engine, this.files, false);
+    this.asides.ask(question, done);
   }
 
   /** One question in a worker of its own, which waits for nothing and ends with its answer. */
@@ -198,6 +205,7 @@ export class Compute {
       this.files.set(name, text);
       this.previews.addFile(name, text);
       this.exacts.addFile(name, text);
+      this.asides?.addFile(name, text);
     });
     const all = Promise.all(each).then(() => undefined);
     this.loaded.set(id, all);

@@ -89,5 +89,5 @@ pub(crate) fn of_sheet(sheet: &DataSheet) -> Value {
     let row = |row: &coilsense_lab::data_sheet::Row| json!({ "key": row.key, "label": row.label, "shown": row.shown(), "unit": row.unit });
     let group = |(heading, rows): &(&str, Vec<_>)| json!({ "heading": heading, "rows": rows.iter().map(row).collect::<Vec<_>>() });
     let groups: Vec<Value> = sheet.groups.iter().map(group).collect();
-    json!({ "material": sheet.material, "groups": groups, "modesAt": sheet.modes_at })
+    json!({ "material": sheet.material, "groups": groups })
 }
