@@ -66,10 +66,6 @@ export interface ExactFacts extends Facts {
   lengths: [number, number];
   sensors: { name: string; kind: string; sampleRate: number | null; deviation: Deviation }[];
   warnings: { subject: string; text: string }[];
-  sheet: {
-    material: string;
-    groups: { heading: string; rows: { key: string; label: string; shown: string; unit: string }[] }[];
-  };
 }
 
 export type Kind = 'axial' | 'torsional' | 'lateral' | 'mixed';
@@ -96,25 +92,16 @@ export interface ModesAt extends UnderEnds {
   loosest: UnderEnds | null;
 }
 
-/** Frequencies over lengths [Hz], null where there is none: of a mode, while it is of a kind. */
-export interface CurveOfKind {
-  number: number;
-  kind: Kind;
-  frequency_hz: (number | null)[];
-}
-
-/** Lines of the modes against length, and what drives them. */
+/** What the lines of the modes are of; the lines themselves are its series, see `modes/lines`. */
 export interface LinesFacts {
-  lines: {
-    lengths_m: number[];
-    top_hz: number;
-    /** With the ends as they are held, and as loose as they may be where that lies between two ways. */
-    ways: { ends: string; buckles: boolean[]; curves: CurveOfKind[] }[];
-    bands: { kind: Kind; lower_hz: (number | null)[]; upper_hz: (number | null)[] }[];
-  };
-  driven: { condition: string; frequency_hz: number }[];
-  /** Conditions that drive every frequency. */
-  broad: string[];
+  /** How the ends are held; and how as loose as they may be, where that lies between two ways. */
+  ends: string[];
+  /** Up to where there are lines [Hz]. */
+  top: number;
+  /** Number of a condition and what drives the spring there [Hz]. */
+  driven: [number, number][];
+  /** Whether a condition drives every frequency. */
+  broad: boolean[];
   /** Whether the forces of the page are of the paper's chain, with this first frequency [Hz]. */
   isChain: boolean;
   modelFrequency: number;

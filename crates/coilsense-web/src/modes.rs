@@ -5,7 +5,7 @@
 use coilsense_lab::analysis::{driven, is_broad};
 use coilsense_lab::helix::{Coil, ModeShape};
 use coilsense_lab::spec::{Model, Spec};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::answer::Answer;
 
@@ -18,6 +18,9 @@ const MOST_MODES: usize = 100;
 
 /// Lines of the modes at so many lengths over those in use, and what drives them.
 ///
+/// Series: `length`; `curve W NUMBER KIND` \[Hz\] of each mode with the ends in way W (0: as held, 1: as loose as may be) while it is of a kind;
+/// `buckles W`, 1 where the spring has buckled; `lower KIND ORDER` and `upper KIND ORDER` \[Hz\], between both ways.
+///
 /// # Errors
 /// One line: why the coil is no helix.
 pub fn lines(spec: &Spec, lengths: usize) -> Result<Answer, String> {
@@ -25,18 +28,28 @@ pub fn lines(spec: &Spec, lengths: usize) -> Result<Answer, String> {
         return Err(format!("lengths must be from 2 to {MOST_LENGTHS}, got {lengths}"));
     }
     let lines = coil(spec)?.lines(lengths).map_err(|error| error.to_string())?;
-    let name = |condition: usize| &spec.conditions[condition].name;
-    let driven = driven(spec);
-    let driven = driven.iter().map(|(condition, hertz)| json!({ "condition": name(*condition), "frequency_hz": hertz }));
-    let broad = (0..spec.conditions.len()).filter(|condition| is_broad(spec, *condition));
+    let mut series = vec![("length".to_owned(), lines.lengths)];
+    let mut ends = Vec::new();
+    for (number, way) in lines.ways.into_iter().enumerate() {
+        ends.push(Value::from(way.ends));
+        series.push((format!("buckles {number}"), way.buckles.into_iter().map(f64::from).collect()));
+        for curve in way.curves {
+            series.push((format!("curve {number} {} {}", curve.number, curve.kind), curve.frequency));
+        }
+    }
+    for (order, band) in lines.bands.into_iter().enumerate() {
+        series.push((format!("lower {} {order}", band.kind), band.lower));
+        series.push((format!("upper {} {order}", band.kind), band.upper));
+    }
     let meta = json!({
-        "lines": lines,
-        "driven": driven.collect::<Vec<_>>(),
-        "broad": broad.map(name).collect::<Vec<_>>(),
+        "ends": ends,
+        "top": lines.top,
+        "driven": driven(spec).into_iter().map(|(condition, hertz)| json!([condition, hertz])).collect::<Vec<_>>(),
+        "broad": (0..spec.conditions.len()).map(|condition| Value::Bool(is_broad(spec, condition))).collect::<Vec<_>>(),
         "isChain": spec.spring.model == Model::Chain,
         "modelFrequency": spec.spring.spring.chain_frequency(),
     });
-    Ok(Answer::new(&meta, Vec::new()))
+    Ok(Answer::new(&meta, series))
 }
 
 /// Which mode is asked for.
@@ -67,7 +80,10 @@ pub fn shape(spec: &Spec, asked: Asked) -> Result<Answer, String> {
     let coil = coil(spec)?;
     let science = |error: coilsense::Error| error.to_string();
     let ModeShape { line, ends, wire, moved } = coil.shape(length, loosest, number, points).map_err(science)?;
-    let positions = wire.iter().zip(&moved).flat_map(|(rest, moved)| rest.iter().chain(moved)).map(|value| *value as f32);
+    let mut positions = Vec::with_capacity(6 * wire.len());
+    for (rest, moved) in wire.iter().zip(&moved) {
+        positions.extend(rest.iter().chain(moved).map(|value| *value as f32));
+    }
     let rod = coil.rod.parameters();
     let meta = json!({
         "at": coil.at(length).map_err(science)?,
@@ -76,7 +92,7 @@ pub fn shape(spec: &Spec, asked: Asked) -> Result<Answer, String> {
         "windings": rod.windings,
         "wireDiameter": rod.wire_diameter,
     });
-    Ok(Answer::new(&meta, Vec::new()).with_positions(positions.collect()))
+    Ok(Answer::new(&meta, Vec::new()).with_positions(positions))
 }
 
 fn coil(spec: &Spec) -> Result<Coil, String> {

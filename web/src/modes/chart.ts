@@ -3,13 +3,14 @@
 // Next door: what is chosen on it (`choice`), the same as a table (`table`), what it says in words (`words`).
 
 import type uPlot from 'uplot';
-import type { ExactFacts, Kind, LinesFacts } from '../answer';
+import type { ExactFacts, Kind } from '../answer';
 import { make } from '../dom';
 import { axis, chart, curve, font, LARGER, plain } from '../plots/chart';
 import { ink, sample, type Colour } from '../plots/looks';
 import { Points } from '../plots/points';
 import type { Choice } from './choice';
 import { LOOKS, MEANING } from './kinds';
+import type { Lines } from './lines';
 
 /** Lines of the input that are named on the chart. */
 const MOST_NAMED = 6;
@@ -21,12 +22,11 @@ export interface LinesChart {
   point(choice: Choice): void;
 }
 
-export function drawLines(host: HTMLElement, facts: LinesFacts, shown: ExactFacts, choice: Choice): LinesChart {
-  const { lines } = facts;
+export function drawLines(host: HTMLElement, lines: Lines, shown: ExactFacts, choice: Choice): LinesChart {
   const curves = lines.ways[choice.way]?.curves ?? [];
-  const places = curves.flatMap(({ number, kind, frequency_hz }) =>
-    frequency_hz.flatMap((y, at) => {
-      const x = lines.lengths_m[at] ?? 0;
+  const places = curves.flatMap(({ number, kind, values }) =>
+    values.flatMap((y, at) => {
+      const x = lines.lengths[at] ?? 0;
       const label = `mode ${number}: ${y?.toFixed(1)} Hz at ${(1e3 * x).toFixed(1)} mm, ${kind}`;
       return y === null ? [] : [{ x, y, label, number }];
     }),
@@ -48,7 +48,7 @@ export function drawLines(host: HTMLElement, facts: LinesFacts, shown: ExactFact
     plot,
     {
       plugins: [points.plugin],
-      scales: { x: { time: false }, y: { range: [0, lines.top_hz] } },
+      scales: { x: { time: false }, y: { range: [0, lines.facts.top] } },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
         axis('Length [mm]', 36, { values: (_, ticks) => ticks.map((tick) => plain(1e3 * tick)) }),
@@ -56,11 +56,11 @@ export function drawLines(host: HTMLElement, facts: LinesFacts, shown: ExactFact
       ],
       series: [{}, ...curves.map(({ kind, number }) => curve(LOOKS[kind], `mode ${number}, ${kind}`))],
       hooks: {
-        drawClear: [(plot) => bands(plot, lines)],
-        draw: [(plot) => driven(plot, facts), (plot) => marks(plot, shown, choice, places)],
+        drawAxes: [(plot) => bands(plot, lines), (plot) => levels(plot, lines)],
+        draw: [(plot) => names(plot, lines, shown), (plot) => marks(plot, shown, choice, places)],
       },
     },
-    [lines.lengths_m, ...curves.map(({ frequency_hz }) => frequency_hz)] as unknown as uPlot.AlignedData,
+    [lines.lengths, ...curves.map(({ values }) => values)] as unknown as uPlot.AlignedData,
   );
   return { point: () => drawn.redraw(false, false) };
 }
@@ -87,15 +87,15 @@ function key(event: KeyboardEvent, choice: Choice): void {
 }
 
 /** Between the two ways of the ends, where that is more than a line. */
-function bands(plot: uPlot, { bands, lengths_m }: LinesFacts['lines']): void {
+function bands(plot: uPlot, { bands, lengths }: Lines): void {
   const { ctx, bbox } = plot;
   ctx.save();
   ctx.beginPath();
   ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
   ctx.clip();
-  for (const { kind, lower_hz, upper_hz } of bands) {
-    const places = lengths_m.flatMap((x, at) => {
-      const [low, high] = [lower_hz[at] ?? null, upper_hz[at] ?? null];
+  for (const { kind, lower, upper } of bands) {
+    const places = lengths.flatMap((x, at) => {
+      const [low, high] = [lower[at] ?? null, upper[at] ?? null];
       return low === null || high === null ? [] : [{ x: plot.valToPos(x, 'x', true), low, high }];
     });
     if (!places.some(({ low, high }) => high > WIDE * low)) continue;
@@ -115,32 +115,40 @@ function bands(plot: uPlot, { bands, lengths_m }: LinesFacts['lines']): void {
   ctx.restore();
 }
 
-/** What drives the spring, named where there is room. */
-function driven(plot: uPlot, { driven: all, lines }: LinesFacts): void {
+/** What drives the spring within the chart, lowest first, and where that is [pixels of the canvas]. */
+const driven = (plot: uPlot, { facts }: Lines): { condition: number; value: number; y: number }[] =>
+  facts.driven
+    .filter(([, value]) => value <= facts.top)
+    .map(([condition, value]) => ({ condition, value, y: plot.valToPos(value, 'y', true) }))
+    .sort((a, b) => a.value - b.value);
+
+/** Broad and pale, behind the lines of the modes, which may lie on them. */
+function levels(plot: uPlot, lines: Lines): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.fillStyle = ink.soft;
+  ctx.globalAlpha = 0.45;
+  const thick = 4 * (devicePixelRatio || 1);
+  for (const { y } of driven(plot, lines)) ctx.fillRect(bbox.left, y - thick / 2, bbox.width, thick);
+  ctx.restore();
+}
+
+/** Their names, where there is room. */
+function names(plot: uPlot, lines: Lines, { conditions }: ExactFacts): void {
   const { ctx, bbox } = plot;
   const ratio = devicePixelRatio || 1;
   ctx.save();
   ctx.font = font(11, ratio);
   ctx.textBaseline = 'bottom';
   ctx.textAlign = 'right';
-  ctx.strokeStyle = ink.soft;
-  ctx.lineWidth = 1.2 * ratio;
   let above = Infinity;
-  const within = all.filter(({ frequency_hz }) => frequency_hz <= lines.top_hz);
-  [...within]
-    .sort((a, b) => a.frequency_hz - b.frequency_hz)
-    .forEach(({ condition, frequency_hz }, index) => {
-      const y = plot.valToPos(frequency_hz, 'y', true);
-      ctx.beginPath();
-      ctx.moveTo(bbox.left, y);
-      ctx.lineTo(bbox.left + bbox.width, y);
-      ctx.stroke();
-      const words = `${condition}, ${frequency_hz.toFixed(1)} Hz`;
-      const fits = index < MOST_NAMED && y - 14 * ratio > bbox.top && above - y > 13 * LARGER * ratio;
-      if (!fits) return;
-      above = y;
-      written(ctx, words, bbox.left + bbox.width - 6 * ratio, y - 2 * ratio);
-    });
+  driven(plot, lines).forEach(({ condition, value, y }, index) => {
+    const fits = index < MOST_NAMED && y - 14 * ratio > bbox.top && above - y > 13 * LARGER * ratio;
+    if (!fits) return;
+    above = y;
+    const words = `${conditions[condition]?.name ?? ''}, ${value.toFixed(1)} Hz`;
+    written(ctx, words, bbox.left + bbox.width - 6 * ratio, y - 3 * ratio);
+  });
   ctx.restore();
 }
 

@@ -2,8 +2,9 @@
 //
 // Next door: what is shown of it (`part`).
 
-import type { ExactFacts, LinesFacts } from '../answer';
+import type { ExactFacts } from '../answer';
 import { clamp, make } from '../dom';
+import type { Lines } from './lines';
 
 /** Lengths that are no farther apart are one [m]. */
 const SAME = 1e-9;
@@ -17,7 +18,7 @@ export class Choice {
   private own = NaN;
   private condition = '';
   private spring = '';
-  private all: LinesFacts['lines'] | null = null;
+  private all: Lines | null = null;
   private readonly slider = make('input', { type: 'range', min: 0, max: 0, step: 1, 'aria-label': 'Length' });
   private readonly told = make('output', { class: 'length' });
   private readonly ends = make('select', { 'aria-label': 'Ends' });
@@ -43,10 +44,10 @@ export class Choice {
   }
 
   /** Takes over what there is to choose; what was chosen stays, unless it is of another spring. */
-  show(lines: LinesFacts['lines'], { spring, meanLength, conditions, condition }: ExactFacts): void {
+  show(lines: Lines, { spring, meanLength, conditions, condition }: ExactFacts): void {
     const wasOwn = this.spring !== spring.name || Math.abs(this.length - this.own) < SAME;
     const length = wasOwn ? meanLength : this.length;
-    const apart = lines.lengths_m.filter((other) => Math.abs(other - meanLength) > SAME);
+    const apart = lines.lengths.filter((other) => Math.abs(other - meanLength) > SAME);
     this.stops = [...apart, meanLength].sort((a, b) => a - b);
     this.slider.max = String(this.stops.length - 1);
     this.slider.value = String(this.nearest(length));
@@ -55,6 +56,7 @@ export class Choice {
     this.ends.replaceChildren(...lines.ways.map(({ ends }) => make('option', {}, ends)));
     this.way = Math.min(this.way, lines.ways.length - 1);
     this.ends.selectedIndex = this.way;
+    this.ends.hidden = lines.ways.length < 2;
     this.all = lines;
     if (this.spring !== spring.name) this.number = this.firstAxial();
     this.spring = spring.name;

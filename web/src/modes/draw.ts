@@ -9,7 +9,7 @@ import { emptied, mix } from '../spring/draw';
 import { projector, type Scene, type View } from './scene';
 
 /** Steps of brightness from the back to the front. */
-const SHADES = 8;
+const SHADES = 24;
 /** The back is mixed with the ground by so much. */
 const DIM = 0.62;
 

@@ -5,18 +5,19 @@
 import '../style/modes.css';
 import type { Answer, ExactFacts, LinesFacts, ShapeFacts } from '../answer';
 import type { Compute } from '../compute';
-import { make } from '../dom';
+import { clamp, make } from '../dom';
 import type { Reply } from '../lane';
 import { drawLines, type LinesChart } from './chart';
 import { Choice } from './choice';
+import { lines, type Lines } from './lines';
 import { Table } from './table';
 import { Wire } from './wire';
 import { about } from './words';
 
 /** Lengths of the chart: the shortest, the middle and the longest in use are among them. */
 const LENGTHS = 49;
-/** Points of the wire for each winding. */
-const POINTS = 12;
+/** Points of the wire for each winding: some hundreds in all, and of few windings so many that they look round. */
+const points = (windings: number): number => Math.round(clamp(800 / windings, 12, 32));
 
 /** An exact case, and the spec that it is of. */
 export type Case = ExactFacts & { text: string };
@@ -24,7 +25,7 @@ export type Case = ExactFacts & { text: string };
 export class Part {
   private asked = '';
   private shown: Case | null = null;
-  private lines: LinesFacts | null = null;
+  private lines: Lines | null = null;
   private drawn: LinesChart | null = null;
   private readonly refusal = make('p', { class: 'refusal', role: 'status', hidden: true });
   private readonly figure = make('figure', { class: 'lines' });
@@ -68,18 +69,19 @@ export class Part {
   }
 
   private take(reply: Reply): void {
+    clock('modes', reply);
     const refusal = 'error' in reply ? reply.error : '';
     this.refusal.textContent =
       refusal && `The coil cannot be followed as a helix, so that nothing is drawn: ${refusal}`;
     this.refusal.hidden = refusal === '';
     this.body.hidden = refusal !== '';
-    this.lines = 'answer' in reply ? (reply.answer as Answer<LinesFacts>).facts : null;
+    this.lines = 'answer' in reply ? lines(reply.answer as Answer<LinesFacts>) : null;
     if (this.lines) this.fill();
   }
 
   private fill(): void {
     if (!this.lines || !this.shown) return;
-    this.choice.show(this.lines.lines, this.shown);
+    this.choice.show(this.lines, this.shown);
     this.draw();
     this.askShape();
   }
@@ -102,12 +104,13 @@ export class Part {
     const { length, way, number } = this.choice;
     const { asked: text } = this;
     this.compute.beside(
-      { kind: 'shape', text, length, loosest: way > 0, number, points: POINTS },
+      { kind: 'shape', text, length, loosest: way > 0, number, points: points(this.shown?.spring.windings ?? 0) },
       (reply) => text === this.asked && this.takeShape(reply),
     );
   }
 
   private takeShape(reply: Reply): void {
+    clock('shape', reply);
     if ('error' in reply) {
       this.table.clear();
       this.wire.refuse(reply.error);
@@ -120,3 +123,8 @@ export class Part {
     this.mark(false);
   }
 }
+
+/** How long the engine took, for whoever measures the page. */
+const clock = (name: string, { milliseconds }: Reply): void => {
+  performance.measure(`engine ${name}`, { start: performance.now() - milliseconds, duration: milliseconds });
+};

@@ -55,8 +55,8 @@ export class Wire {
       make(
         'table',
         { class: 'reactions' },
-        make('caption', {}, 'What holds the ends feels, with one newton of axial force there'),
-        make('thead', {}, make('tr', {}, ...['', 'Side force', 'Tilting couple', 'Couple about the axis'].map(head))),
+        make('caption', {}, 'Force and couples on what holds an end, with one newton of axial force there'),
+        make('thead', {}, make('tr', {}, ...['', 'Side force', 'Tilting', 'About the axis'].map(head))),
         this.body,
       ),
     ),
@@ -83,7 +83,7 @@ export class Wire {
 
   show({ facts, positions, under, number, name }: Shown): void {
     const { mode, ends, windings, wireDiameter, at } = facts;
-    this.refusal.hidden = !(this.seen.hidden = false);
+    this.seen.hidden = false;
     this.refusal.hidden = true;
     this.scene = survey({ positions, windings, wireDiameter });
     this.kind = mode.kind;

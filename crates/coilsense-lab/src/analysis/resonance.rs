@@ -78,7 +78,8 @@ pub fn driven(spec: &Spec) -> Vec<(usize, f64)> {
 /// Whether a condition drives every frequency: by an input that is no sine, or by how it begins.
 pub fn is_broad(spec: &Spec, condition: usize) -> bool {
     let excitation = &spec.conditions[condition].excitation;
-    let has_broad = [End::One, End::Two].into_iter().any(|end| matches!(excitation.input(end).content(), Content::Broad));
+    let has_broad =
+        [End::One, End::Two].into_iter().any(|end| matches!(excitation.input(end).content(), Content::Broad));
     has_broad || lines(spec, condition).is_empty()
 }
 

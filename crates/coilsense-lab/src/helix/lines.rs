@@ -9,12 +9,12 @@ use super::held::Held;
 use super::modes::{Coil, is_standing, kind_name};
 
 /// Lines over lengths, up to a frequency.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Lines {
     /// The lengths \[m\], from the shortest to the longest in use.
-    pub lengths_m: Vec<f64>,
+    pub lengths: Vec<f64>,
     /// Up to where there are lines \[Hz\]: so many times the first surge as [`REACH`] says.
-    pub top_hz: f64,
+    pub top: f64,
     /// The ends as they are held, and as loose as they may be where that lies between two ways.
     pub ways: Vec<WayLines>,
     /// Between the two ways; none where there is one.
@@ -22,7 +22,7 @@ pub struct Lines {
 }
 
 /// Lines with the ends held in one way.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct WayLines {
     /// How the ends are held.
     pub ends: String,
@@ -33,25 +33,25 @@ pub struct WayLines {
 }
 
 /// The n-th frequency of all where it is of one kind, and on to the next length.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct CurveOfKind {
     /// Number of the mode, from 1.
     pub number: usize,
     /// `axial`, `torsional`, `lateral` or `mixed`.
     pub kind: &'static str,
-    /// Its frequency at each length \[Hz\]; null where there is none.
-    pub frequency_hz: Vec<Option<f64>>,
+    /// Its frequency at each length \[Hz\]; not a number where there is none.
+    pub frequency: Vec<f64>,
 }
 
 /// How far the n-th line of a kind moves from one way of the ends to the other; of lateral pairs, the first of each.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BandOfKind {
     /// `axial`, `torsional` or `lateral`.
     pub kind: &'static str,
-    /// Lowest at each length \[Hz\]; null where there is none.
-    pub lower_hz: Vec<Option<f64>>,
-    /// Highest at each length \[Hz\]; null where there is none.
-    pub upper_hz: Vec<Option<f64>>,
+    /// Lowest at each length \[Hz\]; not a number where there is none.
+    pub lower: Vec<f64>,
+    /// Highest at each length \[Hz\]; not a number where there is none.
+    pub upper: Vec<f64>,
 }
 
 /// Lines are followed up to so many times the first surge.
@@ -81,22 +81,27 @@ impl Coil {
     pub fn lines(&self, count: usize) -> Result<Lines, Error> {
         let lengths = self.lengths(count);
         let top = REACH * self.first_surges()?.1;
-        let ways: Vec<&Held> = std::iter::once(&self.ways.0).chain(&self.ways.1).collect();
-        let spots = ways.iter().map(|way| self.spots(way, &lengths, top)).collect::<Result<Vec<_>, _>>()?;
+        let mut ways = vec![&self.ways.0];
+        ways.extend(&self.ways.1);
+        let (mut told, mut spots) = (Vec::new(), Vec::new());
+        for way in ways {
+            let of_way = self.spots(way, &lengths, top)?;
+            let buckles = of_way.iter().map(|spot| spot.buckles).collect();
+            told.push(WayLines { ends: way.words(), buckles, curves: curves(&of_way) });
+            spots.push(of_way);
+        }
         let bands = match spots.as_slice() {
             [tight, loose] => bands(tight, loose),
             _ => Vec::new(),
         };
-        let of_way = |(way, spots): (&&Held, &Vec<Spot>)| WayLines {
-            ends: way.words(),
-            buckles: spots.iter().map(|spot| spot.buckles).collect(),
-            curves: curves(spots),
-        };
-        Ok(Lines { ways: ways.iter().zip(&spots).map(of_way).collect(), bands, lengths_m: lengths, top_hz: top })
+        Ok(Lines { ways: told, bands, lengths, top })
     }
 
     fn spots(&self, way: &Held, lengths: &[f64], top: f64) -> Result<Vec<Spot>, Error> {
-        let mut spots = lengths.iter().map(|length| self.spot(way, *length, top)).collect::<Result<Vec<_>, _>>()?;
+        let mut spots = Vec::with_capacity(lengths.len());
+        for length in lengths {
+            spots.push(self.spot(way, *length, top)?);
+        }
         let last = spots.len() - 1;
         let mut at = 0;
         spots[0].look()?;
@@ -146,36 +151,58 @@ impl Spot {
 
     /// Frequencies of a kind; of lateral pairs the first.
     fn of_kind(&self, kind: Kind) -> Vec<f64> {
-        let step = if kind == Kind::Lateral { 2 } else { 1 };
-        let lines = (0..self.frequencies.len()).filter_map(|index| self.line(index));
-        lines.filter(|(_, of)| *of == kind).step_by(step).map(|(hertz, _)| hertz).collect()
+        let mut found = Vec::new();
+        let mut is_second = false;
+        for index in 0..self.frequencies.len() {
+            let Some((hertz, _)) = self.line(index).filter(|(_, of)| *of == kind) else { continue };
+            if !is_second {
+                found.push(hertz);
+            }
+            is_second = kind == Kind::Lateral && !is_second;
+        }
+        found
     }
 }
 
+// Loops in place of chains of iterators: a page loads this, and it is half as large.
+
 fn curves(spots: &[Spot]) -> Vec<CurveOfKind> {
     let most = spots.iter().map(|spot| spot.frequencies.len()).max().unwrap_or(0);
-    let curve = |(index, kind): (usize, Kind)| {
-        let is = |at: usize| spots[at].line(index).is_some_and(|(_, of)| of == kind);
-        let value = |at: usize| spots[at].line(index).filter(|_| is(at) || at > 0 && is(at - 1)).map(|(hertz, _)| hertz);
-        let frequency_hz: Vec<Option<f64>> = (0..spots.len()).map(value).collect();
-        CurveOfKind { number: index + 1, kind: kind_name(kind), frequency_hz }
-    };
-    let each = (0..most).flat_map(|index| ALL.map(|kind| curve((index, kind))));
-    each.filter(|curve| curve.frequency_hz.iter().any(Option::is_some)).collect()
+    let mut found = Vec::new();
+    for index in 0..most {
+        for kind in [Kind::Axial, Kind::Torsional, Kind::Lateral, Kind::Mixed] {
+            let mut frequency = vec![f64::NAN; spots.len()];
+            let (mut was, mut any) = (false, false);
+            for (at, spot) in spots.iter().enumerate() {
+                let line = spot.line(index);
+                let is = line.is_some_and(|(_, of)| of == kind);
+                if is || was {
+                    frequency[at] = line.map_or(f64::NAN, |(hertz, _)| hertz);
+                }
+                (was, any) = (is, any || is);
+            }
+            if any {
+                found.push(CurveOfKind { number: index + 1, kind: kind_name(kind), frequency });
+            }
+        }
+    }
+    found
 }
 
-const ALL: [Kind; 4] = [Kind::Axial, Kind::Torsional, Kind::Lateral, Kind::Mixed];
-
 fn bands(tight: &[Spot], loose: &[Spot]) -> Vec<BandOfKind> {
-    let of_kind = |kind: Kind| -> Vec<BandOfKind> {
-        let pairs: Vec<_> = tight.iter().zip(loose).map(|(one, other)| (one.of_kind(kind), other.of_kind(kind))).collect();
-        let most = pairs.iter().map(|(one, other)| one.len().min(other.len())).max().unwrap_or(0);
-        let of_order = |order: usize| {
-            let ends = pairs.iter().map(|(one, other)| one.get(order).copied().zip(other.get(order).copied()));
-            let (lower_hz, upper_hz) = ends.map(|pair| (pair.map(|(a, b)| a.min(b)), pair.map(|(a, b)| a.max(b)))).unzip();
-            BandOfKind { kind: kind_name(kind), lower_hz, upper_hz }
-        };
-        (0..most).map(of_order).collect()
-    };
-    [Kind::Axial, Kind::Torsional, Kind::Lateral].into_iter().flat_map(of_kind).collect()
+    let mut found: Vec<BandOfKind> = Vec::new();
+    for kind in [Kind::Axial, Kind::Torsional, Kind::Lateral] {
+        let first = found.len();
+        for (at, (one, other)) in tight.iter().zip(loose).enumerate() {
+            for (order, (a, b)) in one.of_kind(kind).into_iter().zip(other.of_kind(kind)).enumerate() {
+                if found.len() <= first + order {
+                    let none = vec![f64::NAN; tight.len()];
+                    found.push(BandOfKind { kind: kind_name(kind), lower: none.clone(), upper: none });
+                }
+                let band = &mut found[first + order];
+                (band.lower[at], band.upper[at]) = (a.min(b), a.max(b));
+            }
+        }
+    }
+    found
 }

@@ -27,17 +27,17 @@ const LOOKS: [(&str, Colour, Dash); 4] = [
 pub(super) fn modes(analysis: &Analysis) -> Option<Figure> {
     let spec = &analysis.spec;
     let lines = spec.spring.helix(&spec.mount.ends).and_then(|coil| coil.lines(LENGTHS)).ok()?;
-    let lengths: Vec<f64> = lines.lengths_m.iter().map(|length| 1e3 * length).collect();
+    let lengths: Vec<f64> = lines.lengths.iter().map(|length| 1e3 * length).collect();
     let panel = Panel {
         x: Axis {
             label: "Length [mm]".into(),
             range: Some((lengths[0], lengths[lengths.len() - 1])),
             ..Axis::default()
         },
-        y: Axis { label: "Frequency [Hz]".into(), range: Some((0.0, lines.top_hz)), ..Axis::default() },
+        y: Axis { label: "Frequency [Hz]".into(), range: Some((0.0, lines.top)), ..Axis::default() },
         curves: LOOKS.iter().flat_map(|look| of_kind(&lines.ways[0].curves, look, &lengths)).collect(),
         bands: LOOKS.iter().flat_map(|look| loosest(&lines.bands, look, &lengths)).collect(),
-        limits: driven(analysis, lines.top_hz),
+        limits: driven(analysis, lines.top),
         ..Panel::default()
     };
     Some(Figure { panels: vec![panel], columns: 1, panel_width: 760.0, panel_height: 340.0 })
@@ -49,7 +49,7 @@ fn of_kind(all: &[CurveOfKind], (kind, colour, dash): &(&str, Colour, Dash), len
     let label = |index: usize| if index == 0 { (*kind).to_owned() } else { String::new() };
     let each = all.iter().filter(|curve| curve.kind == *kind).enumerate();
     let curve = |(index, of): (usize, &CurveOfKind)| {
-        let (x, y) = (lengths.to_vec(), numbers(&of.frequency_hz));
+        let (x, y) = (lengths.to_vec(), of.frequency.clone());
         Curve { label: label(index), x, y, stroke }
     };
     each.map(curve).collect()
@@ -62,8 +62,8 @@ fn loosest(all: &[BandOfKind], (kind, colour, _): &(&str, Colour, Dash), lengths
     let band = |(index, of): (usize, &BandOfKind)| Band {
         label: label(index),
         x: lengths.to_vec(),
-        lower: numbers(&of.lower_hz),
-        upper: numbers(&of.upper_hz),
+        lower: of.lower.clone(),
+        upper: of.upper.clone(),
         colour: *colour,
     };
     each.map(band).collect()
@@ -71,21 +71,13 @@ fn loosest(all: &[BandOfKind], (kind, colour, _): &(&str, Colour, Dash), lengths
 
 /// Whether a band is wider than a line anywhere.
 fn is_wide(band: &BandOfKind) -> bool {
-    let both = band.lower_hz.iter().flatten().zip(band.upper_hz.iter().flatten());
-    both.into_iter().any(|(lower, upper)| upper > &(WIDE * lower))
-}
-
-/// With what is not there as not a number.
-fn numbers(all: &[Option<f64>]) -> Vec<f64> {
-    all.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
+    band.lower.iter().zip(&band.upper).any(|(lower, upper)| *upper > WIDE * lower)
 }
 
 /// What drives the ends, as far as there is room for it.
 fn driven(analysis: &Analysis, top: f64) -> Vec<HorizontalMark> {
     let name = |condition: usize| plain(&analysis.spec.conditions[condition].name);
-    let mark = |(condition, y): (usize, f64)| HorizontalMark {
-        y,
-        label: format!("{}, {} Hz", name(condition), digits(y)),
-    };
+    let mark =
+        |(condition, y): (usize, f64)| HorizontalMark { y, label: format!("{}, {} Hz", name(condition), digits(y)) };
     driven_lines(&analysis.spec).into_iter().filter(|(_, hertz)| *hertz < top).take(LINES).map(mark).collect()
 }
