@@ -87,15 +87,15 @@ test('the wire stands still, bent as the mode is, where motion is not wanted', a
 });
 
 test('a coil that is no helix has no lines, and the part says why', async ({ page }) => {
-  // Five windings of 8 mm are 251 mm of wire, shorter than the spring is to be.
-  await open(page, '#S_T&spring.windings=5');
+  // Three windings of 8 mm are 183 mm of wire, shorter than the spring is to be.
+  await open(page, '#S_T&spring.windings=3');
   await page.locator('.every summary').click();
   await expect(page.locator('.every')).toContainText(
     'The coil cannot be followed as a helix, so that nothing is drawn: ',
   );
   await expect(page.locator('.every .plot, .every canvas').filter({ visible: true })).toHaveCount(0);
   // With enough wire again all of it is there.
-  await page.getByLabel('Windings', { exact: false }).first().fill('52');
+  await page.getByRole('textbox', { name: /^Windings/ }).fill('52');
   await exact(page);
   await settled(page);
   await expect(page.locator('.every .plot')).toBeVisible();

@@ -4,7 +4,7 @@
 
 import type { ExactFacts } from '../answer';
 import { clamp, make } from '../dom';
-import type { Lines } from './lines';
+import type { Curve, Lines } from './lines';
 
 /** Lengths that are no farther apart are one [m]. */
 const SAME = 1e-9;
@@ -76,10 +76,13 @@ export class Choice {
     this.tell('length');
   }
 
+  /** The lowest axial mode at the chosen length: the surge. */
   private firstAxial(): number {
-    const { way, all } = this;
-    const numbers = all?.ways[way]?.curves.filter(({ kind }) => kind === 'axial').map(({ number }) => number) ?? [];
-    return Math.min(...numbers, Infinity) === Infinity ? 1 : Math.min(...numbers);
+    const { lengths = [], ways } = this.all ?? {};
+    const at = lengths.findLastIndex((length) => length <= this.length + SAME);
+    const isThere = ({ kind, values }: Curve) => kind === 'axial' && typeof values[at] === 'number';
+    const numbers = (ways?.[this.way]?.curves ?? []).filter(isThere).map(({ number }) => number);
+    return numbers.length > 0 ? Math.min(...numbers) : 1;
   }
 
   private nearest(length: number): number {
