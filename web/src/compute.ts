@@ -22,6 +22,8 @@ export interface Shown {
   answer: Answer<Facts>;
   /** The exact case, where it is that of the state. */
   exact: Answer<ExactFacts> | null;
+  /** The spec that the exact case is of. */
+  exactText: string;
   /** Positions over the shown times. */
   frames: { times: Float64Array; positions: Float32Array; columns: number };
   /** Shown times [s]. */
@@ -158,7 +160,7 @@ export class Compute {
       const answer = reply.answer as Answer<ExactFacts>;
       [this.exact, this.exactText] = [answer, question.text];
       if (!this.last) return;
-      this.show({ ...this.last, answer, exact: answer });
+      this.show({ ...this.last, answer, exact: answer, exactText: question.text });
       const { times, frames } = this.last;
       if (frames.times[frames.times.length - 1] !== times[1]) this.askPreview(this.store.state, asked, false);
     });
@@ -170,7 +172,7 @@ export class Compute {
     const frames = { times: time, positions: answer.positions, columns: answer.facts.spring.masses + 2 };
     const same = this.exact && stillExact && this.sameCase(answer.facts, this.exact.facts) ? this.exact : null;
     for (const listener of this.listeners) listener.refused(null);
-    this.show({ answer: same ?? answer, exact: same, frames, times, since });
+    this.show({ answer: same ?? answer, exact: same, exactText: this.exactText, frames, times, since });
   }
 
   private sameCase(a: Facts, b: Facts): boolean {

@@ -105,7 +105,7 @@ export const open: Open = (panel, store, compute) => {
       table.show(facts, shown.exact);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
-      modes.show(shown.exact && { ...shown.exact.facts, text: compute.question(store.state).text });
+      modes.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });
       panels.show(store.state, facts);
       views.show(shown);
       downloads.show(shown);
