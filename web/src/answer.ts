@@ -109,7 +109,8 @@ export interface LinesFacts {
 
 /** The modes at a length, and one of them: its positions are x, y, z of points of the wire [m] and how far each moves, the farthest by 1. */
 export interface ShapeFacts {
-  at: ModesAt;
+  length: number;
+  under: UnderEnds;
   mode: Mode;
   /** At ends 1 and 2 per newton of axial force there, null where there is none. */
   ends: { side_force_n_per_n: number | null; tilting_couple_m: number | null; axis_couple_m: number | null }[];

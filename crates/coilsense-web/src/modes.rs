@@ -65,7 +65,7 @@ pub struct Asked {
     pub points: usize,
 }
 
-/// All modes at a length as the data sheet has them, and one with its reactions. Positions: x, y, z of each point of the wire \[m\], and how far
+/// All modes at a length with the ends held in one way, as the data sheet has them, and one with its reactions. Positions: x, y, z of each point of the wire \[m\], and how far
 /// it moves along these, the farthest by 1.
 ///
 /// # Errors
@@ -79,14 +79,15 @@ pub fn shape(spec: &Spec, asked: Asked) -> Result<Answer, String> {
     }
     let coil = coil(spec)?;
     let science = |error: coilsense::Error| error.to_string();
-    let ModeShape { line, ends, wire, moved } = coil.shape(length, loosest, number, points).map_err(science)?;
+    let ModeShape { line, under, ends, wire, moved } = coil.shape(length, loosest, number, points).map_err(science)?;
     let mut positions = Vec::with_capacity(6 * wire.len());
     for (rest, moved) in wire.iter().zip(&moved) {
         positions.extend(rest.iter().chain(moved).map(|value| *value as f32));
     }
     let rod = coil.rod.parameters();
     let meta = json!({
-        "at": coil.at(length).map_err(science)?,
+        "length": length,
+        "under": under,
         "mode": line,
         "ends": ends,
         "windings": rod.windings,

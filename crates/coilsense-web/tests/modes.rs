@@ -54,7 +54,7 @@ fn a_mode_moves_the_wire_between_ends_that_are_held() {
     for number in 1..=4 {
         let mut answer = engine.mode_shape(ANKLE, 0.23, false, number, 12).unwrap();
         let facts = meta(&answer);
-        let (found, told) = (&facts["mode"], &facts["at"]["modes"][number - 1]);
+        let (found, told) = (&facts["mode"], &facts["under"]["modes"][number - 1]);
         assert_eq!(found, told);
         let positions = answer.take_positions();
         // Twelve points for each of 52 windings, and the last.

@@ -22,13 +22,7 @@ export class Choice {
   private readonly slider = make('input', { type: 'range', min: 0, max: 0, step: 1, 'aria-label': 'Length' });
   private readonly told = make('output', { class: 'length' });
   private readonly ends = make('select', { 'aria-label': 'Ends' });
-  readonly element = make(
-    'div',
-    { class: 'choice' },
-    make('label', { class: 'stop' }, 'Length ', this.slider),
-    this.told,
-    this.ends,
-  );
+  readonly element = make('div', { class: 'stops' }, make('label', {}, 'Length ', this.slider), this.told, this.ends);
 
   constructor(private readonly moved: (moved: Moved) => void) {
     this.slider.addEventListener('input', () => this.tell('length'));

@@ -116,9 +116,8 @@ export class Part {
       this.wire.refuse(reply.error);
     } else if ('answer' in reply) {
       const { facts, positions } = reply.answer as Answer<ShapeFacts>;
-      const under = (this.choice.way > 0 && facts.at.loosest) || facts.at;
-      this.table.show(under, this.choice.number);
-      this.wire.show({ facts, positions, under, number: this.choice.number, name: this.shown?.spring.name ?? '' });
+      this.table.show(facts.under, this.choice.number);
+      this.wire.show({ facts, positions, number: this.choice.number, name: this.shown?.spring.name ?? '' });
     }
     this.mark(false);
   }

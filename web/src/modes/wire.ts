@@ -2,7 +2,7 @@
 //
 // Next door: how it is drawn (`draw`), which mode it is (`choice`).
 
-import type { ShapeFacts, UnderEnds } from '../answer';
+import type { ShapeFacts } from '../answer';
 import { clamp, digits, make } from '../dom';
 import { ink, type Colour } from '../plots/looks';
 import { drawWire } from './draw';
@@ -18,7 +18,6 @@ const PER_PIXEL = 0.01;
 export interface Shown {
   facts: ShapeFacts;
   positions: Float32Array;
-  under: UnderEnds;
   number: number;
   name: string;
 }
@@ -81,13 +80,13 @@ export class Wire {
     this.setPlaying(this.playing);
   }
 
-  show({ facts, positions, under, number, name }: Shown): void {
-    const { mode, ends, windings, wireDiameter, at } = facts;
+  show({ facts, positions, number, name }: Shown): void {
+    const { mode, under, ends, windings, wireDiameter, length } = facts;
     this.seen.hidden = false;
     this.refusal.hidden = true;
     this.scene = survey({ positions, windings, wireDiameter });
     this.kind = mode.kind;
-    const place = `${(1e3 * at.length_m).toFixed(1)} mm`;
+    const place = `${(1e3 * length).toFixed(1)} mm`;
     const what = `Mode ${number}, ${mode.frequency_hz.toFixed(1)} Hz, ${mode.kind}: ${MEANING[mode.kind]}.`;
     this.canvas.setAttribute('aria-label', `The wire of ${name} at ${place}, ${under.ends}. ${what}`);
     this.words.replaceChildren(make('b', {}, what), ` ${strength(mode)}`);

@@ -132,32 +132,39 @@ impl Coil {
     /// # Errors
     /// As [`Self::over_lengths`].
     pub fn at(&self, length: f64) -> Result<ModesAt, Error> {
-        let under = |way: &Held| under(&self.rod, length - self.dead_length, way, self.misalignment);
+        let under = |way: &Held| self.under(length, way).map(|(under, ..)| under);
         let (tightest, loosest) = &self.ways;
         Ok(ModesAt { length_m: length, held: under(tightest)?, loosest: loosest.as_ref().map(under).transpose()? })
     }
+
+    /// What is told of one way of the ends, and what it is told of.
+    pub(super) fn under(&self, length: f64, way: &Held) -> Result<(UnderEnds, Modes, Vec<Mode>), Error> {
+        let helix = Helix::new(&self.rod, length - self.dead_length, way.turning())?;
+        let modes = Modes::new(&helix, way.ends())?;
+        let found = told(&modes)?;
+        let under = UnderEnds {
+            ends: way.words(),
+            first_surge_hz: modes.first_surge()?,
+            buckles: is_standing(&modes, &self.rod, way)?,
+            force_n: helix.force(),
+            stiffness_n_per_m: helix.stiffness(),
+            modes: found.iter().map(|mode| line(mode, self.misalignment)).collect(),
+        };
+        Ok((under, modes, found))
+    }
 }
 
-fn under(rod: &Rod, span: f64, way: &Held, misalignment: f64) -> Result<UnderEnds, Error> {
-    let helix = Helix::new(rod, span, way.turning())?;
-    let modes = Modes::new(&helix, way.ends())?;
+/// The modes that are told.
+fn told(modes: &Modes) -> Result<Vec<Mode>, Error> {
     let mut count = FEWEST + 2;
-    let found = loop {
+    loop {
         let found = modes.lowest(count)?;
         let has = |kind: Kind| found.iter().any(|mode| mode.kind() == kind);
         if count >= MOST || found.len() >= FEWEST && has(Kind::Axial) && has(Kind::Torsional) {
-            break found;
+            return Ok(found);
         }
         count += FEWEST;
-    };
-    Ok(UnderEnds {
-        ends: way.words(),
-        first_surge_hz: modes.first_surge()?,
-        buckles: is_standing(&modes, rod, way)?,
-        force_n: helix.force(),
-        stiffness_n_per_m: helix.stiffness(),
-        modes: found.iter().map(|mode| line(mode, misalignment)).collect(),
-    })
+    }
 }
 
 /// Whether the spring has left its axis.

@@ -2,16 +2,18 @@
 //!
 //! Next door: all modes over the lengths in use (`modes`).
 
-use coilsense::helix::{Helix, Mode, Modes};
+use coilsense::helix::Mode;
 use coilsense::{End, Error};
 
-use super::modes::{Coil, ModeLine, line};
+use super::modes::{Coil, ModeLine, UnderEnds, line};
 
 /// A mode at one length with the ends held in one way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeShape {
     /// Its frequency, its kind and where it shows.
     pub line: ModeLine,
+    /// All modes there with the ends held in that way.
+    pub under: UnderEnds,
     /// Reactions at end 1 and at end 2.
     pub ends: [EndReaction; 2],
     /// Where points of the wire's centre rest, from end 1 to end 2 \[m\]: z along the axis.
@@ -40,14 +42,13 @@ impl Coil {
     /// - `loosest`: with the ends as loose as they may be, where that lies between two ways
     ///
     /// # Errors
-    /// Those of [`Helix::new`] and of [`Modes::lowest`].
+    /// As [`Coil::over_lengths`], and a number beyond those of modes that are found.
     pub fn shape(&self, length: f64, loosest: bool, number: usize, points: usize) -> Result<ModeShape, Error> {
         let way = self.ways.1.as_ref().filter(|_| loosest).unwrap_or(&self.ways.0);
-        let helix = Helix::new(&self.rod, length - self.dead_length, way.turning())?;
-        let modes = Modes::new(&helix, way.ends())?;
-        // Those that do not swing come first and are counted, so that a few more than the number are looked for.
-        let standing = modes.frequencies(1)?.first().is_some_and(|hertz| *hertz == 0.0);
-        let found = modes.lowest(number + if standing { MOST_STANDING } else { 0 })?;
+        let (under, modes, mut found) = self.under(length, way)?;
+        if number > found.len() {
+            found = modes.lowest(number + MOST_STANDING)?;
+        }
         let mode = found.get(number.wrapping_sub(1)).ok_or_else(|| Error::Value {
             field: Some("number"),
             quantity: "number".into(),
@@ -59,6 +60,7 @@ impl Coil {
         let of = |all: &[[f64; 3]]| kept.iter().map(|at| all[*at]).collect();
         Ok(ModeShape {
             line: line(mode, self.misalignment),
+            under,
             ends: [End::One, End::Two].map(|end| reaction(mode, end)),
             wire: of(mode.wire()),
             moved: of(mode.shape()),
@@ -66,7 +68,7 @@ impl Coil {
     }
 }
 
-/// More modes than these have not left their axis at once, nor turn freely.
+/// Modes that do not swing come first and are counted; more than these are not so at once.
 const MOST_STANDING: usize = 12;
 
 /// Numbers of points that are kept of so many, the first and the last among them.
