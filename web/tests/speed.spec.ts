@@ -10,9 +10,7 @@ const MOST_REDRAWS = 20;
 const LEAST_FRAMES = 0.5;
 /** Times the bare loading of its own files that the first curves may take. Measured: 6. */
 const MOST_LOADS = 12;
-
-/** Times the modes at one length that the lines over 49 may take. Measured: 18 to 43, the
- *  chart's own first run among it. */
+/** Times the modes at one length that the lines over 49 may take, in the engine's first call of either. Measured: 18 to 43. */
 const MOST_SHAPES = 90;
 
 // What else a shared machine does at that moment is no property of the page: one of three runs has to hold.
