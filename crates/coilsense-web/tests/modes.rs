@@ -5,6 +5,8 @@ use coilsense_web::Engine;
 use coilsense_web::answer::Answer;
 use serde_json::Value;
 
+const CAR: &str = include_str!("../../../examples/car-suspension.toml");
+const ROAD: &str = include_str!("../../../examples/road-c-20mps.csv");
 const ANKLE: &str = include_str!("../../../examples/sea-ankle.toml");
 
 fn meta(answer: &Answer) -> Value {
@@ -83,7 +85,27 @@ fn what_is_no_helix_or_no_mode_is_refused_in_words() {
         assert!(refused.contains("must be"), "{refused}");
     }
     assert!(engine.modes(ANKLE, 1).is_err() && engine.modes(ANKLE, 201).is_err());
-    let begun = std::time::Instant::now();
-    engine.modes(ANKLE, 49).unwrap();
-    println!("{:?}", begun.elapsed());
+    // Three windings of 8 mm are 183 mm of wire, shorter than the spring is to be.
+    let short = ANKLE.replace("windings = 52", "windings = 3");
+    let refused = engine.modes(&short, 9).unwrap_err();
+    assert!(refused.starts_with("span must be above zero and below"), "{refused}");
+    assert_eq!(engine.mode_shape(&short, 0.264, false, 1, 12).unwrap_err(), refused);
+}
+
+#[test]
+fn lines_end_where_the_spring_buckles() {
+    let mut engine = Engine::new();
+    engine.add_file("road-c-20mps.csv".to_owned(), ROAD.to_owned());
+    let loose = CAR.replace("[mount]", "[mount]\nends_tilt = \"between\"");
+    let answer = engine.modes(&loose, 9).unwrap();
+    let has_buckled = answer.find("buckles 1").unwrap();
+    // Free to tilt it leaves its axis when it is compressed far enough; held it does not.
+    assert_eq!((has_buckled[0], has_buckled[8]), (1.0, 0.0));
+    assert_eq!(answer.find("buckles 0").unwrap(), [0.0; 9]);
+    let names = answer.names();
+    for name in names.iter().filter(|name| name.starts_with("curve 1") || name.starts_with("lower")) {
+        let values = answer.find(name).unwrap();
+        let is_there = values.iter().zip(has_buckled).all(|(value, buckled)| value.is_nan() || *buckled == 0.0);
+        assert!(is_there, "{name}: {values:?}");
+    }
 }
