@@ -66,30 +66,56 @@ export interface ExactFacts extends Facts {
   lengths: [number, number];
   sensors: { name: string; kind: string; sampleRate: number | null; deviation: Deviation }[];
   warnings: { subject: string; text: string }[];
-  sheet: {
-    material: string;
-    groups: { heading: string; rows: { key: string; label: string; shown: string; unit: string }[] }[];
-    modesAt: ModesAt[];
-  };
+}
+
+export type Kind = 'axial' | 'torsional' | 'lateral' | 'mixed';
+
+/** A mode and where it shows; side force and couple at end 2 per newton of its axial force, null where it has none. */
+export interface Mode {
+  frequency_hz: number;
+  kind: Kind;
+  axial_strength: number;
+  side_force_n_per_n: number | null;
+  couple_m: number | null;
 }
 
 /** The modes of the coil as a helix with its ends held in one way, as `spring --json` has them. */
 export interface UnderEnds {
   ends: string;
   buckles: boolean;
-  modes: {
-    frequency_hz: number;
-    kind: 'axial' | 'torsional' | 'lateral' | 'mixed';
-    axial_strength: number;
-    side_force_n_per_n: number | null;
-    couple_m: number | null;
-  }[];
+  modes: Mode[];
 }
 
 /** The same at a length, and with the ends as loose as they may be. */
 export interface ModesAt extends UnderEnds {
   length_m: number;
   loosest: UnderEnds | null;
+}
+
+/** What the lines of the modes are of; the lines themselves are its series, see `modes/lines`. */
+export interface LinesFacts {
+  /** How the ends are held; and how as loose as they may be, where that lies between two ways. */
+  ends: string[];
+  /** Up to where there are lines [Hz]. */
+  top: number;
+  /** Number of a condition and what drives the spring there [Hz]. */
+  driven: [number, number][];
+  /** Whether a condition drives every frequency. */
+  broad: boolean[];
+  /** Whether the forces of the page are of the paper's chain, with this first frequency [Hz]. */
+  isChain: boolean;
+  modelFrequency: number;
+}
+
+/** The modes at a length, and one of them: its positions are x, y, z of points of the wire [m] and how far each moves, the farthest by 1. */
+export interface ShapeFacts {
+  length: number;
+  under: UnderEnds;
+  mode: Mode;
+  /** At ends 1 and 2 per newton of axial force there, null where there is none. */
+  ends: { side_force_n_per_n: number | null; tilting_couple_m: number | null; axis_couple_m: number | null }[];
+  windings: number;
+  wireDiameter: number;
 }
 
 export interface PaperFacts {
@@ -131,6 +157,8 @@ export type Question =
   | ({ kind: 'preview'; from: number; to: number; samples: number } & Case)
   | ({ kind: 'exact' } & Case)
   | ({ kind: 'csv' } & Case)
+  | { kind: 'modes'; text: string; lengths: number }
+  | { kind: 'shape'; text: string; length: number; loosest: boolean; number: number; points: number }
   | { kind: 'paper' }
   | { kind: 'catalogue' };
 

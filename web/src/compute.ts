@@ -22,6 +22,8 @@ export interface Shown {
   answer: Answer<Facts>;
   /** The exact case, where it is that of the state. */
   exact: Answer<ExactFacts> | null;
+  /** The spec that the exact case is of. */
+  exactText: string;
   /** Positions over the shown times. */
   frames: { times: Float64Array; positions: Float32Array; columns: number };
   /** Shown times [s]. */
@@ -42,6 +44,7 @@ export class Compute {
   private readonly files = new Map<string, string>();
   private readonly previews: Lane;
   private readonly exacts: Lane;
+  private asides: Lane | null = null;
   private readonly listeners: Listener[] = [];
   private readonly loaded = new Map<string, Promise<void>>();
   private last: Shown | null = null;
@@ -82,6 +85,12 @@ export class Compute {
   /** Any one question, in the lane of exact answers. */
   ask(question: Question): Promise<Reply> {
     return new Promise((resolve) => this.exacts.ask(question, resolve));
+  }
+
+  /** The newest question of a part that asks often, in a worker beside the others; nobody answers one that a newer one overtook. */
+  beside(question: Question, done: (reply: Reply) => void): void {
+    this.asides ??= new Lane(this.engine, this.files, false);
+    this.asides.ask(question, done);
   }
 
   /** One question in a worker of its own, which waits for nothing and ends with its answer. */
@@ -151,7 +160,7 @@ export class Compute {
       const answer = reply.answer as Answer<ExactFacts>;
       [this.exact, this.exactText] = [answer, question.text];
       if (!this.last) return;
-      this.show({ ...this.last, answer, exact: answer });
+      this.show({ ...this.last, answer, exact: answer, exactText: question.text });
       const { times, frames } = this.last;
       if (frames.times[frames.times.length - 1] !== times[1]) this.askPreview(this.store.state, asked, false);
     });
@@ -163,7 +172,7 @@ export class Compute {
     const frames = { times: time, positions: answer.positions, columns: answer.facts.spring.masses + 2 };
     const same = this.exact && stillExact && this.sameCase(answer.facts, this.exact.facts) ? this.exact : null;
     for (const listener of this.listeners) listener.refused(null);
-    this.show({ answer: same ?? answer, exact: same, frames, times, since });
+    this.show({ answer: same ?? answer, exact: same, exactText: this.exactText, frames, times, since });
   }
 
   private sameCase(a: Facts, b: Facts): boolean {
@@ -198,6 +207,7 @@ export class Compute {
       this.files.set(name, text);
       this.previews.addFile(name, text);
       this.exacts.addFile(name, text);
+      this.asides?.addFile(name, text);
     });
     const all = Promise.all(each).then(() => undefined);
     this.loaded.set(id, all);

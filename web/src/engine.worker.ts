@@ -56,6 +56,10 @@ function asked(engine: Engine, question: Exclude<Question, { kind: 'csv' | 'cata
       );
     case 'exact':
       return engine.exact(question.text, question.condition, question.damping);
+    case 'modes':
+      return engine.modes(question.text, question.lengths);
+    case 'shape':
+      return engine.mode_shape(question.text, question.length, question.loosest, question.number, question.points);
     case 'paper':
       return engine.paper();
   }

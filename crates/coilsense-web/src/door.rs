@@ -1,6 +1,6 @@
 //! The door to JavaScript: an engine that holds the files that specs may name, and answers one question at a time.
 //!
-//! Next door: the answers (`preview`, `exact`, `paper`).
+//! Next door: the answers (`preview`, `exact`, `modes`, `paper`).
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::answer::Answer;
 use crate::exact::Exact;
-use crate::{catalogue, paper, preview};
+use crate::{catalogue, modes, paper, preview};
 
 /// Name of the page's spec in messages.
 const NAME: &str = "spec";
@@ -57,6 +57,29 @@ impl Engine {
     /// What the spec's reader or the science says.
     pub fn exact(&self, text: &str, condition: usize, damping: usize) -> Result<Answer, String> {
         Exact::run(&self.spec(text)?, condition, damping).map(|exact| exact.answer())
+    }
+
+    /// Lines of the coil's modes at so many lengths (2 to 200) over those in use.
+    ///
+    /// # Errors
+    /// What the spec's reader says, or why the coil is no helix.
+    pub fn modes(&self, text: &str, lengths: usize) -> Result<Answer, String> {
+        modes::lines(&self.spec(text)?, lengths)
+    }
+
+    /// The modes at a length \[m\], and one of them, by its number from 1, as the wire moves in it, at so many points a winding (1 to 64).
+    ///
+    /// # Errors
+    /// As [`Self::modes`], or what of the question is out of range.
+    pub fn mode_shape(
+        &self,
+        text: &str,
+        length: f64,
+        loosest: bool,
+        number: usize,
+        points: usize,
+    ) -> Result<Answer, String> {
+        modes::shape(&self.spec(text)?, modes::Asked { length, loosest, number, points })
     }
 
     /// The case's series as `coilsense simulate` writes them.

@@ -31,7 +31,7 @@ impl Exact {
     /// Series: `time` and every channel from t = 0 on, `reading 0` … the force each sensor means, `frequency` and `spectrum F_i` … of the judged
     /// window.
     pub fn answer(self) -> Answer {
-        let Single { case, sensors, warnings, data_sheet, .. } = self.single;
+        let Single { case, sensors, warnings, .. } = self.single;
         let mut meta = self.facts;
         meta["exact"] = json!(true);
         meta["clash"] = facts::of_clash(&case.clash);
@@ -49,7 +49,6 @@ impl Exact {
         });
         meta["sensors"] = of_sensor.collect();
         meta["warnings"] = warnings.iter().map(|w| json!({ "subject": w.subject.name(), "text": w.text })).collect();
-        meta["sheet"] = facts::of_sheet(&data_sheet);
 
         let mut series = vec![("time".to_owned(), case.signals.time().to_vec())];
         series.extend(case.signals.channels().map(|(channel, values)| (channel.name().to_owned(), values.to_vec())));

@@ -4,7 +4,6 @@
 
 use coilsense::modes::ChainModes;
 use coilsense::{Clash, Deviation};
-use coilsense_lab::data_sheet::DataSheet;
 use coilsense_lab::spec::Spec;
 use serde_json::{Value, json};
 
@@ -82,12 +81,4 @@ pub(crate) fn of_clash(clash: &Clash) -> Value {
         "winding": clash.winding,
         "firstContact": clash.first_contact,
     })
-}
-
-/// A data sheet's numbers, under their headings.
-pub(crate) fn of_sheet(sheet: &DataSheet) -> Value {
-    let row = |row: &coilsense_lab::data_sheet::Row| json!({ "key": row.key, "label": row.label, "shown": row.shown(), "unit": row.unit });
-    let group = |(heading, rows): &(&str, Vec<_>)| json!({ "heading": heading, "rows": rows.iter().map(row).collect::<Vec<_>>() });
-    let groups: Vec<Value> = sheet.groups.iter().map(group).collect();
-    json!({ "material": sheet.material, "groups": groups, "modesAt": sheet.modes_at })
 }

@@ -24,6 +24,7 @@ mod json;
 pub mod log;
 #[cfg(feature = "workshop")]
 pub mod mitigate;
+pub mod modes;
 pub mod paper;
 pub mod preview;
 #[cfg(feature = "workshop")]

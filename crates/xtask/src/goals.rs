@@ -77,6 +77,7 @@ pub fn print(rows: &[Row]) -> bool {
     streams(rows, &mut judge);
     growth(rows, &mut judge);
     analyses(rows, &mut judge);
+    helix(rows, &mut judge);
     all
 }
 
@@ -100,6 +101,19 @@ fn analyses(rows: &[Row], judge: &mut impl FnMut(bool, &str)) {
         let Some(median) = row.median_ms else { continue };
         let what = format!("{}: {:.2} s (goal {} s)", row.job, 1e-3 * median, 1e-3 * LONGEST_ANALYSIS);
         judge(median <= LONGEST_ANALYSIS, &what);
+    }
+}
+
+/// What may be asked of the coil as a helix, by how its row begins, and how long that may take \[ms\].
+const HELIX: [(&str, f64); 3] =
+    [("modes below 100 Hz counted", 0.02), ("ten modes", 5.0), ("ten frequencies at 50 lengths", 300.0)];
+
+fn helix(rows: &[Row], judge: &mut impl FnMut(bool, &str)) {
+    for (setting, most) in HELIX {
+        let row = rows.iter().find(|row| row.job == "helix" && row.setting.starts_with(setting));
+        if let Some(median) = row.and_then(|row| row.median_ms) {
+            judge(median <= most, &format!("helix, {setting}: {median:.3} ms (goal {most} ms)"));
+        }
     }
 }
 

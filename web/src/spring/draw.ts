@@ -46,7 +46,8 @@ function shade(part: number): string {
   return palette[Math.round((clamp(part, -1, 1) + 1) * COLOUR_STEPS)] ?? ink.middle;
 }
 
-function mix(from: string, to: string, part: number): string {
+/** A colour between two, each written `#rrggbb`. */
+export function mix(from: string, to: string, part: number): string {
   const read = (text: string) => [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16));
   const [a, b] = [read(from), read(to)];
   return `rgb(${a.map((value, index) => Math.round(value + part * ((b[index] ?? value) - value))).join(',')})`;
@@ -62,10 +63,13 @@ export function strains(positions: Float32Array): Float64Array {
   });
 }
 
-export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
+/** A canvas without a picture, at the screen's own dots; null where it is not shown. Sizes in CSS pixels. */
+export function emptied(
+  canvas: HTMLCanvasElement,
+): { context: CanvasRenderingContext2D; width: number; height: number } | null {
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   const context = canvas.getContext('2d');
-  if (!context || width === 0) return;
+  if (!context || width === 0) return null;
   const ratio = devicePixelRatio || 1;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);
@@ -73,6 +77,13 @@ export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
   }
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
+  return { context, width, height };
+}
+
+export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
+  const empty = emptied(canvas);
+  if (!empty) return;
+  const { context, width, height } = empty;
   const plan = layOut(moment, width, height);
   drawCoil(context, plan, moment.peak);
   drawEnds(context, plan, moment);

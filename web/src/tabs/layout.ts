@@ -35,7 +35,7 @@ export function layOut(panel: HTMLElement) {
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
     warnings: make('ul', { class: 'warnings' }),
     facts: make('p', { class: 'facts' }),
-    modes: make('div', { class: 'modes' }),
+    modes: make('section', { class: 'card every', 'aria-label': 'Every mode of the coil' }),
     downloads: make('div', { class: 'downloads' }),
   };
   panel.classList.add('workbench');
@@ -71,9 +71,9 @@ export function layOut(panel: HTMLElement) {
         make('div', { class: 'head' }, make('h2', {}, 'Before you rely on it')),
         parts.warnings,
         parts.facts,
-        parts.modes,
         parts.downloads,
       ),
+      parts.modes,
     ),
   );
   return parts;

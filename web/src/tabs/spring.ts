@@ -30,7 +30,7 @@ export const open: Open = (panel, store, compute) => {
   const choose = new Choose(store, parts.choose, parts.first);
   const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
   const table = new Table(store, parts.table);
-  const modes = new Modes(parts.modes);
+  const modes = new Modes(parts.modes, compute);
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
     zoom: (times) => store.setView({ times }),
@@ -82,7 +82,10 @@ export const open: Open = (panel, store, compute) => {
   store.subscribe((state, before) => {
     inputs();
     // Until the engine answers, what is shown is of another state.
-    if (isOther(state, before)) mark(false);
+    if (isOther(state, before)) {
+      mark(false);
+      modes.show(null);
+    }
     if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
       curves(last);
       table.show(last.answer.facts, last.exact);
@@ -102,7 +105,7 @@ export const open: Open = (panel, store, compute) => {
       table.show(facts, shown.exact);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
-      modes.show(shown.exact?.facts.sheet ?? null);
+      modes.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });
       panels.show(store.state, facts);
       views.show(shown);
       downloads.show(shown);

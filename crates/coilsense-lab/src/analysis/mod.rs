@@ -46,7 +46,7 @@ pub use budget::SensorBudget;
 pub use case::{Case, Reading};
 pub use change::Fix;
 pub use frames::Frames;
-pub(crate) use resonance::lines;
+pub use resonance::{driven, is_broad};
 pub use single::Single;
 pub use verdict::{Assessment, GoalFilter, Verdict};
 pub use warnings::{Subject, Warning};

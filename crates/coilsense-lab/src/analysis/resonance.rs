@@ -19,6 +19,9 @@ use crate::study::Masses;
 /// An error that grows by less than this from the nominal spring to the loudest is no resonance.
 const GROWS: f64 = 1.5;
 
+/// Frequencies that are no farther apart are one line.
+const SAME_LINE: f64 = 1e-6;
+
 /// A warning for each condition in which a mode of a spring that the tolerances allow meets a line of the input.
 pub(super) fn of(
     judge: &Judge<'_>,
@@ -52,13 +55,35 @@ pub(super) fn without_limit(masses: &Masses, model: Model) -> Option<Warning> {
 }
 
 /// Frequencies of the sines that drive the ends \[Hz\].
-pub(crate) fn lines(spec: &Spec, condition: usize) -> Vec<f64> {
+pub(super) fn lines(spec: &Spec, condition: usize) -> Vec<f64> {
     let excitation = &spec.conditions[condition].excitation;
     let of = |end| match excitation.input(end).content() {
         Content::Lines(sines) => sines.iter().filter(|sine| sine.amplitude != 0.0).map(|s| s.frequency).collect(),
         Content::Nothing | Content::Broad => Vec::new(),
     };
     [End::One, End::Two].into_iter().flat_map(of).collect()
+}
+
+/// The same of all conditions with the number of the condition, each frequency once, of the first that has it.
+pub fn driven(spec: &Spec) -> Vec<(usize, f64)> {
+    let mut found: Vec<(usize, f64)> = Vec::new();
+    for condition in 0..spec.conditions.len() {
+        for hertz in lines(spec, condition) {
+            let is_new = found.iter().all(|(_, other)| (other / hertz - 1.0).abs() > SAME_LINE);
+            if hertz > 0.0 && is_new {
+                found.push((condition, hertz));
+            }
+        }
+    }
+    found
+}
+
+/// Whether a condition drives every frequency: by an input that is no sine, or by how it begins.
+pub fn is_broad(spec: &Spec, condition: usize) -> bool {
+    let excitation = &spec.conditions[condition].excitation;
+    let has_broad =
+        [End::One, End::Two].into_iter().any(|end| matches!(excitation.input(end).content(), Content::Broad));
+    has_broad || lines(spec, condition).is_empty()
 }
 
 /// The lowest mode whose band holds a line.

@@ -4,7 +4,11 @@
 //! (`data_sheet`).
 
 mod held;
+mod lines;
 mod modes;
+mod shape;
 
 pub use held::Held;
+pub use lines::{BandOfKind, CurveOfKind, Lines, WayLines};
 pub use modes::{Coil, ModeLine, ModesAt, UnderEnds};
+pub use shape::{EndReaction, ModeShape};

@@ -1,6 +1,6 @@
 //! The modes over the lengths in use, and where each shows.
 //!
-//! Next door: the helix they are of (`coilsense::helix`).
+//! Next door: the helix they are of (`coilsense::helix`), their lines against length (`lines`), one of them as it moves (`shape`).
 
 use coilsense::helix::{Helix, Kind, Mode, Modes, Rod};
 use coilsense::{End, Error};
@@ -88,10 +88,15 @@ impl Coil {
     /// # Errors
     /// Those of [`Helix::new`]: a spring that is no helix at one of the lengths.
     pub fn over_lengths(&self, count: usize) -> Result<Vec<ModesAt>, Error> {
+        self.lengths(count).into_iter().map(|length| self.at(length)).collect()
+    }
+
+    /// Lengths evenly spread over those in use \[m\].
+    pub(super) fn lengths(&self, count: usize) -> Vec<f64> {
         let (shortest, longest) = self.range;
         let last = count.max(2) - 1;
         let length = |index: usize| (shortest * (last - index) as f64 + longest * index as f64) / last as f64;
-        (0..=last).map(|index| self.at(length(index))).collect()
+        (0..=last).map(length).collect()
     }
 
     /// First surge frequency at a length, of all ways in which its ends may be held: lowest and highest \[Hz\].
@@ -122,34 +127,50 @@ impl Coil {
         Ok(band)
     }
 
-    fn at(&self, length: f64) -> Result<ModesAt, Error> {
-        let under = |way: &Held| under(&self.rod, length - self.dead_length, way, self.misalignment);
+    /// Its modes at one length \[m\], whether in use or not.
+    ///
+    /// # Errors
+    /// As [`Self::over_lengths`].
+    pub fn at(&self, length: f64) -> Result<ModesAt, Error> {
+        let under = |way: &Held| self.under(length, way).map(|(under, ..)| under);
         let (tightest, loosest) = &self.ways;
         Ok(ModesAt { length_m: length, held: under(tightest)?, loosest: loosest.as_ref().map(under).transpose()? })
     }
+
+    /// What is told of one way of the ends, and what it is told of.
+    pub(super) fn under(&self, length: f64, way: &Held) -> Result<(UnderEnds, Modes, Vec<Mode>), Error> {
+        let helix = Helix::new(&self.rod, length - self.dead_length, way.turning())?;
+        let modes = Modes::new(&helix, way.ends())?;
+        let found = told(&modes)?;
+        let under = UnderEnds {
+            ends: way.words(),
+            first_surge_hz: modes.first_surge()?,
+            buckles: is_standing(&modes, &self.rod, way)?,
+            force_n: helix.force(),
+            stiffness_n_per_m: helix.stiffness(),
+            modes: found.iter().map(|mode| line(mode, self.misalignment)).collect(),
+        };
+        Ok((under, modes, found))
+    }
 }
 
-fn under(rod: &Rod, span: f64, way: &Held, misalignment: f64) -> Result<UnderEnds, Error> {
-    let helix = Helix::new(rod, span, way.turning())?;
-    let modes = Modes::new(&helix, way.ends())?;
+/// The modes that are told.
+fn told(modes: &Modes) -> Result<Vec<Mode>, Error> {
     let mut count = FEWEST + 2;
-    let found = loop {
+    loop {
         let found = modes.lowest(count)?;
         let has = |kind: Kind| found.iter().any(|mode| mode.kind() == kind);
         if count >= MOST || found.len() >= FEWEST && has(Kind::Axial) && has(Kind::Torsional) {
-            break found;
+            return Ok(found);
         }
         count += FEWEST;
-    };
-    Ok(UnderEnds {
-        ends: way.words(),
-        first_surge_hz: modes.first_surge()?,
-        // A coil that is free to turn at both ends has a motion without frequency too, which is no buckling.
-        buckles: modes.count_below(STANDING * rod_frequency(rod))? > usize::from(way.spins()),
-        force_n: helix.force(),
-        stiffness_n_per_m: helix.stiffness(),
-        modes: found.iter().map(|mode| line(mode, misalignment)).collect(),
-    })
+    }
+}
+
+/// Whether the spring has left its axis.
+pub(super) fn is_standing(modes: &Modes, rod: &Rod, way: &Held) -> Result<bool, Error> {
+    // A coil that is free to turn at both ends has a motion without frequency too, which is no buckling.
+    Ok(modes.count_below(STANDING * rod_frequency(rod))? > usize::from(way.spins()))
 }
 
 /// First frequency of a bar of the stiffness and mass of the flat coil \[Hz\].
@@ -157,7 +178,7 @@ fn rod_frequency(rod: &Rod) -> f64 {
     0.5 * (rod.flat_stiffness() / rod.mass()).sqrt()
 }
 
-fn line(mode: &Mode, misalignment: f64) -> ModeLine {
+pub(super) fn line(mode: &Mode, misalignment: f64) -> ModeLine {
     let reaction = mode.reaction(End::Two);
     let (force, couple) = (reaction.force(), reaction.couple());
     let axial = force[2].norm();
@@ -169,17 +190,22 @@ fn line(mode: &Mode, misalignment: f64) -> ModeLine {
     let tilted = misalignment.cos() + misalignment.sin() * side / axial;
     ModeLine {
         frequency_hz: mode.frequency(),
-        kind: match mode.kind() {
-            Kind::Axial => "axial",
-            Kind::Torsional => "torsional",
-            Kind::Lateral => "lateral",
-            Kind::Mixed => "mixed",
-        },
+        kind: kind_name(mode.kind()),
         axial_strength: strength,
         read_strength: if has_force { strength * tilted } else { strength },
         side_force_n_per_n: has_force.then(|| side / axial),
         couple_m: has_force.then(|| all_couple / axial),
         axis_couple_m: has_force.then(|| reaction.axis_couple()),
+    }
+}
+
+/// The word for a kind.
+pub(super) fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Axial => "axial",
+        Kind::Torsional => "torsional",
+        Kind::Lateral => "lateral",
+        Kind::Mixed => "mixed",
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! The jobs and what is measured are described in `bench/README.md`; `cargo xtask bench` runs this beside the peers.
 
+mod helix;
 mod job;
 mod measure;
 
@@ -36,6 +37,9 @@ fn main() -> Result<(), Failure> {
     }
     for measurement in streams(folder, &jobs)? {
         println!("{}", measurement.json("stream", path)?);
+    }
+    for measurement in helix::rows()? {
+        println!("{}", measurement.json("helix", path)?);
     }
     Ok(())
 }
