@@ -13,7 +13,7 @@ use super::modes::{Coil, is_standing, kind_name};
 pub struct Lines {
     /// The lengths \[m\], from the shortest to the longest in use.
     pub lengths: Vec<f64>,
-    /// Up to where there are lines \[Hz\]: so many times the first surge as [`REACH`] says.
+    /// Up to where there are lines \[Hz\]: so many times the first surge as `REACH` says.
     pub top: f64,
     /// The ends as they are held, and as loose as they may be where that lies between two ways.
     pub ways: Vec<WayLines>,

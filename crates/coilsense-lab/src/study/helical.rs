@@ -13,6 +13,10 @@ use crate::spec::{Model, Spec, SpringSpec};
 /// How far the lengths of a simulation may lie from one another and still be one.
 const ONE_LENGTH: f64 = 1e-9;
 
+/// Whether helices move in this build: known when it is compiled, so that one without the feature does not carry what moves them.
+const MOVES: Result<(), Error> =
+    if cfg!(feature = "moving-helix") { Ok(()) } else { Err(Error::MissingSignal("of a helix that moves, left out of this build,")) };
+
 /// A helix about one length, its ends held in one way.
 #[derive(Debug, Clone)]
 pub struct Helical {
@@ -54,8 +58,10 @@ impl Helical {
     /// Of a spec's spring about a length \[m\].
     ///
     /// # Errors
-    /// Those of [`SpringSpec::rod`], [`Helix::new`] and [`Surge::new`]: no helix, or one that has buckled.
+    /// Those of [`SpringSpec::rod`], [`Helix::new`] and [`Surge::new`]: no helix, or one that has buckled; [`Error::MissingSignal`] in a build
+    /// without the feature `moving-helix`.
     pub fn new(spring: &SpringSpec, way: &Held, misalignment: f64, length: f64) -> Result<Self, Error> {
+        MOVES?;
         let (rod, dead_length) = (spring.rod()?, -spring.geometry.active_span(0.0));
         let helix = Helix::new(&rod, length - dead_length, way.turning())?;
         let middle = spring.spring.mid_length();
@@ -79,7 +85,7 @@ impl Helical {
     /// Moves it, with its stiffness and its frequencies multiplied as tolerances do.
     ///
     /// # Errors
-    /// As [`Surge::motion`] and [`Motion::signals`]; [`Error::Value`] for lengths at which the spring is no helix.
+    /// As [`Helical::new`], [`Surge::motion`] and [`Motion::signals`]; [`Error::Value`] for lengths at which the spring is no helix.
     pub fn simulate(
         &self,
         [stiffness, frequencies]: [f64; 2],
@@ -87,6 +93,7 @@ impl Helical {
         excitation: &Excitation,
         times: &[f64],
     ) -> Result<Moved, Error> {
+        MOVES?;
         let wire = self.surge.changed(stiffness, frequencies)?;
         let motion = wire.motion(mount, excitation)?;
         let mut signals = motion.signals(times)?;
