@@ -101,6 +101,9 @@ pub mod sensors;
 /// Series over time, simulated or measured.
 pub mod signals;
 
+/// Windings that meet: from event to event.
+pub mod contact;
+
 /// A signal and its reference to how far off it is.
 pub mod measures;
 

@@ -1,0 +1,185 @@
+//! A chain of lumps whose segments close: masses, stiffnesses and gaps, all of which may differ.
+//!
+//! Next door: what a contact does (`law`), what damps the lumps (`damper`), how the ends move (`drive`).
+
+use crate::error::{Error, above_zero, check, count, entry};
+use crate::mount::FarEnd;
+use crate::spring::Spring;
+
+/// Lumps between two ends. Segment j lies before lump j + 1: segment 0 between end 1 and the first lump, the last one at end 2. Points are
+/// counted from end 1, which is 0; lump i is point i.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chain {
+    masses: Vec<f64>,
+    inverse: Vec<f64>,
+    stiffnesses: Vec<f64>,
+    pairs: Vec<Pair>,
+    shares: Vec<f64>,
+    /// Of all segments in series \[N/m\].
+    stiffness: f64,
+    /// Compliance beyond the last lump where end 2 is under a force \[m/N\].
+    beyond: f64,
+    far_end: FarEnd,
+}
+
+/// Two points that can meet. Pairs are in the order in which each begins where the one before it ends, as far as they do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// The point nearer to end 1.
+    pub first: usize,
+    /// The one nearer to end 2.
+    pub second: usize,
+    /// How far they come nearer to each other from the unloaded spring until they meet \[m\].
+    pub gap: f64,
+}
+
+/// A gap that rounding has made this much of a length \[1\] too small is none.
+const ROUNDING: f64 = 1e-14;
+
+impl Chain {
+    /// A chain with both ends' positions prescribed.
+    ///
+    /// - `masses`: m_i \[kg\], shape `N`; `stiffnesses`: k_j \[N/m\], shape `N + 1`
+    /// - `gaps`: g_j \[m\], shape `N + 1`: how far each segment can be pressed from its unloaded length until it touches; infinite for one
+    ///   that never does
+    ///
+    /// # Errors
+    /// [`Error::Count`] for lengths that do not go together; [`Error::Value`] for a mass or stiffness that is not above zero, and a gap that is
+    /// below zero or no number.
+    pub fn new(masses: Vec<f64>, stiffnesses: Vec<f64>, gaps: Vec<f64>) -> Result<Self, Error> {
+        crate::error::at_least_one("masses", masses.len())?;
+        count("stiffnesses", stiffnesses.len(), masses.len() + 1)?;
+        count("gaps", gaps.len(), masses.len() + 1)?;
+        for &mass in &masses {
+            above_zero("mass", mass, "kg")?;
+        }
+        for &stiffness in &stiffnesses {
+            above_zero("stiffness", stiffness, "N/m")?;
+        }
+        for (index, &gap) in gaps.iter().enumerate() {
+            check(gap >= 0.0, entry("gaps", index), gap, "m", "zero, above zero, or infinite")?;
+        }
+        let pair = |(first, gap): (usize, f64)| Pair { first, second: first + 1, gap };
+        let pairs = gaps.into_iter().enumerate().filter(|(_, gap)| gap.is_finite()).map(pair).collect();
+        Ok(Self::trusted(masses, stiffnesses, pairs, FarEnd::Position))
+    }
+
+    fn trusted(masses: Vec<f64>, mut stiffnesses: Vec<f64>, pairs: Vec<Pair>, far_end: FarEnd) -> Self {
+        let inverse = std::iter::once(0.0).chain(masses.iter().map(|mass| 1.0 / mass)).chain([0.0]).collect();
+        let whole: f64 = stiffnesses.iter().map(|stiffness| 1.0 / stiffness).sum();
+        let so_far = stiffnesses.iter().scan(0.0, |sum, stiffness| {
+            *sum += 1.0 / stiffness;
+            Some(*sum / whole)
+        });
+        let mut shares: Vec<f64> = std::iter::once(0.0).chain(so_far).collect();
+        shares[masses.len() + 1] = 1.0;
+        let mut beyond = 0.0;
+        if far_end != FarEnd::Position
+            && let Some(last) = stiffnesses.last_mut()
+        {
+            (beyond, *last) = (1.0 / *last, 0.0);
+        }
+        Self { masses, inverse, stiffnesses, pairs, shares, stiffness: 1.0 / whole, beyond, far_end }
+    }
+
+    /// The paper's chain of a spring on its mount, and where its windings touch: `contact_pitch` \[m\], centre to centre, as
+    /// [`crate::measures::Clash::seen`] has it.
+    ///
+    /// N masses m/N, N k between them and 2 N k at the ends. A mass meets the one a turn further on, n masses at n masses per winding, where
+    /// the pitch of the unloaded spring, l0 over its whole windings, is used up. `ends`: whether the first and the last mass meet their seats,
+    /// at half of that; only with one mass per winding, where a mass is a turn.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a contact pitch that is not above zero, or above the pitch of the unloaded spring: its gap would be below zero;
+    /// for `ends` with more than one mass per winding.
+    pub fn of(spring: &Spring, far_end: FarEnd, contact_pitch: f64, ends: bool) -> Result<Self, Error> {
+        above_zero("contact_pitch", contact_pitch, "m")?;
+        let (lumps, apart) = (spring.chain_masses(), spring.masses_per_winding());
+        let one = "one where windings meet their seats: which point of the first turn does is not in the model";
+        check(!ends || apart == 1, "masses_per_winding", apart as f64, "", one)?;
+        let pitch = spring.rest_length() / spring.whole_windings() as f64;
+        let slack = pitch - contact_pitch;
+        let allowed = format!("at most the {pitch} m of the unloaded spring: windings that touch without force are not covered");
+        check(slack >= -ROUNDING * pitch, "contact_pitch", contact_pitch, "m", allowed)?;
+        let gap = slack.max(0.0);
+        let stiffness = lumps as f64 * spring.stiffness();
+        let mut masses = vec![spring.mass() / lumps as f64; lumps];
+        let mut stiffnesses = vec![stiffness; lumps + 1];
+        (stiffnesses[0], stiffnesses[lumps]) = (2.0 * stiffness, 2.0 * stiffness);
+        let of_class = |class: usize| (class..=lumps).step_by(apart).zip((class + apart..=lumps).step_by(apart));
+        let pair = |(first, second)| Pair { first, second, gap };
+        let mut pairs: Vec<Pair> = (1..=apart).flat_map(of_class).map(pair).collect();
+        if ends {
+            pairs.insert(0, Pair { first: 0, second: 1, gap: 0.5 * gap });
+            if far_end != FarEnd::Force {
+                pairs.push(Pair { first: lumps, second: lumps + 1, gap: 0.5 * gap });
+            }
+        }
+        if let FarEnd::Mass(mass) = far_end {
+            masses.push(mass);
+            // A stiffness that is not there: end 2 is the mass.
+            stiffnesses.push(f64::INFINITY);
+        }
+        Ok(Self::trusted(masses, stiffnesses, pairs, far_end))
+    }
+
+    /// N: how many lumps there are, an end mass among them.
+    pub fn lumps(&self) -> usize {
+        self.masses.len()
+    }
+
+    /// m_i \[kg\], shape `N`.
+    pub fn masses(&self) -> &[f64] {
+        &self.masses
+    }
+
+    /// k_j \[N/m\], shape `N + 1`; the last is zero where end 2 is under a force.
+    pub fn stiffnesses(&self) -> &[f64] {
+        &self.stiffnesses
+    }
+
+    /// Points that can meet.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+
+    /// Of the whole chain at rest \[N/m\].
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// What end 2 is tied to.
+    pub fn far_end(&self) -> FarEnd {
+        self.far_end
+    }
+
+    /// 1/m_i, zero at the ends: shape `N + 2`.
+    pub(super) fn inverse_masses(&self) -> &[f64] {
+        &self.inverse
+    }
+
+    /// Which share of the ends' distance each point keeps while the spring moves slowly; shape `N + 2`.
+    pub(super) fn shares(&self) -> &[f64] {
+        &self.shares
+    }
+
+    /// Whether end 2's position is not prescribed.
+    pub(super) fn is_open(&self) -> bool {
+        self.far_end != FarEnd::Position
+    }
+
+    /// Compliance beyond the last lump where end 2 is under a force \[m/N\].
+    pub(super) fn beyond(&self) -> f64 {
+        self.beyond
+    }
+
+    /// The last segment that pulls at end 2, or at its mass.
+    pub(super) fn last_segment(&self) -> usize {
+        self.masses.len() - usize::from(self.is_open())
+    }
+
+    /// Points of the chain, both ends among them.
+    pub(super) fn points(&self) -> usize {
+        self.masses.len() + 2
+    }
+}

@@ -1,0 +1,130 @@
+//! What happens at once: points that meet give each other impulses, and some of what touches is let go.
+//!
+//! Next door: when it happens (`follow`), which of the pairs push (`tridiagonal`).
+
+use super::book::Book;
+use super::chain::Chain;
+use super::law::Law;
+use super::series::{Now, Series, System};
+use super::tridiagonal::{Runs, meet, pushes};
+
+/// Two points have met when they are this much nearer than where they touch \[m\]; the moment is then that of touching itself.
+pub(super) const MARGIN: f64 = 1e-12;
+
+/// Slower than this \[m/s\] nothing bounces: the distance by which a contact is found sets a smallest bounce of 1e-4 m/s.
+const STICKS: f64 = 2e-3;
+
+/// A stack that is solid between two ends.
+pub(super) struct Solid;
+
+/// Gives the impulses of pairs that come together, `meeting` among them, and lets go what they drive apart.
+pub(super) fn collide(
+    system: &System<'_>,
+    law: Law,
+    now: &mut Now,
+    meeting: &[usize],
+    book: &mut Book,
+) -> Result<(), Solid> {
+    let chain = system.chain;
+    let closing: Vec<f64> =
+        chain.pairs().iter().map(|pair| now.speeds[pair.second] - now.speeds[pair.first]).collect();
+    let Law::Hard { restitution } = law else {
+        for &number in meeting {
+            book.met(chain, number, now.time, -closing[number]);
+            now.closed[number] = true;
+        }
+        return Ok(());
+    };
+    // What touches without being held takes part: else three that come together would hit each other in turn without end.
+    let touches = |number: usize| now.closed[number] || meeting.contains(&number) || now.gap(chain, number) <= MARGIN;
+    let may: Vec<bool> = (0..closing.len()).map(touches).collect();
+    let bounces = |number: usize| restitution > 0.0 && !now.closed[number] && closing[number] < -STICKS;
+    let q: Vec<f64> =
+        (0..closing.len()).map(|number| closing[number] * if bounces(number) { 1.0 + restitution } else { 1.0 }).collect();
+    let bouncing: Vec<bool> = (0..closing.len()).map(bounces).collect();
+    let found = pushes(chain, &may, &q).ok_or(Solid)?;
+    for number in (0..closing.len()).filter(|&number| !now.closed[number] && found.pushing[number]) {
+        book.met(chain, number, now.time, -closing[number]);
+    }
+    let before = now.speeds.clone();
+    let inverse = chain.inverse_masses();
+    for (number, pair) in chain.pairs().iter().enumerate().filter(|(number, _)| found.pushing[*number]) {
+        now.speeds[pair.first] -= found.amounts[number] * inverse[pair.first];
+        now.speeds[pair.second] += found.amounts[number] * inverse[pair.second];
+    }
+    for (number, pair) in chain.pairs().iter().enumerate().filter(|(number, _)| found.pushing[*number]) {
+        let impulse = found.amounts[number];
+        let apart = |speeds: &[f64]| speeds[pair.second] - speeds[pair.first];
+        book.gave(number, impulse, -0.5 * impulse * (apart(&before) + apart(&now.speeds)));
+        // An end that does not give way puts in what is pushed at it.
+        for (point, sign) in [(pair.first, -1.0), (pair.second, 1.0)] {
+            if inverse[point] == 0.0 {
+                book.put_in(-sign * impulse * before[point]);
+            }
+        }
+    }
+    for number in (0..closing.len()).filter(|number| may[*number]) {
+        let stays = found.pushing[number] && !bouncing[number]
+            || !found.pushing[number] && now.closed[number] && found.opening[number] <= 0.0;
+        book.parted_unless(stays, number, now.time);
+        now.closed[number] = stays;
+    }
+    even_out(chain, now);
+    Ok(())
+}
+
+/// Lets go what would have to be pulled, and makes what is left ready for the next step. `freed` is not held again.
+pub(super) fn settle(
+    system: &System<'_>,
+    series: &mut Series,
+    now: &mut Now,
+    step: f64,
+    freed: Option<usize>,
+    book: &mut Book,
+) -> Result<(), Solid> {
+    if system.elastic.is_some() {
+        return Ok(());
+    }
+    if let Some(freed) = freed {
+        now.closed[freed] = false;
+        book.parted(freed, now.time);
+    }
+    if now.closed.iter().any(|closed| *closed) {
+        let q = series.opening(system, now, step);
+        let found = pushes(system.chain, &now.closed, &q).ok_or(Solid)?;
+        for number in 0..q.len() {
+            if now.closed[number] && !found.pushing[number] {
+                now.closed[number] = false;
+                book.parted(number, now.time);
+            }
+        }
+    }
+    now.bonds = Runs::new(system.chain, &now.closed).ok_or(Solid)?;
+    Ok(())
+}
+
+/// Points that are held together have one speed to the last digit: that of their common momentum, or of the end that they lie on.
+fn even_out(chain: &Chain, now: &mut Now) {
+    let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
+    let mut begin = 0;
+    while begin < pairs.len() {
+        if !now.closed[begin] {
+            begin += 1;
+            continue;
+        }
+        let mut end = begin;
+        while now.closed.get(end + 1) == Some(&true) && meet(pairs, end) {
+            end += 1;
+        }
+        let points = || std::iter::once(pairs[begin].first).chain(pairs[begin..=end].iter().map(|pair| pair.second));
+        let (mut momentum, mut mass) = (0.0, 0.0);
+        for point in points().filter(|point| inverse[*point] > 0.0) {
+            momentum += now.speeds[point] / inverse[point];
+            mass += 1.0 / inverse[point];
+        }
+        let held = points().find(|point| inverse[*point] == 0.0);
+        let speed = held.map_or(momentum / mass, |point| now.speeds[point]);
+        points().for_each(|point| now.speeds[point] = speed);
+        begin = end + 1;
+    }
+}

@@ -1,0 +1,337 @@
+//! One step: the points' motion as power series in time, exact to rounding while no pair meets or parts.
+//!
+//! Next door: how the ends move (`drive`), where a series falls through zero (`polynomial`), what happens then (`follow`).
+
+use super::chain::Chain;
+use super::damper::Damper;
+use super::drive::Drive;
+use super::polynomial::{ORDER, Polynomial};
+use super::tridiagonal::Runs;
+
+/// What is the same throughout a run.
+pub(super) struct System<'a> {
+    pub chain: &'a Chain,
+    pub damper: &'a Damper,
+    /// Displacement of end 1 \[m\]; that of end 2 beside the unloaded spring \[m\], or the force on it \[N\].
+    pub drives: &'a [Drive; 2],
+    /// Where windings that touch give way: stiffness \[N/m\], and each pair's dashpot \[N s/m\].
+    pub elastic: Option<(f64, Vec<f64>)>,
+}
+
+impl System<'_> {
+    /// Subtracts from the forces on the lumps what damping takes; what dashpots in the first and the last segment pull at their ends with \[N\].
+    pub fn brake(&self, attached: [bool; 2], relative: &[f64], forces: &mut [f64]) -> [f64; 2] {
+        self.damper.brake(self.chain, relative, forces);
+        let time = self.damper.dashpot_time();
+        let last = self.chain.last_segment();
+        let mut pulls = [0, last].map(|segment| {
+            time * self.chain.stiffnesses()[segment] * (relative[segment + 1] - relative[segment])
+        });
+        // A segment that hangs loose has no dashpot either.
+        if !attached[0] {
+            forces[0] += pulls[0];
+            pulls[0] = 0.0;
+        }
+        if !attached[1] {
+            forces[last - 1] -= pulls[1];
+            if let Some(mass) = forces.get_mut(last) {
+                *mass += pulls[1];
+            }
+            pulls[1] = 0.0;
+        }
+        pulls
+    }
+}
+
+/// What the series of a step depends on beside the system.
+#[derive(Debug, Clone)]
+pub(super) struct Now {
+    /// \[s\].
+    pub time: f64,
+    /// Displacement of each point from the unloaded spring with end 1 at zero \[m\], shape `N + 2`.
+    pub places: Vec<f64>,
+    /// \[m/s\], shape `N + 2`.
+    pub speeds: Vec<f64>,
+    /// Pairs that are held together, or that push elastically.
+    pub closed: Vec<bool>,
+    /// The same, factorized, where they are hard.
+    pub bonds: Runs,
+    /// Whether the first and the last segment hang on their ends.
+    pub attached: [bool; 2],
+}
+
+impl Now {
+    /// How far a pair is from touching \[m\].
+    pub fn gap(&self, chain: &Chain, number: usize) -> f64 {
+        let pair = chain.pairs()[number];
+        self.places[pair.second] - self.places[pair.first] + pair.gap
+    }
+}
+
+/// The series of one step, in τ = (t − t0)/h.
+pub(super) struct Series {
+    /// h \[s\].
+    pub step: f64,
+    points: usize,
+    pairs: usize,
+    /// Coefficients of all points, order by order: shape `ORDER + 1, N + 2`.
+    places: Vec<f64>,
+    /// Of speeds beside the massless line \[m/s\], as far as something is damped: shape `ORDER + 1, N + 2`.
+    relative: Vec<f64>,
+    /// Coefficients of what closed pairs push \[N\], order by order.
+    pushes: Vec<f64>,
+    forces: Vec<f64>,
+    free: Vec<f64>,
+    /// The force on end 2 \[N\], where that is what is prescribed.
+    pub force: Polynomial,
+}
+
+/// Orders of which the acceleration is known.
+pub(super) const LAST: usize = ORDER - 2;
+
+impl Series {
+    pub fn new(chain: &Chain) -> Self {
+        let (points, pairs) = (chain.points(), chain.pairs().len());
+        Self {
+            step: 0.0,
+            points,
+            pairs,
+            places: vec![0.0; (ORDER + 1) * points],
+            relative: vec![0.0; (ORDER + 1) * points],
+            pushes: vec![0.0; (ORDER + 1) * pairs],
+            forces: vec![0.0; points - 2],
+            free: vec![0.0; pairs],
+            force: [0.0; ORDER + 1],
+        }
+    }
+
+    /// Of a step of `step` \[s\] from now on.
+    pub fn find(&mut self, system: &System<'_>, now: &Now, step: f64) {
+        let line = self.begin(system, now, step);
+        self.accelerate(system, now, 0);
+        for order in 1..=LAST {
+            self.forces_of(system, now, order, &line);
+            self.accelerate(system, now, order);
+        }
+        if !system.damper.is_none() {
+            for order in LAST + 1..ORDER {
+                self.relative_of(system.chain, order, &line);
+            }
+        }
+    }
+
+    /// Orders zero and one, and the forces at order zero.
+    fn begin(&mut self, system: &System<'_>, now: &Now, step: f64) -> [Polynomial; 2] {
+        self.step = step;
+        let points = self.points;
+        self.places[..points].copy_from_slice(&now.places);
+        for (coefficient, speed) in self.places[points..2 * points].iter_mut().zip(&now.speeds) {
+            *coefficient = speed * step;
+        }
+        let line = self.drive(system, now.time, step);
+        self.forces_of(system, now, 0, &line);
+        line
+    }
+
+    /// Sets the ends' series; what the ends of the massless line do.
+    fn drive(&mut self, system: &System<'_>, time: f64, step: f64) -> [Polynomial; 2] {
+        let [first, second] = system.drives;
+        let (first, second) = (first.series(time, step), second.series(time, step));
+        let last = self.points - 1;
+        let mut line = [first, second];
+        for order in 0..=ORDER {
+            self.places[order * self.points] = first[order];
+            if system.chain.is_open() {
+                line[1][order] = first[order] + second[order] / system.chain.stiffness();
+                self.force[order] = second[order];
+                // Point of no consequence: it goes with the last lump.
+                self.places[order * self.points + last] = 0.0;
+            } else {
+                self.places[order * self.points + last] = second[order];
+            }
+        }
+        line
+    }
+
+    /// Forces on the lumps at an order but for those of hard contact.
+    fn forces_of(&mut self, system: &System<'_>, now: &Now, order: usize, line: &[Polynomial; 2]) {
+        let chain = system.chain;
+        let row = &self.places[order * self.points..(order + 1) * self.points];
+        let segments = chain.stiffnesses();
+        let (first, last) = (0, chain.last_segment());
+        let mut before = if now.attached[0] { segments[first] * (row[1] - row[0]) } else { 0.0 };
+        for (lump, force) in self.forces.iter_mut().enumerate() {
+            let next = lump + 1;
+            let after = segments[next] * (row[next + 1] - row[next]);
+            let after = if next == last && !now.attached[1] { 0.0 } else { after };
+            *force = after - before;
+            before = after;
+        }
+        if chain.is_open()
+            && let Some(force) = self.forces.last_mut()
+        {
+            *force += self.force[order];
+        }
+        if !system.damper.is_none() {
+            self.relative_of(chain, order, line);
+            let relative = &self.relative[order * self.points..(order + 1) * self.points];
+            system.brake(now.attached, relative, &mut self.forces);
+        }
+        if let Some((stiffness, dashpots)) = &system.elastic {
+            let (here, next) = self.places[order * self.points..].split_at(self.points);
+            for (number, pair) in chain.pairs().iter().enumerate().filter(|(number, _)| now.closed[*number]) {
+                let gap = here[pair.second] - here[pair.first] + if order == 0 { pair.gap } else { 0.0 };
+                let rate = (order + 1) as f64 * (next[pair.second] - next[pair.first]) / self.step;
+                let push = -stiffness * gap - dashpots[number] * rate;
+                self.pushes[order * self.pairs + number] = push;
+                add_push(&mut self.forces, [pair.first, pair.second], push);
+            }
+        }
+    }
+
+    /// Speeds beside the massless line at an order.
+    fn relative_of(&mut self, chain: &Chain, order: usize, line: &[Polynomial; 2]) {
+        let (begin, next) = (order * self.points, (order + 1) * self.points);
+        let per_time = (order + 1) as f64 / self.step;
+        let [first, second] = [line[0][order + 1], line[1][order + 1]];
+        for (point, share) in chain.shares().iter().enumerate() {
+            let straight = first + share * (second - first);
+            self.relative[begin + point] = per_time * (self.places[next + point] - straight);
+        }
+        let last = self.points - 1;
+        (self.relative[begin], self.relative[begin + last]) = (0.0, 0.0);
+    }
+
+    /// The next but one order of the lumps' places, and what hard contact pushes to hold pairs together.
+    fn accelerate(&mut self, system: &System<'_>, now: &Now, order: usize) {
+        let chain = system.chain;
+        let factor = self.step * self.step / ((order + 2) * (order + 1)) as f64;
+        if !now.bonds.is_empty() {
+            for number in now.bonds.numbers() {
+                let pair = chain.pairs()[number];
+                let of = |point: usize| self.free_acceleration(chain, order, point);
+                self.free[number] = of(pair.first) - of(pair.second);
+            }
+            now.bonds.solve(&mut self.free);
+            for number in now.bonds.numbers() {
+                let pair = chain.pairs()[number];
+                self.pushes[order * self.pairs + number] = self.free[number];
+                add_push(&mut self.forces, [pair.first, pair.second], self.free[number]);
+            }
+        }
+        let next = &mut self.places[(order + 2) * self.points..(order + 3) * self.points];
+        let lumps = self.forces.len();
+        for ((place, force), inverse) in next[1..].iter_mut().zip(&self.forces).zip(&chain.inverse_masses()[1..=lumps]) {
+            *place = factor * force * inverse;
+        }
+    }
+
+    /// Acceleration of a point without what holds pairs together; of a prescribed end that of its drive.
+    fn free_acceleration(&self, chain: &Chain, order: usize, point: usize) -> f64 {
+        if point == 0 || point == self.points - 1 {
+            let place = self.places[(order + 2) * self.points + point];
+            return place * ((order + 2) * (order + 1)) as f64 / (self.step * self.step);
+        }
+        self.forces[point - 1] * chain.inverse_masses()[point]
+    }
+
+    /// How the pairs would open if nothing held them together \[m/s²\], shape `pairs`.
+    pub fn opening(&mut self, system: &System<'_>, now: &Now, step: f64) -> Vec<f64> {
+        self.begin(system, now, step);
+        let chain = system.chain;
+        let pairs = chain.pairs().iter();
+        pairs.map(|pair| self.free_acceleration(chain, 0, pair.second) - self.free_acceleration(chain, 0, pair.first)).collect()
+    }
+
+    /// A pair's distance beside what it is where they meet \[m\].
+    pub fn gap(&self, chain: &Chain, number: usize) -> Polynomial {
+        let pair = chain.pairs()[number];
+        let mut gap = self.difference(pair.first, pair.second);
+        gap[0] += pair.gap;
+        gap
+    }
+
+    /// How far one point is from another beside the unloaded spring \[m\].
+    pub fn difference(&self, first: usize, second: usize) -> Polynomial {
+        let mut difference = [0.0; ORDER + 1];
+        for (row, value) in self.places.chunks_exact(self.points).zip(&mut difference) {
+            *value = row[second] - row[first];
+        }
+        difference
+    }
+
+    /// What a closed pair pushes \[N\].
+    pub fn push(&self, number: usize) -> Polynomial {
+        let mut push = [0.0; ORDER + 1];
+        for (order, value) in push.iter_mut().enumerate().take(LAST + 1) {
+            *value = self.pushes[order * self.pairs + number];
+        }
+        push
+    }
+
+    /// Of a point's speed beside the massless line \[m/s\].
+    pub fn relative(&self, point: usize) -> Polynomial {
+        let mut relative = [0.0; ORDER + 1];
+        for (order, value) in relative.iter_mut().enumerate().take(ORDER) {
+            *value = self.relative[order * self.points + point];
+        }
+        relative
+    }
+
+    /// A point's place \[m\].
+    pub fn place(&self, point: usize) -> Polynomial {
+        let mut place = [0.0; ORDER + 1];
+        for (row, value) in self.places.chunks_exact(self.points).zip(&mut place) {
+            *value = row[point];
+        }
+        place
+    }
+
+    /// Bounds of every pair's distance from below over the whole step, shape `pairs`: the first term less all that is below zero.
+    pub fn least_gaps(&self, chain: &Chain, least: &mut [f64]) {
+        for (least, pair) in least.iter_mut().zip(chain.pairs()) {
+            *least = self.places[pair.second] - self.places[pair.first] + pair.gap;
+        }
+        for row in self.places.chunks_exact(self.points).skip(1) {
+            for (least, pair) in least.iter_mut().zip(chain.pairs()) {
+                *least += (row[pair.second] - row[pair.first]).min(0.0);
+            }
+        }
+    }
+
+    /// Places and speeds of all points at τ, written over those of `now`.
+    pub fn advance(&self, tau: f64, now: &mut Now) {
+        now.places.fill(0.0);
+        now.speeds.fill(0.0);
+        for (order, row) in self.places.chunks_exact(self.points).enumerate().rev() {
+            for ((place, speed), coefficient) in now.places.iter_mut().zip(&mut now.speeds).zip(row) {
+                *place = *place * tau + coefficient;
+                if order > 0 {
+                    *speed = *speed * tau + order as f64 * coefficient;
+                }
+            }
+        }
+        now.speeds.iter_mut().for_each(|speed| *speed /= self.step);
+        now.time += tau * self.step;
+    }
+
+    /// Places of all points at τ \[m\], shape `N + 2`.
+    pub fn places_at(&self, tau: f64, places: &mut [f64]) {
+        places.fill(0.0);
+        for row in self.places.chunks_exact(self.points).rev() {
+            for (place, coefficient) in places.iter_mut().zip(row) {
+                *place = *place * tau + coefficient;
+            }
+        }
+    }
+}
+
+/// Adds a push between two points to the forces on lumps.
+fn add_push(forces: &mut [f64], [first, second]: [usize; 2], push: f64) {
+    if first > 0 {
+        forces[first - 1] -= push;
+    }
+    if second <= forces.len() {
+        forces[second - 1] += push;
+    }
+}

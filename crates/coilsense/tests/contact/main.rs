@@ -1,0 +1,4 @@
+//! Windings that meet, against figures of independent programs, by hand and by what must be conserved.
+
+mod laws;
+mod reference;
