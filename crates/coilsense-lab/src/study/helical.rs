@@ -14,8 +14,11 @@ use crate::spec::{Model, Spec, SpringSpec};
 const ONE_LENGTH: f64 = 1e-9;
 
 /// Whether helices move in this build: known when it is compiled, so that one without the feature does not carry what moves them.
-const MOVES: Result<(), Error> =
-    if cfg!(feature = "moving-helix") { Ok(()) } else { Err(Error::MissingSignal("of a helix that moves, left out of this build,")) };
+const MOVES: Result<(), Error> = if cfg!(feature = "moving-helix") {
+    Ok(())
+} else {
+    Err(Error::MissingSignal("of a helix that moves, left out of this build,"))
+};
 
 /// A helix about one length, its ends held in one way.
 #[derive(Debug, Clone)]

@@ -29,7 +29,16 @@ impl Book {
         let pair = chain.pairs()[number];
         self.going_on[number] = Some(self.touches.len());
         let points = [pair.first, pair.second];
-        self.touches.push(Touch { points, time, closing_speed, parted: None, impulse: 0.0, pressed: 0.0, peak: 0.0, lost: 0.0 });
+        self.touches.push(Touch {
+            points,
+            time,
+            closing_speed,
+            parted: None,
+            impulse: 0.0,
+            pressed: 0.0,
+            peak: 0.0,
+            lost: 0.0,
+        });
     }
 
     /// They part.
@@ -61,6 +70,11 @@ impl Book {
         self.balance.moved += work.abs();
     }
 
+    /// Damping takes this much at once.
+    pub fn damped(&mut self, energy: f64) {
+        self.balance.damped += energy;
+    }
+
     /// A step has gone to τ.
     pub fn stepped(&mut self, system: &System<'_>, now: &Now, series: &Series, tau: f64) {
         let chain = system.chain;
@@ -83,7 +97,11 @@ impl Book {
         };
         let lumps = chain.lumps();
         let first = -moved(&input, &series.place(0));
-        let second = if chain.is_open() { moved(&series.force, &series.place(lumps)) } else { moved(&output, &series.place(lumps + 1)) };
+        let second = if chain.is_open() {
+            moved(&series.force, &series.place(lumps))
+        } else {
+            moved(&output, &series.place(lumps + 1))
+        };
         self.balance.work += first + second;
         self.balance.moved += first.abs() + second.abs();
         if !system.damper.is_none() {
@@ -95,7 +113,8 @@ impl Book {
                 forces.fill(0.0);
                 relative.iter_mut().zip(&beside).for_each(|(speed, series)| *speed = value(series, at));
                 let pulls = system.brake(now.attached, &relative, &mut forces);
-                let of_lumps = forces.iter().zip(&rates[1..]).map(|(force, rate)| -force * value(rate, at)).sum::<f64>();
+                let of_lumps =
+                    forces.iter().zip(&rates[1..]).map(|(force, rate)| -force * value(rate, at)).sum::<f64>();
                 // What a dashpot in an end's segment takes of the end's work.
                 let second = if chain.is_open() { 0.0 } else { pulls[1] * value(&rates[lumps + 1], at) };
                 of_lumps - pulls[0] * value(&rates[0], at) + second
@@ -113,28 +132,23 @@ impl Book {
 /// F_i and F_o over a step \[N\].
 pub(super) fn end_forces(system: &System<'_>, now: &Now, series: &Series) -> [Polynomial; 2] {
     let chain = system.chain;
-    let time = system.damper.dashpot_time();
-    let tension = |segment: usize| {
-        let stiffness = chain.stiffnesses()[segment];
-        let mut tension = series.difference(segment, segment + 1);
-        if time > 0.0 {
-            let rates = [series.relative(segment), series.relative(segment + 1)];
-            for (order, value) in tension.iter_mut().enumerate() {
-                *value += time * (rates[1][order] - rates[0][order]);
-            }
-        }
-        tension.map(|value| stiffness * value)
-    };
     let last = chain.last_segment();
-    let mut forces = [if now.attached[0] { tension(0) } else { [0.0; ORDER + 1] }, match chain.far_end() {
-        crate::mount::FarEnd::Force => series.force,
-        _ if now.attached[1] => tension(last),
-        _ => [0.0; ORDER + 1],
-    }];
+    let mut forces = [
+        if now.attached[0] { tension(system, series, 0) } else { [0.0; ORDER + 1] },
+        match chain.far_end() {
+            crate::mount::FarEnd::Force => series.force,
+            _ if now.attached[1] => tension(system, series, last),
+            _ => [0.0; ORDER + 1],
+        },
+    ];
     let seats = chain.pairs().iter().enumerate().filter(|(number, _)| now.closed[*number]);
     for (number, pair) in seats {
         for (end, force) in forces.iter_mut().enumerate() {
-            let is_its = if end == 0 { pair.first == 0 } else { pair.second == last + 1 && chain.far_end() != crate::mount::FarEnd::Force };
+            let is_its = if end == 0 {
+                pair.first == 0
+            } else {
+                pair.second == last + 1 && chain.far_end() != crate::mount::FarEnd::Force
+            };
             if is_its {
                 force.iter_mut().zip(series.push(number)).for_each(|(force, push)| *force -= push);
             }
@@ -143,13 +157,32 @@ pub(super) fn end_forces(system: &System<'_>, now: &Now, series: &Series) -> [Po
     forces
 }
 
+/// What a segment pulls with over a step \[N\], dashpot and all, if it hangs on its ends.
+pub(super) fn tension(system: &System<'_>, series: &Series, segment: usize) -> Polynomial {
+    let time = system.damper.dashpot_time();
+    let stiffness = system.chain.stiffnesses()[segment];
+    let mut tension = series.difference(segment, segment + 1);
+    if time > 0.0 {
+        let rates = [series.relative(segment), series.relative(segment + 1)];
+        for (order, value) in tension.iter_mut().enumerate() {
+            *value += time * (rates[1][order] - rates[0][order]);
+        }
+    }
+    tension.map(|value| stiffness * value)
+}
+
 /// Moving and strained \[J\].
 fn energy(system: &System<'_>, now: &Now) -> f64 {
     let chain = system.chain;
     let moving: f64 = chain.masses().iter().zip(&now.speeds[1..]).map(|(mass, speed)| mass * speed * speed).sum();
-    let hangs = |segment: usize| segment != 0 && segment != chain.last_segment() || segment == 0 && now.attached[0] || segment != 0 && now.attached[1];
+    let hangs = |segment: usize| {
+        segment != 0 && segment != chain.last_segment()
+            || segment == 0 && now.attached[0]
+            || segment != 0 && now.attached[1]
+    };
     let each = chain.stiffnesses().iter().zip(now.places.windows(2)).enumerate();
-    let strained: f64 = each.filter(|(segment, _)| hangs(*segment)).map(|(_, (k, pair))| k * (pair[1] - pair[0]).powi(2)).sum();
+    let strained: f64 =
+        each.filter(|(segment, _)| hangs(*segment)).map(|(_, (k, pair))| k * (pair[1] - pair[0]).powi(2)).sum();
     let pressed: f64 = system.elastic.as_ref().map_or(0.0, |(stiffness, _)| {
         let closed = chain.pairs().iter().zip(&now.closed).filter(|(_, closed)| **closed);
         closed.map(|(pair, _)| stiffness * (now.places[pair.second] - now.places[pair.first] + pair.gap).powi(2)).sum()

@@ -99,7 +99,8 @@ impl Chain {
         check(!ends || apart == 1, "masses_per_winding", apart as f64, "", one)?;
         let pitch = spring.rest_length() / spring.whole_windings() as f64;
         let slack = pitch - contact_pitch;
-        let allowed = format!("at most the {pitch} m of the unloaded spring: windings that touch without force are not covered");
+        let allowed =
+            format!("at most the {pitch} m of the unloaded spring: windings that touch without force are not covered");
         check(slack >= -ROUNDING * pitch, "contact_pitch", contact_pitch, "m", allowed)?;
         let gap = slack.max(0.0);
         let stiffness = lumps as f64 * spring.stiffness();

@@ -23,6 +23,8 @@ pub struct Course {
     pub until: f64,
     /// Why not to the end.
     pub given_up: Option<GivenUp>,
+    /// The smallest distance of a hard pair at a sample's step or an event \[m\]: how far rounding lets windings overlap, below zero.
+    pub deepest: f64,
     /// How many times something met, parted, left or came back.
     pub events: usize,
 }

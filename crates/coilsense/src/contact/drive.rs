@@ -60,6 +60,21 @@ impl Drive {
     }
 }
 
+/// An input that does all of what it does `factor` times as far.
+pub(super) fn scaled(input: &EndInput, factor: f64) -> EndInput {
+    let mut scaled = input.clone();
+    match &mut scaled {
+        EndInput::Held => {}
+        EndInput::Harmonics(harmonics) => harmonics.iter_mut().for_each(|harmonic| harmonic.amplitude *= factor),
+        EndInput::Chirp { amplitude, .. } => *amplitude *= factor,
+        EndInput::Step { height, .. } | EndInput::Ramp { height, .. } | EndInput::HalfSine { height, .. } => {
+            *height *= factor
+        }
+        EndInput::Sampled(sampled) => *sampled = sampled.scaled(factor),
+    }
+    scaled
+}
+
 /// a sin(angle + x τ): every derivative is the sine a quarter turn on.
 fn add_sine(amplitude: f64, angle: f64, x: f64, series: &mut Polynomial) {
     let (sine, cosine) = angle.sin_cos();
@@ -76,9 +91,8 @@ fn chirp(amplitude: f64, angle: f64, [r, g]: [f64; 2], series: &mut Polynomial) 
     let mut cosines = [0.0; ORDER + 1];
     (series[0], cosines[0]) = (amplitude * angle.sin(), amplitude * angle.cos());
     for power in 1..=ORDER {
-        let of = |values: &Polynomial| {
-            r * values[power - 1] + if power > 1 { 2.0 * g * values[power - 2] } else { 0.0 }
-        };
+        let of =
+            |values: &Polynomial| r * values[power - 1] + if power > 1 { 2.0 * g * values[power - 2] } else { 0.0 };
         let [sine, cosine] = [of(&cosines), -of(series)];
         (series[power], cosines[power]) = (sine / power as f64, cosine / power as f64);
     }

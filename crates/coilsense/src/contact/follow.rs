@@ -2,7 +2,7 @@
 //!
 //! Next door: one step (`series`), what happens at an event (`meet`), what is written down (`book`).
 
-use super::book::{Book, end_forces};
+use super::book::{Book, end_forces, tension};
 use super::chain::Chain;
 use super::course::{Course, GivenUp, Lift};
 use super::damper::Damper;
@@ -126,6 +126,7 @@ struct Run<'a> {
     end2: Vec<f64>,
     places: Vec<f64>,
     events: usize,
+    deepest: f64,
 }
 
 impl<'a> Run<'a> {
@@ -141,7 +142,8 @@ impl<'a> Run<'a> {
             bonds: Runs::default(),
             attached: [true; 2],
         };
-        let mut knots: Vec<f64> = system.drives.iter().flat_map(Drive::knots).filter(|knot| *knot > start.time).collect();
+        let mut knots: Vec<f64> =
+            system.drives.iter().flat_map(Drive::knots).filter(|knot| *knot > start.time).collect();
         knots.sort_by(f64::total_cmp);
         knots.dedup();
         let samples = times.len();
@@ -162,6 +164,7 @@ impl<'a> Run<'a> {
             end2: Vec::with_capacity(samples),
             places: Vec::new(),
             events: 0,
+            deepest: f64::INFINITY,
         };
         run.drive_ends();
         run.book = Book::new(system, &run.now);
@@ -194,7 +197,8 @@ impl<'a> Run<'a> {
 
     fn follow(&mut self) -> Result<(), GivenUp> {
         let until = self.times.last().copied().unwrap_or(self.now.time);
-        let touching: Vec<usize> = (0..self.rest.len()).filter(|&number| self.gap(number) <= MARGIN && self.closes(number)).collect();
+        let touching: Vec<usize> =
+            (0..self.rest.len()).filter(|&number| self.gap(number) <= MARGIN && self.closes(number)).collect();
         if !touching.is_empty() {
             self.meets(&touching)?;
         }
@@ -211,7 +215,7 @@ impl<'a> Run<'a> {
             self.series.find(self.system, &self.now, step);
             let event = self.first_event();
             let tau = event.map_or(1.0, |(tau, _)| tau);
-            self.write_down(tau, event.is_none() && reaches && target == until);
+            self.write_down(tau);
             self.book.stepped(self.system, &self.now, &self.series, tau);
             self.series.advance(tau, &mut self.now);
             match event {
@@ -226,11 +230,16 @@ impl<'a> Run<'a> {
                 None => {}
             }
             for number in 0..self.rest.len() {
+                self.deepest = self.deepest.min(self.gap(number));
                 if self.pressed[number] && self.gap(number) > 0.0 {
                     self.pressed[number] = false;
                 }
             }
         }
+        // The last sample is told from its right, as all others are.
+        let step = self.nominal();
+        self.series.find(self.system, &self.now, step);
+        self.write_down(f64::MIN_POSITIVE);
         Ok(())
     }
 
@@ -255,7 +264,9 @@ impl<'a> Run<'a> {
             for ((pair, dashpot), _) in closed {
                 rates[pair.first] += stiffness;
                 rates[pair.second] += stiffness;
-                slowed = slowed.max(4.0 * dashpot * chain.inverse_masses().iter().fold(0.0_f64, |most, inverse| most.max(*inverse)));
+                slowed = slowed.max(
+                    4.0 * dashpot * chain.inverse_masses().iter().fold(0.0_f64, |most, inverse| most.max(*inverse)),
+                );
             }
         }
         let each = rates.iter().zip(chain.inverse_masses());
@@ -279,11 +290,19 @@ impl<'a> Run<'a> {
         let stiffest = chain.stiffnesses().iter().fold(0.0_f64, |most, stiffness| most.max(*stiffness));
         for number in 0..self.rest.len() {
             if self.now.closed[number] {
-                offer(first_fall(&self.series.push(number), stiffest * 1e-13, 1.0), Event::Parts(number));
+                let stiffness = self.system.elastic.as_ref().map_or(stiffest, |(stiffness, _)| *stiffness);
+                offer(first_fall(&self.series.push(number), stiffness * MARGIN, 1.0), Event::Parts(number));
             } else if self.pressed[number] {
                 if let Some((stiffness, dashpots)) = &self.system.elastic {
                     let gap = self.series.gap(chain, number);
-                    offer(first_fall(&pull(&gap, *stiffness, dashpots[number], self.series.step), stiffness * MARGIN, 1.0), Event::Meets(number));
+                    offer(
+                        first_fall(
+                            &pull(&gap, *stiffness, dashpots[number], self.series.step),
+                            stiffness * MARGIN,
+                            1.0,
+                        ),
+                        Event::Meets(number),
+                    );
                 }
             } else if self.least[number] < self.rest[number] - MARGIN {
                 let mut gap = self.series.gap(chain, number);
@@ -295,13 +314,17 @@ impl<'a> Run<'a> {
             let [input, output] = end_forces(self.system, &self.now, &self.series);
             for (end, force) in [input, output].into_iter().enumerate().filter(|(end, _)| self.may_lift(*end)) {
                 if self.now.attached[end] {
-                    let closed = chain.pairs().iter().enumerate().any(|(number, pair)| self.now.closed[number] && self.is_seat(end, [pair.first, pair.second]));
+                    let closed =
+                        chain.pairs().iter().enumerate().any(|(number, pair)| {
+                            self.now.closed[number] && self.is_seat(end, [pair.first, pair.second])
+                        });
                     if !closed {
-                        offer(first_fall(&force.map(|value| -value), stiffest * 1e-13, 1.0), Event::Leaves(end));
+                        offer(first_fall(&force.map(|value| -value), stiffest * MARGIN, 1.0), Event::Leaves(end));
                     }
                 } else {
                     let segment = self.segment_of(end);
-                    offer(first_fall(&self.series.difference(segment, segment + 1), MARGIN, 1.0), Event::Returns(end));
+                    let pull = tension(self.system, &self.series, segment);
+                    offer(first_fall(&pull, stiffest * MARGIN, 1.0), Event::Returns(end));
                 }
             }
         }
@@ -310,6 +333,13 @@ impl<'a> Run<'a> {
 
     fn segment_of(&self, end: usize) -> usize {
         if end == 0 { 0 } else { self.system.chain.last_segment() }
+    }
+
+    /// Energy in an end's segment \[J\].
+    fn strain(&self, end: usize) -> f64 {
+        let segment = self.segment_of(end);
+        let longer = self.now.places[segment + 1] - self.now.places[segment];
+        0.5 * self.system.chain.stiffnesses()[segment] * longer * longer
     }
 
     fn is_seat(&self, end: usize, [first, second]: [usize; 2]) -> bool {
@@ -348,19 +378,25 @@ impl<'a> Run<'a> {
                 self.meets(&[number])
             }
             Event::Parts(number) => {
-                if self.system.elastic.is_some() {
+                if let Some((stiffness, _)) = &self.system.elastic {
                     self.now.closed[number] = false;
+                    // What is still strained when nothing pushes any more is lost: what gives way does not pull.
+                    let gap = self.gap(number);
+                    self.book.gave(number, 0.0, 0.5 * stiffness * gap * gap);
                     self.book.parted(number, self.now.time);
                 }
                 self.let_go(Some(number))
             }
             Event::Leaves(end) => {
                 self.now.attached[end] = false;
+                // A loose end is unstrained at once: it has no mass.
+                self.book.damped(self.strain(end));
                 self.book.lifts.push(Lift { is_end2: end == 1, time: self.now.time, back: None });
                 self.let_go(None)
             }
             Event::Returns(end) => {
                 self.now.attached[end] = true;
+                self.book.damped(-self.strain(end));
                 let time = self.now.time;
                 let left = self.book.lifts.iter_mut().rev().find(|lift| lift.is_end2 == (end == 1));
                 left.into_iter().for_each(|lift| lift.back = Some(time));
@@ -371,6 +407,12 @@ impl<'a> Run<'a> {
 
     fn meets(&mut self, meeting: &[usize]) -> Result<(), GivenUp> {
         collide(self.system, self.contact.law(), &mut self.now, meeting, &mut self.book).map_err(solid)?;
+        if let Some((stiffness, _)) = &self.system.elastic {
+            for &number in meeting {
+                let gap = self.gap(number);
+                self.book.gave(number, 0.0, -0.5 * stiffness * gap * gap);
+            }
+        }
         self.let_go(None)
     }
 
@@ -403,11 +445,16 @@ impl<'a> Run<'a> {
         let small = 1e-15 * (before[0].abs() + before[1].abs() + 1e-3);
         if !self.system.damper.is_none() && (first.abs() > small || second.abs() > small) {
             let relative: Vec<f64> = chain.shares().iter().map(|share| -(first + share * (second - first))).collect();
-            let relative: Vec<f64> =
-                relative.iter().enumerate().map(|(point, jump)| if point == 0 || point == last { 0.0 } else { *jump }).collect();
+            let relative: Vec<f64> = relative
+                .iter()
+                .enumerate()
+                .map(|(point, jump)| if point == 0 || point == last { 0.0 } else { *jump })
+                .collect();
             let mut impulses = vec![0.0; chain.lumps()];
             self.system.brake(self.now.attached, &relative, &mut impulses);
-            for ((speed, impulse), inverse) in self.now.speeds[1..].iter_mut().zip(impulses).zip(&chain.inverse_masses()[1..]) {
+            for ((speed, impulse), inverse) in
+                self.now.speeds[1..].iter_mut().zip(impulses).zip(&chain.inverse_masses()[1..])
+            {
                 *speed += impulse * inverse;
             }
         }
@@ -417,18 +464,20 @@ impl<'a> Run<'a> {
             return Err(GivenUp::Solid);
         }
         let meeting: Vec<usize> = (0..self.rest.len())
-            .filter(|&number| !self.now.closed[number] && !self.pressed[number] && self.gap(number) <= 0.0 && self.closes(number))
+            .filter(|&number| {
+                !self.now.closed[number] && !self.pressed[number] && self.gap(number) <= 0.0 && self.closes(number)
+            })
             .collect();
         let held = hard && self.now.closed.iter().any(|closed| *closed);
         if held || !meeting.is_empty() { self.meets(&meeting) } else { Ok(()) }
     }
 
-    /// Samples of the step, up to τ; with its end where it is the last.
-    fn write_down(&mut self, tau: f64, is_last: bool) {
+    /// Samples of the step before τ, and of all of it the one at which it begins.
+    fn write_down(&mut self, tau: f64) {
         let (begin, step) = (self.now.time, self.series.step);
         let end = begin + tau * step;
         let from = self.input.len();
-        let to = if is_last { self.times.len() } else { from + self.times[from..].partition_point(|time| *time < end) };
+        let to = from + self.times[from..].partition_point(|time| *time < end || *time <= begin);
         if from == to {
             return;
         }
@@ -466,6 +515,7 @@ impl<'a> Run<'a> {
             until: self.now.time,
             given_up,
             events: self.events,
+            deepest: self.deepest,
         }
     }
 }

@@ -9,7 +9,7 @@ use super::series::{Now, Series, System};
 use super::tridiagonal::{Runs, meet, pushes};
 
 /// Two points have met when they are this much nearer than where they touch \[m\]; the moment is then that of touching itself.
-pub(super) const MARGIN: f64 = 1e-12;
+pub(super) const MARGIN: f64 = 1e-13;
 
 /// Slower than this \[m/s\] nothing bounces: the distance by which a contact is found sets a smallest bounce of 1e-4 m/s.
 const STICKS: f64 = 2e-3;
@@ -26,8 +26,7 @@ pub(super) fn collide(
     book: &mut Book,
 ) -> Result<(), Solid> {
     let chain = system.chain;
-    let closing: Vec<f64> =
-        chain.pairs().iter().map(|pair| now.speeds[pair.second] - now.speeds[pair.first]).collect();
+    let closing: Vec<f64> = chain.pairs().iter().map(|pair| now.speeds[pair.second] - now.speeds[pair.first]).collect();
     let Law::Hard { restitution } = law else {
         for &number in meeting {
             book.met(chain, number, now.time, -closing[number]);
@@ -39,8 +38,9 @@ pub(super) fn collide(
     let touches = |number: usize| now.closed[number] || meeting.contains(&number) || now.gap(chain, number) <= MARGIN;
     let may: Vec<bool> = (0..closing.len()).map(touches).collect();
     let bounces = |number: usize| restitution > 0.0 && !now.closed[number] && closing[number] < -STICKS;
-    let q: Vec<f64> =
-        (0..closing.len()).map(|number| closing[number] * if bounces(number) { 1.0 + restitution } else { 1.0 }).collect();
+    let q: Vec<f64> = (0..closing.len())
+        .map(|number| closing[number] * if bounces(number) { 1.0 + restitution } else { 1.0 })
+        .collect();
     let bouncing: Vec<bool> = (0..closing.len()).map(bounces).collect();
     let found = pushes(chain, &may, &q).ok_or(Solid)?;
     for number in (0..closing.len()).filter(|&number| !now.closed[number] && found.pushing[number]) {

@@ -28,6 +28,7 @@ mod meet;
 mod path;
 mod polynomial;
 mod series;
+mod touching;
 mod tridiagonal;
 
 pub use chain::{Chain, Pair};
@@ -36,3 +37,4 @@ pub use drive::Drive;
 pub use follow::{Start, follow};
 pub use law::{Contact, Law};
 pub use path::Path;
+pub use touching::{CHANGE, Touching};

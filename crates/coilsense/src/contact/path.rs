@@ -88,12 +88,6 @@ impl Path {
     pub(super) fn knots(&self) -> &[f64] {
         &self.knots
     }
-
-    /// The same, all of it `factor` times as far.
-    pub(super) fn scaled(&self, factor: f64) -> Self {
-        let pieces = self.pieces.iter().map(|piece| piece.iter().map(|value| factor * value).collect());
-        Self { knots: self.knots.clone(), pieces: pieces.collect() }
-    }
 }
 
 /// Powers 0 to 8.

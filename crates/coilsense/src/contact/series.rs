@@ -24,9 +24,8 @@ impl System<'_> {
         self.damper.brake(self.chain, relative, forces);
         let time = self.damper.dashpot_time();
         let last = self.chain.last_segment();
-        let mut pulls = [0, last].map(|segment| {
-            time * self.chain.stiffnesses()[segment] * (relative[segment + 1] - relative[segment])
-        });
+        let mut pulls = [0, last]
+            .map(|segment| time * self.chain.stiffnesses()[segment] * (relative[segment + 1] - relative[segment]));
         // A segment that hangs loose has no dashpot either.
         if !attached[0] {
             forces[0] += pulls[0];
@@ -221,7 +220,8 @@ impl Series {
         }
         let next = &mut self.places[(order + 2) * self.points..(order + 3) * self.points];
         let lumps = self.forces.len();
-        for ((place, force), inverse) in next[1..].iter_mut().zip(&self.forces).zip(&chain.inverse_masses()[1..=lumps]) {
+        for ((place, force), inverse) in next[1..].iter_mut().zip(&self.forces).zip(&chain.inverse_masses()[1..=lumps])
+        {
             *place = factor * force * inverse;
         }
     }
@@ -240,7 +240,9 @@ impl Series {
         self.begin(system, now, step);
         let chain = system.chain;
         let pairs = chain.pairs().iter();
-        pairs.map(|pair| self.free_acceleration(chain, 0, pair.second) - self.free_acceleration(chain, 0, pair.first)).collect()
+        pairs
+            .map(|pair| self.free_acceleration(chain, 0, pair.second) - self.free_acceleration(chain, 0, pair.first))
+            .collect()
     }
 
     /// A pair's distance beside what it is where they meet \[m\].

@@ -41,7 +41,12 @@ pub(super) fn pushes(chain: &Chain, may: &[bool], q: &[f64]) -> Option<Pushes> {
             return Some(found);
         }
         let runs = Runs::new(chain, &found.pushing)?;
-        found.amounts.iter_mut().zip(q).zip(&found.pushing).for_each(|((amount, q), pushing)| *amount = if *pushing { -q } else { 0.0 });
+        found
+            .amounts
+            .iter_mut()
+            .zip(q)
+            .zip(&found.pushing)
+            .for_each(|((amount, q), pushing)| *amount = if *pushing { -q } else { 0.0 });
         runs.solve(&mut found.amounts);
         for pair in 0..q.len() {
             let beside = |at: Option<usize>, shared: usize| match at.and_then(|at| found.amounts.get(at)) {
@@ -80,7 +85,9 @@ impl Runs {
             let whole = inverse[pair.first] + inverse[pair.second];
             let before = rows.last().filter(|(before, ..)| before + 1 == number && meet(pairs, *before));
             let (pivot, coupling) = match before {
-                Some((_, pivot, _)) => (whole - inverse[pair.first] * inverse[pair.first] / pivot, -inverse[pair.first]),
+                Some((_, pivot, _)) => {
+                    (whole - inverse[pair.first] * inverse[pair.first] / pivot, -inverse[pair.first])
+                }
                 None => (whole, 0.0),
             };
             if pivot <= SOLID * whole {

@@ -53,6 +53,11 @@ impl Sampled {
         &self.values
     }
 
+    /// The same with every value multiplied by a finite factor.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self { times: self.times.clone(), values: self.values.iter().map(|value| factor * value).collect() }
+    }
+
     /// How many samples there are.
     pub(super) fn count(&self) -> usize {
         self.times.len()

@@ -265,6 +265,11 @@ impl ModalModel {
         check((1..=last).contains(&number), quantity, number as f64, "", format!("from 1 to {last}")).map(|_| ())
     }
 
+    /// Whether they are all those of a chain of equal masses on equal segments.
+    pub(crate) fn is_chain(&self) -> bool {
+        matches!(self.shapes, Shapes::Chain(_)) && self.count() >= self.masses()
+    }
+
     /// As [`Self::shape`], numbers trusted.
     pub(crate) fn shape_at(&self, mode: usize, mass: usize) -> f64 {
         match &self.shapes {

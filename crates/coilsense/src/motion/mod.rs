@@ -228,6 +228,13 @@ impl Motion {
         Ok(row)
     }
 
+    /// Velocity of end 2 \[m/s\] where it follows its mass, or of the line where it does not; the time is trusted.
+    pub(crate) fn end_velocity(&self, time: f64) -> f64 {
+        let state = self.modal_state(time);
+        let of_modes: f64 = self.modes.end_shapes().iter().zip(&state.rates).map(|(shape, rate)| shape * rate).sum();
+        self.line_velocity(time)[1] + of_modes
+    }
+
     /// u1, u2, F_i, F_o and F_x over `times`; sensors add theirs.
     ///
     /// - `times`: t \[s\], shape `samples`, strictly increasing, none below zero

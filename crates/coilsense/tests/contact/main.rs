@@ -1,4 +1,5 @@
 //! Windings that meet, against figures of independent programs, by hand and by what must be conserved.
 
 mod laws;
+mod random;
 mod reference;

@@ -1,0 +1,281 @@
+//! A spring whose windings may meet: the linear motion up to there, the chain from event to event from there on.
+//!
+//! Next door: the linear motion (`crate::motion`), the chain (`follow`), whether windings meet at all (`crate::measures::Clash`).
+
+use super::chain::Chain;
+use super::course::{Course, Touch};
+use super::damper::Damper;
+use super::drive::Drive;
+use super::follow::{Start, Watch, follow_damped};
+use super::law::Contact;
+use crate::error::{Error, check};
+use crate::excitation::End;
+use crate::measures::Clash;
+use crate::motion::{Motion, Windings};
+use crate::mount::FarEnd;
+use crate::signals::{Channel, Signals};
+
+/// What a motion becomes where windings meet.
+#[derive(Debug, Clone)]
+pub struct Touching {
+    /// u1, u2, F_i, F_o and F_x: those of the motion, bit by bit, until something meets. Ends early where the course was given up.
+    pub signals: Signals,
+    /// What the chain did; `None` where nothing meets.
+    pub course: Option<Course>,
+    /// Positions of both ends and all masses, where they were asked for.
+    pub windings: Option<Windings>,
+    /// The forces once more, from an input that is larger by [`CHANGE`]; `None` where nothing meets.
+    changed: Option<[Vec<f64>; 2]>,
+}
+
+/// By how much the input of the second run is larger \[1\].
+pub const CHANGE: f64 = 1e-6;
+
+/// A pair is looked at closely from where this share \[1\] of its mean distance is left.
+const NEAR: f64 = 0.1;
+
+/// Samples whose positions are held at once while a first contact is looked for.
+const AT_ONCE: usize = 2048;
+
+/// How far apart in angle \[rad\] of the chain's fastest mode it is looked for.
+const WATCH: f64 = 1.0;
+
+impl Touching {
+    /// Of a motion of the paper's chain, at `times` \[s\], ascending.
+    ///
+    /// Until the first contact the motion holds. From there on [`super::follow`] goes on from its state, twice: the second run, with an input larger
+    /// by [`CHANGE`], tells for how long the first means anything ([`Self::holds_until`]). A recorded input stays straight from sample to
+    /// sample, as in the motion: an end that windings lie on is struck at each of its samples.
+    ///
+    /// Source:   [`Motion`] and [`super::follow`].
+    /// Valid:    as there; ends and windings that are not asked about in `contact` pass through one another, as in the motion.
+    /// Accuracy: as there. The first contact is looked for in steps of a radian of the fastest mode, and closely where a tenth of a gap is left.
+    ///
+    /// # Errors
+    /// Those of [`Chain::of`]; [`Error::Value`] for times, for a motion whose modes are not those of a chain, and for windings that overlap at
+    /// the start.
+    pub fn of(motion: &Motion, contact: &Contact, times: &[f64], with_windings: bool) -> Result<Self, Error> {
+        crate::error::at_least_one("times", times.len())?;
+        let times = crate::signals::increasing(times)?;
+        let signals = motion.signals(times)?;
+        let (spring, pitch) = (motion.spring(), contact.pitch().unwrap_or(motion.spring().wire_diameter()));
+        let is_chain = motion.modes().is_chain();
+        check(
+            is_chain,
+            "modes",
+            motion.modes().count() as f64,
+            "",
+            "those of a chain of equal masses where windings may meet",
+        )?;
+        let chain = Chain::of(spring, motion.mount().far_end(), pitch, contact.ends())?;
+        let until = times[times.len() - 1];
+        let all = || with_windings.then(|| motion.windings(times)).transpose();
+        let only_windings = !contact.ends() && !contact.lifts();
+        if only_windings && Clash::excluded(motion, until, pitch) {
+            return Ok(Self { signals, course: None, windings: all()?, changed: None });
+        }
+        let Some(begin) = first_near(motion, contact, &chain, times)? else {
+            return Ok(Self { signals, course: None, windings: all()?, changed: None });
+        };
+        let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
+        let later = times.partition_point(|time| *time < begin);
+        let watch = if with_windings { Watch::Places } else { Watch::Forces };
+        let run = |larger: f64, watch: Watch| {
+            let drives = drives(motion, larger);
+            follow_damped(&chain, contact, &damper, &drives, &start(motion, begin, larger)?, &times[later..], watch)
+        };
+        let course = run(1.0, watch)?;
+        if course.touches.is_empty() && course.lifts.is_empty() && course.given_up.is_none() {
+            return Ok(Self { signals, course: None, windings: all()?, changed: None });
+        }
+        let second = run(1.0 + CHANGE, Watch::Forces)?;
+        let from = first_change(&course).map_or(times.len(), |first| times.partition_point(|time| *time < first));
+        let windings = with_windings.then(|| merged_windings(motion, &course, times, later, from)).transpose()?;
+        let signals = merged(motion, signals, &course, later, from)?;
+        Ok(Self { signals, windings, changed: Some([second.input, second.output]), course: Some(course) })
+    }
+
+    /// The chain alone, from t = 0 on, whatever may meet: what stands for the motion where nothing does.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn followed(motion: &Motion, contact: &Contact, times: &[f64]) -> Result<Course, Error> {
+        let pitch = contact.pitch().unwrap_or(motion.spring().wire_diameter());
+        let chain = Chain::of(motion.spring(), motion.mount().far_end(), pitch, contact.ends())?;
+        let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
+        follow_damped(&chain, contact, &damper, &drives(motion, 1.0), &start(motion, 0.0, 1.0)?, times, Watch::Forces)
+    }
+
+    /// When something first meets, or an end first leaves its seat \[s\].
+    pub fn first_contact(&self) -> Option<f64> {
+        self.course.as_ref().and_then(first_change)
+    }
+
+    /// Up to when both forces are within `goal` \[N\] of those under an input larger by [`CHANGE`] \[s\]: what comes after that is good in its mean
+    /// squares and extremes at best. The last time, where they are throughout.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a goal that is not above zero.
+    pub fn holds_until(&self, goal: f64) -> Result<f64, Error> {
+        crate::error::above_zero("goal", goal, "N")?;
+        let time = self.signals.time();
+        let last = time[time.len() - 1];
+        let Some([input, output]) = &self.changed else { return Ok(last) };
+        let reached = self.course.as_ref().map_or(0, |course| course.input.len());
+        let later = time.len() - reached;
+        let pairs = [(Channel::InputForce, input), (Channel::OutputForce, output)];
+        let mut until = last;
+        for (channel, changed) in pairs {
+            let here = &self.signals.channel(channel)?[later..];
+            let apart = here.iter().zip(changed).position(|(force, changed)| (force - changed).abs() > goal);
+            let apart = apart.or((changed.len() < here.len()).then_some(changed.len()));
+            if let Some(apart) = apart {
+                until = until.min(time[(later + apart).saturating_sub(1)]);
+            }
+        }
+        Ok(until)
+    }
+
+    /// What met, in the order in which it did.
+    pub fn touches(&self) -> &[Touch] {
+        self.course.as_ref().map_or(&[], |course| &course.touches)
+    }
+}
+
+fn first_change(course: &Course) -> Option<f64> {
+    let touches = course.touches.iter().map(|touch| touch.time);
+    touches.chain(course.lifts.iter().map(|lift| lift.time)).reduce(f64::min)
+}
+
+/// The time from which the chain is followed \[s\]: just before something may meet. `None` where all stays clear.
+fn first_near(motion: &Motion, contact: &Contact, chain: &Chain, times: &[f64]) -> Result<Option<f64>, Error> {
+    let fastest = motion.modes().frequencies().last().copied().unwrap_or(1.0);
+    let until = times[times.len() - 1];
+    let step = times.windows(2).map(|pair| pair[1] - pair[0]).fold(times[0], f64::max).min(WATCH / fastest);
+    let count = if step > 0.0 { (until / step).ceil() as usize } else { 0 };
+    let all: Vec<f64> = (0..=count).map(|sample| (sample as f64 * step).min(until)).collect();
+    let spring = motion.spring();
+    let rest = spring.rest_length();
+    let mean = motion.excitation().mean_length();
+    let unloaded: Vec<f64> = unloaded(motion);
+    let slow = chain.shares().iter().map(|share| share * (mean - rest)).collect::<Vec<f64>>();
+    let near: Vec<f64> =
+        chain.pairs().iter().map(|pair| NEAR * (slow[pair.second] - slow[pair.first] + pair.gap).max(0.0)).collect();
+    let mut before = 0.0;
+    for block in all.chunks(AT_ONCE) {
+        let windings = motion.windings(block)?;
+        let forces = if contact.lifts() { Some(motion.end_forces(block)?) } else { None };
+        for (sample, &time) in block.iter().enumerate() {
+            let row = windings.row(sample);
+            let [u1, u2] = windings.ends(sample);
+            let place = |point: usize| match point {
+                0 => u1,
+                point if point <= row.len() => row[point - 1] - unloaded[point - 1],
+                _ => u2 - rest,
+            };
+            let meets = chain.pairs().iter().zip(&near);
+            let meets = meets.clone().any(|(pair, near)| place(pair.second) - place(pair.first) + pair.gap <= *near);
+            let lifts = forces.as_ref().is_some_and(|forces| {
+                let scale = NEAR * spring.static_force(mean).abs();
+                forces.input[sample] > -scale
+                    || motion.mount().far_end() != FarEnd::Force && forces.output[sample] > -scale
+            });
+            if meets || lifts {
+                return Ok(Some(before));
+            }
+            before = time;
+        }
+    }
+    Ok(None)
+}
+
+/// Where the masses of the unloaded spring are \[m\], end 1 at zero.
+fn unloaded(motion: &Motion) -> Vec<f64> {
+    let masses = motion.spring().chain_masses();
+    let rest = motion.spring().rest_length();
+    (0..masses).map(|mass| rest * (mass as f64 + 0.5) / masses as f64).collect()
+}
+
+/// What drives the ends, by a factor larger about the mean.
+fn drives(motion: &Motion, larger: f64) -> [Drive; 2] {
+    let (spring, mean) = (motion.spring(), motion.excitation().mean_length());
+    let about = match motion.mount().far_end() {
+        FarEnd::Position => mean - spring.rest_length(),
+        FarEnd::Force | FarEnd::Mass(_) => spring.static_force(mean),
+    };
+    let input = |end: End| super::drive::scaled(motion.excitation().input(end), larger);
+    [Drive::Input(input(End::One), 0.0), Drive::Input(input(End::Two), about)]
+}
+
+/// The motion's state at a time, by a factor larger about its mean.
+fn start(motion: &Motion, time: f64, larger: f64) -> Result<Start, Error> {
+    let spring = motion.spring();
+    let stretch = motion.excitation().mean_length() - spring.rest_length();
+    let windings = motion.windings(&[time])?;
+    let count = spring.chain_masses();
+    let about = |mass: usize| stretch * (mass as f64 + 0.5) / count as f64;
+    let beside = windings.row(0).iter().zip(unloaded(motion)).map(|(position, unloaded)| position - unloaded);
+    let mut places: Vec<f64> =
+        beside.enumerate().map(|(mass, place)| about(mass) + larger * (place - about(mass))).collect();
+    let mut speeds = motion.velocities(time)?;
+    if let FarEnd::Mass(_) = motion.mount().far_end() {
+        let [_, u2] = windings.ends(0);
+        places.push(stretch + larger * (u2 - spring.rest_length() - stretch));
+        speeds.push(motion.end_velocity(time));
+    }
+    speeds.iter_mut().for_each(|speed| *speed *= larger);
+    Ok(Start { time, places, speeds })
+}
+
+/// The motion's signals up to sample `from`, the course's from there on; those that it did not reach are cut off.
+fn merged(motion: &Motion, signals: Signals, course: &Course, later: usize, from: usize) -> Result<Signals, Error> {
+    let reached = later + course.input.len();
+    let (time, channels) = signals.into_parts();
+    let mut merged = Signals::new(time[..reached].to_vec())?;
+    let rest = motion.spring().rest_length();
+    let is_prescribed = motion.mount().far_end() == FarEnd::Position;
+    let u1 = channels.iter().find(|(channel, _)| *channel == Channel::U1).map(|(_, values)| values.clone());
+    for (channel, mut values) in channels {
+        values.truncate(reached);
+        let with = |values: &mut Vec<f64>, of: &[f64], more: f64| {
+            for sample in from..reached {
+                values[sample] = of[sample - later] + more;
+            }
+        };
+        match channel {
+            Channel::InputForce => with(&mut values, &course.input, 0.0),
+            Channel::OutputForce => with(&mut values, &course.output, 0.0),
+            Channel::U2 if !is_prescribed => with(&mut values, &course.end2, rest),
+            Channel::DeflectionForce if !is_prescribed => {
+                let u1 = u1.as_ref().ok_or(Error::MissingSignal("u1"))?;
+                for sample in from..reached {
+                    values[sample] = motion.spring().static_force(course.end2[sample - later] + rest - u1[sample]);
+                }
+            }
+            _ => {}
+        }
+        merged.insert(channel, values)?;
+    }
+    Ok(merged)
+}
+
+/// The same of positions.
+fn merged_windings(
+    motion: &Motion,
+    course: &Course,
+    times: &[f64],
+    later: usize,
+    from: usize,
+) -> Result<Windings, Error> {
+    let reached = later + course.input.len();
+    let (mut ends, mut positions) = motion.windings(&times[..reached])?.into_parts();
+    let (masses, lumps) = (motion.spring().chain_masses(), course.places.len() / course.input.len().max(1));
+    let (unloaded, rest) = (unloaded(motion), motion.spring().rest_length());
+    for sample in from..reached {
+        let row = &course.places[(sample - later) * lumps..][..masses];
+        let places = positions[sample * masses..].iter_mut().zip(row).zip(&unloaded);
+        places.for_each(|((position, place), unloaded)| *position = place + unloaded);
+        ends[sample][1] = course.end2[sample - later] + rest;
+    }
+    Windings::new(ends, positions)
+}
