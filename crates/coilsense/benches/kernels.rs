@@ -5,6 +5,7 @@ mod paper_springs;
 
 use std::hint::black_box;
 
+use coilsense::contact::{Contact, Touching};
 use coilsense::geometry::{EndType, Geometry, Material, MaterialParameters};
 use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, StiffnessAt, Surge, Turning};
 use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductances};
@@ -78,5 +79,21 @@ fn helix(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, motion, inductance, helix);
+fn contact(criterion: &mut Criterion) {
+    let spring = paper_springs::s_a();
+    let times = sampled_window(10_000.0, 0.0, 1.0).expect("a valid window");
+    for (name, amplitude) in [("touches from 0.53 s on", 40e-6), ("stays clear", 1e-6)] {
+        let input = EndInput::harmonic(amplitude, spring.surge_frequency(), -std::f64::consts::FRAC_PI_2);
+        let excitation = Excitation::new(0.102, input, EndInput::Held, Start::Massless).expect("valid");
+        let motion = Motion::new(&spring, &excitation).expect("valid");
+        criterion.bench_function(&format!("S_A for 1 s, {name}: end forces, 10 001 times"), |bencher| {
+            bencher.iter(|| motion.signals(black_box(&times)));
+        });
+        criterion.bench_function(&format!("S_A for 1 s, {name}: with contact, two runs"), |bencher| {
+            bencher.iter(|| Touching::of(&motion, &Contact::default(), black_box(&times), false));
+        });
+    }
+}
+
+criterion_group!(benches, motion, inductance, helix, contact);
 criterion_main!(benches);

@@ -10,7 +10,7 @@
 //!
 //! The model is that of van der Weijde, van Ostayen and Vallery, *Influence of Internal Oscillations on Force Sensing in Coil
 //! Springs*: a chain of N winding masses, Maxwell's summation for the inductance. It ends where windings touch (see
-//! [`measures::Clash`]), and it moves along the spring's axis only: no lateral or torsional motion, no initial tension. What moves
+//! [`measures::Clash`]; [`contact`] goes on from there), and it moves along the spring's axis only: no lateral or torsional motion, no initial tension. What moves
 //! besides, and how near, [`helix`] tells; [`helix::Surge`] puts all of it behind the same [`Motion`].
 //!
 //! SI units at every door. Positions grow from end 1 to end 2; force is tension-positive.

@@ -91,10 +91,7 @@ impl Book {
             }
         }
         let [input, output] = end_forces(system, now, series);
-        let moved = |force: &Polynomial, place: &Polynomial| {
-            let rate = rate_of(place, 1.0);
-            integral_of(|at| value(force, at) * value(&rate, at), tau)
-        };
+        let moved = |force: &Polynomial, place: &Polynomial| work(force, &rate_of(place, 1.0), tau);
         let lumps = chain.lumps();
         let first = -moved(&input, &series.place(0));
         let second = if chain.is_open() {
@@ -175,14 +172,11 @@ pub(super) fn tension(system: &System<'_>, series: &Series, segment: usize) -> P
 fn energy(system: &System<'_>, now: &Now) -> f64 {
     let chain = system.chain;
     let moving: f64 = chain.masses().iter().zip(&now.speeds[1..]).map(|(mass, speed)| mass * speed * speed).sum();
-    let hangs = |segment: usize| {
-        segment != 0 && segment != chain.last_segment()
-            || segment == 0 && now.attached[0]
-            || segment != 0 && now.attached[1]
-    };
+    let loose =
+        |segment: usize| segment == 0 && !now.attached[0] || segment == chain.last_segment() && !now.attached[1];
     let each = chain.stiffnesses().iter().zip(now.places.windows(2)).enumerate();
     let strained: f64 =
-        each.filter(|(segment, _)| hangs(*segment)).map(|(_, (k, pair))| k * (pair[1] - pair[0]).powi(2)).sum();
+        each.filter(|(segment, _)| !loose(*segment)).map(|(_, (k, pair))| k * (pair[1] - pair[0]).powi(2)).sum();
     let pressed: f64 = system.elastic.as_ref().map_or(0.0, |(stiffness, _)| {
         let closed = chain.pairs().iter().zip(&now.closed).filter(|(_, closed)| **closed);
         closed.map(|(pair, _)| stiffness * (now.places[pair.second] - now.places[pair.first] + pair.gap).powi(2)).sum()
@@ -202,6 +196,14 @@ fn rate_of(p: &Polynomial, step: f64) -> Polynomial {
 /// ∫ p dτ from zero.
 fn integral(p: &Polynomial, tau: f64) -> f64 {
     p.iter().enumerate().rev().fold(0.0, |sum, (order, coefficient)| sum * tau + coefficient / (order + 1) as f64) * tau
+}
+
+/// ∫ p q dτ from zero, of a force and a rate; zero where the rate is.
+fn work(p: &Polynomial, q: &Polynomial, tau: f64) -> f64 {
+    if q.iter().all(|coefficient| *coefficient == 0.0) {
+        return 0.0;
+    }
+    integral_of(|at| value(p, at) * value(q, at), tau)
 }
 
 /// The same of what is no polynomial of this order.

@@ -144,6 +144,14 @@ impl Chain {
         &self.pairs
     }
 
+    /// The first pair's points, where every pair is one point further than the one before.
+    pub(super) fn neighbours(&self) -> Option<[usize; 2]> {
+        let begin = self.pairs.first()?;
+        let follows =
+            |(index, pair): (usize, &Pair)| pair.first == begin.first + index && pair.second == begin.second + index;
+        self.pairs.iter().enumerate().all(follows).then_some([begin.first, begin.second])
+    }
+
     /// Of the whole chain at rest \[N/m\].
     pub fn stiffness(&self) -> f64 {
         self.stiffness

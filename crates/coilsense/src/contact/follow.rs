@@ -127,6 +127,8 @@ struct Run<'a> {
     places: Vec<f64>,
     events: usize,
     deepest: f64,
+    /// How long a step may be as it stands \[s\].
+    step: f64,
 }
 
 impl<'a> Run<'a> {
@@ -165,8 +167,10 @@ impl<'a> Run<'a> {
             places: Vec::new(),
             events: 0,
             deepest: f64::INFINITY,
+            step: 0.0,
         };
         run.drive_ends();
+        run.step = run.nominal();
         run.book = Book::new(system, &run.now);
         run
     }
@@ -209,7 +213,7 @@ impl<'a> Run<'a> {
         while self.now.time < until {
             let to_knot = self.knots.get(knot).copied().unwrap_or(f64::INFINITY);
             let target = to_knot.min(until);
-            let nominal = self.nominal();
+            let nominal = self.step;
             let left = target - self.now.time;
             let (step, reaches) = if left <= 1.01 * nominal { (left, true) } else { (nominal, false) };
             self.series.find(self.system, &self.now, step);
@@ -237,8 +241,7 @@ impl<'a> Run<'a> {
             }
         }
         // The last sample is told from its right, as all others are.
-        let step = self.nominal();
-        self.series.find(self.system, &self.now, step);
+        self.series.find(self.system, &self.now, self.step);
         self.write_down(f64::MIN_POSITIVE);
         Ok(())
     }
@@ -418,8 +421,8 @@ impl<'a> Run<'a> {
 
     /// Lets go what would have to be pulled.
     fn let_go(&mut self, freed: Option<usize>) -> Result<(), GivenUp> {
-        let step = self.nominal();
-        settle(self.system, &mut self.series, &mut self.now, step, freed, &mut self.book).map_err(solid)?;
+        self.step = self.nominal();
+        settle(self.system, &mut self.series, &mut self.now, self.step, freed, &mut self.book).map_err(solid)?;
         for number in 0..self.rest.len() {
             let gap = self.gap(number);
             self.rest[number] = gap.min(0.0);

@@ -14,6 +14,9 @@ pub(super) const MARGIN: f64 = 1e-13;
 /// Slower than this \[m/s\] nothing bounces: the distance by which a contact is found sets a smallest bounce of 1e-4 m/s.
 const STICKS: f64 = 2e-3;
 
+/// After so many blows at one instant what still comes together stays together.
+const MOST_ROUNDS: usize = 50;
+
 /// A stack that is solid between two ends.
 pub(super) struct Solid;
 
@@ -26,33 +29,70 @@ pub(super) fn collide(
     book: &mut Book,
 ) -> Result<(), Solid> {
     let chain = system.chain;
-    let closing: Vec<f64> = chain.pairs().iter().map(|pair| now.speeds[pair.second] - now.speeds[pair.first]).collect();
     let Law::Hard { restitution } = law else {
+        let closing = closing_speeds(chain, now);
         for &number in meeting {
             book.met(chain, number, now.time, -closing[number]);
             now.closed[number] = true;
         }
         return Ok(());
     };
-    // What touches without being held takes part: else three that come together would hit each other in turn without end.
-    let touches = |number: usize| now.closed[number] || meeting.contains(&number) || now.gap(chain, number) <= MARGIN;
-    let may: Vec<bool> = (0..closing.len()).map(touches).collect();
+    strike(system, restitution, now, meeting, book)?;
+    // What touches without being held takes part where it now comes together: else three that meet would hit each other in turn without end.
+    // One after the other, since a pair that opens and is driven back within one blow would give Newton's law energy.
+    for round in 0.. {
+        let closing = closing_speeds(chain, now);
+        let largest = closing.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let touches = |&number: &usize| {
+            !now.closed[number] && now.gap(chain, number) <= MARGIN && closing[number] < -1e-12 * largest
+        };
+        let next: Vec<usize> = (0..closing.len()).filter(touches).collect();
+        if next.is_empty() {
+            return Ok(());
+        }
+        let restitution = if round < MOST_ROUNDS { restitution } else { 0.0 };
+        strike(system, restitution, now, &next, book)?;
+    }
+    Ok(())
+}
+
+/// How fast pairs open \[m/s\].
+fn closing_speeds(chain: &Chain, now: &Now) -> Vec<f64> {
+    chain.pairs().iter().map(|pair| now.speeds[pair.second] - now.speeds[pair.first]).collect()
+}
+
+/// One blow: `meeting` come together, and what is held together feels it.
+///
+/// Energy changes by Σ Λ (v⁺ + v⁻)/2, v⁺ = −e v⁻ of a pair that pushes: it never grows, whatever the e of each, as long as no v⁻ is above zero.
+fn strike(
+    system: &System<'_>,
+    restitution: f64,
+    now: &mut Now,
+    meeting: &[usize],
+    book: &mut Book,
+) -> Result<(), Solid> {
+    let chain = system.chain;
+    let closing = closing_speeds(chain, now);
+    let may: Vec<bool> = (0..closing.len()).map(|number| now.closed[number] || meeting.contains(&number)).collect();
     let bounces = |number: usize| restitution > 0.0 && !now.closed[number] && closing[number] < -STICKS;
-    let q: Vec<f64> = (0..closing.len())
-        .map(|number| closing[number] * if bounces(number) { 1.0 + restitution } else { 1.0 })
-        .collect();
     let bouncing: Vec<bool> = (0..closing.len()).map(bounces).collect();
+    let q: Vec<f64> = closing
+        .iter()
+        .zip(&bouncing)
+        .map(|(speed, bounces)| speed * if *bounces { 1.0 + restitution } else { 1.0 })
+        .collect();
     let found = pushes(chain, &may, &q).ok_or(Solid)?;
     for number in (0..closing.len()).filter(|&number| !now.closed[number] && found.pushing[number]) {
         book.met(chain, number, now.time, -closing[number]);
     }
     let before = now.speeds.clone();
     let inverse = chain.inverse_masses();
-    for (number, pair) in chain.pairs().iter().enumerate().filter(|(number, _)| found.pushing[*number]) {
+    let pushing = || chain.pairs().iter().enumerate().filter(|(number, _)| found.pushing[*number]);
+    for (number, pair) in pushing() {
         now.speeds[pair.first] -= found.amounts[number] * inverse[pair.first];
         now.speeds[pair.second] += found.amounts[number] * inverse[pair.second];
     }
-    for (number, pair) in chain.pairs().iter().enumerate().filter(|(number, _)| found.pushing[*number]) {
+    for (number, pair) in pushing() {
         let impulse = found.amounts[number];
         let apart = |speeds: &[f64]| speeds[pair.second] - speeds[pair.first];
         book.gave(number, impulse, -0.5 * impulse * (apart(&before) + apart(&now.speeds)));
@@ -64,8 +104,8 @@ pub(super) fn collide(
         }
     }
     for number in (0..closing.len()).filter(|number| may[*number]) {
-        let stays = found.pushing[number] && !bouncing[number]
-            || !found.pushing[number] && now.closed[number] && found.opening[number] <= 0.0;
+        let is_held = now.closed[number] && found.opening[number] <= 0.0;
+        let stays = if found.pushing[number] { !bouncing[number] } else { is_held };
         book.parted_unless(stays, number, now.time);
         now.closed[number] = stays;
     }

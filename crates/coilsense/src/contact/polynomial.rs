@@ -37,6 +37,10 @@ pub(super) fn rate(p: &Polynomial, tau: f64) -> f64 {
 ///
 /// Bernstein's coefficients bound a polynomial from below, and their signs count its roots from above: halved until they say which.
 pub(super) fn first_fall(p: &Polynomial, margin: f64, until: f64) -> Option<f64> {
+    // What is left if all that falls falls at once.
+    if p[1..].iter().fold(p[0], |least, coefficient| least + coefficient.min(0.0)) > -margin {
+        return None;
+    }
     let mut raised = *p;
     raised[0] += margin;
     let mut scaled = raised;
@@ -82,11 +86,11 @@ fn first_bracket(b: &Polynomial, from: f64, to: f64, halvings: usize) -> Option<
         return Some([from, from]);
     }
     let (mut left, mut right) = (*b, *b);
-    for round in 1..=ORDER {
+    for (round, value) in left.iter_mut().enumerate().skip(1) {
         for index in 0..=ORDER - round {
             right[index] = 0.5 * (right[index] + right[index + 1]);
         }
-        left[round] = right[0];
+        *value = right[0];
     }
     let middle = 0.5 * (from + to);
     first_bracket(&left, from, middle, halvings + 1).or_else(|| first_bracket(&right, middle, to, halvings + 1))

@@ -157,14 +157,20 @@ impl Series {
         let chain = system.chain;
         let row = &self.places[order * self.points..(order + 1) * self.points];
         let segments = chain.stiffnesses();
-        let (first, last) = (0, chain.last_segment());
-        let mut before = if now.attached[0] { segments[first] * (row[1] - row[0]) } else { 0.0 };
-        for (lump, force) in self.forces.iter_mut().enumerate() {
-            let next = lump + 1;
-            let after = segments[next] * (row[next + 1] - row[next]);
-            let after = if next == last && !now.attached[1] { 0.0 } else { after };
-            *force = after - before;
-            before = after;
+        let around = segments.windows(2).zip(row.windows(3));
+        for (force, (stiffness, place)) in self.forces.iter_mut().zip(around) {
+            *force = stiffness[1] * (place[2] - place[1]) - stiffness[0] * (place[1] - place[0]);
+        }
+        if !now.attached[0] {
+            self.forces[0] += segments[0] * (row[1] - row[0]);
+        }
+        if !now.attached[1] {
+            let last = chain.last_segment();
+            let tension = segments[last] * (row[last + 1] - row[last]);
+            self.forces[last - 1] -= tension;
+            if let Some(mass) = self.forces.get_mut(last) {
+                *mass += tension;
+            }
         }
         if chain.is_open()
             && let Some(force) = self.forces.last_mut()
@@ -294,7 +300,16 @@ impl Series {
         for (least, pair) in least.iter_mut().zip(chain.pairs()) {
             *least = self.places[pair.second] - self.places[pair.first] + pair.gap;
         }
-        for row in self.places.chunks_exact(self.points).skip(1) {
+        let rows = self.places.chunks_exact(self.points).skip(1);
+        if let Some([first, second]) = chain.neighbours() {
+            for row in rows {
+                for ((least, before), after) in least.iter_mut().zip(&row[first..]).zip(&row[second..]) {
+                    *least += (after - before).min(0.0);
+                }
+            }
+            return;
+        }
+        for row in rows {
             for (least, pair) in least.iter_mut().zip(chain.pairs()) {
                 *least += (row[pair.second] - row[pair.first]).min(0.0);
             }
@@ -305,12 +320,10 @@ impl Series {
     pub fn advance(&self, tau: f64, now: &mut Now) {
         now.places.fill(0.0);
         now.speeds.fill(0.0);
-        for (order, row) in self.places.chunks_exact(self.points).enumerate().rev() {
+        for row in self.places.chunks_exact(self.points).rev() {
             for ((place, speed), coefficient) in now.places.iter_mut().zip(&mut now.speeds).zip(row) {
+                *speed = *speed * tau + *place;
                 *place = *place * tau + coefficient;
-                if order > 0 {
-                    *speed = *speed * tau + order as f64 * coefficient;
-                }
             }
         }
         now.speeds.iter_mut().for_each(|speed| *speed /= self.step);

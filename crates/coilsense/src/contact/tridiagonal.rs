@@ -32,9 +32,9 @@ pub(super) fn pushes(chain: &Chain, may: &[bool], q: &[f64]) -> Option<Pushes> {
     let mut found = Pushes { amounts: vec![0.0; q.len()], pushing: vec![false; q.len()], opening: q.to_vec() };
     loop {
         let mut grown = false;
-        for pair in 0..q.len() {
-            if may[pair] && !found.pushing[pair] && found.opening[pair] < -rounding {
-                (found.pushing[pair], grown) = (true, true);
+        for ((may, pushing), opening) in may.iter().zip(&mut found.pushing).zip(&found.opening) {
+            if *may && !*pushing && *opening < -rounding {
+                (*pushing, grown) = (true, true);
             }
         }
         if !grown {
