@@ -3,6 +3,7 @@
 //! Next door: what a contact does (`law`), what damps the lumps (`damper`), how the ends move (`drive`).
 
 use crate::error::{Error, above_zero, check, count, entry};
+use crate::modes::{ModalModel, ModalParameters, chain_spectrum};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
 
@@ -64,7 +65,7 @@ impl Chain {
         Ok(Self::trusted(masses, stiffnesses, pairs, FarEnd::Position))
     }
 
-    fn trusted(masses: Vec<f64>, mut stiffnesses: Vec<f64>, pairs: Vec<Pair>, far_end: FarEnd) -> Self {
+    pub(super) fn trusted(masses: Vec<f64>, mut stiffnesses: Vec<f64>, pairs: Vec<Pair>, far_end: FarEnd) -> Self {
         let inverse = std::iter::once(0.0).chain(masses.iter().map(|mass| 1.0 / mass)).chain([0.0]).collect();
         let whole: f64 = stiffnesses.iter().map(|stiffness| 1.0 / stiffness).sum();
         let so_far = stiffnesses.iter().scan(0.0, |sum, stiffness| {
@@ -137,6 +138,46 @@ impl Chain {
     /// k_j \[N/m\], shape `N + 1`; the last is zero where end 2 is under a force.
     pub fn stiffnesses(&self) -> &[f64] {
         &self.stiffnesses
+    }
+
+    /// Its modes, for a linear motion: [`crate::Motion::of_modes`] takes them.
+    ///
+    /// Source:   singular values of √K S M^(−1/2) by Sturm's count (`modes::bidiagonal`).
+    /// Valid:    any chain; N² numbers.
+    /// Accuracy: 1e-13 of every frequency, the lowest of a thousand masses too (test).
+    ///
+    /// ```
+    /// use coilsense::contact::Chain;
+    /// // Two masses between three springs: √(k/m) and √(3k/m).
+    /// let chain = Chain::new(vec![1.0; 2], vec![4.0; 3], vec![f64::INFINITY; 3])?;
+    /// let modes = chain.modes()?;
+    /// assert!((modes.frequencies()[0] - 2.0).abs() < 1e-14 && (modes.frequencies()[1] - 12_f64.sqrt()).abs() < 1e-14);
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a chain of nothing but an end mass.
+    pub fn modes(&self) -> Result<ModalModel, Error> {
+        let spectrum = chain_spectrum(&self.masses, &self.stiffnesses);
+        let lumps = self.masses.len();
+        let inner = lumps - usize::from(matches!(self.far_end, FarEnd::Mass(_)));
+        let rows = || spectrum.shapes.chunks_exact(lumps);
+        let end_shapes = match self.far_end {
+            FarEnd::Position => vec![0.0; lumps],
+            // Of the mass; under a force the last segment goes along unstrained.
+            FarEnd::Force | FarEnd::Mass(_) => rows().map(|row| row[lumps - 1]).collect(),
+        };
+        let last = if self.far_end == FarEnd::Force { 1.0 / self.beyond } else { self.stiffnesses[inner] };
+        let parameters = ModalParameters {
+            far_end: self.far_end,
+            masses: self.masses[..inner].to_vec(),
+            places: self.shares[1..=inner].to_vec(),
+            end_segments: [self.stiffnesses[0], last],
+            shapes: rows().flat_map(|row| row[..inner].iter().copied()).collect(),
+            frequencies: spectrum.frequencies.clone(),
+            end_shapes,
+        };
+        ModalModel::new(self.stiffness, parameters)
     }
 
     /// Points that can meet.

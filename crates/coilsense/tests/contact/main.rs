@@ -4,3 +4,4 @@ mod laws;
 mod random;
 mod reference;
 mod stepping;
+mod uneven;
