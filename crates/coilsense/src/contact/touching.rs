@@ -43,11 +43,11 @@ const WATCH: f64 = 1.0;
 impl Touching {
     /// Of a motion of the paper's chain, at `times` \[s\], ascending.
     ///
-    /// Until the first contact the motion holds. From there on [`super::follow`] goes on from its state, twice: the second run, with an input larger
+    /// Until the first contact the motion holds. From there on [`super::follow()`] goes on from its state, twice: the second run, with an input larger
     /// by [`CHANGE`], tells for how long the first means anything ([`Self::holds_until`]). A recorded input stays straight from sample to
     /// sample, as in the motion: an end that windings lie on is struck at each of its samples.
     ///
-    /// Source:   [`Motion`] and [`super::follow`].
+    /// Source:   [`Motion`] and [`super::follow()`].
     /// Valid:    as there; ends and windings that are not asked about in `contact` pass through one another, as in the motion.
     /// Accuracy: as there. The first contact is looked for in steps of a radian of the fastest mode, and closely where a tenth of a gap is left.
     ///
