@@ -24,6 +24,11 @@ impl Book {
         Self { touches: Vec::new(), lifts: Vec::new(), balance: Balance::default(), going_on, begun }
     }
 
+    /// Energy counts from here on.
+    pub fn begin(&mut self, system: &System<'_>, now: &Now) {
+        self.begun = energy(system, now);
+    }
+
     /// Two points meet.
     pub fn met(&mut self, chain: &Chain, number: usize, time: f64, closing_speed: f64) {
         let pair = chain.pairs()[number];
@@ -169,7 +174,7 @@ pub(super) fn tension(system: &System<'_>, series: &Series, segment: usize) -> P
 }
 
 /// Moving and strained \[J\].
-fn energy(system: &System<'_>, now: &Now) -> f64 {
+pub(super) fn energy(system: &System<'_>, now: &Now) -> f64 {
     let chain = system.chain;
     let moving: f64 = chain.masses().iter().zip(&now.speeds[1..]).map(|(mass, speed)| mass * speed * speed).sum();
     let loose =

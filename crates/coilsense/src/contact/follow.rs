@@ -2,7 +2,7 @@
 //!
 //! Next door: one step (`series`), what happens at an event (`meet`), what is written down (`book`).
 
-use super::book::{Book, end_forces, tension};
+use super::book::{Book, end_forces, energy, tension};
 use super::chain::Chain;
 use super::course::{Course, GivenUp, Lift};
 use super::damper::Damper;
@@ -200,14 +200,14 @@ impl<'a> Run<'a> {
     }
 
     fn follow(&mut self) -> Result<(), GivenUp> {
+        if self.contact.lifts() {
+            self.lift_at_once();
+        }
         let until = self.times.last().copied().unwrap_or(self.now.time);
         let touching: Vec<usize> =
             (0..self.rest.len()).filter(|&number| self.gap(number) <= MARGIN && self.closes(number)).collect();
         if !touching.is_empty() {
-            self.meets(&touching)?;
-        }
-        if self.contact.lifts() {
-            self.lift_at_once();
+            self.meets(&touching, false)?;
         }
         let mut knot = 0;
         while self.now.time < until {
@@ -363,6 +363,8 @@ impl<'a> Run<'a> {
                 self.book.lifts.push(Lift { is_end2: end == 1, time: self.now.time, back: None });
             }
         }
+        // An end that begins loose is unstrained from the begin on.
+        self.book.begin(self.system, &self.now);
     }
 
     fn happens(&mut self, event: Event) -> Result<(), GivenUp> {
@@ -378,7 +380,7 @@ impl<'a> Run<'a> {
                     self.pressed[number] = false;
                     return Ok(());
                 }
-                self.meets(&[number])
+                self.meets(&[number], false)
             }
             Event::Parts(number) => {
                 if let Some((stiffness, _)) = &self.system.elastic {
@@ -408,12 +410,14 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn meets(&mut self, meeting: &[usize]) -> Result<(), GivenUp> {
+    fn meets(&mut self, meeting: &[usize], is_jump: bool) -> Result<(), GivenUp> {
         collide(self.system, self.contact.law(), &mut self.now, meeting, &mut self.book).map_err(solid)?;
         if let Some((stiffness, _)) = &self.system.elastic {
             for &number in meeting {
+                // What it holds at once: left there when nothing pushed any more, or put in by an end that jumped.
                 let gap = self.gap(number);
-                self.book.gave(number, 0.0, -0.5 * stiffness * gap * gap);
+                let held = 0.5 * stiffness * gap * gap;
+                if is_jump { self.book.put_in(held) } else { self.book.gave(number, 0.0, -held) }
             }
         }
         self.let_go(None)
@@ -438,6 +442,7 @@ impl<'a> Run<'a> {
         let before = [self.now.places[0], self.now.places[last]];
         let force = |run: &Self, time: f64| run.system.drives[1].series(time, 1.0)[0];
         let old_force = if chain.is_open() { value(&self.series.force, 1.0) } else { 0.0 };
+        let energy_before = energy(self.system, &self.now);
         self.drive_ends();
         let first = self.now.places[0] - before[0];
         let second = if chain.is_open() {
@@ -461,18 +466,20 @@ impl<'a> Run<'a> {
                 *speed += impulse * inverse;
             }
         }
+        self.book.put_in(energy(self.system, &self.now) - energy_before);
         let hard = self.system.elastic.is_none();
         let overlaps = (0..self.rest.len()).any(|number| self.gap(number) < -1e-9);
         if hard && overlaps {
             return Err(GivenUp::Solid);
         }
-        let meeting: Vec<usize> = (0..self.rest.len())
-            .filter(|&number| {
-                !self.now.closed[number] && !self.pressed[number] && self.gap(number) <= 0.0 && self.closes(number)
-            })
-            .collect();
+        let jumps = first.abs() > small || second.abs() > small;
+        let meets = |run: &mut Self, number: usize| {
+            let is_open = !run.now.closed[number] && run.gap(number) <= 0.0;
+            is_open && (jumps && !hard || !run.pressed[number] && run.closes(number))
+        };
+        let meeting: Vec<usize> = (0..self.rest.len()).filter(|&number| meets(self, number)).collect();
         let held = hard && self.now.closed.iter().any(|closed| *closed);
-        if held || !meeting.is_empty() { self.meets(&meeting) } else { Ok(()) }
+        if held || !meeting.is_empty() { self.meets(&meeting, true) } else { Ok(()) }
     }
 
     /// Samples of the step before τ, and of all of it the one at which it begins.

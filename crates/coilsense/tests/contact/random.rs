@@ -1,7 +1,8 @@
 //! Random chains, inputs and laws: none hangs, makes energy or lets windings through one another.
 
-use coilsense::contact::{Chain, Contact, Drive, GivenUp, Path, Start, follow};
-use coilsense::{Damping, EndInput};
+use coilsense::contact::{Chain, Contact, Drive, GivenUp, Path, Start, Touching, follow};
+use coilsense::excitation::{Sampled, VelocityProfile};
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, SpringParameters};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -112,4 +113,158 @@ fn random_chains_keep_their_books() {
 #[ignore = "ten thousand chains: some minutes"]
 fn ten_thousand_random_chains_keep_their_books() {
     run(10_000);
+}
+
+/// A spring on a mount under an input, as a spec would have it.
+#[derive(Debug, Clone)]
+struct Use {
+    windings: usize,
+    masses: usize,
+    length: f64,
+    pitch: f64,
+    velocity: f64,
+    far_end: usize,
+    damping: usize,
+    inputs: [usize; 2],
+    amplitude: f64,
+    frequency: f64,
+    restitution: f64,
+    is_elastic: bool,
+    ends: bool,
+    lifts: bool,
+}
+
+fn uses() -> impl Strategy<Value = Use> {
+    let spring = (2_usize..9, 1_usize..4, 0.5..0.95_f64, 0.2..0.6_f64, -6.0..6.0_f64);
+    let mount = (0_usize..3, 0_usize..5);
+    let inputs = (0_usize..7, 0_usize..7, 1e-5..4e-3_f64, 5.0..600.0_f64);
+    let contact = (0.0..=1.0_f64, any::<bool>(), any::<bool>(), any::<bool>());
+    (spring, mount, inputs, contact).prop_map(
+        |(
+            (windings, masses, length, pitch, velocity),
+            (far_end, damping),
+            (first, second, amplitude, frequency),
+            (restitution, is_elastic, ends, lifts),
+        )| Use {
+            windings,
+            masses,
+            length,
+            pitch,
+            velocity,
+            far_end,
+            damping,
+            inputs: [first, second],
+            amplitude,
+            frequency,
+            restitution,
+            is_elastic,
+            ends: ends && masses == 1,
+            lifts,
+        },
+    )
+}
+
+fn input(kind: usize, size: f64, frequency: f64) -> EndInput {
+    let period = 1.0 / frequency;
+    match kind {
+        0 => EndInput::Held,
+        1 => EndInput::harmonic(size, frequency, 0.4),
+        2 => EndInput::Chirp { amplitude: size, from: 0.2 * frequency, to: frequency, duration: 0.03, phase: 0.0 },
+        3 => EndInput::Step { height: size, at: 0.5 * period },
+        4 => EndInput::Ramp { height: size, from: 0.2 * period, duration: period },
+        5 => EndInput::HalfSine { height: -size, from: 0.0, duration: 0.5 * period },
+        _ => {
+            let samples = (0..20).map(|sample| 0.3 * period * f64::from(sample)).collect();
+            let values = (0..20).map(|sample| size * f64::from(sample * 7 % 5 - 2) / 3.0).collect();
+            EndInput::Sampled(Sampled::new(samples, values).unwrap())
+        }
+    }
+}
+
+fn spring_holds(case: Use) -> Result<(), TestCaseError> {
+    let rest_length = 0.01 * case.windings as f64;
+    let spring = Spring::new(SpringParameters {
+        rest_length,
+        windings: case.windings as f64,
+        coil_radius: 0.0125,
+        wire_radius: 0.001,
+        mass: 0.006 * case.windings as f64,
+        stiffness: 3e4,
+        min_length: 0.3 * rest_length,
+        max_length: 0.99 * rest_length,
+        nominal_force: None,
+        inductance_windings: None,
+    });
+    let spring = spring.unwrap().with_masses_per_winding(case.masses).unwrap();
+    let far_end = [FarEnd::Position, FarEnd::Force, FarEnd::Mass(0.05)][case.far_end];
+    let damping = match case.damping {
+        0 => Damping::None,
+        1 => Damping::MassProportional { rate: 40.0 },
+        2 => Damping::StiffnessProportional { time: 1e-5 },
+        _ => Damping::Modal(0.01),
+    };
+    let second = if far_end == FarEnd::Position { case.amplitude } else { 3e4 * case.amplitude };
+    let velocity = case.velocity;
+    let excitation = Excitation::new(
+        case.length * rest_length,
+        input(case.inputs[0], case.amplitude, case.frequency),
+        input(case.inputs[1], second, case.frequency),
+        coilsense::Start::Moving { velocity, profile: VelocityProfile::Linear },
+    );
+    let mount = Mount::new(far_end, damping).unwrap();
+    let motion = Motion::mounted(&spring, &mount, &excitation.unwrap()).unwrap();
+    let contact = match case.is_elastic {
+        true => Contact::elastic(1e7, case.restitution).unwrap(),
+        false => Contact::hard(case.restitution).unwrap(),
+    };
+    let pitch = case.pitch * 0.01 * case.length;
+    let contact = contact.at_pitch(pitch).unwrap().with_ends(case.ends).with_lift_off(case.lifts);
+    let times: Vec<f64> = (0..=300).map(|sample| f64::from(sample) * 1e-4).collect();
+    let touching = match Touching::of(&motion, &contact.with_most_events(50_000), &times, true) {
+        Ok(touching) => touching,
+        // A recording may begin with an end inside a winding.
+        Err(error) => {
+            prop_assert!(error.to_string().contains("they overlap"), "{error}");
+            return Ok(());
+        }
+    };
+    let Some(course) = &touching.course else { return Ok(()) };
+    prop_assert!(course.given_up != Some(GivenUp::TooManyEvents), "{} events by {}", course.events, course.until);
+    let balance = course.balance;
+    let scale = balance.moved + balance.gained.abs() + balance.lost + balance.damped.abs() + 1e-3;
+    prop_assert!(balance.open().abs() < 1e-10 * scale, "{balance:?} {:e}", balance.open());
+    prop_assert!(balance.lost > -1e-12, "{balance:?}");
+    let windings = touching.windings.as_ref().unwrap();
+    prop_assert_eq!(windings.samples(), touching.signals.time().len());
+    if !case.is_elastic {
+        let first = touching.first_contact().unwrap_or(f64::INFINITY);
+        let from = times.partition_point(|time| *time < first);
+        for sample in from..windings.samples() {
+            let row = windings.row(sample);
+            let least = row.iter().zip(&row[case.masses..]).map(|(a, b)| b - a).fold(f64::INFINITY, f64::min);
+            prop_assert!(least > pitch - 1e-11, "{sample}: {:e}", least - pitch);
+        }
+    }
+    for (_, values) in touching.signals.channels() {
+        prop_assert!(values.iter().all(|value| value.is_finite()));
+    }
+    prop_assert!(touching.holds_until(1.0).unwrap() <= times[300]);
+    Ok(())
+}
+
+fn run_springs(count: u32) {
+    let config = Config { cases: count, failure_persistence: None, ..Config::default() };
+    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    TestRunner::new_with_rng(config, rng).run(&uses(), spring_holds).unwrap();
+}
+
+#[test]
+fn random_springs_keep_their_books() {
+    run_springs(200);
+}
+
+#[test]
+#[ignore = "ten thousand springs: some minutes"]
+fn ten_thousand_random_springs_keep_their_books() {
+    run_springs(10_000);
 }
