@@ -30,9 +30,9 @@ pub(super) fn collide(
 ) -> Result<(), Solid> {
     let chain = system.chain;
     let Law::Hard { restitution } = law else {
-        let closing = closing_speeds(chain, now);
+        let opening = opening_speeds(chain, now);
         for &number in meeting {
-            book.met(chain, number, now.time, -closing[number]);
+            book.met(chain, number, now.time, -opening[number]);
             now.closed[number] = true;
         }
         return Ok(());
@@ -41,12 +41,12 @@ pub(super) fn collide(
     // What touches without being held takes part where it now comes together: else three that meet would hit each other in turn without end.
     // One after the other, since a pair that opens and is driven back within one blow would give Newton's law energy.
     for round in 0.. {
-        let closing = closing_speeds(chain, now);
-        let largest = closing.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let opening = opening_speeds(chain, now);
+        let largest = opening.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
         let touches = |&number: &usize| {
-            !now.closed[number] && now.gap(chain, number) <= MARGIN && closing[number] < -1e-12 * largest
+            !now.closed[number] && now.gap(chain, number) <= MARGIN && opening[number] < -1e-12 * largest
         };
-        let next: Vec<usize> = (0..closing.len()).filter(touches).collect();
+        let next: Vec<usize> = (0..opening.len()).filter(touches).collect();
         if next.is_empty() {
             return Ok(());
         }
@@ -57,7 +57,7 @@ pub(super) fn collide(
 }
 
 /// How fast pairs open \[m/s\].
-fn closing_speeds(chain: &Chain, now: &Now) -> Vec<f64> {
+fn opening_speeds(chain: &Chain, now: &Now) -> Vec<f64> {
     chain.pairs().iter().map(|pair| now.speeds[pair.second] - now.speeds[pair.first]).collect()
 }
 
@@ -72,18 +72,18 @@ fn strike(
     book: &mut Book,
 ) -> Result<(), Solid> {
     let chain = system.chain;
-    let closing = closing_speeds(chain, now);
-    let may: Vec<bool> = (0..closing.len()).map(|number| now.closed[number] || meeting.contains(&number)).collect();
-    let bounces = |number: usize| restitution > 0.0 && !now.closed[number] && closing[number] < -STICKS;
-    let bouncing: Vec<bool> = (0..closing.len()).map(bounces).collect();
-    let q: Vec<f64> = closing
+    let opening = opening_speeds(chain, now);
+    let may: Vec<bool> = (0..opening.len()).map(|number| now.closed[number] || meeting.contains(&number)).collect();
+    let bounces = |number: usize| restitution > 0.0 && !now.closed[number] && opening[number] < -STICKS;
+    let bouncing: Vec<bool> = (0..opening.len()).map(bounces).collect();
+    let q: Vec<f64> = opening
         .iter()
         .zip(&bouncing)
         .map(|(speed, bounces)| speed * if *bounces { 1.0 + restitution } else { 1.0 })
         .collect();
     let found = pushes(chain, &may, &q).ok_or(Solid)?;
-    for number in (0..closing.len()).filter(|&number| !now.closed[number] && found.pushing[number]) {
-        book.met(chain, number, now.time, -closing[number]);
+    for number in (0..opening.len()).filter(|&number| !now.closed[number] && found.pushing[number]) {
+        book.met(chain, number, now.time, -opening[number]);
     }
     let before = now.speeds.clone();
     let inverse = chain.inverse_masses();
@@ -103,7 +103,7 @@ fn strike(
             }
         }
     }
-    for number in (0..closing.len()).filter(|number| may[*number]) {
+    for number in (0..opening.len()).filter(|number| may[*number]) {
         let is_held = now.closed[number] && found.opening[number] <= 0.0;
         let stays = if found.pushing[number] { !bouncing[number] } else { is_held };
         book.parted_unless(stays, number, now.time);
