@@ -6,8 +6,9 @@ use super::chain::Chain;
 use super::course::{Course, Touch};
 use super::damper::Damper;
 use super::drive::Drive;
-use super::follow::{Start, Watch, follow_damped};
+use super::follow::follow_damped;
 use super::law::Contact;
+use super::start::{Start, Watch};
 use crate::error::{Error, check};
 use crate::excitation::End;
 use crate::measures::Clash;
@@ -88,6 +89,8 @@ impl Touching {
         if course.touches.is_empty() && course.lifts.is_empty() && course.given_up.is_none() {
             return Ok(Self { signals, course: None, windings: all()?, changed: None });
         }
+        let allowed = "one at which windings are not solid between ends that close on them";
+        check(later > 0 || !course.input.is_empty(), "start", begin, "s", allowed)?;
         let second = run(1.0 + CHANGE, Watch::Forces)?;
         let from = first_change(&course).map_or(times.len(), |first| times.partition_point(|time| *time < first));
         let windings = with_windings.then(|| merged_windings(motion, &course, times, later, from)).transpose()?;

@@ -2,6 +2,7 @@
 //!
 //! Next door: one end's drive (`input`, `sampled`), what the spring does then (`motion`).
 
+mod derivatives;
 mod event;
 mod input;
 mod sampled;

@@ -1,0 +1,54 @@
+//! An input that changes: an end may jump, or its speed.
+//!
+//! Next door: the run (`run`), what happens by itself (`events`).
+
+use super::book::energy;
+use super::course::GivenUp;
+use super::polynomial::value;
+use super::run::Run;
+
+impl Run<'_> {
+    /// An input changes: an end may jump, or its speed.
+    pub(super) fn pass_knot(&mut self) -> Result<(), GivenUp> {
+        let chain = self.system.chain;
+        let last = chain.lumps() + 1;
+        let before = [self.now.places[0], self.now.places[last]];
+        let force = |run: &Self, time: f64| run.system.drives[1].series(time, 1.0)[0];
+        let old_force = if chain.is_open() { value(&self.series.force, 1.0) } else { 0.0 };
+        let energy_before = energy(self.system, &self.now);
+        self.drive_ends();
+        let first = self.now.places[0] - before[0];
+        let second = if chain.is_open() {
+            first + (force(self, self.now.time) - old_force) / chain.stiffness()
+        } else {
+            self.now.places[last] - before[1]
+        };
+        let small = 1e-15 * (before[0].abs() + before[1].abs() + 1e-3);
+        let jumps = first.abs() > small || second.abs() > small;
+        if jumps && !self.system.damper.is_none() {
+            let mut relative: Vec<f64> =
+                chain.shares().iter().map(|share| -(first + share * (second - first))).collect();
+            (relative[0], relative[last]) = (0.0, 0.0);
+            let mut impulses = vec![0.0; chain.lumps()];
+            self.system.brake(self.now.attached, &relative, &mut impulses);
+            for ((speed, impulse), inverse) in
+                self.now.speeds[1..].iter_mut().zip(impulses).zip(&chain.inverse_masses()[1..])
+            {
+                *speed += impulse * inverse;
+            }
+        }
+        self.book.put_in(energy(self.system, &self.now) - energy_before);
+        let hard = self.system.elastic.is_none();
+        let overlaps = (0..self.rest.len()).any(|number| self.gap(number) < -1e-9);
+        if hard && overlaps {
+            return Err(GivenUp::Solid);
+        }
+        let meets = |run: &mut Self, number: usize| {
+            let is_open = !run.now.closed[number] && run.gap(number) <= 0.0;
+            is_open && (jumps && !hard || !run.pressed[number] && run.closes(number))
+        };
+        let meeting: Vec<usize> = (0..self.rest.len()).filter(|&number| meets(self, number)).collect();
+        let held = hard && self.now.closed.iter().any(|closed| *closed);
+        if held || !meeting.is_empty() { self.meets(&meeting, true) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,21 @@
+//! What a run begins with.
+//!
+//! Next door: the run (`run`).
+
+/// Where a chain is when it is first looked at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// \[s\].
+    pub time: f64,
+    /// Displacements of the lumps from the unloaded spring whose end 1 is at zero \[m\], shape `N`.
+    pub places: Vec<f64>,
+    /// \[m/s\], shape `N`.
+    pub speeds: Vec<f64>,
+}
+
+/// What is told at each time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Watch {
+    Forces,
+    Places,
+}
