@@ -17,7 +17,13 @@ const ONE_LENGTH: f64 = 1e-9;
 const MOVES: Result<(), Error> = if cfg!(feature = "moving-helix") {
     Ok(())
 } else {
-    Err(Error::MissingSignal("of a helix that moves, left out of this build,"))
+    Err(Error::Value {
+        field: None,
+        quantity: std::borrow::Cow::Borrowed("feature \"moving-helix\" of this build"),
+        value: 0.0,
+        unit: "",
+        allowed: std::borrow::Cow::Borrowed("on where model = \"helix\" is to move"),
+    })
 };
 
 /// A helix about one length, its ends held in one way.
@@ -61,7 +67,7 @@ impl Helical {
     /// Of a spec's spring about a length \[m\].
     ///
     /// # Errors
-    /// Those of [`SpringSpec::rod`], [`Helix::new`] and [`Surge::new`]: no helix, or one that has buckled; [`Error::MissingSignal`] in a build
+    /// Those of [`SpringSpec::rod`], [`Helix::new`] and [`Surge::new`]: no helix, or one that has buckled; and in a build
     /// without the feature `moving-helix`.
     pub fn new(spring: &SpringSpec, way: &Held, misalignment: f64, length: f64) -> Result<Self, Error> {
         MOVES?;
