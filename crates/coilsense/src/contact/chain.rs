@@ -87,17 +87,19 @@ impl Chain {
     /// [`crate::measures::Clash::seen`] has it.
     ///
     /// N masses m/N, N k between them and 2 N k at the ends. A mass meets the one a turn further on, n masses at n masses per winding, where
-    /// the pitch of the unloaded spring, l0 over its whole windings, is used up. `ends`: whether the first and the last mass meet their seats,
-    /// at half of that; only with one mass per winding, where a mass is a turn.
+    /// the pitch of the unloaded spring, l0 over its whole windings, is used up. `ends`: whether the first and the last winding meet their seats:
+    /// a coil rises from its seat over its first turn, so that a point of that turn has as much of the pitch below it as of the turn before
+    /// it, half of it at one mass per winding, and the turn rolls on its seat where there are more.
     ///
     /// # Errors
     /// [`Error::Value`] for a contact pitch that is not above zero, or above the pitch of the unloaded spring: its gap would be below zero;
-    /// for `ends` with more than one mass per winding.
+    /// for `ends` with more than one mass per winding where end 2 is a mass: more than one point would lie on it.
     pub fn of(spring: &Spring, far_end: FarEnd, contact_pitch: f64, ends: bool) -> Result<Self, Error> {
         above_zero("contact_pitch", contact_pitch, "m")?;
         let (lumps, apart) = (spring.chain_masses(), spring.masses_per_winding());
-        let one = "one where windings meet their seats: which point of the first turn does is not in the model";
-        check(!ends || apart == 1, "masses_per_winding", apart as f64, "", one)?;
+        let one = "one where windings meet their seats and end 2 is a mass";
+        let is_one = apart == 1 || !matches!(far_end, FarEnd::Mass(_));
+        check(!ends || is_one, "masses_per_winding", apart as f64, "", one)?;
         let pitch = spring.rest_length() / spring.whole_windings() as f64;
         let slack = pitch - contact_pitch;
         let allowed =
@@ -108,13 +110,16 @@ impl Chain {
         let mut masses = vec![spring.mass() / lumps as f64; lumps];
         let mut stiffnesses = vec![stiffness; lumps + 1];
         (stiffnesses[0], stiffnesses[lumps]) = (2.0 * stiffness, 2.0 * stiffness);
-        let of_class = |class: usize| (class..=lumps).step_by(apart).zip((class + apart..=lumps).step_by(apart));
-        let pair = |(first, second)| Pair { first, second, gap };
-        let mut pairs: Vec<Pair> = (1..=apart).flat_map(of_class).map(pair).collect();
-        if ends {
-            pairs.insert(0, Pair { first: 0, second: 1, gap: 0.5 * gap });
-            if far_end != FarEnd::Force {
-                pairs.push(Pair { first: lumps, second: lumps + 1, gap: 0.5 * gap });
+        let mut pairs: Vec<Pair> = Vec::new();
+        for class in 1..=apart.min(lumps) {
+            let points: Vec<usize> = (class..=lumps).step_by(apart).collect();
+            let of_turn = |points: usize| gap * (points as f64 - 0.5) / apart as f64;
+            if ends {
+                pairs.push(Pair { first: 0, second: class, gap: of_turn(class) });
+            }
+            pairs.extend(points.windows(2).map(|pair| Pair { first: pair[0], second: pair[1], gap }));
+            if let Some(&last) = points.last().filter(|_| ends && far_end != FarEnd::Force) {
+                pairs.push(Pair { first: last, second: lumps + 1, gap: of_turn(lumps + 1 - last) });
             }
         }
         if let FarEnd::Mass(mass) = far_end {

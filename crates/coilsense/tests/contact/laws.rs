@@ -198,9 +198,10 @@ fn a_mirrored_spring_does_the_mirrored_thing() {
     let other = EndInput::harmonic(-1.2e-3, 399.0, 0.0);
     let one = Excitation::new(0.048, input, EndInput::Held, excitation::Start::Rest).unwrap();
     let two = Excitation::new(0.048, EndInput::Held, other, excitation::Start::Rest).unwrap();
-    for contact in [hard(), hard().with_ends(true), hard().with_ends(true).with_lift_off(true)] {
+    let each = [hard(), hard().with_ends(true), hard().with_ends(true).with_lift_off(true)];
+    for (contact, masses) in each.into_iter().flat_map(|contact| [(contact, 1), (contact, 3)]) {
         let of = |excitation: &Excitation| {
-            let motion = Motion::new(&spring(1), excitation).unwrap();
+            let motion = Motion::new(&spring(masses), excitation).unwrap();
             Touching::of(&motion, &contact, &times, false).unwrap()
         };
         let (first, second) = (of(&one), of(&two));
@@ -212,7 +213,8 @@ fn a_mirrored_spring_does_the_mirrored_thing() {
             .iter()
             .zip(second.signals.channel(Channel::OutputForce).unwrap());
         let apart = pair.map(|(a, b): (&f64, &f64)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(apart < 1e-4, "{apart}");
+        // Thousands of touches of turns that roll on their seats spread what rounding differs.
+        assert!(apart < if masses == 1 { 1e-4 } else { 1e-2 }, "{masses} {apart}");
     }
 }
 
@@ -233,6 +235,40 @@ fn an_end_that_cannot_be_pulled_is_never_pulled() {
 }
 
 #[test]
+fn a_first_turn_rolls_on_its_seat_as_finely_as_it_is_cut() {
+    let times: Vec<f64> = (0..=4000).map(|sample| f64::from(sample) * 5e-5).collect();
+    let run = |masses: usize, ends: bool| {
+        let input = EndInput::harmonic(2e-3, 380.0, 0.0);
+        let excitation = Excitation::new(0.048, input, EndInput::Held, excitation::Start::Rest).unwrap();
+        let motion = Motion::new(&spring(masses), &excitation).unwrap();
+        let touching = Touching::of(&motion, &hard().with_ends(ends), &times, true).unwrap();
+        let course = touching.course.as_ref().unwrap();
+        assert!(course.balance.open().abs() < 1e-10 * course.balance.moved, "{:?}", course.balance);
+        let windings = touching.windings.as_ref().unwrap();
+        let first = touching.first_contact().unwrap();
+        for sample in times.partition_point(|time| *time < first)..times.len() {
+            let [u1, _] = windings.ends(sample);
+            // Of a turn that lies on its seat down to a point, the point has its own share of the wire below it.
+            for (point, place) in windings.row(sample)[..masses].iter().enumerate() {
+                let share = (point as f64 + 0.5) / masses as f64;
+                assert!(!ends || place - u1 > share * PITCH - 1e-11, "{masses} {sample} {point}");
+            }
+        }
+        let of = |channel| {
+            let force = touching.signals.channel(channel).unwrap();
+            (force[2000..].iter().map(|force| force * force).sum::<f64>() / 2001.0).sqrt()
+        };
+        [of(Channel::InputForce), of(Channel::OutputForce)]
+    };
+    let finest = run(16, true);
+    let off = |masses: usize| (run(masses, true)[1] / finest[1] - 1.0).abs();
+    let (coarse, middle, fine) = (off(1), off(4), off(8));
+    assert!(fine < middle && middle < coarse && fine < 0.01, "{coarse} {middle} {fine}");
+    // The seats are no trifle: without them the answer is another one.
+    assert!((run(8, false)[0] / finest[0] - 1.0).abs() > 2.0 * fine);
+}
+
+#[test]
 fn what_cannot_be_followed_is_said() {
     let times = grid(0.1, 100);
     assert!(Contact::hard(1.1).is_err() && Contact::hard(f64::NAN).is_err() && Contact::elastic(0.0, 0.1).is_err());
@@ -241,7 +277,8 @@ fn what_cannot_be_followed_is_said() {
     let motion = Motion::new(&spring(1), &sine(1e-3, 300.0)).unwrap();
     let error = Touching::of(&motion, &Contact::default().at_pitch(0.01).unwrap(), &times, false).unwrap_err();
     assert!(error.to_string().starts_with("contact pitch must be at most the 0.0095 m"), "{error}");
-    let fine = Motion::new(&spring(4), &sine(1e-3, 300.0)).unwrap();
+    let mount = coilsense::Mount::new(coilsense::FarEnd::Mass(0.1), Damping::None).unwrap();
+    let fine = Motion::mounted(&spring(4), &mount, &sine(1e-3, 300.0)).unwrap();
     let error = Touching::of(&fine, &hard().with_ends(true), &times, false).unwrap_err();
     assert!(error.to_string().starts_with("masses per winding must be one where windings meet their seats"), "{error}");
     // An end that goes on closing a solid spring.

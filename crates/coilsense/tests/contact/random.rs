@@ -158,7 +158,7 @@ fn uses() -> impl Strategy<Value = Use> {
             frequency,
             restitution,
             is_elastic,
-            ends: ends && masses == 1,
+            ends: ends && (masses == 1 || far_end != 2),
             lifts,
         },
     )
