@@ -18,6 +18,7 @@ use crate::{date, log, options};
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let spec = Spec::read(given.needed(&SPEC)?)?;
     spec.needs_chain("mitigate")?;
+    spec.needs_no_contact("mitigate")?;
     let mut output = given.file(&OUT).map(Output::begin).transpose()?;
     let file = spec.file.clone();
     let study = if given.holds(&STATED) {

@@ -202,6 +202,7 @@ pub fn mitigate(
     ])?;
     let asked = Request::of(&given).map_err(wrong)?;
     spec.needs_chain("mitigate").map_err(refused)?;
+    spec.needs_no_contact("mitigate").map_err(refused)?;
     let study = match (stated, record) {
         (true, _) => Study::stated(&spec.spring.spring).python()?,
         (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,

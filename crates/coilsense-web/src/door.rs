@@ -117,6 +117,7 @@ impl Engine {
         let files = |name: &str| self.files.get(name).cloned().ok_or_else(|| format!("{name} is not on this page"));
         let spec = Spec::parse(NAME, text, &files).map_err(|error| error.to_string())?;
         spec.needs_chain("the page").map_err(|error| error.to_string())?;
+        spec.needs_no_contact("the page").map_err(|error| error.to_string())?;
         Ok(spec)
     }
 }

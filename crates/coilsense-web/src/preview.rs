@@ -42,7 +42,8 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
     let sum = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
     let coil = Coil::of(&spec.spring.spring, &sum, asked.excitation.mean_length(), Method::Within(ANY)).ok();
     let (spring, mount) = (&spec.spring.spring, &mounted.mount);
-    let setup = Setup { spring, mount, excitation: &asked.excitation, coil, positions: true, helix: None };
+    let excitation = &asked.excitation;
+    let setup = Setup { spring, mount, excitation, coil, positions: true, helix: None, contact: None };
     let Simulation { motion, signals, windings, .. } = study::simulate(&setup, &times).map_err(science)?;
     let windings = windings.map_or_else(|| motion.windings(&times), Ok).map_err(science)?;
     let clash = Clash::seen(&motion, &times, &windings, spec.spring.contact_pitch()).map_err(science)?;

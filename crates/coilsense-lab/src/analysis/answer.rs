@@ -14,6 +14,7 @@ pub fn answer(analysis: &Analysis) -> Vec<String> {
     lines.extend(exact_rate(analysis));
     lines.extend(masses(analysis));
     lines.extend(as_chain(analysis));
+    lines.extend(rebound(analysis));
     lines.push(damping(analysis));
     lines.push(warned(analysis));
     lines
@@ -55,7 +56,12 @@ fn case_name(analysis: &Analysis, number: usize) -> String {
 fn place(analysis: &Analysis, verdict: &Verdict) -> String {
     let case = &analysis.cases[verdict.worst];
     let place = case_name(analysis, verdict.worst);
-    if case.clash.happens() { format!("{place}, where windings would touch") } else { place }
+    match &case.contacts {
+        Some(contacts) if contacts.touches.is_empty() => place,
+        Some(_) => format!("{place}, where windings meet"),
+        None if case.clash.happens() => format!("{place}, where windings would touch"),
+        None => place,
+    }
 }
 
 fn best(analysis: &Analysis) -> String {
@@ -203,6 +209,37 @@ fn as_chain(analysis: &Analysis) -> Option<String> {
     ))
 }
 
+/// What the worst figures hang on that nobody has measured: how windings rebound.
+fn rebound(analysis: &Analysis) -> Option<String> {
+    let meets = |case: &&super::Case| case.contacts.as_ref().is_some_and(|contacts| !contacts.touches.is_empty());
+    analysis.cases.iter().find(meets)?;
+    let ways = &analysis.spec.mount.cases;
+    let mut laws: Vec<&str> = Vec::new();
+    for way in ways.iter().filter_map(|way| way.contact.as_ref()) {
+        if !laws.contains(&way.label.as_str()) {
+            laws.push(&way.label);
+        }
+    }
+    if laws.len() < 2 {
+        let [law] = laws[..] else { return None };
+        return Some(format!("Windings meet by {law} alone, as the spec says; for other rebounds give a list."));
+    }
+    let of = |verdict: &Verdict| {
+        let worst = |law: &str| {
+            let cases = analysis.cases.iter().zip(&verdict.assessments);
+            let of_law =
+                cases.filter(|(case, _)| ways[case.damping].contact.as_ref().is_some_and(|way| way.label == law));
+            of_law.map(|(_, assessment)| assessment.combined).fold(0.0, f64::max)
+        };
+        let each: Vec<String> = laws.iter().map(|law| digits(worst(law))).collect();
+        format!("{} {} N", name(analysis, verdict), each.join(" and "))
+    };
+    let each: Vec<String> = analysis.verdicts.iter().take(MOST_NAMED).map(of).collect();
+    let assumed = ways.iter().any(|way| way.contact.as_ref().is_some_and(|way| way.is_assumed));
+    let why = if assumed { ", which nobody has measured and the spec leaves open" } else { ", as the spec lists them" };
+    Some(format!("How windings rebound{why}: at {}, {}.", laws.join(" and "), each.join("; ")))
+}
+
 /// Most sensors that are named for the usual tolerance.
 const MOST_NAMED: usize = 3;
 
@@ -279,6 +316,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Resonance, "a natural frequency of the real spring may coincide with the input's"),
         (Subject::NoLimit, "the rms of a step has no limit"),
         (Subject::Clash, "windings touch"),
+        (Subject::Contact, "windings meet or ends leave their seats"),
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Lift, "an end that only pushes would have to pull"),
         (Subject::Doubt, "values of the spring do not fit together"),

@@ -15,7 +15,7 @@ use super::specimen::{MANY, Springs};
 use super::trial_run::needs_coil;
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec};
-use crate::study::{self, Coil, Helices, Method, Setup};
+use crate::study::{self, Coil, Helices, Meets, Method, Setup, Simulation};
 
 /// A sensor in a word or three.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,14 +79,20 @@ fn seen(
         true => Some(Coil::of(&spec.spring.spring, judge.coil, mean_length, Method::Exact)?),
         false => None,
     };
-    let (spring, mount) = (&spec.spring.spring, &spec.mount.cases[damping].mount);
-    let setup = Setup { spring, mount, excitation: &asked.excitation, coil, positions: false, helix: None };
-    let signals = study::simulate(&setup, &times)?.signals;
+    let (spring, way) = (&spec.spring.spring, &spec.mount.cases[damping]);
+    let contact = way.contact.as_ref().map(|way| Meets { contact: &way.contact, apart: None });
+    let (mount, excitation) = (&way.mount, &asked.excitation);
+    let setup = Setup { spring, mount, excitation, coil, positions: false, helix: None, contact };
+    let Simulation { signals, seen, .. } = study::simulate(&setup, &times)?;
     let judged = judged(&times, asked.window);
-    let scene = Scene { condition, signals: &signals, seen: &signals, judged: &judged };
+    let scene_of = |sensor: &SensorSpec| {
+        let (signals, seen) = (seen.truth(&signals, &spec.goal), seen.by(&signals, sensor, &spec.goal));
+        Scene { condition, signals, seen, judged: &judged }
+    };
     let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;
-        let counted = judge.counted(scene, &instrument.forces(&instrument.steady_readings(&signals)?))?;
+        let scene = scene_of(sensor);
+        let counted = judge.counted(scene, &instrument.forces(&instrument.steady_readings(scene.seen)?))?;
         let known = (judge.beside(sensor, &instrument, scene)?, Moments::of(&counted.errors));
         Ok(((instrument, counted), known))
     };
@@ -95,7 +101,7 @@ fn seen(
     let responses = judge.responses((condition, damping), &each, &known, &judge.springs.specimens)?;
     let of = |(number, (instrument, counted)): (usize, (Instrument, Counted))| {
         let over = Over { responses: &responses, sensor: number };
-        let assessment = judge.assessment(each[number], &instrument, scene, counted, Some(over))?;
+        let assessment = judge.assessment(each[number], &instrument, scene_of(each[number]), counted, Some(over))?;
         Ok((assessment.combined, assessment.raw))
     };
     ready.into_iter().enumerate().map(of).collect()

@@ -14,16 +14,20 @@ use super::band::judged;
 use super::frames::Frames;
 use super::trial_run::needs_coil;
 use crate::series::{Column, Run};
-use crate::spec::{SensorSpec, Spec};
-use crate::study::{self, Coil, EndLoads, Helices, Method, Setup, Simulation};
+use crate::spec::{Goal, SensorSpec, Spec};
+use crate::study::{self, Coil, Contacts, EndLoads, Helices, Meets, Method, Seen, Setup, Simulation};
+
+/// Share of F_nom by which it is judged how long a run with contact holds, where there is no goal.
+const UNJUDGED: f64 = 0.01;
 
 /// What of a case a sensor is judged by.
 #[derive(Clone, Copy)]
 pub(super) struct Scene<'a> {
     /// Number of the condition in the spec.
     pub condition: usize,
+    /// What counts as true.
     pub signals: &'a Signals,
-    /// The same as sensors see them.
+    /// What the sensor sees.
     pub seen: &'a Signals,
     pub judged: &'a Range<usize>,
 }
@@ -53,8 +57,10 @@ pub struct Case {
     pub frames: Frames,
     /// Of a helix: what holds end 1 and end 2 feels beside the axial force.
     pub loads: Option<[EndLoads; 2]>,
-    /// The signals as sensors see them, where load cells are out of line with a helix.
-    seen: Option<Signals>,
+    /// What windings did when they met, where they were asked to.
+    pub contacts: Option<Contacts>,
+    /// The signals as sensors see them.
+    seen: Seen,
 }
 
 /// What a sensor reads.
@@ -82,15 +88,18 @@ impl Case {
         let spring = &spec.spring.spring;
         let times = sampled_window(asked.sample_rate, 0.0, asked.duration)?;
         let mean_length = asked.excitation.mean_length();
+        let way = &spec.mount.cases[damping];
+        let apart = Some(spec.goal.error.unwrap_or(UNJUDGED * spring.nominal_force()));
         let setup = Setup {
             spring,
-            mount: &spec.mount.cases[damping].mount,
+            mount: &way.mount,
             excitation: &asked.excitation,
             coil: force_of_coil(spec, sensors, coil, mean_length)?,
             positions: true,
             helix: helices.get(condition, damping).map(|helix| (helix, [1.0; 2])),
+            contact: way.contact.as_ref().map(|way| Meets { contact: &way.contact, apart }),
         };
-        let Simulation { motion, signals, windings, loads, seen, .. } = study::simulate(&setup, &times)?;
+        let Simulation { motion, signals, windings, loads, seen, contacts, .. } = study::simulate(&setup, &times)?;
         // Request for above.
         let windings = windings.map_or_else(|| motion.windings(&times), Ok)?;
 
@@ -105,13 +114,19 @@ impl Case {
             spectra.push((force, Spectrum::of(&times[judged.clone()], series)?));
         }
         // What comes after the judged part concerns nobody.
-        let clash = Clash::seen(&motion, &times[..judged.end], &windings, spec.spring.contact_pitch())?;
+        let watched = &times[..judged.end];
+        let pitch = spec.spring.contact_pitch();
+        let clash = match &contacts {
+            Some(contacts) => Clash::met(watched, &windings, spring.masses_per_winding(), pitch, contacts.first)?,
+            None => Clash::seen(&motion, watched, &windings, pitch)?,
+        };
+        let true_force = seen.truth(&signals, &spec.goal).channel(spec.goal.force)?[judged.clone()].to_vec();
         let number = condition * spec.mount.cases.len() + damping;
         let read = |(index, sensor): (usize, &SensorSpec)| {
             let instrument = sensor.on(&Site { spring, coil, mean_length })?;
             // Each sensor in each case has noise of its own.
             let seed = spec.uncertainty.seed.wrapping_add((number * sensors.len() + index) as u64);
-            Reading::of(&instrument, seen.as_ref().unwrap_or(&signals), truth, &judged, seed)
+            Reading::of(&instrument, seen.by(&signals, sensor, &spec.goal), &true_force, &judged, seed)
         };
         Ok(Self {
             condition,
@@ -128,6 +143,7 @@ impl Case {
                 judged.start,
                 1.0 / spring.surge_frequency(),
             ),
+            contacts,
             seen,
             signals,
             judged,
@@ -153,13 +169,9 @@ impl Case {
     }
 
     /// What of it a sensor is judged by.
-    pub(super) fn scene(&self) -> Scene<'_> {
-        Scene { condition: self.condition, signals: &self.signals, seen: self.seen(), judged: &self.judged }
-    }
-
-    /// Its signals as sensors see them.
-    pub(super) fn seen(&self) -> &Signals {
-        self.seen.as_ref().unwrap_or(&self.signals)
+    pub(super) fn scene<'a>(&'a self, sensor: &SensorSpec, goal: &Goal) -> Scene<'a> {
+        let (signals, seen) = (self.seen.truth(&self.signals, goal), self.seen.by(&self.signals, sensor, goal));
+        Scene { condition: self.condition, signals, seen, judged: &self.judged }
     }
 
     /// Times of the judged samples \[s\].

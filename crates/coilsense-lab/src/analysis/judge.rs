@@ -70,8 +70,9 @@ impl Judge<'_> {
             let case = &self.cases[number];
             let instrument = self.instrument(sensor, case.condition)?;
             let over = Over { responses: &responses[number], sensor: index };
-            let counted = self.counted(case.scene(), &case.readings[index].steady)?;
-            self.assessment(sensor, &instrument, case.scene(), counted, Some(over))
+            let scene = case.scene(sensor, &self.spec.goal);
+            let counted = self.counted(scene, &case.readings[index].steady)?;
+            self.assessment(sensor, &instrument, scene, counted, Some(over))
         };
         (0..self.cases.len()).map(assess).collect()
     }
@@ -86,7 +87,7 @@ impl Judge<'_> {
         let case = &self.cases[number];
         let instrument = self.instrument(sensor, case.condition)?;
         let over = Over { responses: &responses[number], sensor: index };
-        let scene = case.scene();
+        let scene = case.scene(sensor, &self.spec.goal);
         let steady = &case.readings[index].steady;
         Ok(SensorModel { judge: self, sensor, instrument, scene, steady, over })
     }

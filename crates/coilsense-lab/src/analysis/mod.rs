@@ -238,8 +238,9 @@ fn responses(
     let case = &judge.cases[number];
     let of = |(sensor, reading): (&SensorSpec, &Reading)| {
         let instrument = judge.instrument(sensor, case.condition)?;
-        let beside = judge.beside(sensor, &instrument, case.scene())?;
-        Ok((beside, Moments::of(&judge.counted(case.scene(), &reading.steady)?.errors)))
+        let scene = case.scene(sensor, &judge.spec.goal);
+        let beside = judge.beside(sensor, &instrument, scene)?;
+        Ok((beside, Moments::of(&judge.counted(scene, &reading.steady)?.errors)))
     };
     let known: Vec<(f64, Moments)> = sensors.iter().zip(&case.readings).map(of).collect::<Result<_, Error>>()?;
     let sensors: Vec<&SensorSpec> = sensors.iter().collect();

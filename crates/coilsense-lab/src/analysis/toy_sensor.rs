@@ -53,10 +53,10 @@ fn a_kind_that_no_spec_names_is_judged_by_what_it_errs_by() {
     let springs = Springs::of(&spec, &spec.spring.tolerances, MANY);
     let helices = crate::study::Helices::default();
     let judge = Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };
-    let scene = cases[0].scene();
+    let perfect = SensorSpec::perfect("toy", Quantity::Force(coilsense::End::Two), 1.0);
+    let scene = cases[0].scene(&perfect, &spec.goal);
     let toy = Instrument::new(Readout::new(ReadoutParameters::default()).unwrap(), Arc::new(HalfNewtons));
     let counted = judge.counted(scene, &toy.forces(&toy.steady_readings(scene.signals).unwrap())).unwrap();
-    let perfect = SensorSpec::perfect("toy", Quantity::Force(coilsense::End::Two), 1.0);
     let assessment = judge.assessment(&perfect, &toy, scene, counted, None).unwrap();
     // Of a spring that hangs still all is the miscount, 3 half newtons; its oscillation is rounding.
     assert!((assessment.combined - 1.5).abs() < 1e-9, "{} N", assessment.combined);

@@ -33,11 +33,12 @@ impl Judge<'_> {
             (combined, raw) = (0.0, 0.0);
             for case in self.cases {
                 let instrument = self.instrument(sensor, case.condition)?;
-                let steady = instrument.forces(&instrument.steady_readings(case.seen())?);
-                let counted = self.counted(case.scene(), &steady)?;
+                let scene = case.scene(sensor, &self.spec.goal);
+                let steady = instrument.forces(&instrument.steady_readings(scene.seen)?);
+                let counted = self.counted(scene, &steady)?;
                 let responses = match over_springs {
                     true => {
-                        let beside = self.beside(sensor, &instrument, case.scene())?;
+                        let beside = self.beside(sensor, &instrument, scene)?;
                         let known = [(beside, Moments::of(&counted.errors))];
                         let (of, specimens) = ((case.condition, case.damping), &self.springs.specimens);
                         Some(self.responses(of, &[sensor], &known, specimens)?)
@@ -45,7 +46,7 @@ impl Judge<'_> {
                     false => None,
                 };
                 let over = responses.as_ref().map(|responses| Over { responses, sensor: 0 });
-                let assessment = self.assessment(sensor, &instrument, case.scene(), counted, over)?;
+                let assessment = self.assessment(sensor, &instrument, scene, counted, over)?;
                 if assessment.combined > goal {
                     return Ok(None);
                 }

@@ -13,7 +13,7 @@ use super::moments::Moments;
 use super::specimen::Change;
 use super::ways::changed;
 use crate::spec::{SensorSpec, Spec};
-use crate::study::{self, Coil, Helical, Method, Setup, Simulation};
+use crate::study::{self, Coil, Helical, Meets, Method, Setup, Simulation};
 
 /// L to second order is good enough for how an error changes.
 const ANY: f64 = 1.0;
@@ -74,15 +74,18 @@ impl<'a> TrialRun<'a> {
             }
             false => None,
         };
-        let mount = &asked.spec.mount.cases[asked.damping].mount;
-        let setup = Setup { spring, mount, excitation: &condition.excitation, coil, positions: false, helix };
+        let way = &asked.spec.mount.cases[asked.damping];
+        let contact = way.contact.as_ref().map(|way| Meets { contact: &way.contact, apart: None });
+        let (mount, excitation) = (&way.mount, &condition.excitation);
+        let setup = Setup { spring, mount, excitation, coil, positions: false, helix, contact };
         let Simulation { signals, seen, .. } = study::simulate(&setup, &self.times)?;
-        let seen = seen.as_ref().unwrap_or(&signals);
-        let truth = signals.channel(asked.spec.goal.force)?;
+        let goal = &asked.spec.goal;
+        let truth = seen.truth(&signals, goal).channel(goal.force)?;
         let of = |(sensor, &begin): (&&crate::spec::SensorSpec, &usize)| {
             let instrument = sensor.on(&Site { spring, coil: asked.coil, mean_length })?;
             let times = &self.times[begin..];
-            let readings = instrument.steady_readings_of(times, &instrument.quantity(seen)?[begin..])?;
+            let readings = instrument
+                .steady_readings_of(times, &instrument.quantity(seen.by(&signals, sensor, goal))?[begin..])?;
             let forces = instrument.forces(&readings);
             let errors: Vec<f64> = forces.iter().zip(&truth[begin..]).map(|(force, truth)| force - truth).collect();
             let judged = self.judged.start - begin..self.judged.end - begin;

@@ -12,6 +12,7 @@ use super::judge::Judge;
 use crate::data_sheet::DataSheet;
 use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec};
+use crate::study::{Between, Contacts};
 
 /// Something that a reader must know.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +30,10 @@ pub enum Subject {
     Resonance,
     /// Figures that have no limit for many masses.
     NoLimit,
-    /// Windings touch.
+    /// Windings touch, and pass through one another.
     Clash,
+    /// Windings meet, or ends leave their seats, as the spec asks.
+    Contact,
     /// A length out of range.
     Length,
     /// An end that can only push, and would have to pull.
@@ -54,6 +57,7 @@ impl Subject {
             Self::Resonance => "resonance",
             Self::NoLimit => "no_limit",
             Self::Clash => "clash",
+            Self::Contact => "contact",
             Self::Length => "length",
             Self::Lift => "lift",
             Self::Doubt => "doubt",
@@ -75,6 +79,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
         warnings.extend(clash(spec, &of_condition));
+        warnings.extend(contact(spec, &of_condition));
         warnings.extend(length(spec, &of_condition, sheet));
         warnings.extend(lift(spec, &of_condition)?);
     }
@@ -90,6 +95,9 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
 
 /// Windings that touch, under the damping where they come nearest.
 fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
+    if cases.iter().any(|case| case.contacts.is_some()) {
+        return None;
+    }
     let nearest = cases.iter().min_by(|a, b| a.clash.smallest_pitch.total_cmp(&b.clash.smallest_pitch))?;
     let contact = nearest.clash.first_contact?;
     let clear: Vec<&str> = cases
@@ -103,13 +111,82 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
     let until = if clear.is_empty() { String::new() } else { format!(" They stay clear at {}.", clear.join(", ")) };
     let text = format!(
         "{}, {}: windings touch from t = {contact:.3} s on; at t = {:.3} s they would overlap by {:.2} mm. The numbers after that \
-         lie beyond what this spring can do.{also}{until}",
+         lie beyond what this spring can do.{also}{until} A table [contact] in the spec lets them meet.",
         spec.conditions[nearest.condition].name,
         spec.mount.cases[nearest.damping].label,
         nearest.clash.time,
         -1e3 * spec.spring.gap(nearest.clash.smallest_pitch),
     );
     Some(Warning { subject: Subject::Clash, text })
+}
+
+/// Windings that meet, and ends that leave their seats: what of it a reader must know, under the case in which most of it happens.
+fn contact(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
+    let of = |case: &&Case| case.contacts.clone().map(|contacts| (case.damping, contacts));
+    let each: Vec<(usize, Contacts)> =
+        cases.iter().filter_map(of).filter(|(_, contacts)| contacts.first.is_some()).collect();
+    let (damping, most) = each.iter().max_by_key(|(_, contacts)| contacts.touches.len() + contacts.lifts.len())?;
+    let label = |damping: usize| spec.mount.cases[damping].label.as_str();
+    let mut text = format!("{}, {}: {}.", spec.conditions[cases[0].condition].name, label(*damping), happened(most));
+    let clear = cases.len() - each.len();
+    if clear > 0 {
+        text.push_str(&format!(" In {clear} of {} cases of this condition nothing meets.", cases.len()));
+    }
+    let short = |(damping, contacts): &(usize, Contacts)| {
+        let until = contacts.holds_until.filter(|until| *until < contacts.until)?;
+        Some((until, format!("{} from t = {until:.4} s on", label(*damping)), contacts.apart))
+    };
+    let lost: Vec<(f64, String, f64)> = each.iter().filter_map(short).collect();
+    if let Some((_, _, apart)) = lost.first() {
+        let each: Vec<&str> = lost.iter().map(|(_, words, _)| words.as_str()).collect();
+        text.push_str(&format!(
+            " An input larger by a millionth moves an end force by more than {} N at {}: what comes after that is good in its rms and its extremes \
+             only.",
+            digits(*apart),
+            each.join("; ")
+        ));
+    }
+    let blows = Between::SEATS.map(|seat| most.seat_impulses(seat).map(|(_, impulse)| impulse).fold(0.0, f64::max));
+    if let Some(largest) = blows.into_iter().reduce(f64::max).filter(|impulse| *impulse > 0.0) {
+        text.push_str(&format!(
+            " Seats are struck with up to {} mN s at once, which is in no force series: a sensor of bandwidth B shows it as a peak of about {} N \
+             for each kHz of B, and where it has one, or the goal does, is judged with that.",
+            digits(1e3 * largest),
+            digits(2e3 * std::f64::consts::PI * largest),
+        ));
+    }
+    Some(Warning { subject: Subject::Contact, text })
+}
+
+/// What happened in a run, in a clause or two.
+fn happened(contacts: &Contacts) -> String {
+    let mut clauses = Vec::new();
+    if let Some(first) = contacts.touches.first() {
+        let longest = contacts.meetings.iter().max_by(|a, b| a.closed.total_cmp(&b.closed));
+        let together = longest.map_or_else(String::new, |longest| {
+            format!(", {} together for {} % of the time", longest.between.words(), digits(100.0 * longest.closed))
+        });
+        let fastest = contacts.touches.iter().map(|touch| touch.closing_speed).fold(0.0, f64::max);
+        clauses.push(format!(
+            "windings meet from t = {:.4} s on ({} at {} m/s), {} times, at up to {} m/s{together}",
+            first.time,
+            contacts.between(first).words(),
+            digits(first.closing_speed),
+            contacts.touches.len(),
+            digits(fastest),
+        ));
+    }
+    if let Some(first) = contacts.lifts.first() {
+        let aloft: f64 = contacts.lifts.iter().map(|lift| lift.back.unwrap_or(contacts.until) - lift.time).sum();
+        let end = if first.is_end2 { "end 2" } else { "end 1" };
+        clauses.push(format!(
+            "an end leaves its seat {} times, first {end} at t = {:.4} s, for {} ms in all",
+            contacts.lifts.len(),
+            first.time,
+            digits(1e3 * aloft)
+        ));
+    }
+    clauses.join("; ")
 }
 
 /// Lengths below the solid length, or out of the range in use.

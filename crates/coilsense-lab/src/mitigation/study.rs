@@ -97,6 +97,7 @@ impl Study {
     /// [`StudyError::NoCondition`] for a spec without conditions, [`StudyError::Model`] for one of a helix.
     pub fn of(spec: &Spec, asked: &Request) -> Result<Self, StudyError> {
         spec.needs_chain("mitigate")?;
+        spec.needs_no_contact("mitigate")?;
         if spec.conditions.is_empty() {
             return Err(StudyError::NoCondition(spec.file.clone()));
         }

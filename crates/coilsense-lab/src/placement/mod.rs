@@ -86,6 +86,7 @@ impl Placement {
     /// [`PlacementError`] where the spec has no `[control]`, no damping above zero, or the science refuses.
     pub fn of(spec: Spec) -> Result<Self, PlacementError> {
         spec.needs_chain("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
+        spec.needs_no_contact("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
         let Some(control) = spec.control else {
             return Err(PlacementError::Spec(format!("{}: the table [control] is missing", spec.file)));
         };

@@ -96,7 +96,8 @@ impl Case {
         let sum = MaxwellSum::new(&self.spring, SelfDistance::AsPrinted);
         let coil = Coil::of(&self.spring, &sum, self.excitation.mean_length(), Method::Exact)?;
         let (mount, excitation) = (&Mount::default(), &self.excitation);
-        let setup = Setup { spring: &self.spring, mount, excitation, coil: Some(coil), positions: false, helix: None };
+        let (spring, coil) = (&self.spring, Some(coil));
+        let setup = Setup { spring, mount, excitation, coil, positions: false, helix: None, contact: None };
         let Simulation { motion, signals, .. } = study::simulate(&setup, &times)?;
         let reference = signals.channel(Channel::DeflectionForce)?;
         let deviation = |force| Ok((force, Deviation::between(signals.channel(force)?, reference)?));

@@ -91,6 +91,7 @@ impl Rig {
     /// [`RigError`] for a mount that is not held or has not one damping, and for settings that do not fit spring, instruments or each other.
     pub fn new(spec: &Spec, seed: u64) -> Result<Self, RigError> {
         spec.needs_chain("a rig")?;
+        spec.needs_no_contact("a rig")?;
         let damping = checks::damping(spec)?;
         let (settings, spring) = (spec.rig.clone(), spec.spring.spring.clone());
         let science = |place: &str| {

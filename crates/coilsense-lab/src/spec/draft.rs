@@ -8,6 +8,7 @@ use coilsense::Channel;
 use toml::de::DeValue;
 
 use super::condition::ConditionSpec;
+use super::contact::ContactCase;
 use super::control::ControlSpec;
 use super::document::Document;
 use super::goal::{Goal, UncertaintySpec};
@@ -100,6 +101,8 @@ impl<'a> Draft<'a> {
         spring.follow_helix(&MountSpec::ends(document, end_type)?);
         let mount = MountSpec::parse(document, &spring.spring, end_type)?;
         let mount = if spring.model == Model::Helix { for_helix(&document.section("spring")?, mount)? } else { mount };
+        let contacts = ContactCase::parse_all(document, &spring, &mount)?;
+        let mount = mount.by_contacts(&contacts);
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })

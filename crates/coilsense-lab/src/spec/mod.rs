@@ -7,6 +7,7 @@
 
 mod catalogue;
 mod condition;
+mod contact;
 mod control;
 mod document;
 mod draft;
@@ -39,6 +40,7 @@ mod value;
 pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
 pub use coilsense::sensors::Quantity;
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
+pub use contact::ContactCase;
 pub use control::ControlSpec;
 pub use document::SPEC_VERSION;
 pub use ends::EndsSpec;
@@ -114,6 +116,14 @@ impl Spec {
     /// [`SpecError`] as [`Self::parse`], or where the file cannot be read.
     pub fn read(path: &Path) -> Result<Self, SpecError> {
         Self::parse(&path.display().to_string(), &read_text(path)?, &files_beside(path))
+    }
+
+    /// Refuses windings that meet, for what is computed without contact only: `what` it is, in a word or two.
+    ///
+    /// # Errors
+    /// [`SpecError`] with what takes them.
+    pub fn needs_no_contact(&self, what: &str) -> Result<(), SpecError> {
+        self.mount.needs_no_contact(&self.file, what)
     }
 
     /// Refuses the model that is a helix, for what is computed on a chain only: `what` it is, in a word or two.

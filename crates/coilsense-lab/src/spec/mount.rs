@@ -6,6 +6,7 @@ use coilsense::geometry::EndType;
 use coilsense::modes::ChainModes;
 use coilsense::{Damping, FarEnd, Mount, Spring};
 
+use super::contact::ContactCase;
 use super::document::Document;
 use super::ends::EndsSpec;
 use super::section::Section;
@@ -40,6 +41,8 @@ pub struct DampingCase {
     pub mount: Mount,
     /// The way in which the ends are held, where a case is of one of several.
     pub held: Option<Held>,
+    /// What windings do when they meet; `None` where they pass through one another.
+    pub contact: Option<ContactCase>,
 }
 
 impl MountSpec {
@@ -59,6 +62,30 @@ impl MountSpec {
         };
         let cases = self.cases.iter().flat_map(|case| [of(case, tightest), of(case, loosest)]).collect();
         Self { cases, ..self }
+    }
+
+    /// The same with a case for each way in which windings may meet.
+    pub(super) fn by_contacts(self, contacts: &[ContactCase]) -> Self {
+        if contacts.is_empty() {
+            return self;
+        }
+        let of = |case: &DampingCase, contact: &ContactCase| DampingCase {
+            label: format!("{}, {}", case.label, contact.label),
+            stem: format!("{}-{}", case.stem, contact.stem()),
+            contact: Some(contact.clone()),
+            ..case.clone()
+        };
+        let cases = self.cases.iter().flat_map(|case| contacts.iter().map(|contact| of(case, contact))).collect();
+        Self { cases, ..self }
+    }
+
+    /// As [`super::Spec::needs_no_contact`]; `file` is the spec's.
+    pub(crate) fn needs_no_contact(&self, file: &str, what: &str) -> Result<(), SpecError> {
+        if self.cases.iter().all(|case| case.contact.is_none()) {
+            return Ok(());
+        }
+        let takes = "takes windings = \"off\"; windings that meet are for simulate, analyze and sweep";
+        Err(SpecError(format!("{file}: [contact]: {what} {takes}")))
     }
 
     /// What an axial model takes of it, which the ways in which the ends are held do not concern: each damping once.
@@ -177,7 +204,7 @@ impl DampingCase {
     }
 
     fn of(label: String, stem: String, far_end: FarEnd, damping: Damping) -> Result<Self, coilsense::Error> {
-        Ok(Self { label, stem, ratio: None, mount: Mount::new(far_end, damping)?, held: None })
+        Ok(Self { label, stem, ratio: None, mount: Mount::new(far_end, damping)?, held: None, contact: None })
     }
 }
 

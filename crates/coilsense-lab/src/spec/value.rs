@@ -83,6 +83,11 @@ impl Section<'_> {
         self.read(key, parse, || "a number without a unit, or a list of them".to_owned())
     }
 
+    /// `true` or `false`, where it is given.
+    pub(super) fn optional_flag(&self, key: &str) -> Result<Option<bool>, SpecError> {
+        self.read(key, |value| value.as_bool(), || "true or false".to_owned())
+    }
+
     /// A text that is not empty.
     pub(super) fn text(&self, key: &str) -> Result<String, SpecError> {
         self.optional_text(key)?.ok_or_else(|| self.missing(key, TEXT))

@@ -2,11 +2,13 @@
 //!
 //! Next door: one simulation (`simulation`), how far any chain is a coil (`coilsense::Spring::first_frequency_band`).
 
+use coilsense::contact::Law;
 use coilsense::signals::sampled_window;
-use coilsense::{Channel, Damping, Deviation, Error, FarEnd, Motion, Mount, Spring};
+use coilsense::{Channel, Damping, Deviation, Error, FarEnd, Mount, Spring};
 use rayon::prelude::*;
 
-use crate::spec::{ConditionSpec, Model, MountSpec, SpringSpec};
+use super::simulation::{Meets, Setup, simulate};
+use crate::spec::{ConditionSpec, DampingCase, Model, MountSpec, SpringSpec};
 
 /// How many masses the chain has for a winding, and what says that they are enough.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,14 +19,20 @@ pub struct Masses {
     pub is_given: bool,
     /// By how much the rms of an end force still moves when they are doubled, at most, as a share of it; `None` where that was not tried.
     pub change: Option<f64>,
+    /// Up to which such change they are enough.
+    pub enough: f64,
     /// Conditions that jump: the rms of the end forces has no limit there, and did not count.
     pub without_limit: Vec<String>,
 }
 
 /// Most by which an rms may move when the masses are doubled.
 pub const ENOUGH: f64 = 0.005;
+/// The same where windings meet: a shock in a chain is as wide as its masses are apart, and twice as many halve what it is off by.
+pub const ENOUGH_WITH_CONTACT: f64 = 0.03;
 /// Most masses for a winding that are tried.
 const MOST: usize = 32;
+/// The same where windings meet: the time it takes grows with their square.
+const MOST_WITH_CONTACT: usize = 16;
 /// Most masses in all: positions of more take seconds.
 const MOST_IN_ALL: usize = 2000;
 /// Most positions of masses over all samples of all cases: what a run of a few seconds takes.
@@ -35,22 +43,24 @@ const LEAST: f64 = 1e-5;
 /// The spring of a spec on its mount under its conditions, with enough masses.
 ///
 /// # Errors
-/// Those of [`Motion::mounted`].
+/// Those of [`simulate`].
 pub fn enough_masses(spring: &SpringSpec, mount: &MountSpec, conditions: &[ConditionSpec]) -> Result<Masses, Error> {
     let jumps = |condition: &&ConditionSpec| condition.kind == "step";
     let without_limit: Vec<String> = conditions.iter().filter(jumps).map(|condition| condition.name.clone()).collect();
     if spring.model == Model::Helix {
         // No chain moves; so many places of the wire are followed.
         let per_winding = spring.spring.masses_per_winding();
-        return Ok(Masses { per_winding, is_given: false, change: None, without_limit });
+        return Ok(Masses { per_winding, is_given: false, change: None, enough: ENOUGH, without_limit });
     }
     if let Some(per_winding) = spring.masses_per_winding {
-        return Ok(Masses { per_winding, is_given: true, change: None, without_limit });
+        return Ok(Masses { per_winding, is_given: true, change: None, enough: ENOUGH, without_limit });
     }
     let judged: Vec<&ConditionSpec> = conditions.iter().filter(|condition| !jumps(condition)).collect();
-    let rms_of = |masses| rms(spring, mount, &judged, masses);
+    let ways = calmest(mount);
+    let enough = if ways.iter().any(|way| way.contact.is_some()) { ENOUGH_WITH_CONTACT } else { ENOUGH };
+    let rms_of = |masses| rms(spring, &ways, &judged, masses);
     let least = spring.spring.masses_per_winding();
-    let mut masses = Masses { per_winding: least, is_given: false, change: None, without_limit };
+    let mut masses = Masses { per_winding: least, is_given: false, change: None, enough, without_limit };
     if judged.is_empty() || 2 * least * spring.spring.whole_windings() > MOST_IN_ALL {
         return Ok(masses);
     }
@@ -62,8 +72,10 @@ pub fn enough_masses(spring: &SpringSpec, mount: &MountSpec, conditions: &[Condi
         let change = largest_change(&coarse, &fine, LEAST * spring.spring.nominal_force());
         masses.change = Some(change);
         let twice = 2 * masses.per_winding;
-        let last = twice > MOST || twice * spring.spring.whole_windings() > most;
-        if change <= ENOUGH || last {
+        let meets = ways.iter().any(|way| way.contact.is_some());
+        let most_per_winding = if meets { MOST_WITH_CONTACT } else { MOST };
+        let last = twice > most_per_winding || twice * spring.spring.whole_windings() > most;
+        if change <= enough || last {
             return Ok(masses);
         }
         masses.per_winding *= 2;
@@ -85,9 +97,9 @@ pub fn prepare(spring: &mut SpringSpec, mount: &mut MountSpec, conditions: &[Con
 }
 
 impl Masses {
-    /// Whether doubling them moves no rms by more than [`ENOUGH`], as far as that was tried.
+    /// Whether doubling them moves no rms by more than that, as far as it was tried.
     pub fn are_enough(&self) -> bool {
-        self.change.is_none_or(|change| change <= ENOUGH)
+        self.change.is_none_or(|change| change <= self.enough)
     }
 }
 
@@ -97,27 +109,40 @@ fn largest_change(coarse: &[f64], fine: &[f64], least: f64) -> f64 {
     each.map(|(a, b)| (b - a).abs() / a.max(least)).fold(0.0, f64::max)
 }
 
+/// The mounts of a spec, of windings that meet only those that rebound least: with a rebound the loss in a shock goes into a rattle of the masses
+/// that has no limit for many of them.
+fn calmest(mount: &MountSpec) -> Vec<&DampingCase> {
+    let rebound = |way: &DampingCase| {
+        way.contact.as_ref().map_or(0.0, |way| match way.contact.law() {
+            Law::Hard { restitution } => restitution,
+            Law::Elastic { damping_ratio, .. } => -damping_ratio,
+        })
+    };
+    let least = mount.cases.iter().map(rebound).fold(f64::INFINITY, f64::min);
+    mount.cases.iter().filter(|way| rebound(way) <= least).collect()
+}
+
 /// Rms of F_i and F_o about F_x, and of one about the other \[N\], in each condition under each damping.
 fn rms(
     spring: &SpringSpec,
-    mount: &MountSpec,
+    ways: &[&DampingCase],
     conditions: &[&ConditionSpec],
     masses: usize,
 ) -> Result<Vec<f64>, Error> {
     let spring = spring.spring.clone().with_masses_per_winding(masses)?;
-    let dampings = mount.cases.len();
-    let one = |index: usize| {
-        let (condition, damping) = (conditions[index / dampings], index % dampings);
-        of_case(&spring, &mounted(&mount.cases[damping].mount, &spring)?, condition)
-    };
+    let dampings = ways.len();
+    let one = |index: usize| of_case(&spring, ways[index % dampings], conditions[index / dampings]);
     let each: Vec<[f64; 3]> = (0..conditions.len() * dampings).into_par_iter().map(one).collect::<Result<_, _>>()?;
     Ok(each.into_iter().flatten().collect())
 }
 
-fn of_case(spring: &Spring, mount: &Mount, condition: &ConditionSpec) -> Result<[f64; 3], Error> {
-    let motion = Motion::mounted(spring, mount, &condition.excitation)?;
+fn of_case(spring: &Spring, way: &DampingCase, condition: &ConditionSpec) -> Result<[f64; 3], Error> {
+    let mount = &mounted(&way.mount, spring)?;
     let times = sampled_window(condition.sample_rate, condition.window.0, condition.window.1)?;
-    let signals = motion.signals(&times)?;
+    let contact = way.contact.as_ref().map(|way| Meets { contact: &way.contact, apart: None });
+    let excitation = &condition.excitation;
+    let setup = Setup { spring, mount, excitation, coil: None, positions: false, helix: None, contact };
+    let signals = simulate(&setup, &times)?.signals;
     let rms = |a, b| Ok(Deviation::between(signals.channel(a)?, signals.channel(b)?)?.rmsd);
     let [first, last, still] = [Channel::InputForce, Channel::OutputForce, Channel::DeflectionForce];
     Ok([rms(first, still)?, rms(last, still)?, rms(last, first)?])

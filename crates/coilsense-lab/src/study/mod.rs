@@ -2,10 +2,14 @@
 //!
 //! Next door: what is made of it (`analysis`, `sweep`, `reproduce`), the motion itself (`coilsense::motion`).
 
+mod contacts;
 mod helical;
 mod masses;
+mod seen;
 mod simulation;
 
+pub use contacts::{Between, Contacts, Meeting};
 pub use helical::{EndLoads, Helical, Helices, Moved};
 pub use masses::{ENOUGH, Masses, enough_masses, mounted, prepare};
-pub use simulation::{Coil, Method, Setup, Simulation, simulate};
+pub use seen::Seen;
+pub use simulation::{Coil, Meets, Method, Setup, Simulation, simulate};

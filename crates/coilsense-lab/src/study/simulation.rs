@@ -2,11 +2,14 @@
 //!
 //! Next door: how many masses stand for a winding (`masses`), the judgement of sensors (`crate::analysis`).
 
+use coilsense::contact::{Contact, GivenUp, Touching};
 use coilsense::inductance::{BoundedSeries, MaxwellSum};
 use coilsense::motion::Windings;
 use coilsense::{Calibration, Channel, Error, Excitation, InductanceSensor, Motion, Mount, Signals, Spring};
 
-use super::helical::{EndLoads, Helical, Moved};
+use super::contacts::{Between, Contacts};
+use super::helical::{self, EndLoads, Helical};
+use super::seen::Seen;
 
 /// What is simulated.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +26,17 @@ pub struct Setup<'a> {
     pub positions: bool,
     /// The helix that moves in place of the spring's chain, its stiffness and its frequencies multiplied.
     pub helix: Option<(&'a Helical, [f64; 2])>,
+    /// What windings of the chain do when they meet; without it they pass through one another.
+    pub contact: Option<Meets<'a>>,
+}
+
+/// How windings meet, and what is asked of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Meets<'a> {
+    /// The law.
+    pub contact: &'a Contact,
+    /// The force \[N\] by which it is judged for how long the answer holds, which takes a second run; `None` where nobody asks.
+    pub apart: Option<f64>,
 }
 
 /// The spring as an inductance, with what its meter is told.
@@ -58,8 +72,10 @@ pub struct Simulation {
     pub bounded: Option<BoundedSeries>,
     /// Of a helix: what holds end 1 and end 2 feels beside the axial force.
     pub loads: Option<[EndLoads; 2]>,
-    /// The signals as sensors see them, where load cells are out of line with a helix.
-    pub seen: Option<Signals>,
+    /// The signals as sensors see them.
+    pub seen: Seen,
+    /// What met, where windings were asked to.
+    pub contacts: Option<Contacts>,
 }
 
 impl<'a> Coil<'a> {
@@ -75,22 +91,12 @@ impl<'a> Coil<'a> {
 /// Simulates a setup at `times` \[s\], strictly increasing, none below zero.
 ///
 /// # Errors
-/// Those of [`Motion::mounted`], [`Helical::simulate`], [`Motion::signals`], [`Motion::windings`] and [`MaxwellSum::series_within`].
+/// Those of [`Motion::mounted`], [`Helical::simulate`], [`Motion::signals`], [`Motion::windings`], [`Touching::of`] and
+/// [`MaxwellSum::series_within`]; [`Error::Value`] for windings that could not be followed to the last of the times.
 pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
-    let (motion, mut signals, loads, read) = match setup.helix {
-        Some((helix, change)) => {
-            let Moved { motion, signals, loads, read } =
-                helix.simulate(change, setup.mount, setup.excitation, times)?;
-            (motion, signals, Some(loads), read)
-        }
-        None => {
-            let motion = Motion::mounted(setup.spring, setup.mount, setup.excitation)?;
-            let signals = motion.signals(times)?;
-            (motion, signals, None, None)
-        }
-    };
     let exact = matches!(setup.coil, Some(Coil { method: Method::Exact, .. }));
-    let windings = if setup.positions || exact { Some(motion.windings(times)?) } else { None };
+    let moved = moved(setup, times, exact || setup.positions)?;
+    let Moved { motion, mut signals, windings, loads, read, struck, contacts } = moved;
     let mut bounded = None;
     if let Some(coil) = &setup.coil {
         let inductance = match (&windings, coil.method) {
@@ -103,11 +109,88 @@ pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
         signals.insert(Channel::InductanceForce, force)?;
         signals.insert(Channel::Inductance, inductance)?;
     }
-    let seen = read.map(|read| seen_by(&signals, read)).transpose()?;
-    Ok(Simulation { motion, signals, windings, bounded, loads, seen })
+    let other = |forces: Option<[Vec<f64>; 2]>| forces.map(|forces| seen_by(&signals, forces)).transpose();
+    let seen = Seen { by_cells: other(read)?, with_blows: other(struck)? };
+    Ok(Simulation { motion, signals, windings, bounded, loads, seen, contacts })
 }
 
-/// Signals with F_i and F_o as load cells read them.
+/// A motion at all times.
+struct Moved {
+    motion: Motion,
+    signals: Signals,
+    windings: Option<Windings>,
+    loads: Option<[EndLoads; 2]>,
+    /// F_i and F_o as load cells out of line read them.
+    read: Option<[Vec<f64>; 2]>,
+    /// F_i and F_o with what seats got in an instant.
+    struck: Option<[Vec<f64>; 2]>,
+    contacts: Option<Contacts>,
+}
+
+fn moved(setup: &Setup<'_>, times: &[f64], with_windings: bool) -> Result<Moved, Error> {
+    if let Some((helix, change)) = setup.helix {
+        let helical::Moved { motion, signals, loads, read } =
+            helix.simulate(change, setup.mount, setup.excitation, times)?;
+        let windings = with_windings.then(|| motion.windings(times)).transpose()?;
+        return Ok(Moved { motion, signals, windings, loads: Some(loads), read, struck: None, contacts: None });
+    }
+    let motion = Motion::mounted(setup.spring, setup.mount, setup.excitation)?;
+    let Some(meets) = setup.contact else {
+        let signals = motion.signals(times)?;
+        let windings = with_windings.then(|| motion.windings(times)).transpose()?;
+        return Ok(Moved { motion, signals, windings, loads: None, read: None, struck: None, contacts: None });
+    };
+    // Without the windings L would be that of the motion without contact.
+    let with_windings = with_windings || setup.coil.is_some();
+    let touching = match meets.apart {
+        Some(_) => Touching::of(&motion, meets.contact, times, with_windings)?,
+        None => Touching::once(&motion, meets.contact, times, with_windings)?,
+    };
+    reached(&touching, times)?;
+    let masses = [setup.spring.chain_masses(), setup.spring.masses_per_winding()];
+    let contacts = Contacts::of(&touching, masses, times[times.len() - 1], meets.apart)?;
+    let Touching { signals, windings, .. } = touching;
+    let struck = struck(&signals, &contacts)?;
+    Ok(Moved { motion, signals, windings, loads: None, read: None, struck, contacts: Some(contacts) })
+}
+
+/// That windings were followed to the last of the times.
+fn reached(touching: &Touching, times: &[f64]) -> Result<(), Error> {
+    let Some(course) = &touching.course else { return Ok(()) };
+    let Some(why) = course.given_up else { return Ok(()) };
+    let why = match why {
+        GivenUp::Solid => "then all windings lie on one another between ends that go on closing".to_owned(),
+        GivenUp::TooManyEvents => format!("by then {} things had met or parted: a stack that chatters", course.events),
+    };
+    Err(Error::Value {
+        field: None,
+        quantity: "time up to which windings that meet could be followed".into(),
+        value: course.until,
+        unit: "s",
+        allowed: format!("at least the {} s that are asked for ({why})", times[times.len() - 1]).into(),
+    })
+}
+
+/// F_i and F_o with what their seats got in an instant, spread over the sample in which it came: what a sensor shows that is slower than the
+/// samples. `None` where no seat was struck.
+fn struck(signals: &Signals, contacts: &Contacts) -> Result<Option<[Vec<f64>; 2]>, Error> {
+    let times = signals.time();
+    let mut forces = [signals.channel(Channel::InputForce)?.to_vec(), signals.channel(Channel::OutputForce)?.to_vec()];
+    let mut is_struck = false;
+    for (seat, force) in Between::SEATS.into_iter().zip(&mut forces) {
+        for (time, impulse) in contacts.seat_impulses(seat) {
+            let sample = times.partition_point(|known| *known < time);
+            if sample == 0 || sample == times.len() {
+                continue;
+            }
+            is_struck = true;
+            force[sample] -= impulse / (times[sample] - times[sample - 1]);
+        }
+    }
+    Ok(is_struck.then_some(forces))
+}
+
+/// Signals with another F_i and F_o.
 fn seen_by(signals: &Signals, [input, output]: [Vec<f64>; 2]) -> Result<Signals, Error> {
     let mut seen = signals.clone();
     seen.insert(Channel::InputForce, input)?;

@@ -3,13 +3,14 @@
 //! Next door: what is made of it (`design`), the same with sensors, spectra and all signals (`crate::analysis`).
 
 use coilsense::calibrate::Theory;
+use coilsense::contact::{Contact, Touching};
 use coilsense::inductance::MaxwellSum;
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Clash, Deviation, Error, Motion};
 
 use super::column::{BY_INDUCTANCE, Needs};
 use crate::spec::Core;
-use crate::study::{self, Coil, Method, Setup, Simulation};
+use crate::study::{self, Coil, Meets, Method, Setup, Simulation};
 
 /// L is taken to second order where that is within this share of it.
 const TOLERANCE: f64 = 1e-6;
@@ -62,10 +63,12 @@ pub(super) fn judge(
 ) -> Result<Judged, Error> {
     let asked = &core.conditions[condition];
     let spring = &core.spring.spring;
-    let (mount, excitation) = (&core.mount.cases[damping].mount, &asked.excitation);
+    let way = &core.mount.cases[damping];
+    let (mount, excitation) = (&way.mount, &asked.excitation);
+    let contact = way.contact.as_ref().map(|way| &way.contact);
     if needs.forces == [false; 4] {
         let motion = Motion::mounted(spring, mount, excitation)?;
-        return Ok(Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() });
+        return Ok(Judged { clash: clash(core, &motion, contact, condition, needs)?, ..Judged::default() });
     }
     let times = windows.of(asked.sample_rate, asked.window)?;
     let coil = match coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
@@ -77,9 +80,10 @@ pub(super) fn judge(
         }),
         None => None,
     };
-    let setup = Setup { spring, mount, excitation, coil, positions: false, helix: None };
+    let contact_once = contact.map(|contact| Meets { contact, apart: None });
+    let setup = Setup { spring, mount, excitation, coil, positions: false, helix: None, contact: contact_once };
     let Simulation { motion, signals, bounded, .. } = study::simulate(&setup, times)?;
-    let mut judged = Judged { clash: clash(core, &motion, condition, needs)?, ..Judged::default() };
+    let mut judged = Judged { clash: clash(core, &motion, contact, condition, needs)?, ..Judged::default() };
     let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
     let known = |index: &usize| needs.forces[*index] && signals.channel(Channel::FORCES[*index]).is_ok();
     for index in (0..Channel::FORCES.len()).filter(known) {
@@ -96,10 +100,26 @@ pub(super) fn judge(
     Ok(judged)
 }
 
-/// Whether windings touch from t = 0 to the end of the judged window.
-fn clash(core: &Core, motion: &Motion, condition: usize, needs: &Needs) -> Result<Option<Clash>, Error> {
+/// Whether windings touch from t = 0 to the end of the judged window. Where contact is part of the motion, how near they come, if that is asked.
+fn clash(
+    core: &Core,
+    motion: &Motion,
+    meets: Option<&Contact>,
+    condition: usize,
+    needs: &Needs,
+) -> Result<Option<Clash>, Error> {
     let asked = &core.conditions[condition];
     let contact = core.spring.contact_pitch();
+    if let Some(meets) = meets {
+        if !needs.pitch {
+            return Ok(None);
+        }
+        let times = sampled_window(asked.sample_rate, 0.0, asked.window.1)?;
+        let windings =
+            Touching::once(motion, meets, &times, true)?.windings.ok_or(Error::MissingSignal("of windings"))?;
+        let apart = motion.spring().masses_per_winding();
+        return Clash::met(&times, &windings, apart, contact, None).map(Some);
+    }
     if !needs.pitch && Clash::excluded(motion, asked.window.1, contact) {
         return Ok(None);
     }

@@ -41,6 +41,12 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
             ("force", format!("{by_values}\n[mount]\nend2 = \"force\"\n")),
             ("mass", format!("{by_values}\n[mount]\nend2 = \"mass\"\nend_mass = \"1 kg\"\n")),
         ],
+        "contact" => {
+            // With room for its windings to be apart.
+            let apart = by_values.replace("104 mm", "150 mm");
+            let of = |word: &'static str| (word, format!("{apart}\n[contact]\nwindings = \"{word}\"\n"));
+            vec![of("hard"), of("elastic")]
+        }
         "condition" => {
             CONDITION_KINDS.iter().map(|kind| (*kind, format!("{by_values}\n{}", condition(kind)))).collect()
         }
@@ -89,8 +95,9 @@ fn every_example_of_the_documentation_is_taken() {
 fn every_key_is_read_in_every_kind_that_has_it() {
     each_key(|table, key, fixtures| {
         for (kind, spec) in fixtures {
-            let message = read(&with(&spec, table, key.name, "true")).expect_err(key.name);
-            let expected = format!("{} = true: must be ", key.name);
+            let wrong = if key.example == "true" { "1" } else { "true" };
+            let message = read(&with(&spec, table, key.name, wrong)).expect_err(key.name);
+            let expected = format!("{} = {wrong}: must be ", key.name);
             assert!(message.contains(&expected), "{} {} of {kind}: {message}", table.heading(), key.name);
         }
     });

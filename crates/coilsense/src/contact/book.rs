@@ -80,8 +80,8 @@ impl Book {
         self.balance.damped += energy;
     }
 
-    /// A step has gone to τ.
-    pub fn stepped(&mut self, system: &System<'_>, now: &Now, series: &Series, tau: f64) {
+    /// A step has gone to τ; what the ends put in and damping took is counted where it is asked for.
+    pub fn stepped(&mut self, system: &System<'_>, now: &Now, series: &Series, tau: f64, with_energy: bool) {
         let chain = system.chain;
         for (number, touch) in self.going_on.iter().enumerate() {
             let Some(touch) = touch.map(|touch| &mut self.touches[touch]) else { continue };
@@ -95,6 +95,9 @@ impl Book {
                 self.balance.lost += lost;
             }
         }
+        if !with_energy {
+            return;
+        }
         let [input, output] = end_forces(system, now, series);
         let moved = |force: &Polynomial, place: &Polynomial| work(force, &rate_of(place, 1.0), tau);
         let lumps = chain.lumps();
@@ -107,19 +110,16 @@ impl Book {
         self.balance.work += first + second;
         self.balance.moved += first.abs() + second.abs();
         if !system.damper.is_none() {
-            let rates: Vec<Polynomial> =
-                (0..lumps + 2).map(|point| rate_of(&series.place(point), series.step)).collect();
-            let beside: Vec<Polynomial> = (0..lumps + 2).map(|point| series.relative(point)).collect();
-            let (mut forces, mut relative) = (vec![0.0; lumps], vec![0.0; lumps + 2]);
+            let (mut forces, mut relative, mut speeds) = (vec![0.0; lumps], vec![0.0; lumps + 2], vec![0.0; lumps + 2]);
             let power = |at: f64| {
                 forces.fill(0.0);
-                relative.iter_mut().zip(&beside).for_each(|(speed, series)| *speed = value(series, at));
+                series.relative_at(at, &mut relative);
+                series.speeds_at(at, &mut speeds);
                 let pulls = system.brake(now.attached, &relative, &mut forces);
-                let of_lumps =
-                    forces.iter().zip(&rates[1..]).map(|(force, rate)| -force * value(rate, at)).sum::<f64>();
+                let of_lumps = forces.iter().zip(&speeds[1..]).map(|(force, speed)| -force * speed).sum::<f64>();
                 // What a dashpot in an end's segment takes of the end's work.
-                let second = if chain.is_open() { 0.0 } else { pulls[1] * value(&rates[lumps + 1], at) };
-                of_lumps - pulls[0] * value(&rates[0], at) + second
+                let second = if chain.is_open() { 0.0 } else { pulls[1] * speeds[lumps + 1] };
+                of_lumps - pulls[0] * speeds[0] + second
             };
             self.balance.damped += series.step * integral_of(power, tau);
         }

@@ -137,7 +137,7 @@ impl<'a> Run<'a> {
             let event = self.first_event();
             let tau = event.map_or(1.0, |(tau, _)| tau);
             self.write_down(tau);
-            self.book.stepped(self.system, &self.now, &self.series, tau);
+            self.book.stepped(self.system, &self.now, &self.series, tau, self.watch != Watch::Ends);
             self.series.advance(tau, &mut self.now);
             match event {
                 Some((_, event)) => self.happens(event)?,

@@ -332,11 +332,32 @@ impl Series {
 
     /// Places of all points at τ \[m\], shape `N + 2`.
     pub fn places_at(&self, tau: f64, places: &mut [f64]) {
-        places.fill(0.0);
-        for row in self.places.chunks_exact(self.points).rev() {
-            for (place, coefficient) in places.iter_mut().zip(row) {
-                *place = *place * tau + coefficient;
+        horner(self.places.chunks_exact(self.points).rev(), tau, places);
+    }
+
+    /// All points' speeds beside the massless line at τ \[m/s\].
+    pub fn relative_at(&self, tau: f64, relative: &mut [f64]) {
+        horner(self.relative.chunks_exact(self.points).take(ORDER).rev(), tau, relative);
+    }
+
+    /// All points' speeds at τ \[m/s\].
+    pub fn speeds_at(&self, tau: f64, speeds: &mut [f64]) {
+        speeds.fill(0.0);
+        for (order, row) in self.places.chunks_exact(self.points).enumerate().skip(1).rev() {
+            let per_time = order as f64 / self.step;
+            for (speed, coefficient) in speeds.iter_mut().zip(row) {
+                *speed = *speed * tau + per_time * coefficient;
             }
+        }
+    }
+}
+
+/// Polynomials of many points at τ, by rows of their coefficients from the highest power on.
+fn horner<'a>(rows: impl Iterator<Item = &'a [f64]>, tau: f64, values: &mut [f64]) {
+    values.fill(0.0);
+    for row in rows {
+        for (value, coefficient) in values.iter_mut().zip(row) {
+            *value = *value * tau + coefficient;
         }
     }
 }

@@ -16,6 +16,10 @@ pub struct Start {
 /// What is told at each time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Watch {
+    /// End forces alone: nobody asks where the energy went that damping took.
+    Ends,
+    /// And that.
     Forces,
+    /// And where the lumps are.
     Places,
 }

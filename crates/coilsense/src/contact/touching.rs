@@ -35,8 +35,10 @@ pub const CHANGE: f64 = 1e-6;
 /// A pair is looked at closely from where this share \[1\] of its mean distance is left.
 const NEAR: f64 = 0.1;
 
-/// Samples whose positions are held at once while a first contact is looked for.
-const AT_ONCE: usize = 2048;
+/// Samples whose positions are held at once while a first contact is looked for: so many at first, twice as many each time, since a motion begins
+/// anew with each; and at most so many positions.
+const AT_FIRST: usize = 2048;
+const MOST_AT_ONCE: usize = 1 << 22;
 
 /// How far apart in angle \[rad\] of the chain's fastest mode it is looked for.
 const WATCH: f64 = 1.0;
@@ -56,6 +58,25 @@ impl Touching {
     /// Those of [`Chain::of`]; [`Error::Value`] for times, for a motion whose modes are not those of a chain, and for windings that overlap at
     /// the start.
     pub fn of(motion: &Motion, contact: &Contact, times: &[f64], with_windings: bool) -> Result<Self, Error> {
+        Self::found(motion, contact, times, with_windings, true)
+    }
+
+    /// The same by one run only: nothing is known of how long it holds, and [`Self::holds_until`] refuses. Without windings the course's balance
+    /// holds no work and no damping.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn once(motion: &Motion, contact: &Contact, times: &[f64], with_windings: bool) -> Result<Self, Error> {
+        Self::found(motion, contact, times, with_windings, false)
+    }
+
+    fn found(
+        motion: &Motion,
+        contact: &Contact,
+        times: &[f64],
+        with_windings: bool,
+        twice: bool,
+    ) -> Result<Self, Error> {
         crate::error::at_least_one("times", times.len())?;
         let times = crate::signals::increasing(times)?;
         let signals = motion.signals(times)?;
@@ -80,7 +101,11 @@ impl Touching {
         };
         let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
         let later = times.partition_point(|time| *time < begin);
-        let watch = if with_windings { Watch::Places } else { Watch::Forces };
+        let watch = match (with_windings, twice) {
+            (true, _) => Watch::Places,
+            (false, true) => Watch::Forces,
+            (false, false) => Watch::Ends,
+        };
         let run = |larger: f64, watch: Watch| {
             let drives = drives(motion, larger);
             follow_damped(&chain, contact, &damper, &drives, &start(motion, begin, larger)?, &times[later..], watch)
@@ -91,11 +116,12 @@ impl Touching {
         }
         let allowed = "one at which windings are not solid between ends that close on them";
         check(later > 0 || !course.input.is_empty(), "start", begin, "s", allowed)?;
-        let second = run(1.0 + CHANGE, Watch::Forces)?;
+        let second = if twice { Some(run(1.0 + CHANGE, Watch::Ends)?) } else { None };
         let from = first_change(&course).map_or(times.len(), |first| times.partition_point(|time| *time < first));
         let windings = with_windings.then(|| merged_windings(motion, &course, times, later, from)).transpose()?;
         let signals = merged(motion, signals, &course, later, from)?;
-        Ok(Self { signals, windings, changed: Some([second.input, second.output]), course: Some(course) })
+        let changed = second.map(|second| [second.input, second.output]);
+        Ok(Self { signals, windings, changed, course: Some(course) })
     }
 
     /// The chain alone, from t = 0 on, whatever may meet: what stands for the motion where nothing does.
@@ -118,12 +144,15 @@ impl Touching {
     /// squares and extremes at best. The last time, where they are throughout.
     ///
     /// # Errors
-    /// [`Error::Value`] for a goal that is not above zero.
+    /// [`Error::Value`] for a goal that is not above zero; [`Error::MissingSignal`] of [`Self::once`], where something met.
     pub fn holds_until(&self, goal: f64) -> Result<f64, Error> {
         crate::error::above_zero("goal", goal, "N")?;
         let time = self.signals.time();
         let last = time[time.len() - 1];
-        let Some([input, output]) = &self.changed else { return Ok(last) };
+        if self.course.is_none() {
+            return Ok(last);
+        }
+        let [input, output] = self.changed.as_ref().ok_or(Error::MissingSignal("of a second run"))?;
         let reached = self.course.as_ref().map_or(0, |course| course.input.len());
         let later = time.len() - reached;
         let pairs = [(Channel::InputForce, input), (Channel::OutputForce, output)];
@@ -154,7 +183,10 @@ fn first_change(course: &Course) -> Option<f64> {
 fn first_near(motion: &Motion, contact: &Contact, chain: &Chain, times: &[f64]) -> Result<Option<f64>, Error> {
     let fastest = motion.modes().frequencies().last().copied().unwrap_or(1.0);
     let until = times[times.len() - 1];
-    let step = times.windows(2).map(|pair| pair[1] - pair[0]).fold(times[0], f64::max).min(WATCH / fastest);
+    // In whole parts of the distance of samples, on which those of a recording mostly lie too: a motion goes over such a grid without looking up
+    // each of its steps.
+    let apart = times.get(1).map_or(until, |second| second - times[0]);
+    let step = apart / (apart * fastest / WATCH).ceil().max(1.0);
     let count = if step > 0.0 { (until / step).ceil() as usize } else { 0 };
     let all: Vec<f64> = (0..=count).map(|sample| (sample as f64 * step).min(until)).collect();
     let spring = motion.spring();
@@ -165,7 +197,11 @@ fn first_near(motion: &Motion, contact: &Contact, chain: &Chain, times: &[f64]) 
     let near: Vec<f64> =
         chain.pairs().iter().map(|pair| NEAR * (slow[pair.second] - slow[pair.first] + pair.gap).max(0.0)).collect();
     let mut before = 0.0;
-    for block in all.chunks(AT_ONCE) {
+    let (mut rest_of_all, mut at_once) = (all.as_slice(), AT_FIRST);
+    while !rest_of_all.is_empty() {
+        let (block, later) = rest_of_all.split_at(at_once.min(rest_of_all.len()));
+        rest_of_all = later;
+        at_once = (2 * at_once).min((MOST_AT_ONCE / chain.lumps()).max(AT_FIRST));
         let windings = motion.windings(block)?;
         let forces = if contact.lifts() { Some(motion.end_forces(block)?) } else { None };
         for (sample, &time) in block.iter().enumerate() {

@@ -50,18 +50,37 @@ impl Clash {
         crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
         crate::error::above_zero("contact_pitch", contact_pitch, "m")?;
         let apart = motion.spring().masses_per_winding();
-        let mut clash =
-            Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact: None };
+        let clash = Self::met(times, windings, apart, contact_pitch, None)?;
+        let touches = |sample: &usize| smallest_pitch(windings.row(*sample), apart).0 < contact_pitch;
+        let first = if clash.clearance() < 0.0 { (0..times.len()).find(touches) } else { None };
+        let first_contact = match first {
+            None => None,
+            Some(0) => Some(times[0]),
+            Some(sample) => Some(contact_between(motion, contact_pitch, times[sample - 1], times[sample])?),
+        };
+        Ok(Self { first_contact, ..clash })
+    }
+
+    /// How near they come where contact is part of the motion ([`crate::contact::Touching`]): `windings` at `times` (shape `samples`), n masses per
+    /// winding, and when anything first met \[s\].
+    ///
+    /// # Errors
+    /// As [`Clash::seen`].
+    pub fn met(
+        times: &[f64],
+        windings: &Windings,
+        masses_per_winding: usize,
+        contact_pitch: f64,
+        first_contact: Option<f64>,
+    ) -> Result<Self, Error> {
+        crate::error::at_least_one("times", times.len())?;
+        crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
+        crate::error::above_zero("contact_pitch", contact_pitch, "m")?;
+        let mut clash = Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact };
         for (sample, &time) in times.iter().enumerate() {
-            let (pitch, winding) = smallest_pitch(windings.row(sample), apart);
+            let (pitch, winding) = smallest_pitch(windings.row(sample), masses_per_winding);
             if pitch < clash.smallest_pitch {
                 (clash.smallest_pitch, clash.winding, clash.time) = (pitch, winding, time);
-            }
-            if pitch < contact_pitch && clash.first_contact.is_none() {
-                clash.first_contact = Some(match sample {
-                    0 => time,
-                    _ => contact_between(motion, contact_pitch, times[sample - 1], time)?,
-                });
             }
         }
         Ok(clash)

@@ -161,10 +161,12 @@ pub(super) fn map(case: &Case) -> Option<Figure> {
     // The map has a row per winding, the frames a row per moment.
     let values = (0..masses).flat_map(|winding| (0..count).map(move |frame| (winding, frame)));
     let values: Vec<f64> = values.map(|(winding, frame)| 1e3 * departures[frame * masses + winding]).collect();
+    // Windings that lie on each other are apart by the contact pitch itself, to rounding.
+    let pitch = case.clash.contact_pitch + if case.contacts.is_some() { 1e-9 } else { 0.0 };
     let touches = |winding: usize, frame: usize| {
         let row = frames.row(frame);
         // Pitches stand between x_i and x_{i+1}; a winding touches where either of its pitches does.
-        let close = |left: usize| (1..masses).contains(&left) && row[left + 1] - row[left] < case.clash.contact_pitch;
+        let close = |left: usize| (1..masses).contains(&left) && row[left + 1] - row[left] < pitch;
         close(winding) || close(winding + 1)
     };
     let cells: Vec<bool> = (0..masses)

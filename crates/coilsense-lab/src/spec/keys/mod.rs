@@ -3,6 +3,7 @@
 //! Next door: reading them (`section` and one file per table), the commented template (`template`).
 
 mod conditions;
+mod contact;
 mod control;
 mod domain;
 mod experiment;
@@ -44,9 +45,10 @@ pub struct Table {
 }
 
 /// All tables, in the order in which one writes them.
-pub const TABLES: [&Table; 8] = [
+pub const TABLES: [&Table; 9] = [
     &springs::SPRING,
     &springs::MOUNT,
+    &contact::CONTACT,
     &conditions::CONDITION,
     &sensors::SENSOR,
     &sensors::GOAL,
