@@ -7,11 +7,13 @@
 //! | lines of a budget | their closed forms; the Monte Carlo (`budget`) |
 //! | what would fix a sensor | the same change written into the spec (`fixes`) |
 //! | a helix that moves | the chain of a long flat spring, its static curve, its own reactions (`helix`) |
+//! | windings that meet | two other programs, themselves without contact (`contact`) |
 //! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
 //! | the whole run | itself on other threads, and when stopped (`runs`) |
 
 mod band;
 mod budget;
+mod contact;
 mod data_sheet;
 mod fixes;
 mod helix;
