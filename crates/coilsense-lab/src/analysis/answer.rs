@@ -294,7 +294,8 @@ fn damping(analysis: &Analysis) -> String {
     let dampings = &analysis.spec.mount.cases;
     if !analysis.spec.mount.is_band {
         let labels: Vec<&str> = dampings.iter().map(|case| case.label.as_str()).collect();
-        return format!("Damping as the spec says: {}.", labels.join(", "));
+        let between = if labels.iter().any(|label| label.contains(',')) { "; " } else { ", " };
+        return format!("Damping as the spec says: {}.", labels.join(between));
     }
     let turn: Vec<String> = analysis
         .verdicts

@@ -158,12 +158,15 @@ fn contact(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
     Some(Warning { subject: Subject::Contact, text })
 }
 
+/// Windings that are together for a smaller share of the time only strike each other.
+const LEAST_TOGETHER: f64 = 1e-4;
+
 /// What happened in a run, in a clause or two.
 fn happened(contacts: &Contacts) -> String {
     let mut clauses = Vec::new();
     if let Some(first) = contacts.touches.first() {
         let longest = contacts.meetings.iter().max_by(|a, b| a.closed.total_cmp(&b.closed));
-        let together = longest.map_or_else(String::new, |longest| {
+        let together = longest.filter(|longest| longest.closed >= LEAST_TOGETHER).map_or_else(String::new, |longest| {
             format!(", {} together for {} % of the time", longest.between.words(), digits(100.0 * longest.closed))
         });
         let fastest = contacts.touches.iter().map(|touch| touch.closing_speed).fold(0.0, f64::max);

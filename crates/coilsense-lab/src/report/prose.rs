@@ -4,7 +4,7 @@
 
 /// A sentence with true minus signs, whose numbers stay with their units, and `ζ = 0.02` in one piece, where a line ends.
 pub(super) fn unbroken(text: &str) -> String {
-    let mut together = text.replace("ζ = ", "ζ\u{a0}=\u{a0}");
+    let mut together = text.replace("ζ = ", "ζ\u{a0}=\u{a0}").replace(" e = ", " e\u{a0}=\u{a0}");
     for unit in ["N", "%", "Hz", "ms", "mm"] {
         for digit in '0'..='9' {
             together = together.replace(&format!("{digit} {unit}"), &format!("{digit}\u{a0}{unit}"));

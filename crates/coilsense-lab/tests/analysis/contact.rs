@@ -127,7 +127,8 @@ fn what_is_lost_to_a_millionth_is_said() {
 
 #[test]
 fn a_blow_on_a_seat_reaches_the_sensors_that_are_slower_than_it() {
-    let slow = "\n[[sensor]]\nname = \"slow cell\"\nkind = \"load-cell\"\nend = 2\nrange = \"1 kN\"\nbandwidth = \"2 kHz\"\n";
+    let slow =
+        "\n[[sensor]]\nname = \"slow cell\"\nkind = \"load-cell\"\nend = 2\nrange = \"1 kN\"\nbandwidth = \"2 kHz\"\n";
     let fast = "\n[[sensor]]\nname = \"perfect cell\"\nkind = \"load-cell\"\nend = 2\nrange = \"1 kN\"\n";
     let keys = "restitution = 0.0\nlift_off = false\n";
     let sensors = VALVE.find("[[sensor]]").unwrap()..VALVE.find("[goal]").unwrap();
@@ -158,7 +159,10 @@ fn what_cannot_meet_is_refused_in_a_line() {
         (with("restitution = -0.1"), "restitution = -0.1: must be from 0 to 1"),
         (with("restitution = [0.5, 0.5]"), "0.5 is there twice"),
         (with("windings = \"soft\""), "must be"),
-        (with("windings = \"off\"\nrestitution = 0.0"), "restitution in [contact] is no key of windings that are \"off\""),
+        (
+            with("windings = \"off\"\nrestitution = 0.0"),
+            "restitution in [contact] is no key of windings that are \"off\"",
+        ),
         (with("stiffness = \"Hertz\""), "stiffness in [contact] is no key of windings that are \"hard\""),
         (with("windings = \"elastic\"\nstiffness = \"1 kN/m\""), "ten times a winding's own"),
         (with("windings = \"elastic\"\nstiffness = \"hertz\""), "stiffness = \"hertz\": must be"),

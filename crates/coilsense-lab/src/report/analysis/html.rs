@@ -41,6 +41,8 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         is_band => spec.mount.is_band,
         rows => conditions.iter().map(|&condition| condition_value(analysis, condition)).collect::<Vec<_>>(),
         figures => conditions.par_iter().map(|&condition| figures_of(analysis, condition)).collect::<Result<Vec<_>, _>>()?,
+        contact => contact_value(analysis)?,
+        meets => spec.mount.cases.iter().any(|case| case.contact.is_some()),
         groups => groups(analysis),
         surge => surge(analysis),
         modes_at => modes_at(analysis),
@@ -223,6 +225,20 @@ fn figures_of(analysis: &Analysis, condition: usize) -> Result<Value, ReportErro
     let map = analysis.case(condition, shown).and_then(figures::map);
     let map = map.map(|figure| drawn(&format!("map of {name}"), &figure)).transpose()?;
     Ok(context! { name, damping => &analysis.spec.mount.cases[shown].label, spectrum, map })
+}
+
+/// What met, of all cases and of the busiest; `None` where nothing did.
+fn contact_value(analysis: &Analysis) -> Result<Option<Value>, ReportError> {
+    let Some((case, contacts)) = super::contact::busiest(analysis) else { return Ok(None) };
+    let spec = &analysis.spec;
+    Ok(Some(context! {
+        rows => super::contact::rows(analysis),
+        condition => &spec.conditions[case.condition].name,
+        way => &spec.mount.cases[case.damping].label,
+        figure => drawn("contact", &super::contact::figure(case, contacts))?,
+        tables => super::contact::tables(contacts),
+        apart => digits(contacts.apart),
+    }))
 }
 
 fn groups(analysis: &Analysis) -> Vec<Value> {

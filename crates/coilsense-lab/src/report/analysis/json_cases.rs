@@ -5,9 +5,11 @@
 use std::collections::BTreeMap;
 
 use coilsense::Deviation;
+use coilsense::contact::{Lift, Touch};
 use serde::Serialize;
 
 use crate::analysis::{Analysis, Assessment, Case};
+use crate::study::{Contacts, Meeting};
 
 /// A condition at a damping.
 #[derive(Debug, Serialize)]
@@ -29,6 +31,109 @@ pub(super) struct CaseRow<'a> {
     smallest_gap_m: Option<f64>,
     /// When windings first touch; null where they do not.
     first_contact_s: Option<f64>,
+    /// What windings did when they met; null where the spec has them pass through one another.
+    contact: Option<ContactPart>,
+}
+
+/// Windings that met, and ends that left their seats.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct ContactPart {
+    /// Up to when both end forces are within `apart_n` of those under an input larger by a millionth; what comes after that is good in its rms and
+    /// its extremes only.
+    holds_until_s: Option<f64>,
+    apart_n: f64,
+    until_s: f64,
+    touches: usize,
+    energy_lost_j: f64,
+    pairs: Vec<MeetingRow>,
+    lifts: Vec<LiftRow>,
+    /// The first of all touches, 2000 at most.
+    first_touches: Vec<TouchRow>,
+}
+
+/// Two neighbouring windings, or a winding and its seat.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct MeetingRow {
+    /// `3|4`, `seat 1`.
+    between: String,
+    touches: usize,
+    share_of_time_closed: f64,
+    largest_closing_speed_m_per_s: f64,
+    impulse_n_s: f64,
+    largest_impulse_n_s: f64,
+    energy_lost_j: f64,
+}
+
+/// A touch.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct TouchRow {
+    time_s: f64,
+    between: String,
+    /// Turns from end 1 to the point nearer to it.
+    turn: f64,
+    closing_speed_m_per_s: f64,
+    /// Null where they had not parted by the end.
+    duration_s: Option<f64>,
+    /// What they gave each other at once.
+    impulse_n_s: f64,
+    /// And while they were together.
+    pressed_n_s: f64,
+    energy_lost_j: f64,
+}
+
+/// An end that left its seat.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct LiftRow {
+    end: u8,
+    time_s: f64,
+    /// Null where it was not back by the end.
+    duration_s: Option<f64>,
+}
+
+/// Most touches that are listed.
+const MOST_TOUCHES: usize = 2000;
+
+impl ContactPart {
+    fn of(contacts: &Contacts) -> Self {
+        let meeting = |meeting: &Meeting| MeetingRow {
+            between: meeting.between.words(),
+            touches: meeting.count,
+            share_of_time_closed: meeting.closed,
+            largest_closing_speed_m_per_s: meeting.speed,
+            impulse_n_s: meeting.impulse,
+            largest_impulse_n_s: meeting.largest_impulse,
+            energy_lost_j: meeting.lost,
+        };
+        let touch = |touch: &Touch| TouchRow {
+            time_s: touch.time,
+            between: contacts.between(touch).words(),
+            turn: contacts.turn(touch),
+            closing_speed_m_per_s: touch.closing_speed,
+            duration_s: touch.parted.map(|parted| parted - touch.time),
+            impulse_n_s: touch.impulse,
+            pressed_n_s: touch.pressed,
+            energy_lost_j: touch.lost,
+        };
+        let lift = |lift: &Lift| LiftRow {
+            end: if lift.is_end2 { 2 } else { 1 },
+            time_s: lift.time,
+            duration_s: lift.back.map(|back| back - lift.time),
+        };
+        Self {
+            holds_until_s: contacts.holds_until,
+            apart_n: contacts.apart,
+            until_s: contacts.until,
+            touches: contacts.touches.len(),
+            energy_lost_j: contacts.balance.lost,
+            pairs: contacts.meetings.iter().map(meeting).collect(),
+            lifts: contacts.lifts.iter().map(lift).collect(),
+            first_touches: contacts.touches.iter().take(MOST_TOUCHES).map(touch).collect(),
+        }
+    }
 }
 
 /// How one sensor did in one case.
@@ -86,6 +191,7 @@ impl<'a> CaseRow<'a> {
             smallest_pitch_m: pitch.map(|pitch| spec.spring.winding_pitch(pitch)),
             smallest_gap_m: pitch.map(|pitch| spec.spring.gap(pitch)),
             first_contact_s: case.clash.first_contact,
+            contact: case.contacts.as_ref().map(ContactPart::of),
         }
     }
 }

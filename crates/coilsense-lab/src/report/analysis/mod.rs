@@ -2,6 +2,7 @@
 //!
 //! Next door: what is computed (`analysis`), the writer of series (`series`).
 
+mod contact;
 mod figures;
 mod html;
 mod json;

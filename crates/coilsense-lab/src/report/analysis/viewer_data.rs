@@ -109,6 +109,8 @@ fn windings(analysis: &Analysis, case: &Case) -> Value {
     let (least, most) = frames.positions.iter().fold((f64::INFINITY, f64::NEG_INFINITY), bounds);
     let zero = 0.5 * (least + most);
     let unit = (0.5 * (most - least) / f64::from(i16::MAX)).max(f64::MIN_POSITIVE);
+    // Windings that lie on each other are apart by just that, to the rounding of what is packed.
+    let rounding = if case.contacts.is_some() { 2.0 * unit } else { 0.0 };
     let packed = frames.positions.iter().flat_map(|x| (((x - zero) / unit).round() as i16).to_le_bytes());
     json!({
         "count": frames.columns - 2,
@@ -116,7 +118,7 @@ fn windings(analysis: &Analysis, case: &Case) -> Value {
         "start_s": frames.times[0],
         "step_s": frames.times[1] - frames.times[0],
         // What the viewer draws is the chain, whose masses stand for windings that touch at this distance, …
-        "contact_pitch_m": case.clash.contact_pitch,
+        "contact_pitch_m": case.clash.contact_pitch + rounding,
         // … and which are so many gaps of the wire to a pitch of the chain.
         "gaps_per_pitch": spring.whole_windings() as f64 / spring.windings(),
         "wire_diameter_m": spring.wire_diameter(),
