@@ -3,7 +3,7 @@
 //! Next door: who tells it (`follow`, `meet`), what is handed out (`course`).
 
 use super::chain::Chain;
-use super::course::{Balance, Lift, Touch};
+use super::course::{Balance, Float, Lift, Touch};
 use super::polynomial::{ORDER, Polynomial, value};
 use super::series::{Now, Series, System};
 
@@ -11,17 +11,28 @@ use super::series::{Now, Series, System};
 pub(super) struct Book {
     pub touches: Vec<Touch>,
     pub lifts: Vec<Lift>,
+    pub floats: Vec<Float>,
     pub balance: Balance,
     /// Of each pair the touch that goes on.
     going_on: Vec<Option<usize>>,
     begun: f64,
+    /// The pair of cam and follower.
+    cam: Option<usize>,
 }
 
 impl Book {
     pub fn new(system: &System<'_>, now: &Now) -> Self {
         let going_on = vec![None; system.chain.pairs().len()];
         let begun = energy(system, now);
-        Self { touches: Vec::new(), lifts: Vec::new(), balance: Balance::default(), going_on, begun }
+        Self {
+            touches: Vec::new(),
+            lifts: Vec::new(),
+            floats: Vec::new(),
+            cam: system.chain.cam(),
+            balance: Balance::default(),
+            going_on,
+            begun,
+        }
     }
 
     /// Energy counts from here on.
@@ -31,6 +42,12 @@ impl Book {
 
     /// Two points meet.
     pub fn met(&mut self, chain: &Chain, number: usize, time: f64, closing_speed: f64) {
+        if self.cam == Some(number) {
+            if let Some(float) = self.floats.last_mut().filter(|float| float.back.is_none()) {
+                (float.back, float.closing_speed) = (Some(time), closing_speed);
+            }
+            return;
+        }
         let pair = chain.pairs()[number];
         self.going_on[number] = Some(self.touches.len());
         let points = [pair.first, pair.second];
@@ -48,6 +65,9 @@ impl Book {
 
     /// They part.
     pub fn parted(&mut self, number: usize, time: f64) {
+        if self.cam == Some(number) {
+            self.floats.push(Float { time, back: None, closing_speed: 0.0, impulse: 0.0 });
+        }
         if let Some(touch) = self.going_on[number].take() {
             self.touches[touch].parted = Some(time);
         }
@@ -63,6 +83,11 @@ impl Book {
     /// They give each other an impulse, which takes an energy.
     pub fn gave(&mut self, number: usize, impulse: f64, lost: f64) {
         self.balance.lost += lost;
+        if self.cam == Some(number)
+            && let Some(float) = self.floats.last_mut()
+        {
+            float.impulse += impulse;
+        }
         if let Some(touch) = self.going_on[number] {
             self.touches[touch].impulse += impulse;
             self.touches[touch].lost += lost;
@@ -101,7 +126,11 @@ impl Book {
         let [input, output] = end_forces(system, now, series);
         let moved = |force: &Polynomial, place: &Polynomial| work(force, &rate_of(place, 1.0), tau);
         let lumps = chain.lumps();
-        let first = -moved(&input, &series.place(0));
+        let first = match chain.cam() {
+            Some(cam) if now.closed[cam] => moved(&series.push(cam), &series.place(0)),
+            Some(_) => 0.0,
+            None => -moved(&input, &series.place(0)),
+        };
         let second = if chain.is_open() {
             moved(&series.force, &series.place(lumps))
         } else {
@@ -119,7 +148,8 @@ impl Book {
                 let of_lumps = forces.iter().zip(&speeds[1..]).map(|(force, speed)| -force * speed).sum::<f64>();
                 // What a dashpot in an end's segment takes of the end's work.
                 let second = if chain.is_open() { 0.0 } else { pulls[1] * speeds[lumps + 1] };
-                of_lumps - pulls[0] * speeds[0] + second
+                let first = if chain.cam().is_some() { 0.0 } else { pulls[0] * speeds[0] };
+                of_lumps - first + second
             };
             self.balance.damped += series.step * integral_of(power, tau);
         }
@@ -136,7 +166,7 @@ pub(super) fn end_forces(system: &System<'_>, now: &Now, series: &Series) -> [Po
     let chain = system.chain;
     let last = chain.last_segment();
     let mut forces = [
-        if now.attached[0] { tension(system, series, 0) } else { [0.0; ORDER + 1] },
+        if now.attached[0] { tension(system, series, chain.base()) } else { [0.0; ORDER + 1] },
         match chain.far_end() {
             crate::mount::FarEnd::Force => series.force,
             _ if now.attached[1] => tension(system, series, last),
@@ -147,7 +177,7 @@ pub(super) fn end_forces(system: &System<'_>, now: &Now, series: &Series) -> [Po
     for (number, pair) in seats {
         for (end, force) in forces.iter_mut().enumerate() {
             let is_its = if end == 0 {
-                pair.first == 0
+                pair.first == chain.base()
             } else {
                 pair.second == last + 1 && chain.far_end() != crate::mount::FarEnd::Force
             };
@@ -177,8 +207,9 @@ pub(super) fn tension(system: &System<'_>, series: &Series, segment: usize) -> P
 pub(super) fn energy(system: &System<'_>, now: &Now) -> f64 {
     let chain = system.chain;
     let moving: f64 = chain.masses().iter().zip(&now.speeds[1..]).map(|(mass, speed)| mass * speed * speed).sum();
-    let loose =
-        |segment: usize| segment == 0 && !now.attached[0] || segment == chain.last_segment() && !now.attached[1];
+    let loose = |segment: usize| {
+        segment == chain.base() && !now.attached[0] || segment == chain.last_segment() && !now.attached[1]
+    };
     let each = chain.stiffnesses().iter().zip(now.places.windows(2)).enumerate();
     let strained: f64 =
         each.filter(|(segment, _)| !loose(*segment)).map(|(_, (k, pair))| k * (pair[1] - pair[0]).powi(2)).sum();

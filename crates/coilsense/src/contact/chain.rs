@@ -21,6 +21,8 @@ pub struct Chain {
     /// Compliance beyond the last lump where end 2 is under a force \[m/N\].
     beyond: f64,
     far_end: FarEnd,
+    /// Whether the first lump is a follower, which end 0 pushes as a cam and which end 1 of the spring stands on.
+    has_follower: bool,
 }
 
 /// Two points that can meet. Pairs are in the order in which each begins where the one before it ends, as far as they do.
@@ -80,7 +82,38 @@ impl Chain {
         {
             (beyond, *last) = (1.0 / *last, 0.0);
         }
-        Self { masses, inverse, stiffnesses, pairs, shares, stiffness: 1.0 / whole, beyond, far_end }
+        Self {
+            masses,
+            inverse,
+            stiffnesses,
+            pairs,
+            shares,
+            stiffness: 1.0 / whole,
+            beyond,
+            far_end,
+            has_follower: false,
+        }
+    }
+
+    /// The same with a mass at end 1 \[kg\] that a cam pushes and cannot pull: point 0 is the cam, point 1 the follower, on which the spring stands.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a mass that is not above zero, and for a follower that seats of more than one class of points would press on.
+    pub fn on_follower(mut self, mass: f64) -> Result<Self, Error> {
+        above_zero("follower_mass", mass, "kg")?;
+        let seats = self.pairs.iter().filter(|pair| pair.first == 0).count();
+        let allowed = "at most one: a follower takes one mass per winding where windings meet their seats";
+        check(seats <= 1 && !self.has_follower, "points that meet end 1", seats as f64, "", allowed)?;
+        for pair in &mut self.pairs {
+            (pair.first, pair.second) = (pair.first + 1, pair.second + 1);
+        }
+        self.pairs.insert(0, Pair { first: 0, second: 1, gap: 0.0 });
+        self.masses.insert(0, mass);
+        self.inverse.insert(1, 1.0 / mass);
+        self.stiffnesses.insert(0, 0.0);
+        self.shares.insert(0, 0.0);
+        self.has_follower = true;
+        Ok(self)
     }
 
     /// The paper's chain of a spring on its mount, and where its windings touch: `contact_pitch` \[m\], centre to centre, as
@@ -130,7 +163,7 @@ impl Chain {
         Ok(Self::trusted(masses, stiffnesses, pairs, far_end))
     }
 
-    /// N: how many lumps there are, an end mass among them.
+    /// N: how many lumps there are, an end mass and a follower among them.
     pub fn lumps(&self) -> usize {
         self.masses.len()
     }
@@ -161,8 +194,9 @@ impl Chain {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Value`] for a chain of nothing but an end mass.
+    /// [`Error::Value`] for a chain of nothing but an end mass, and for one on a follower, which is no lump of the spring.
     pub fn modes(&self) -> Result<ModalModel, Error> {
+        check(!self.has_follower, "followers", 1.0, "", "none: the modes are those of the spring without it")?;
         let spectrum = chain_spectrum(&self.masses, &self.stiffnesses);
         let lumps = self.masses.len();
         let inner = lumps - usize::from(matches!(self.far_end, FarEnd::Mass(_)));
@@ -231,6 +265,16 @@ impl Chain {
     /// The last segment that pulls at end 2, or at its mass.
     pub(super) fn last_segment(&self) -> usize {
         self.masses.len() - usize::from(self.is_open())
+    }
+
+    /// The point that is end 1 of the spring, which is also the number of its first segment.
+    pub(super) fn base(&self) -> usize {
+        usize::from(self.has_follower)
+    }
+
+    /// The pair of cam and follower.
+    pub(super) fn cam(&self) -> Option<usize> {
+        self.has_follower.then_some(0)
     }
 
     /// Points of the chain, both ends among them.

@@ -9,6 +9,10 @@ pub struct Course {
     pub input: Vec<f64>,
     /// F_o, likewise \[N\].
     pub output: Vec<f64>,
+    /// Displacements of end 1 at the same samples \[m\]: what is prescribed, or where a follower is.
+    pub end1: Vec<f64>,
+    /// What a cam pushes its follower with \[N\]; empty without one.
+    pub cam_force: Vec<f64>,
     /// Displacements of end 2 from the unloaded spring at the same samples \[m\]: what is prescribed, or what follows.
     pub end2: Vec<f64>,
     /// Displacements of the lumps from the unloaded spring \[m\], shape `samples, N`; empty where they were not asked for.
@@ -17,6 +21,8 @@ pub struct Course {
     pub touches: Vec<Touch>,
     /// When an end that is not held left its seat, and when it came back.
     pub lifts: Vec<Lift>,
+    /// When a follower left its cam, and when it came back.
+    pub floats: Vec<Float>,
     /// The energy of all of it.
     pub balance: Balance,
     /// Up to when it was followed \[s\].
@@ -60,6 +66,19 @@ pub struct Lift {
     pub time: f64,
     /// When it was back \[s\]; `None` where it was not by the end.
     pub back: Option<f64>,
+}
+
+/// A follower that left its cam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Float {
+    /// When \[s\].
+    pub time: f64,
+    /// When it was back \[s\]; `None` where it was not by the end.
+    pub back: Option<f64>,
+    /// How fast it came down on the cam \[m/s\].
+    pub closing_speed: f64,
+    /// What the cam gave it then \[N s\].
+    pub impulse: f64,
 }
 
 /// Where energy came from and went \[J\].

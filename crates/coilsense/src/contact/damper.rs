@@ -55,9 +55,11 @@ impl Damper {
         let lumps = chain.lumps();
         let mut matrix = vec![0.0; lumps * lumps];
         for (mode, (frequency, ratio)) in modes.frequencies().iter().zip(&ratios).enumerate() {
-            let shape = |lump: usize| match lump < modes.masses() {
-                true => modes.shape_at(mode + 1, lump + 1),
-                false => modes.end_shapes()[mode],
+            let shape = |lump: usize| match lump.checked_sub(chain.base()) {
+                // A follower is no part of the spring's modes: it goes with the line beside which they are damped.
+                None => 0.0,
+                Some(lump) if lump < modes.masses() => modes.shape_at(mode + 1, lump + 1),
+                Some(_) => modes.end_shapes()[mode],
             };
             let shapes: Vec<f64> = (0..lumps).map(shape).collect();
             let carried: Vec<f64> = shapes.iter().zip(chain.masses()).map(|(shape, mass)| shape * mass).collect();

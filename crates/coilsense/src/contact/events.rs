@@ -2,7 +2,7 @@
 //!
 //! Next door: the run (`run`), what points that meet give each other (`meet`).
 
-use super::book::{end_forces, tension};
+use super::book::tension;
 use super::course::{GivenUp, Lift};
 use super::meet::{MARGIN, Solid, collide, settle};
 use super::polynomial::{Polynomial, first_fall};
@@ -55,15 +55,16 @@ impl Run<'_> {
             }
         }
         if self.contact.lifts() {
-            let [input, output] = end_forces(self.system, &self.now, &self.series);
-            for (end, force) in [input, output].into_iter().enumerate().filter(|(end, _)| self.may_lift(*end)) {
+            for end in (0..2).filter(|end| self.may_lift(*end)) {
                 if self.now.attached[end] {
                     let closed =
                         chain.pairs().iter().enumerate().any(|(number, pair)| {
                             self.now.closed[number] && self.is_seat(end, [pair.first, pair.second])
                         });
                     if !closed {
-                        offer(first_fall(&force.map(|value| -value), stiffest * MARGIN, 1.0), Event::Leaves(end));
+                        // Of its own segment: points of a turn that rolls on the seat may press on it all the while.
+                        let pull = tension(self.system, &self.series, self.segment_of(end));
+                        offer(first_fall(&pull.map(|value| -value), stiffest * MARGIN, 1.0), Event::Leaves(end));
                     }
                 } else {
                     let segment = self.segment_of(end);
@@ -83,7 +84,7 @@ impl Run<'_> {
     }
 
     pub(super) fn segment_of(&self, end: usize) -> usize {
-        if end == 0 { 0 } else { self.system.chain.last_segment() }
+        if end == 0 { self.system.chain.base() } else { self.system.chain.last_segment() }
     }
 
     /// Energy in an end's segment \[J\].

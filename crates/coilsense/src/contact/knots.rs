@@ -4,6 +4,7 @@
 
 use super::book::energy;
 use super::course::GivenUp;
+use super::meet::MARGIN;
 use super::polynomial::value;
 use super::run::Run;
 
@@ -17,18 +18,29 @@ impl Run<'_> {
         let old_force = if chain.is_open() { value(&self.series.force, 1.0) } else { 0.0 };
         let energy_before = energy(self.system, &self.now);
         self.drive_ends();
-        let first = self.now.places[0] - before[0];
+        let cam_jumps = self.now.places[0] - before[0];
+        // A follower stays where it is when its cam jumps.
+        let first = if chain.base() > 0 { 0.0 } else { cam_jumps };
         let second = if chain.is_open() {
             first + (force(self, self.now.time) - old_force) / chain.stiffness()
         } else {
             self.now.places[last] - before[1]
         };
         let small = 1e-15 * (before[0].abs() + before[1].abs() + 1e-3);
-        let jumps = first.abs() > small || second.abs() > small;
+        let jumps = cam_jumps.abs() > small || second.abs() > small;
+        if jumps {
+            for number in 0..self.rest.len() {
+                if self.now.closed[number] && self.gap(number) > MARGIN.max(small) {
+                    self.now.closed[number] = false;
+                    self.book.parted(number, self.now.time);
+                }
+            }
+        }
         if jumps && !self.system.damper.is_none() {
             let mut relative: Vec<f64> =
                 chain.shares().iter().map(|share| -(first + share * (second - first))).collect();
             (relative[0], relative[last]) = (0.0, 0.0);
+            relative[chain.base()] = 0.0;
             let mut impulses = vec![0.0; chain.lumps()];
             self.system.brake(self.now.attached, &relative, &mut impulses);
             for ((speed, impulse), inverse) in

@@ -17,6 +17,7 @@ pub struct Contact {
     pitch: Option<f64>,
     ends: bool,
     lifts: bool,
+    follower: Option<f64>,
     most_events: usize,
 }
 
@@ -41,7 +42,14 @@ pub enum Law {
 impl Default for Contact {
     /// Hard, and what meets stays together.
     fn default() -> Self {
-        Self { law: Law::Hard { restitution: 0.0 }, pitch: None, ends: false, lifts: false, most_events: 1_000_000 }
+        Self {
+            law: Law::Hard { restitution: 0.0 },
+            pitch: None,
+            ends: false,
+            lifts: false,
+            follower: None,
+            most_events: 1_000_000,
+        }
     }
 }
 
@@ -89,6 +97,18 @@ impl Contact {
         Self { lifts, ..self }
     }
 
+    /// With a mass at end 1 \[kg\] that the input pushes as a cam does, and cannot pull: it flies where it would have to be, and comes down on the cam
+    /// without a rebound.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a mass that is not above zero, and for windings that give way, beside which a hard follower is not covered.
+    pub fn with_follower(self, mass: f64) -> Result<Self, Error> {
+        above_zero("follower_mass", mass, "kg")?;
+        let is_hard = matches!(self.law, Law::Hard { .. });
+        check(is_hard, "follower_mass", mass, "kg", "none where windings are elastic: take hard ones")?;
+        Ok(Self { follower: Some(mass), ..self })
+    }
+
     /// After how many events it gives up \[1\]; a million, unless this says otherwise.
     #[must_use]
     pub fn with_most_events(self, most_events: usize) -> Self {
@@ -113,6 +133,11 @@ impl Contact {
     /// Whether ends leave their seats.
     pub fn lifts(&self) -> bool {
         self.lifts
+    }
+
+    /// The mass that a cam pushes at end 1 \[kg\].
+    pub fn follower(&self) -> Option<f64> {
+        self.follower
     }
 
     /// After how many events it gives up.

@@ -74,7 +74,10 @@ fn strike(
     let chain = system.chain;
     let opening = opening_speeds(chain, now);
     let may: Vec<bool> = (0..opening.len()).map(|number| now.closed[number] || meeting.contains(&number)).collect();
-    let bounces = |number: usize| restitution > 0.0 && !now.closed[number] && opening[number] < -STICKS;
+    // A follower stays on its cam.
+    let bounces = |number: usize| {
+        restitution > 0.0 && chain.cam() != Some(number) && !now.closed[number] && opening[number] < -STICKS
+    };
     let bouncing: Vec<bool> = (0..opening.len()).map(bounces).collect();
     let q: Vec<f64> = opening
         .iter()

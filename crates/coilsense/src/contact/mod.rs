@@ -38,7 +38,7 @@ mod touching;
 mod tridiagonal;
 
 pub use chain::{Chain, Pair};
-pub use course::{Balance, Course, GivenUp, Lift, Touch};
+pub use course::{Balance, Course, Float, GivenUp, Lift, Touch};
 pub use drive::Drive;
 pub use follow::follow;
 pub use hertz::Hertz;

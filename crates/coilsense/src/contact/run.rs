@@ -7,7 +7,7 @@ use super::course::{Course, GivenUp};
 use super::drive::Drive;
 use super::law::Contact;
 use super::meet::MARGIN;
-use super::polynomial::{Polynomial, value};
+use super::polynomial::{ORDER, Polynomial, value};
 use super::series::{Now, Series, System};
 use super::start::{Start, Watch};
 use super::tridiagonal::Runs;
@@ -34,6 +34,8 @@ pub(super) struct Run<'a> {
     pub knots: Vec<f64>,
     pub input: Vec<f64>,
     pub output: Vec<f64>,
+    pub end1: Vec<f64>,
+    pub cam_force: Vec<f64>,
     pub end2: Vec<f64>,
     pub places: Vec<f64>,
     pub events: usize,
@@ -80,6 +82,8 @@ impl<'a> Run<'a> {
             knots,
             input: Vec::with_capacity(samples),
             output: Vec::with_capacity(samples),
+            end1: Vec::with_capacity(samples),
+            cam_force: Vec::new(),
             end2: Vec::with_capacity(samples),
             places: Vec::new(),
             events: 0,
@@ -121,8 +125,14 @@ impl<'a> Run<'a> {
             self.lift_at_once();
         }
         let until = self.times.last().copied().unwrap_or(self.now.time);
+        if let Some(cam) = self.system.chain.cam().filter(|cam| self.gap(*cam) <= MARGIN) {
+            // It stands on the cam, unless it would have to be pulled.
+            self.now.closed[cam] = true;
+            self.let_go(None)?;
+        }
+        let touches = |run: &mut Self, number: usize| !run.now.closed[number] && run.gap(number) <= MARGIN;
         let touching: Vec<usize> =
-            (0..self.rest.len()).filter(|&number| self.gap(number) <= MARGIN && self.closes(number)).collect();
+            (0..self.rest.len()).filter(|&number| touches(self, number) && self.closes(number)).collect();
         if !touching.is_empty() {
             self.meets(&touching, false)?;
         }
@@ -205,11 +215,15 @@ impl<'a> Run<'a> {
             FarEnd::Mass(_) => (self.series.place(lumps), 0.0),
             FarEnd::Force => (self.series.place(lumps), chain.beyond()),
         };
+        let end1 = self.series.place(chain.base());
+        let cam = chain.cam().map(|cam| if self.now.closed[cam] { self.series.push(cam) } else { [0.0; ORDER + 1] });
         let mut row = vec![0.0; lumps + 2];
         for &time in &self.times[from..to] {
             let at = ((time - begin) / step).clamp(0.0, tau);
             self.input.push(value(&input, at));
             self.output.push(value(&output, at));
+            self.end1.push(value(&end1, at));
+            self.cam_force.extend(cam.as_ref().map(|push| value(push, at)));
             self.end2.push(value(&end2, at) + beyond * value(&self.series.force, at));
             if self.watch == Watch::Places {
                 self.series.places_at(at, &mut row);
@@ -223,10 +237,13 @@ impl<'a> Run<'a> {
         Course {
             input: self.input,
             output: self.output,
+            end1: self.end1,
+            cam_force: self.cam_force,
             end2: self.end2,
             places: self.places,
             touches: self.book.touches,
             lifts: self.book.lifts,
+            floats: self.book.floats,
             balance,
             until: self.now.time,
             given_up,

@@ -23,12 +23,15 @@ impl System<'_> {
     pub fn brake(&self, attached: [bool; 2], relative: &[f64], forces: &mut [f64]) -> [f64; 2] {
         self.damper.brake(self.chain, relative, forces);
         let time = self.damper.dashpot_time();
-        let last = self.chain.last_segment();
-        let mut pulls = [0, last]
+        let (base, last) = (self.chain.base(), self.chain.last_segment());
+        let mut pulls = [base, last]
             .map(|segment| time * self.chain.stiffnesses()[segment] * (relative[segment + 1] - relative[segment]));
         // A segment that hangs loose has no dashpot either.
         if !attached[0] {
-            forces[0] += pulls[0];
+            forces[base] += pulls[0];
+            if base > 0 {
+                forces[base - 1] -= pulls[0];
+            }
             pulls[0] = 0.0;
         }
         if !attached[1] {
@@ -162,7 +165,12 @@ impl Series {
             *force = stiffness[1] * (place[2] - place[1]) - stiffness[0] * (place[1] - place[0]);
         }
         if !now.attached[0] {
-            self.forces[0] += segments[0] * (row[1] - row[0]);
+            let base = chain.base();
+            let tension = segments[base] * (row[base + 1] - row[base]);
+            self.forces[base] += tension;
+            if base > 0 {
+                self.forces[base - 1] -= tension;
+            }
         }
         if !now.attached[1] {
             let last = chain.last_segment();
@@ -198,7 +206,15 @@ impl Series {
     fn relative_of(&mut self, chain: &Chain, order: usize, line: &[Polynomial; 2]) {
         let (begin, next) = (order * self.points, (order + 1) * self.points);
         let per_time = (order + 1) as f64 / self.step;
-        let [first, second] = [line[0][order + 1], line[1][order + 1]];
+        let [mut first, mut second] = [line[0][order + 1], line[1][order + 1]];
+        if chain.base() > 0 {
+            // The spring stands on the follower, wherever the cam is.
+            let follower = self.places[next + 1];
+            if chain.is_open() {
+                second += follower - first;
+            }
+            first = follower;
+        }
         for (point, share) in chain.shares().iter().enumerate() {
             let straight = first + share * (second - first);
             self.relative[begin + point] = per_time * (self.places[next + point] - straight);

@@ -8,9 +8,10 @@ use super::damper::Damper;
 use super::drive::Drive;
 use super::follow::follow_damped;
 use super::law::Contact;
+use super::path::Path;
 use super::start::{Start, Watch};
 use crate::error::{Error, check};
-use crate::excitation::End;
+use crate::excitation::{End, EndInput};
 use crate::measures::Clash;
 use crate::motion::{Motion, Windings};
 use crate::mount::FarEnd;
@@ -80,7 +81,7 @@ impl Touching {
         crate::error::at_least_one("times", times.len())?;
         let times = crate::signals::increasing(times)?;
         let signals = motion.signals(times)?;
-        let (spring, pitch) = (motion.spring(), contact.pitch().unwrap_or(motion.spring().wire_diameter()));
+        let pitch = contact.pitch().unwrap_or(motion.spring().wire_diameter());
         let is_chain = motion.modes().is_chain();
         check(
             is_chain,
@@ -89,10 +90,10 @@ impl Touching {
             "",
             "those of a chain of equal masses where windings may meet",
         )?;
-        let chain = Chain::of(spring, motion.mount().far_end(), pitch, contact.ends())?;
+        let chain = chain_of(motion, contact, pitch)?;
         let until = times[times.len() - 1];
         let all = || with_windings.then(|| motion.windings(times)).transpose();
-        let only_windings = !contact.ends() && !contact.lifts();
+        let only_windings = !contact.ends() && !contact.lifts() && contact.follower().is_none();
         if only_windings && Clash::excluded(motion, until, pitch) {
             return Ok(Self { signals, course: None, windings: all()?, changed: None });
         }
@@ -107,11 +108,12 @@ impl Touching {
             (false, false) => Watch::Ends,
         };
         let run = |larger: f64, watch: Watch| {
-            let drives = drives(motion, larger);
-            follow_damped(&chain, contact, &damper, &drives, &start(motion, begin, larger)?, &times[later..], watch)
+            let drives = drives(motion, contact, larger)?;
+            let start = start(motion, &chain, &drives, begin, larger)?;
+            follow_damped(&chain, contact, &damper, &drives, &start, &times[later..], watch)
         };
         let course = run(1.0, watch)?;
-        if course.touches.is_empty() && course.lifts.is_empty() && course.given_up.is_none() {
+        if first_change(&course).is_none() && course.given_up.is_none() {
             return Ok(Self { signals, course: None, windings: all()?, changed: None });
         }
         let allowed = "one at which windings are not solid between ends that close on them";
@@ -130,12 +132,14 @@ impl Touching {
     /// As [`Self::of`].
     pub fn followed(motion: &Motion, contact: &Contact, times: &[f64]) -> Result<Course, Error> {
         let pitch = contact.pitch().unwrap_or(motion.spring().wire_diameter());
-        let chain = Chain::of(motion.spring(), motion.mount().far_end(), pitch, contact.ends())?;
+        let chain = chain_of(motion, contact, pitch)?;
         let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
-        follow_damped(&chain, contact, &damper, &drives(motion, 1.0), &start(motion, 0.0, 1.0)?, times, Watch::Forces)
+        let drives = drives(motion, contact, 1.0)?;
+        let start = start(motion, &chain, &drives, 0.0, 1.0)?;
+        follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Forces)
     }
 
-    /// When something first meets, or an end first leaves its seat \[s\].
+    /// When something first meets, an end first leaves its seat, or a follower its cam \[s\].
     pub fn first_contact(&self) -> Option<f64> {
         self.course.as_ref().and_then(first_change)
     }
@@ -176,7 +180,17 @@ impl Touching {
 
 fn first_change(course: &Course) -> Option<f64> {
     let touches = course.touches.iter().map(|touch| touch.time);
-    touches.chain(course.lifts.iter().map(|lift| lift.time)).reduce(f64::min)
+    let lifts = course.lifts.iter().map(|lift| lift.time);
+    touches.chain(lifts).chain(course.floats.iter().map(|float| float.time)).reduce(f64::min)
+}
+
+/// The chain of a motion's spring, on its follower where it has one.
+fn chain_of(motion: &Motion, contact: &Contact, pitch: f64) -> Result<Chain, Error> {
+    let chain = Chain::of(motion.spring(), motion.mount().far_end(), pitch, contact.ends())?;
+    match contact.follower() {
+        Some(mass) => chain.on_follower(mass),
+        None => Ok(chain),
+    }
 }
 
 /// The time from which the chain is followed \[s\]: just before something may meet. `None` where all stays clear.
@@ -194,8 +208,11 @@ fn first_near(motion: &Motion, contact: &Contact, chain: &Chain, times: &[f64]) 
     let mean = motion.excitation().mean_length();
     let unloaded: Vec<f64> = unloaded(motion);
     let slow = chain.shares().iter().map(|share| share * (mean - rest)).collect::<Vec<f64>>();
+    let base = chain.base();
+    let pairs = &chain.pairs()[base..];
     let near: Vec<f64> =
-        chain.pairs().iter().map(|pair| NEAR * (slow[pair.second] - slow[pair.first] + pair.gap).max(0.0)).collect();
+        pairs.iter().map(|pair| NEAR * (slow[pair.second] - slow[pair.first] + pair.gap).max(0.0)).collect();
+    let cam = drives(motion, contact, 1.0)?;
     let mut before = 0.0;
     let (mut rest_of_all, mut at_once) = (all.as_slice(), AT_FIRST);
     while !rest_of_all.is_empty() {
@@ -203,23 +220,28 @@ fn first_near(motion: &Motion, contact: &Contact, chain: &Chain, times: &[f64]) 
         rest_of_all = later;
         at_once = (2 * at_once).min((MOST_AT_ONCE / chain.lumps()).max(AT_FIRST));
         let windings = motion.windings(block)?;
-        let forces = if contact.lifts() { Some(motion.end_forces(block)?) } else { None };
+        let asks = contact.lifts() || contact.follower().is_some();
+        let forces = if asks { Some(motion.end_forces(block)?) } else { None };
         for (sample, &time) in block.iter().enumerate() {
             let row = windings.row(sample);
             let [u1, u2] = windings.ends(sample);
-            let place = |point: usize| match point {
+            let place = |point: usize| match point - base {
                 0 => u1,
                 point if point <= row.len() => row[point - 1] - unloaded[point - 1],
                 _ => u2 - rest,
             };
-            let meets = chain.pairs().iter().zip(&near);
+            let meets = pairs.iter().zip(&near);
             let meets = meets.clone().any(|(pair, near)| place(pair.second) - place(pair.first) + pair.gap <= *near);
-            let lifts = forces.as_ref().is_some_and(|forces| {
-                let scale = NEAR * spring.static_force(mean).abs();
+            let scale = NEAR * spring.static_force(mean).abs();
+            let floats = contact.follower().zip(forces.as_ref()).is_some_and(|(mass, forces)| {
+                // Its acceleration is twice the second coefficient over a second.
+                2.0 * mass * cam[0].series(time, 1.0)[2] - forces.input[sample] < scale
+            });
+            let lifts = forces.as_ref().filter(|_| contact.lifts()).is_some_and(|forces| {
                 forces.input[sample] > -scale
                     || motion.mount().far_end() != FarEnd::Force && forces.output[sample] > -scale
             });
-            if meets || lifts {
+            if meets || lifts || floats {
                 return Ok(Some(before));
             }
             before = time;
@@ -235,19 +257,24 @@ fn unloaded(motion: &Motion) -> Vec<f64> {
     (0..masses).map(|mass| rest * (mass as f64 + 0.5) / masses as f64).collect()
 }
 
-/// What drives the ends, by a factor larger about the mean.
-fn drives(motion: &Motion, larger: f64) -> [Drive; 2] {
+/// What drives the ends, by a factor larger about the mean. A recording that pushes a follower is a smooth curve through its samples: straight from
+/// sample to sample, each would strike it.
+fn drives(motion: &Motion, contact: &Contact, larger: f64) -> Result<[Drive; 2], Error> {
     let (spring, mean) = (motion.spring(), motion.excitation().mean_length());
     let about = match motion.mount().far_end() {
         FarEnd::Position => mean - spring.rest_length(),
         FarEnd::Force | FarEnd::Mass(_) => spring.static_force(mean),
     };
     let input = |end: End| super::drive::scaled(motion.excitation().input(end), larger);
-    [Drive::Input(input(End::One), 0.0), Drive::Input(input(End::Two), about)]
+    let first = match (input(End::One), contact.follower()) {
+        (EndInput::Sampled(samples), Some(_)) => Drive::Path(Path::spline(samples.times(), samples.values())?),
+        (first, _) => Drive::Input(first, 0.0),
+    };
+    Ok([first, Drive::Input(input(End::Two), about)])
 }
 
 /// The motion's state at a time, by a factor larger about its mean.
-fn start(motion: &Motion, time: f64, larger: f64) -> Result<Start, Error> {
+fn start(motion: &Motion, chain: &Chain, drives: &[Drive; 2], time: f64, larger: f64) -> Result<Start, Error> {
     let spring = motion.spring();
     let stretch = motion.excitation().mean_length() - spring.rest_length();
     let windings = motion.windings(&[time])?;
@@ -263,6 +290,12 @@ fn start(motion: &Motion, time: f64, larger: f64) -> Result<Start, Error> {
         speeds.push(motion.end_velocity(time));
     }
     speeds.iter_mut().for_each(|speed| *speed *= larger);
+    if chain.base() > 0 {
+        // On the cam, and as fast.
+        let cam = drives[0].series(time, 1.0);
+        places.insert(0, cam[0]);
+        speeds.insert(0, cam[1]);
+    }
     Ok(Start { time, places, speeds })
 }
 
@@ -273,7 +306,6 @@ fn merged(motion: &Motion, signals: Signals, course: &Course, later: usize, from
     let mut merged = Signals::new(time[..reached].to_vec())?;
     let rest = motion.spring().rest_length();
     let is_prescribed = motion.mount().far_end() == FarEnd::Position;
-    let u1 = channels.iter().find(|(channel, _)| *channel == Channel::U1).map(|(_, values)| values.clone());
     for (channel, mut values) in channels {
         values.truncate(reached);
         let with = |values: &mut Vec<f64>, of: &[f64], more: f64| {
@@ -284,11 +316,12 @@ fn merged(motion: &Motion, signals: Signals, course: &Course, later: usize, from
         match channel {
             Channel::InputForce => with(&mut values, &course.input, 0.0),
             Channel::OutputForce => with(&mut values, &course.output, 0.0),
+            Channel::U1 if !course.cam_force.is_empty() => with(&mut values, &course.end1, 0.0),
             Channel::U2 if !is_prescribed => with(&mut values, &course.end2, rest),
-            Channel::DeflectionForce if !is_prescribed => {
-                let u1 = u1.as_ref().ok_or(Error::MissingSignal("u1"))?;
+            Channel::DeflectionForce if !is_prescribed || !course.cam_force.is_empty() => {
                 for sample in from..reached {
-                    values[sample] = motion.spring().static_force(course.end2[sample - later] + rest - u1[sample]);
+                    let [first, second] = [course.end1[sample - later], course.end2[sample - later]];
+                    values[sample] = motion.spring().static_force(second + rest - first);
                 }
             }
             _ => {}
@@ -310,11 +343,12 @@ fn merged_windings(
     let (mut ends, mut positions) = motion.windings(&times[..reached])?.into_parts();
     let (masses, lumps) = (motion.spring().chain_masses(), course.places.len() / course.input.len().max(1));
     let (unloaded, rest) = (unloaded(motion), motion.spring().rest_length());
+    let base = usize::from(!course.cam_force.is_empty());
     for sample in from..reached {
-        let row = &course.places[(sample - later) * lumps..][..masses];
+        let row = &course.places[(sample - later) * lumps + base..][..masses];
         let places = positions[sample * masses..].iter_mut().zip(row).zip(&unloaded);
         places.for_each(|((position, place), unloaded)| *position = place + unloaded);
-        ends[sample][1] = course.end2[sample - later] + rest;
+        ends[sample] = [course.end1[sample - later], course.end2[sample - later] + rest];
     }
     Windings::new(ends, positions)
 }

@@ -12,7 +12,7 @@ fn held() -> Drive {
     Drive::Input(EndInput::Held, 0.0)
 }
 
-fn grid(until: f64, samples: usize) -> Vec<f64> {
+pub fn grid(until: f64, samples: usize) -> Vec<f64> {
     (0..=samples).map(|sample| until * sample as f64 / samples as f64).collect()
 }
 

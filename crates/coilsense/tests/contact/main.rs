@@ -1,5 +1,6 @@
 //! Windings that meet, against figures of independent programs, by hand and by what must be conserved.
 
+mod follower;
 mod laws;
 mod random;
 mod reference;

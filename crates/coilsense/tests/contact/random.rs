@@ -132,19 +132,21 @@ struct Use {
     is_elastic: bool,
     ends: bool,
     lifts: bool,
+    follower: Option<f64>,
 }
 
 fn uses() -> impl Strategy<Value = Use> {
     let spring = (2_usize..9, 1_usize..4, 0.5..0.95_f64, 0.2..0.6_f64, -6.0..6.0_f64);
     let mount = (0_usize..3, 0_usize..5);
     let inputs = (0_usize..7, 0_usize..7, 1e-5..4e-3_f64, 5.0..600.0_f64);
-    let contact = (0.0..=1.0_f64, any::<bool>(), any::<bool>(), any::<bool>());
+    let follower = proptest::option::of(0.01..1.0_f64);
+    let contact = (0.0..=1.0_f64, any::<bool>(), any::<bool>(), any::<bool>(), follower);
     (spring, mount, inputs, contact).prop_map(
         |(
             (windings, masses, length, pitch, velocity),
             (far_end, damping),
             (first, second, amplitude, frequency),
-            (restitution, is_elastic, ends, lifts),
+            (restitution, is_elastic, ends, lifts, follower),
         )| Use {
             windings,
             masses,
@@ -160,6 +162,7 @@ fn uses() -> impl Strategy<Value = Use> {
             is_elastic,
             ends: ends && (masses == 1 || far_end != 2),
             lifts,
+            follower: follower.filter(|_| !is_elastic && (masses == 1 || !ends)),
         },
     )
 }
@@ -219,6 +222,10 @@ fn spring_holds(case: Use) -> Result<(), TestCaseError> {
     };
     let pitch = case.pitch * 0.01 * case.length;
     let contact = contact.at_pitch(pitch).unwrap().with_ends(case.ends).with_lift_off(case.lifts);
+    let contact = match case.follower {
+        Some(mass) => contact.with_follower(mass).unwrap(),
+        None => contact,
+    };
     let times: Vec<f64> = (0..=300).map(|sample| f64::from(sample) * 1e-4).collect();
     let touching = match Touching::of(&motion, &contact.with_most_events(50_000), &times, true) {
         Ok(touching) => touching,
@@ -236,6 +243,7 @@ fn spring_holds(case: Use) -> Result<(), TestCaseError> {
     prop_assert!(balance.lost > -1e-12, "{balance:?}");
     let windings = touching.windings.as_ref().unwrap();
     prop_assert_eq!(windings.samples(), touching.signals.time().len());
+    prop_assert!(course.cam_force.iter().all(|force| *force > -1e-3), "{:?}", course.cam_force);
     if !case.is_elastic {
         let first = touching.first_contact().unwrap_or(f64::INFINITY);
         let from = times.partition_point(|time| *time < first);
