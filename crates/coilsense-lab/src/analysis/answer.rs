@@ -57,6 +57,7 @@ fn place(analysis: &Analysis, verdict: &Verdict) -> String {
     let case = &analysis.cases[verdict.worst];
     let place = case_name(analysis, verdict.worst);
     match &case.contacts {
+        Some(contacts) if !contacts.floats.is_empty() => format!("{place}, where the follower leaves its cam"),
         Some(contacts) if contacts.touches.is_empty() => place,
         Some(_) => format!("{place}, where windings meet"),
         None if case.clash.happens() => format!("{place}, where windings would touch"),
@@ -317,7 +318,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Resonance, "a natural frequency of the real spring may coincide with the input's"),
         (Subject::NoLimit, "the rms of a step has no limit"),
         (Subject::Clash, "windings touch"),
-        (Subject::Contact, "windings meet or ends leave their seats"),
+        (Subject::Contact, "windings meet, ends leave their seats, or a follower its cam"),
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Lift, "an end that only pushes would have to pull"),
         (Subject::Doubt, "values of the spring do not fit together"),

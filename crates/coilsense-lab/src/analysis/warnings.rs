@@ -125,7 +125,9 @@ fn contact(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
     let of = |case: &&Case| case.contacts.clone().map(|contacts| (case.damping, contacts));
     let each: Vec<(usize, Contacts)> =
         cases.iter().filter_map(of).filter(|(_, contacts)| contacts.first.is_some()).collect();
-    let (damping, most) = each.iter().max_by_key(|(_, contacts)| contacts.touches.len() + contacts.lifts.len())?;
+    let (damping, most) = each
+        .iter()
+        .max_by_key(|(_, contacts)| contacts.touches.len() + contacts.lifts.len() + contacts.floats.len())?;
     let label = |damping: usize| spec.mount.cases[damping].label.as_str();
     let mut text = format!("{}, {}: {}.", spec.conditions[cases[0].condition].name, label(*damping), happened(most));
     let clear = cases.len() - each.len();
@@ -187,6 +189,17 @@ fn happened(contacts: &Contacts) -> String {
             contacts.lifts.len(),
             first.time,
             digits(1e3 * aloft)
+        ));
+    }
+    if let Some(first) = contacts.floats.first() {
+        let fastest = contacts.floats.iter().map(|float| float.closing_speed).fold(0.0, f64::max);
+        clauses.push(format!(
+            "the follower leaves its cam {} times, first at t = {:.5} s for {}, {} ms in all, and comes down at up to {} m/s",
+            contacts.floats.len(),
+            first.time,
+            first.back.map_or_else(|| "good".to_owned(), |back| format!("{} ms", digits(1e3 * (back - first.time)))),
+            digits(1e3 * contacts.floated()),
+            digits(fastest)
         ));
     }
     clauses.join("; ")

@@ -44,11 +44,18 @@ impl ContactCase {
         spec: &SpringSpec,
         mount: &MountSpec,
     ) -> Result<Vec<Self>, SpecError> {
-        let Some(section) = document.optional_section("contact")? else { return Ok(Vec::new()) };
+        let follower = follower_mass(document)?;
+        let alone = |key: &str| match follower {
+            None => Ok(Vec::new()),
+            Some(_) => Err(document.section("mount")?.refuse("follower_mass", format!("takes {key}"))),
+        };
+        let Some(section) = document.optional_section("contact")? else {
+            return alone("a table [contact]: without it no end leaves what it stands on");
+        };
         let word = section.optional_word("windings", &["hard", "elastic", "off"])?.unwrap_or("hard");
         section.only_of(word, &format!("windings that are \"{word}\""))?;
         if word == "off" {
-            return Ok(Vec::new());
+            return alone("[contact] windings = \"hard\"");
         }
         can_meet(&section, spec)?;
         let pushes_only = !spec.geometry.parameters().end_type.is_extension();
@@ -59,13 +66,22 @@ impl ContactCase {
                 "with an end mass takes [spring] masses_per_winding = 1: more than one point would lie on the mass";
             return Err(section.refuse("ends", why));
         }
-        let ends = ends.unwrap_or(pushes_only && !is_mass);
+        if ends == Some(true) && follower.is_some() && spec.masses_per_winding != Some(1) {
+            let why = "with a follower takes [spring] masses_per_winding = 1: more than one point would lie on it";
+            return Err(section.refuse("ends", why));
+        }
+        let stands = is_mass || follower.is_some();
+        let ends = ends.unwrap_or(pushes_only && (!stands || spec.masses_per_winding == Some(1)));
         let lifts = section.optional_flag("lift_off")?.unwrap_or(pushes_only);
         let of = |label: String, contact: Result<Contact, coilsense::Error>, is_assumed: bool| {
             let contact = contact
                 .and_then(|contact| contact.at_pitch(spec.contact_pitch()))
                 .map_err(|error| section.refuse_science(&error, &[]))?;
             let contact = contact.with_ends(ends).with_lift_off(lifts).with_most_events(MOST_EVENTS);
+            let contact = match follower {
+                Some(mass) => contact.with_follower(mass).map_err(|error| refuse_follower(document, &error))?,
+                None => contact,
+            };
             Ok(Self { label, contact, is_assumed })
         };
         let key = if word == "hard" { "restitution" } else { "damping_ratio" };
@@ -82,6 +98,21 @@ impl ContactCase {
         })?;
         let one = |ratio: f64| of(format!("ζ_c = {}", plain(ratio)), Contact::elastic(stiffness, ratio), assumed);
         each.into_iter().map(one).collect()
+    }
+}
+
+/// The mass that the input pushes at end 1 \[kg\].
+fn follower_mass(document: &Document<'_>) -> Result<Option<f64>, SpecError> {
+    match document.optional_section("mount")? {
+        Some(section) => section.above_zero("follower_mass", Dimension::Mass),
+        None => Ok(None),
+    }
+}
+
+fn refuse_follower(document: &Document<'_>, error: &coilsense::Error) -> SpecError {
+    match document.section("mount") {
+        Ok(section) => section.refuse("follower_mass", error),
+        Err(error) => error,
     }
 }
 

@@ -3,12 +3,12 @@
 //! Next door: the run itself (`coilsense::contact`), one simulation (`simulation`).
 
 use coilsense::Error;
-use coilsense::contact::{Balance, Lift, Touch, Touching};
+use coilsense::contact::{Balance, Float, Lift, Touch, Touching};
 
 /// What met in a run, for how long the answer holds, and where the energy went.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contacts {
-    /// When something first met or an end first left its seat \[s\]; `None` where nothing did.
+    /// When something first met, an end first left its seat or a follower its cam \[s\]; `None` where nothing did.
     pub first: Option<f64>,
     /// Everything that met, in the order in which it did; points are numbers of masses, 0 and one more than there are being the ends.
     pub touches: Vec<Touch>,
@@ -16,6 +16,10 @@ pub struct Contacts {
     pub meetings: Vec<Meeting>,
     /// When ends left their seats, and when they were back.
     pub lifts: Vec<Lift>,
+    /// When a follower left its cam, and when it came back; what comes down slower than [`GRAZES`] only grazes it.
+    pub floats: Vec<Float>,
+    /// The smallest force of the cam on a follower from the first event on \[N\]; `None` without one.
+    pub least_cam_force: Option<f64>,
     /// Where energy came from and went \[J\].
     pub balance: Balance,
     /// How many times something met, parted, left or came back.
@@ -28,6 +32,8 @@ pub struct Contacts {
     pub until: f64,
     /// Masses for a winding.
     pub masses_per_winding: usize,
+    /// Points before the spring's end 1: one where that stands on a follower.
+    base: usize,
     /// Masses in all.
     pub masses: usize,
 }
@@ -76,6 +82,14 @@ impl Between {
     }
 }
 
+/// A follower that comes down slower than this \[m/s\] has grazed its cam: where the cam's force just goes through zero, the rounding of a recorded
+/// lift opens gaps of picometres.
+pub const GRAZES: f64 = 2e-3;
+
+fn is_aloft(float: &Float) -> bool {
+    float.back.is_none() || float.closing_speed >= GRAZES
+}
+
 impl Contacts {
     /// Of a run up to `until` \[s\]; `apart` is the force \[N\] by which it is judged how long the run holds, where it was made twice.
     ///
@@ -84,26 +98,45 @@ impl Contacts {
     pub(super) fn of(touching: &Touching, masses: [usize; 2], until: f64, apart: Option<f64>) -> Result<Self, Error> {
         let [in_all, per_winding] = masses;
         let course = touching.course.as_ref();
+        let first = course.and_then(|course| {
+            let touches = course.touches.iter().map(|touch| touch.time);
+            let lifts = course.lifts.iter().map(|lift| lift.time);
+            let floats = course.floats.iter().filter(|float| is_aloft(float)).map(|float| float.time);
+            touches.chain(lifts).chain(floats).reduce(f64::min)
+        });
         let mut contacts = Self {
-            first: touching.first_contact(),
+            first,
             touches: touching.touches().to_vec(),
             meetings: Vec::new(),
             lifts: course.map_or_else(Vec::new, |course| course.lifts.clone()),
+            floats: course.map_or_else(Vec::new, |course| course.floats.iter().copied().filter(is_aloft).collect()),
+            least_cam_force: course.and_then(|course| course.cam_force.iter().copied().reduce(f64::min)),
             balance: course.map_or_else(Balance::default, |course| course.balance),
             events: course.map_or(0, |course| course.events),
             holds_until: apart.map(|apart| touching.holds_until(apart)).transpose()?,
             apart: apart.unwrap_or(0.0),
             until,
             masses_per_winding: per_winding,
+            base: usize::from(course.is_some_and(|course| !course.cam_force.is_empty())),
             masses: in_all,
         };
         contacts.meetings = contacts.by_winding();
         Ok(contacts)
     }
 
+    /// Points of the spring, of which end 1 is 0.
+    fn points(&self, touch: &Touch) -> [usize; 2] {
+        touch.points.map(|point| point - self.base)
+    }
+
+    /// How long a follower flew in all \[s\].
+    pub fn floated(&self) -> f64 {
+        self.floats.iter().map(|float| float.back.unwrap_or(self.until) - float.time).sum()
+    }
+
     /// Which neighbours a touch is of.
     pub fn between(&self, touch: &Touch) -> Between {
-        let [first, second] = touch.points;
+        let [first, second] = self.points(touch);
         if first == 0 {
             Between::Seat1
         } else if second > self.masses {
@@ -115,7 +148,8 @@ impl Contacts {
 
     /// Where along the wire a touch is: turns from end 1 to the point nearer to it, or to the one that meets seat 1.
     pub fn turn(&self, touch: &Touch) -> f64 {
-        let point = if touch.points[0] == 0 { touch.points[1] } else { touch.points[0] };
+        let [first, second] = self.points(touch);
+        let point = if first == 0 { second } else { first };
         (point as f64 - 0.5) / self.masses_per_winding as f64
     }
 

@@ -151,6 +151,34 @@ fn a_blow_on_a_seat_reaches_the_sensors_that_are_slower_than_it() {
 }
 
 #[test]
+fn a_follower_floats_where_its_cam_would_have_to_pull() {
+    let with = |mass: &str| {
+        six_masses("0.01", "restitution = 0.0")
+            .replace("end2 = \"held\"", &format!("end2 = \"held\"\nfollower_mass = \"{mass}\""))
+    };
+    let light = cases(&with("40 g"));
+    let contacts = light[0].contacts.as_ref().unwrap();
+    assert!(contacts.floats.is_empty(), "{:?}", contacts.floats);
+    let heavy = analysis(&with("250 g"));
+    let contacts = heavy.cases[0].contacts.as_ref().unwrap();
+    assert!(!contacts.floats.is_empty() && contacts.floats.iter().all(|float| float.closing_speed >= 2e-3));
+    assert!(contacts.floated() > 1e-3);
+    let words = answer(&heavy).join("\n");
+    assert!(words.contains("where the follower leaves its cam"), "{words}");
+    let told = heavy.warnings.iter().find(|warning| warning.subject == Subject::Contact).unwrap();
+    assert!(told.text.contains("the follower leaves its cam"), "{}", told.text);
+    // The end of the spring goes with the follower, and lies ahead of the cam while that flies.
+    let (u1, time) = (heavy.cases[0].signals.channel(Channel::U1).unwrap(), heavy.cases[0].signals.time());
+    let cam = light[0].signals.channel(Channel::U1).unwrap();
+    let float = contacts.floats[0];
+    for sample in
+        time.partition_point(|time| *time <= float.time)..time.partition_point(|time| *time < float.back.unwrap())
+    {
+        assert!(u1[sample] > cam[sample] - 1e-7, "{}", time[sample]);
+    }
+}
+
+#[test]
 fn what_cannot_meet_is_refused_in_a_line() {
     let helix = VALVE.replace("[spring]\n", "[spring]\nmodel = \"helix\"\n");
     let with = |keys: &str| format!("{VALVE}\n[contact]\n{keys}\n");
@@ -166,6 +194,14 @@ fn what_cannot_meet_is_refused_in_a_line() {
         (with("stiffness = \"Hertz\""), "stiffness in [contact] is no key of windings that are \"hard\""),
         (with("windings = \"elastic\"\nstiffness = \"1 kN/m\""), "ten times a winding's own"),
         (with("windings = \"elastic\"\nstiffness = \"hertz\""), "stiffness = \"hertz\": must be"),
+        (
+            VALVE.replace("end2 = \"held\"", "end2 = \"held\"\nfollower_mass = \"80 g\""),
+            "takes a table [contact]: without it no end leaves what it stands on",
+        ),
+        (
+            with("windings = \"elastic\"").replace("end2 = \"held\"", "end2 = \"held\"\nfollower_mass = \"80 g\""),
+            "take hard ones",
+        ),
         (format!("{helix}\n[contact]\n"), "the modes of a \"helix\" know no contact"),
         (
             format!("{}\n[contact]\nends = true\n", SUSPENSION.replace("masses_per_winding = 1\n", "")),

@@ -36,11 +36,15 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
             };
             both.iter().flat_map(used).collect()
         }
-        "mount" => vec![
-            ("held", format!("{by_values}\n[mount]\nend2 = \"held\"\n")),
-            ("force", format!("{by_values}\n[mount]\nend2 = \"force\"\n")),
-            ("mass", format!("{by_values}\n[mount]\nend2 = \"mass\"\nend_mass = \"1 kg\"\n")),
-        ],
+        "mount" => {
+            // With windings that may meet, which a follower asks for.
+            let meets = format!("{}\n[contact]\n", by_values.replace("104 mm", "150 mm"));
+            vec![
+                ("held", format!("{meets}\n[mount]\nend2 = \"held\"\n")),
+                ("force", format!("{meets}\n[mount]\nend2 = \"force\"\n")),
+                ("mass", format!("{meets}\n[mount]\nend2 = \"mass\"\nend_mass = \"1 kg\"\n")),
+            ]
+        }
         "contact" => {
             // With room for its windings to be apart.
             let apart = by_values.replace("104 mm", "150 mm");

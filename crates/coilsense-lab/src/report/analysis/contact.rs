@@ -21,7 +21,7 @@ const MOST_DRAWN: usize = 4000;
 pub(super) fn busiest(analysis: &Analysis) -> Option<(&Case, &Contacts)> {
     let met = |case: &'_ &Case| case.contacts.as_ref().is_some_and(|contacts| contacts.first.is_some());
     let each = analysis.cases.iter().filter(met).filter_map(|case| Some((case, case.contacts.as_ref()?)));
-    each.max_by_key(|(_, contacts)| contacts.touches.len() + contacts.lifts.len())
+    each.max_by_key(|(_, contacts)| contacts.touches.len() + contacts.lifts.len() + contacts.floats.len())
 }
 
 /// When and where windings lie on each other, and when ends are off their seats.
@@ -60,10 +60,21 @@ pub(super) fn figure(case: &Case, contacts: &Contacts) -> Figure {
         y: [first.1, second.1].concat(),
         stroke: Stroke { colour: Colour::Blue, dash: Dash::Solid, width: 4.0 },
     };
-    let curves = [together, lifted].into_iter().filter(|curve| !curve.x.is_empty()).collect();
+    let (mut x, mut y) = (Vec::new(), Vec::new());
+    for float in &contacts.floats {
+        x.extend([float.time, float.back.unwrap_or(contacts.until), f64::NAN]);
+        y.extend([-0.35, -0.35, f64::NAN]);
+    }
+    let floats = Curve {
+        label: "follower off its cam".into(),
+        x,
+        y,
+        stroke: Stroke { colour: Colour::Green, dash: Dash::Solid, width: 4.0 },
+    };
+    let curves = [together, lifted, floats].into_iter().filter(|curve| !curve.x.is_empty()).collect();
     let panel = Panel {
         x: Axis { label: "Time [s]".into(), range: Some((from, to)), ..Axis::default() },
-        y: Axis { label: "Turns from end 1 [1]".into(), range: Some((-0.2, turns + 0.2)), ..Axis::default() },
+        y: Axis { label: "Turns from end 1 [1]".into(), range: Some((-0.6, turns + 0.3)), ..Axis::default() },
         curves,
         ..Panel::default()
     };
@@ -90,6 +101,8 @@ pub(super) fn rows(analysis: &Analysis) -> Vec<Value> {
             lost => digits(1e3 * contacts.balance.lost),
             lifts => contacts.lifts.len(),
             aloft => digits(1e3 * aloft),
+            floats => contacts.floats.len(),
+            floated => digits(1e3 * contacts.floated()),
             holds => if holds < contacts.until { format!("{holds:.4} s") } else { "to the end".to_owned() },
         })
     };

@@ -238,6 +238,7 @@ fn contact_value(analysis: &Analysis) -> Result<Option<Value>, ReportError> {
         figure => drawn("contact", &super::contact::figure(case, contacts))?,
         tables => super::contact::tables(contacts),
         apart => digits(contacts.apart),
+        has_floats => analysis.cases.iter().filter_map(|case| case.contacts.as_ref()).any(|contacts| !contacts.floats.is_empty()),
     }))
 }
 

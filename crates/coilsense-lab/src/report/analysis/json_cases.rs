@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use coilsense::Deviation;
-use coilsense::contact::{Lift, Touch};
+use coilsense::contact::{Float, Lift, Touch};
 use serde::Serialize;
 
 use crate::analysis::{Analysis, Assessment, Case};
@@ -48,6 +48,7 @@ struct ContactPart {
     energy_lost_j: f64,
     pairs: Vec<MeetingRow>,
     lifts: Vec<LiftRow>,
+    floats: Vec<FloatRow>,
     /// The first of all touches, 2000 at most.
     first_touches: Vec<TouchRow>,
 }
@@ -94,6 +95,17 @@ struct LiftRow {
     duration_s: Option<f64>,
 }
 
+/// A follower that left its cam.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct FloatRow {
+    time_s: f64,
+    /// Null where it was not back by the end.
+    duration_s: Option<f64>,
+    closing_speed_m_per_s: f64,
+    impulse_n_s: f64,
+}
+
 /// Most touches that are listed.
 const MOST_TOUCHES: usize = 2000;
 
@@ -123,6 +135,12 @@ impl ContactPart {
             time_s: lift.time,
             duration_s: lift.back.map(|back| back - lift.time),
         };
+        let float = |float: &Float| FloatRow {
+            time_s: float.time,
+            duration_s: float.back.map(|back| back - float.time),
+            closing_speed_m_per_s: float.closing_speed,
+            impulse_n_s: float.impulse,
+        };
         Self {
             holds_until_s: contacts.holds_until,
             apart_n: contacts.apart,
@@ -131,6 +149,7 @@ impl ContactPart {
             energy_lost_j: contacts.balance.lost,
             pairs: contacts.meetings.iter().map(meeting).collect(),
             lifts: contacts.lifts.iter().map(lift).collect(),
+            floats: contacts.floats.iter().map(float).collect(),
             first_touches: contacts.touches.iter().take(MOST_TOUCHES).map(touch).collect(),
         }
     }

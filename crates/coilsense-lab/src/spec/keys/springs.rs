@@ -168,6 +168,13 @@ pub(super) const MOUNT: Table = Table {
         ),
         needed("end_mass", "\"2 kg\"", "the mass at end 2").of(MASS),
         optional(
+            "follower_mass",
+            "\"110 g\"",
+            "a mass at end 1 that the input pushes as a cam does, and cannot pull: a valve with its tappet. Where it would have to be pulled it flies, \
+               and comes down without a rebound; a recorded input then is a smooth curve through its samples. Takes a table `[contact]` with hard windings",
+            "none: end 1 is where the input has it",
+        ),
+        optional(
             "ends_tilt",
             "\"between\"",
             "whether the ends may tilt: `held` (flat seats), `free` (pins, balls) or `between` (not known, or something gives: both are looked at). \
