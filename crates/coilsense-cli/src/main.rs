@@ -21,6 +21,7 @@ mod reproduce;
 mod rig;
 mod sensitivity;
 mod simulate;
+mod speed;
 mod spring;
 mod sweep;
 
@@ -47,6 +48,7 @@ const RUNS: [(&str, Run); VERBS.len()] = [
     ("rig", rig::run),
     ("mitigate", mitigate::run),
     ("placement", placement::run),
+    ("speed", speed::run),
     ("sweep", sweep::run),
     ("sensitivity", sensitivity::run),
     ("pareto", pareto::run),

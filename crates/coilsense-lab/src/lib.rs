@@ -68,6 +68,9 @@ pub mod placement;
 /// Conditions to ranked candidates against the ringing, and their settings.
 pub mod mitigation;
 
+/// A spring under a cam to what it does at each speed of an engine.
+pub mod speed;
+
 /// A spec whose values are varied to a dataset of designs.
 pub mod sweep;
 

@@ -70,7 +70,7 @@ impl Dimension {
                 ("gf", Times(1e-3 * GRAVITY)),
             ],
             Self::Time => &[("s", Ten(0)), ("ms", Ten(-3)), ("us", Ten(-6)), ("µs", Ten(-6)), ("ns", Ten(-9))],
-            Self::Frequency => &[("Hz", Ten(0)), ("kHz", Ten(3)), ("MHz", Ten(6))],
+            Self::Frequency => &[("Hz", Ten(0)), ("kHz", Ten(3)), ("MHz", Ten(6)), ("rpm", Over(60.0))],
             Self::SurgeMultiple => &[("f1", Ten(0))],
             Self::Velocity => &[("m/s", Ten(0)), ("cm/s", Ten(-2)), ("mm/s", Ten(-3)), ("km/h", Over(3.6))],
             Self::Angle => &[("rad", Ten(0)), ("deg", Times(PI / 180.0))],

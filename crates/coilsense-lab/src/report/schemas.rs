@@ -14,6 +14,7 @@ use super::mitigation::MitigationOutcome;
 use super::outcome::schema_of;
 use super::placement::PlacementOutcome;
 use super::reproduction::ReproductionOutcome;
+use super::speed::SpeedOutcome;
 use crate::spec::{experiment_file_schema, spec_schema};
 
 /// Each outcome's name and schema, and those of the files that a user writes; a schema's file is called by the name.
@@ -34,6 +35,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         schema_of::<ReproductionOutcome<'static>>(),
         schema_of::<RigOutcome<'static>>(),
         schema_of::<SimulationOutcome<'static>>(),
+        schema_of::<SpeedOutcome<'static>>(),
     ];
     #[cfg(feature = "parquet")]
     all.extend([

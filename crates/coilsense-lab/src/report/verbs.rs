@@ -3,11 +3,12 @@
 //! Next door: the tables of those verbs that Python or the page ask, too (`recording::request`, `identification::request`,
 //! `calibration::request`, `mitigation::request`, `sweep::request`), what a row says (`crate::request`), the page of the book (`reference`).
 
+use crate::quantity::Dimension;
 use crate::request::{Allowed, DATE, Door, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
 use crate::{calibration, identification, mitigation, recording, sweep};
 
 /// The verbs, in the order of the command's help.
-pub const VERBS: [Verb; 16] = [
+pub const VERBS: [Verb; 17] = [
     Verb { name: "init", about: "Write a commented spec to start from", groups: &[&INIT], more: "" },
     Verb {
         name: "spring",
@@ -88,6 +89,12 @@ pub const VERBS: [Verb; 16] = [
         name: "placement",
         about: "Which force to feed back, and how fast the loop may then be: limits, margins, rendered impedance",
         groups: &[&PLACEMENT],
+        more: "",
+    },
+    Verb {
+        name: "speed",
+        about: "A spring under a cam from speed to speed: forces, surge, windings that meet, a follower that floats",
+        groups: &[&SPEED],
         more: "",
     },
     Verb {
@@ -249,6 +256,46 @@ const MITIGATE: [Row; 4] = [
 const PLACEMENT: [Row; 4] = [
     Row { meaning: "The spec; its table [control] describes the loop", ..SPEC },
     out("Folder for report.html and results.json; its other files are left alone", IfAbsent::Nothing),
+    JSON,
+    DATE_OF_OUT,
+];
+/// Speeds of an engine.
+const OF_ENGINE: Row = Row {
+    takes: Takes::Quantity(Dimension::Frequency),
+    allowed: Allowed::AboveZero,
+    if_absent: IfAbsent::Refused,
+    ..Row::PLAIN
+};
+/// The lowest speed.
+pub const SPEED_FROM: Row = Row { name: "from", meaning: "Lowest speed of the engine, such as 1000rpm", ..OF_ENGINE };
+/// The highest speed.
+pub const SPEED_TO: Row = Row { name: "to", meaning: "Highest speed of the engine, such as 8000rpm", ..OF_ENGINE };
+/// From speed to speed.
+pub const SPEED_STEP: Row = Row {
+    name: "step",
+    if_absent: IfAbsent::Value("100rpm"),
+    meaning: "From speed to speed; those at which a harmonic of the cam has the first surge frequency are added",
+    ..OF_ENGINE
+};
+/// Turns of the camshaft for one of the engine.
+pub const CAM_RATIO: Row = Row {
+    name: "cam_ratio",
+    takes: Takes::Number,
+    allowed: Allowed::Within(1e-3, 100.0),
+    if_absent: IfAbsent::Value("0.5"),
+    meaning: "Turns of the camshaft for one of the engine",
+    ..Row::PLAIN
+};
+const SPEED: [Row; 8] = [
+    Row {
+        meaning: "The spec; its table [cam] says what moves end 1, [contact] what windings do when they meet",
+        ..SPEC
+    },
+    SPEED_FROM,
+    SPEED_TO,
+    SPEED_STEP,
+    CAM_RATIO,
+    out("Folder for report.html, results.json and speed.csv; its other files are left alone", IfAbsent::Nothing),
     JSON,
     DATE_OF_OUT,
 ];

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use coilsense::Channel;
 use toml::de::DeValue;
 
+use super::cam::CamSpec;
 use super::condition::ConditionSpec;
 use super::contact::ContactCase;
 use super::control::ControlSpec;
@@ -80,6 +81,7 @@ impl<'a> Draft<'a> {
         Ok(Spec {
             rig: RigSpec::parse(document, &sensors)?,
             uncertainty: UncertaintySpec::parse(document)?,
+            cam: CamSpec::parse(document, &spring, files)?,
             control: ControlSpec::parse(document, &spring.spring, &mount)?,
             notes: document.notes().to_vec(),
             file: document.file().to_owned(),

@@ -5,6 +5,7 @@
 //!
 //! [`Spec`]: crate::spec::Spec
 
+mod cam;
 mod catalogue;
 mod condition;
 mod contact;
@@ -31,12 +32,14 @@ mod section;
 mod sensor;
 mod setting;
 mod size;
+mod spline;
 mod spring;
 mod synonyms;
 mod template;
 mod tolerance;
 mod value;
 
+pub use cam::CamSpec;
 pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
 pub use coilsense::sensors::Quantity;
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
@@ -97,6 +100,8 @@ pub struct Spec {
     pub rig: RigSpec,
     /// The force loop, where there is one.
     pub control: Option<ControlSpec>,
+    /// What moves end 1 in `coilsense speed`, where the spec has a cam.
+    pub cam: Option<CamSpec>,
     /// What the file calls as it was called before, a sentence each.
     pub notes: Vec<String>,
 }

@@ -208,7 +208,7 @@ fn a_mapping_that_is_wrong_is_said() {
         ("[log]\ndelimiter = \"ab\"", "map.toml: [log] delimiter = \"ab\": must be one character, or \"space\""),
         (
             "[log]\nsample_rate = 2500",
-            "map.toml: [log] sample_rate = 2500: must be a frequency with its unit (Hz, kHz, MHz)",
+            "map.toml: [log] sample_rate = 2500: must be a frequency with its unit (Hz, kHz, MHz, rpm)",
         ),
         ("[log]\nskip = -1", "map.toml: [log] skip = -1: must be a whole number from 0 up"),
         ("[columns]\nforce = \"LC\"", "map.toml: [columns] force: must be one of time, u1, u2, F_i, F_o, F_x, F_L, L"),

@@ -51,6 +51,11 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
             let of = |word: &'static str| (word, format!("{apart}\n[contact]\nwindings = \"{word}\"\n"));
             vec![of("hard"), of("elastic")]
         }
+        "cam" => {
+            let held = by_values.replace("104 mm", "150 mm");
+            let law = format!("{held}\n[cam]\nlift = \"1 mm\"\nangle = \"130 deg\"\n");
+            vec![("law", law), ("file", format!("{held}\n[cam]\nfile = \"cam.csv\"\n"))]
+        }
         "condition" => {
             CONDITION_KINDS.iter().map(|kind| (*kind, format!("{by_values}\n{}", condition(kind)))).collect()
         }

@@ -39,7 +39,7 @@ fn a_sensor_that_cannot_be_is_refused() {
         ["a bandwidth of zero", r#"resolution = "10 um""#, r#"bandwidth = "0 Hz""#,
             r#"S.toml:33: bandwidth = "0 Hz": must be above zero and finite"#],
         ["a bandwidth that is a number", r#"resolution = "10 um""#, "bandwidth = 1000",
-            "S.toml:33: bandwidth = 1000: must be a frequency with its unit (Hz, kHz, MHz)"],
+            "S.toml:33: bandwidth = 1000: must be a frequency with its unit (Hz, kHz, MHz, rpm)"],
         ["a bandwidth beyond all", r#"resolution = "10 um""#, r#"bandwidth = "1e9 MHz""#,
             r#"S.toml:33: bandwidth = "1e9 MHz": must be from 1e-9 to 1e9 Hz"#],
         ["an order of zero", r#"resolution = "10 um""#, "order = 0",

@@ -11,7 +11,7 @@ fn a_spring_by_values_that_cannot_be_is_refused() {
         ["a key twice", r#"mass = "65 g""#, "mass = \"65 g\"\nmass = \"66 g\"",
             "S.toml:8: not TOML: duplicate key"],
         ["an unknown table", "[mount]", "[mounting]",
-            r#"S.toml:12: unknown table "mounting"; did you mean "mount"? Allowed: spring, mount, contact, condition, sensor, goal, uncertainty, rig, control, spec_version"#],
+            r#"S.toml:12: unknown table "mounting"; did you mean "mount"? Allowed: spring, mount, contact, condition, cam, sensor, goal, uncertainty, rig, control, spec_version"#],
         ["an unknown key", "stiffness", "stifness",
             r#"S.toml:8: unknown key "stifness" in [spring]; did you mean "stiffness"? Allowed: name, rest_length, min_length, max_length, windings, stiffness, mass, coil_radius, wire_radius, wire_diameter, coil_diameter, total_windings, end_type, material, model, hand, stiffness_at, shear_modulus, youngs_modulus, density, shear_modulus_temperature, resistivity, relative_permeability, initial_tension, nominal_force, inductance_windings, self_distance, stiffness_tolerance, mass_tolerance, initial_tension_tolerance, rest_length_tolerance, wire_diameter_tolerance, coil_diameter_tolerance, windings_tolerance, shear_modulus_tolerance, density_tolerance, masses_per_winding"#],
         ["an outer diameter", "coil_radius = \"8 mm\"", "outer_diameter = \"18 mm\"",

@@ -78,7 +78,7 @@ mod tests {
     #[test]
     fn what_is_wrong_is_said_of_the_option_with_its_value() {
         for (given, reason) in [
-            (r#"{"rate": "fast"}"#, r#"rate: must be a frequency with its unit (Hz, kHz, MHz), got "fast""#),
+            (r#"{"rate": "fast"}"#, r#"rate: must be a frequency with its unit (Hz, kHz, MHz, rpm), got "fast""#),
             (r#"{"rate": "100 Hz"}"#, "rate: sampling rate must be above twice the first surge frequency"),
             (r#"{"noise": "-1 N"}"#, r#"noise: must be above zero, got "-1 N""#),
             (r#"{"bandwidth": "60 Hz"}"#, "bandwidth: bandwidth must be above zero and below"),

@@ -4,11 +4,24 @@
 
 use super::book::energy;
 use super::course::GivenUp;
-use super::meet::MARGIN;
 use super::polynomial::value;
 use super::run::Run;
 
+/// Two pieces of a path meet to rounding: what is this close \[m, m/s\] is the same.
+const PIECES_APART: f64 = 1e-10;
+
 impl Run<'_> {
+    /// A follower on its cam goes with it from piece to piece, which rounding parts.
+    fn stand_on_cam(&mut self) {
+        let Some(cam) = self.system.chain.cam().filter(|cam| self.now.closed[*cam]) else { return };
+        if self.gap(cam).abs() <= PIECES_APART {
+            self.now.places[1] = self.now.places[0];
+        }
+        if (self.now.speeds[1] - self.now.speeds[0]).abs() <= PIECES_APART {
+            self.now.speeds[1] = self.now.speeds[0];
+        }
+    }
+
     /// An input changes: an end may jump, or its speed.
     pub(super) fn pass_knot(&mut self) -> Result<(), GivenUp> {
         let chain = self.system.chain;
@@ -18,6 +31,7 @@ impl Run<'_> {
         let old_force = if chain.is_open() { value(&self.series.force, 1.0) } else { 0.0 };
         let energy_before = energy(self.system, &self.now);
         self.drive_ends();
+        self.stand_on_cam();
         let cam_jumps = self.now.places[0] - before[0];
         // A follower stays where it is when its cam jumps.
         let first = if chain.base() > 0 { 0.0 } else { cam_jumps };
@@ -30,7 +44,7 @@ impl Run<'_> {
         let jumps = cam_jumps.abs() > small || second.abs() > small;
         if jumps {
             for number in 0..self.rest.len() {
-                if self.now.closed[number] && self.gap(number) > MARGIN.max(small) {
+                if self.now.closed[number] && self.gap(number) > PIECES_APART {
                     self.now.closed[number] = false;
                     self.book.parted(number, self.now.time);
                 }

@@ -139,6 +139,20 @@ impl Touching {
         follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Forces)
     }
 
+    /// The chain alone, from rest at t = 0 on, its end 1 driven along a path in place of the motion's input.
+    ///
+    /// # Errors
+    /// As [`Self::of`].
+    pub fn driven(motion: &Motion, contact: &Contact, path: Path, times: &[f64]) -> Result<Course, Error> {
+        let pitch = contact.pitch().unwrap_or(motion.spring().wire_diameter());
+        let chain = chain_of(motion, contact, pitch)?;
+        let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
+        let [_, second] = drives(motion, contact, 1.0)?;
+        let drives = [Drive::Path(path), second];
+        let start = start(motion, &chain, &drives, 0.0, 1.0)?;
+        follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Ends)
+    }
+
     /// When something first meets, an end first leaves its seat, or a follower its cam \[s\].
     pub fn first_contact(&self) -> Option<f64> {
         self.course.as_ref().and_then(first_change)

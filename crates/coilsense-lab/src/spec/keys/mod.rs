@@ -2,6 +2,7 @@
 //!
 //! Next door: reading them (`section` and one file per table), the commented template (`template`).
 
+mod cam;
 mod conditions;
 mod contact;
 mod control;
@@ -45,11 +46,12 @@ pub struct Table {
 }
 
 /// All tables, in the order in which one writes them.
-pub const TABLES: [&Table; 9] = [
+pub const TABLES: [&Table; 10] = [
     &springs::SPRING,
     &springs::MOUNT,
     &contact::CONTACT,
     &conditions::CONDITION,
+    &cam::CAM,
     &sensors::SENSOR,
     &sensors::GOAL,
     &sensors::UNCERTAINTY,

@@ -1,0 +1,105 @@
+//! Figures of a speed map: what happens over speed, and the harmonics of the cam across the lines of the spring.
+//!
+//! Next door: the page (`html`).
+
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, HorizontalMark, Panel, Stroke};
+
+use crate::speed::{SpeedMap, SpeedPoint};
+
+const PANEL: (f64, f64) = (430.0, 165.0);
+/// How ways are told apart, by colour and dash.
+const COLOURS: [Colour; 4] = [Colour::Red, Colour::Blue, Colour::Green, Colour::Ink];
+const DASHES: [Dash; 2] = [Dash::Solid, Dash::Dashed];
+
+/// Campbell's map, windings that meet with a follower that floats, forces at both ends, surge.
+pub(super) fn overview(map: &SpeedMap) -> Figure {
+    let mut panels = vec![campbell(map)];
+    let has_follower = map.points.iter().any(|point| point.floating.is_some());
+    if has_follower {
+        let share = |point: &SpeedPoint| 100.0 * point.floating.map_or(0.0, |floating| floating.share);
+        panels.push(over_speed(map, "Follower off its cam [%]", share));
+    }
+    panels.push(over_speed(map, "Touches a turn [1]", |point| point.touches));
+    panels.push(over_speed(map, "Surge, max |F \u{2212} F_x| [N]", |point| point.surge));
+    if !has_follower {
+        panels.push(forces(map));
+    }
+    Figure { panels, columns: 2, panel_width: PANEL.0, panel_height: PANEL.1 }
+}
+
+/// Least and largest forces at both ends of the first way.
+pub(super) fn ends(map: &SpeedMap) -> Figure {
+    Figure { panels: vec![forces(map)], columns: 1, panel_width: 760.0, panel_height: 300.0 }
+}
+
+fn speeds(map: &SpeedMap) -> Axis {
+    let range = Some((60.0 * map.range.from, (60.0 * map.range.to).max(60.0 * map.range.from + 1.0)));
+    Axis { label: "Engine speed [rpm]".into(), range, ..Axis::default() }
+}
+
+fn of_way(map: &SpeedMap, way: usize, label: String, stroke: Stroke, of: impl Fn(&SpeedPoint) -> f64) -> Curve {
+    let points: Vec<&SpeedPoint> = map.of_way(way).collect();
+    let x = points.iter().map(|point| 60.0 * point.speed).collect();
+    let y = points.iter().map(|point| of(point)).collect();
+    Curve { label, x, y, stroke }
+}
+
+fn over_speed(map: &SpeedMap, label: &str, of: impl Fn(&SpeedPoint) -> f64 + Copy) -> Panel {
+    let ways = &map.spec.mount.cases;
+    let curve = |way: usize| {
+        let stroke =
+            Stroke { colour: COLOURS[way % COLOURS.len()], dash: DASHES[(way / COLOURS.len()) % 2], width: 1.5 };
+        of_way(map, way, ways[way].label.clone(), stroke, of)
+    };
+    Panel {
+        x: speeds(map),
+        y: Axis { label: label.into(), ..Axis::default() },
+        curves: (0..ways.len()).map(curve).collect(),
+        ..Panel::default()
+    }
+}
+
+fn forces(map: &SpeedMap) -> Panel {
+    let each: [(&str, fn(&SpeedPoint) -> f64, Colour, Dash); 4] = [
+        ("F_i hardest push", |point| point.input[0], Colour::Red, Dash::Solid),
+        ("F_i least", |point| point.input[1], Colour::Red, Dash::Dashed),
+        ("F_o hardest push", |point| point.output[0], Colour::Blue, Dash::Solid),
+        ("F_o least", |point| point.output[1], Colour::Blue, Dash::Dashed),
+    ];
+    let curve = |(name, of, colour, dash): (&str, fn(&SpeedPoint) -> f64, Colour, Dash)| {
+        of_way(map, 0, name.to_owned(), Stroke { colour, dash, width: 1.5 }, of)
+    };
+    Panel {
+        x: speeds(map),
+        y: Axis { label: "Force [N]".into(), ..Axis::default() },
+        curves: each.into_iter().map(curve).collect(),
+        ..Panel::default()
+    }
+}
+
+/// Harmonics of the cam as rising lines, those of spring and neighbours level.
+fn campbell(map: &SpeedMap) -> Panel {
+    let lines = &map.campbell.lines;
+    let first = lines.first().map_or(1.0, |line| line.frequency);
+    let top = 1.6 * first;
+    let range = &map.range;
+    let shown = lines.iter().filter(|line| line.frequency < top);
+    let limits = shown.map(|line| HorizontalMark { y: line.frequency, label: line.name.clone() }).collect();
+    let harmonic = |number: usize| Curve {
+        label: if number == 1 {
+            format!("harmonics 1 to {} of the cam", map.campbell.harmonics)
+        } else {
+            String::new()
+        },
+        x: vec![60.0 * range.from, 60.0 * range.to],
+        y: [range.from, range.to].map(|speed| number as f64 * range.ratio * speed).to_vec(),
+        stroke: Stroke { colour: Colour::Ink, dash: Dash::Solid, width: 0.8 },
+    };
+    Panel {
+        x: speeds(map),
+        y: Axis { label: "Frequency [Hz]".into(), range: Some((0.0, top)), ..Axis::default() },
+        curves: (1..=map.campbell.harmonics).map(harmonic).collect(),
+        limits,
+        ..Panel::default()
+    }
+}

@@ -1,0 +1,68 @@
+//! `report.html` of a speed map: one page that needs no other file and no network; the answer first.
+//!
+//! Next door: its layout (`page.html`), its figures (`figures`).
+
+use coilsense_figure::{Figure, Theme};
+use minijinja::{AutoEscape, Environment, Value, context};
+
+use super::figures;
+use crate::quantity::digits;
+use crate::report::ReportError;
+use crate::report::prose::{file_name, unbroken};
+use crate::speed::{SpeedMap, SpeedPoint, answer};
+
+/// The page of a map.
+pub(super) fn page(map: &SpeedMap, date: &str) -> Result<String, ReportError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_template("page", include_str!("page.html"))?;
+    let ways = &map.spec.mount.cases;
+    let page = environment.get_template("page")?.render(context! {
+        version => env!("CARGO_PKG_VERSION"),
+        date,
+        spring => &map.spec.spring.name,
+        file => file_name(&map.spec.file),
+        text => &map.spec.text,
+        cam => &map.cam.words,
+        answer => answer(map).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+        overview => drawn("overview", &figures::overview(map))?,
+        ends => drawn("forces", &figures::ends(map))?,
+        first_way => &ways[0].label,
+        has_follower => map.points.iter().any(|point| point.floating.is_some()),
+        crossings => map.campbell.crossings.iter().map(|at| context! {
+            harmonic => at.harmonic,
+            speed => format!("{:.0}", 60.0 * at.speed),
+            amplitude => digits(1e6 * at.amplitude),
+        }).collect::<Vec<_>>(),
+        rows => map.points.iter().map(|point| row(map, point)).collect::<Vec<_>>(),
+        style => include_str!("../style.css"),
+    })?;
+    Ok(page)
+}
+
+fn row(map: &SpeedMap, point: &SpeedPoint) -> Value {
+    let range = |[low, high]: [f64; 2]| format!("{} … {}", digits(low), digits(high)).replace('-', "\u{2212}");
+    context! {
+        speed => format!("{:.0}", 60.0 * point.speed),
+        way => &map.spec.mount.cases[point.way].label,
+        input => range(point.input),
+        output => range(point.output),
+        surge => digits(point.surge),
+        touches => digits(point.touches),
+        fastest => digits(point.fastest),
+        blow => digits(1e3 * point.blow),
+        lifts => digits(point.lifts),
+        float => point.floating.map(|floating| digits(100.0 * floating.share)),
+        landing => point.floating.map(|floating| digits(floating.fastest)),
+        stress => format!("{:.0}", 1e-6 * point.stress[1]),
+        unsettled => format!("{:.1}", 100.0 * point.unsettled),
+        is_wild => point.unsettled > crate::speed::SETTLED || point.given_up.is_some(),
+    }
+}
+
+fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
+    let fault = |source| ReportError::Figure { name: name.to_owned(), source };
+    let light = figure.to_svg(Theme::Light).map_err(fault)?;
+    let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
+    Ok(context! { light, dark })
+}

@@ -1,0 +1,118 @@
+//! A speed map for machines: SI, one key per number.
+//!
+//! Next door: the same for people (`text`, `html`).
+
+use serde::Serialize;
+
+use crate::report::outcome::{Outcome, to_json};
+use crate::speed::{SpeedMap, SpeedPoint, answer};
+
+/// What a spring under a cam does at each speed of the engine.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct SpeedOutcome<'a> {
+    /// The answer, a sentence each.
+    answer: Vec<String>,
+    cam: &'a str,
+    /// Turns of the camshaft for one of the engine.
+    cam_ratio: f64,
+    masses_per_winding: usize,
+    nominal_force_n: f64,
+    /// Lines that do not move with the speed.
+    lines: Vec<LineRow<'a>>,
+    /// Speeds at which a harmonic of the cam has the first of them.
+    crossings: Vec<CrossingRow>,
+    runs: Vec<RunRow<'a>>,
+}
+
+impl Outcome for SpeedOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/speed/1";
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct LineRow<'a> {
+    name: &'a str,
+    frequency_hz: f64,
+}
+
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct CrossingRow {
+    harmonic: usize,
+    speed_hz: f64,
+    amplitude_m: f64,
+}
+
+/// One speed under one damping and rebound.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct RunRow<'a> {
+    /// Of the engine.
+    speed_hz: f64,
+    case: &'a str,
+    /// Least and largest, tension positive.
+    input_force_n: [f64; 2],
+    output_force_n: [f64; 2],
+    rms_between_ends_n: f64,
+    surge_n: f64,
+    touches_per_turn: f64,
+    closing_speed_m_per_s: f64,
+    blow_on_seat_n_s: f64,
+    lift_offs_per_turn: f64,
+    /// Null without a follower.
+    floats_per_turn: Option<f64>,
+    floating_share: Option<f64>,
+    landing_speed_m_per_s: Option<f64>,
+    least_cam_force_n: Option<f64>,
+    /// With Wahl's correction, at the least and the largest push of an end.
+    shear_stress_pa: [f64; 2],
+    /// By how much the extremes differ from two turns to the next two, as a share of F_nom.
+    unsettled: f64,
+    turns: usize,
+    followed_to_the_end: bool,
+}
+
+/// The map as JSON.
+///
+/// # Errors
+/// What `serde_json` says.
+pub fn speed_json(map: &SpeedMap) -> Result<String, serde_json::Error> {
+    let run = |point: &SpeedPoint| RunRow {
+        speed_hz: point.speed,
+        case: &map.spec.mount.cases[point.way].label,
+        input_force_n: point.input,
+        output_force_n: point.output,
+        rms_between_ends_n: point.apart,
+        surge_n: point.surge,
+        touches_per_turn: point.touches,
+        closing_speed_m_per_s: point.fastest,
+        blow_on_seat_n_s: point.blow,
+        lift_offs_per_turn: point.lifts,
+        floats_per_turn: point.floating.map(|floating| floating.floats),
+        floating_share: point.floating.map(|floating| floating.share),
+        landing_speed_m_per_s: point.floating.map(|floating| floating.fastest),
+        least_cam_force_n: point.floating.map(|floating| floating.least_cam_force),
+        shear_stress_pa: point.stress,
+        unsettled: point.unsettled,
+        turns: point.turns,
+        followed_to_the_end: point.given_up.is_none(),
+    };
+    to_json(SpeedOutcome {
+        answer: answer(map),
+        cam: &map.cam.words,
+        cam_ratio: map.range.ratio,
+        masses_per_winding: map.masses_per_winding,
+        nominal_force_n: map.spec.spring.spring.nominal_force(),
+        lines: map
+            .campbell
+            .lines
+            .iter()
+            .map(|line| LineRow { name: &line.name, frequency_hz: line.frequency })
+            .collect(),
+        crossings: (map.campbell.crossings.iter())
+            .map(|at| CrossingRow { harmonic: at.harmonic, speed_hz: at.speed, amplitude_m: at.amplitude })
+            .collect(),
+        runs: map.points.iter().map(run).collect(),
+    })
+}

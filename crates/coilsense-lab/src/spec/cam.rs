@@ -1,0 +1,214 @@
+//! The table `[cam]`: lift over the angle of a camshaft.
+//!
+//! Next door: how it turns (`crate::speed`).
+
+use std::f64::consts::{PI, TAU};
+
+use super::document::Document;
+use super::section::Section;
+use super::spline::{periodic_spline, shifted};
+use super::spring::SpringSpec;
+use super::{Files, SpecError};
+use crate::quantity::Dimension;
+
+/// Lift over one turn of a camshaft, as polynomials of the turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CamSpec {
+    /// Where pieces begin, as shares of a turn, from 0 to below 1, ascending.
+    pub begins: Vec<f64>,
+    /// Of each piece the powers of the share of a turn since it began \[m\].
+    pub pieces: Vec<Vec<f64>>,
+    /// The largest lift \[m\].
+    pub lift: f64,
+    /// Length of the spring on the base circle \[m\].
+    pub length: f64,
+    /// In words.
+    pub words: String,
+}
+
+/// Pieces by which sines are made of polynomials, for each flank: a span of π/32 leaves out 1e-16 of them.
+const PIECES: usize = 32;
+/// Most rows of a file.
+const MOST_ROWS: usize = 100_000;
+
+impl CamSpec {
+    /// The table, where there is one.
+    pub(super) fn parse(
+        document: &Document<'_>,
+        spring: &SpringSpec,
+        files: &Files<'_>,
+    ) -> Result<Option<Self>, SpecError> {
+        let Some(section) = document.optional_section("cam")? else { return Ok(None) };
+        let by_file = section.has("file");
+        let (kind, whose) = if by_file { ("file", "a cam of a file") } else { ("law", "a cam by a law") };
+        section.only_of(kind, whose)?;
+        let length = length(&section, spring)?;
+        let found = match by_file {
+            true => of_file(&section, &section.text("file")?, files, length)?,
+            false => by_law(&section, length)?,
+        };
+        let shortest = spring.solid_length();
+        let allowed = format!("below {:.4} mm, at which the spring is solid", 1e3 * (length - shortest));
+        let key = if by_file { "file" } else { "lift" };
+        section.check(key, found.lift < length - shortest, found.lift, &allowed)?;
+        Ok(Some(found))
+    }
+
+    /// Lift \[m\] at a share of a turn.
+    pub fn lift_at(&self, turn: f64) -> f64 {
+        let turn = turn.rem_euclid(1.0);
+        let piece = self.begins.partition_point(|begin| *begin <= turn).max(1) - 1;
+        let since = turn - self.begins[piece];
+        self.pieces[piece].iter().rev().fold(0.0, |sum, coefficient| sum * since + coefficient)
+    }
+}
+
+fn length(section: &Section<'_>, spring: &SpringSpec) -> Result<f64, SpecError> {
+    let (min, max) = spring.spring.operating_range();
+    let word = section.optional_text("length").ok().flatten();
+    let length = match word.as_deref() {
+        _ if !section.has("length") => max,
+        Some("max") => max,
+        Some("min") => min,
+        Some("mid") => 0.5 * (min + max),
+        _ => section.quantity("length", Dimension::Length)?,
+    };
+    let allowed = format!("from {} to {} mm, the range in use", 1e3 * min, 1e3 * max);
+    section.check("length", (min - 1e-9..=max + 1e-9).contains(&length), length, &allowed)
+}
+
+fn by_law(section: &Section<'_>, length: f64) -> Result<CamSpec, SpecError> {
+    let laws = ["3-4-5-6", "3-4-5", "4-5-6-7", "cycloid", "harmonic"];
+    let law = section.optional_word("law", &laws)?.unwrap_or(laws[0]);
+    let lift = section.positive("lift", Dimension::Length)?;
+    let angle = section.positive("angle", Dimension::Angle)?;
+    section.check("angle", angle < TAU * (1.0 - 1e-6), angle, "below 360 deg")?;
+    let open = angle / TAU;
+    let from = 0.5 - 0.5 * open;
+    // Powers of the share of a flank, or of the whole event, up to the nose; and back by the same from the other side.
+    let flank = |rise: &[f64]| -> Vec<(f64, f64, Vec<f64>)> {
+        let half = 0.5 * open;
+        let up = rise.iter().map(|coefficient| lift * coefficient).collect();
+        // s(1 − x) by powers of x.
+        let mut down = vec![0.0; rise.len()];
+        for (power, coefficient) in rise.iter().enumerate() {
+            let mut binomial = 1.0;
+            for below in 0..=power {
+                let sign = if below % 2 == 0 { 1.0 } else { -1.0 };
+                down[below] += lift * coefficient * binomial * sign;
+                binomial *= (power - below) as f64 / (below + 1) as f64;
+            }
+        }
+        vec![(from, half, up), (from + half, half, down)]
+    };
+    let events: Vec<(f64, f64, Vec<f64>)> = match law {
+        "3-4-5" => flank(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]),
+        "4-5-6-7" => flank(&[0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]),
+        "cycloid" | "harmonic" => sines(law == "cycloid", from, open, lift),
+        _ => vec![(from, open, [0.0, 0.0, 0.0, 64.0, -192.0, 192.0, -64.0].map(|c| lift * c).to_vec())],
+    };
+    let mut begins = vec![0.0];
+    let mut pieces = vec![vec![0.0]];
+    for (begin, span, powers) in events {
+        begins.push(begin);
+        pieces.push(powers.iter().enumerate().map(|(power, c)| c / span.powi(power as i32)).collect());
+    }
+    begins.push(from + open);
+    pieces.push(vec![0.0]);
+    let words = format!("{law} law, {} mm over {} deg", 1e3 * lift, (angle.to_degrees() * 1e6).round() / 1e6);
+    Ok(CamSpec { begins, pieces, lift, length, words })
+}
+
+/// A cycloid or a harmonic law, piece by piece of its Taylor series.
+fn sines(is_cycloid: bool, from: f64, open: f64, lift: f64) -> Vec<(f64, f64, Vec<f64>)> {
+    let half = 0.5 * open;
+    let span = half / PIECES as f64;
+    // Derivatives of the rise by the share of the flank.
+    let derivative = |order: usize, x: f64| -> f64 {
+        let angular = if is_cycloid { TAU } else { PI };
+        let turned = angular * x + 0.5 * PI * order as f64;
+        let power = angular.powi(order as i32);
+        match (is_cycloid, order) {
+            (true, 0) => x - (TAU * x).sin() / TAU,
+            (true, 1) => 1.0 - (TAU * x).cos(),
+            (true, _) => -power * turned.sin() / TAU,
+            (false, 0) => 0.5 * (1.0 - (PI * x).cos()),
+            (false, _) => -0.5 * power * turned.cos(),
+        }
+    };
+    let piece = |index: usize| {
+        let is_rise = index < PIECES;
+        let x = if is_rise { index as f64 / PIECES as f64 } else { 2.0 - index as f64 / PIECES as f64 };
+        let direction: f64 = if is_rise { 1.0 } else { -1.0 };
+        let mut factorial = 1.0;
+        let powers = (0..=8).map(|order| {
+            factorial *= (order as f64).max(1.0);
+            lift * direction.powi(order) * derivative(order as usize, x) / factorial / (PIECES as f64).powi(order)
+        });
+        (from + index as f64 * span, span, powers.collect())
+    };
+    (0..2 * PIECES).map(piece).collect()
+}
+
+/// Lift over angle from a file: a smooth curve that comes back to where it began.
+fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) -> Result<CamSpec, SpecError> {
+    let refuse = |why: String| section.refuse("file", why);
+    let text = files(file).map_err(refuse)?;
+    let mut rows: Vec<(f64, f64)> = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let mut cells = line.split([',', ';', '\t']).map(str::trim);
+        let pair = (
+            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
+            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
+        );
+        match pair {
+            (Some(angle), Some(lift)) => rows.push((angle / 360.0, 1e-3 * lift)),
+            // A heading.
+            _ if rows.is_empty() => {}
+            _ => return Err(refuse(format!("{file}:{number}: must be an angle in degrees and a lift in millimetres"))),
+        }
+    }
+    if !(8..=MOST_ROWS).contains(&rows.len()) {
+        return Err(refuse(format!("must hold 8 to {MOST_ROWS} rows of angle and lift, got {}", rows.len())));
+    }
+    if let Some(wrong) = rows.windows(2).find(|pair| pair[1].0 <= pair[0].0) {
+        return Err(refuse(format!("angles must rise, got {} after {} deg", 360.0 * wrong[1].0, 360.0 * wrong[0].0)));
+    }
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    if first.0 < 0.0 || last.0 > 1.0 + 1e-9 || rows.iter().any(|row| !row.1.is_finite()) {
+        return Err(refuse("angles must be from 0 to 360 deg, and lifts finite".to_owned()));
+    }
+    let lift = rows.iter().map(|row| row.1).fold(f64::NEG_INFINITY, f64::max);
+    let least = rows.iter().map(|row| row.1).fold(f64::INFINITY, f64::min);
+    let apart = (first.1 - last.1).abs();
+    if apart > 1e-3 * (lift - least) {
+        return Err(refuse(format!(
+            "must end where it begins, got lifts of {} and {} mm",
+            1e3 * first.1,
+            1e3 * last.1
+        )));
+    }
+    let mut begins: Vec<f64> = rows.iter().map(|row| row.0).collect();
+    let mut lifts: Vec<f64> = rows.iter().map(|row| row.1).collect();
+    // The turn goes on where it began.
+    if last.0 > 1.0 - 1e-9 {
+        begins.pop();
+        lifts.pop();
+    }
+    let pieces = periodic_spline(&begins, &lifts);
+    if begins[0] > 0.0 {
+        // What lies before the first row is the end of the last piece.
+        let count = begins.len();
+        let since = 1.0 - begins[count - 1];
+        let before = shifted(&pieces[count - 1], since);
+        begins.insert(0, 0.0);
+        let mut all = vec![before];
+        all.extend(pieces);
+        return Ok(CamSpec { begins, pieces: all, lift, length, words: format!("lift of {file}") });
+    }
+    Ok(CamSpec { begins, pieces, lift, length, words: format!("lift of {file}") })
+}

@@ -1,0 +1,144 @@
+//! A speed map in a few lines: from when on windings meet and the follower floats, where surge is worst, and what that hangs on.
+//!
+//! Next door: the map (the parent), the report (`crate::report`).
+
+use super::{SpeedMap, SpeedPoint};
+use crate::quantity::digits;
+
+/// Extremes that differ by more than this share of F_nom from turns to turns have not settled.
+pub(crate) const SETTLED: f64 = 0.02;
+
+/// The answer, a sentence or two per line.
+pub fn answer(map: &SpeedMap) -> Vec<String> {
+    let mut lines = vec![floats(map), meets(map), surge(map), rebound(map)];
+    lines.extend(unsettled(map));
+    lines.extend(given_up(map));
+    lines.push(format!(
+        "{} of a camshaft that turns {} times a turn of the engine; {} masses per winding. Left out: what else gives between cam and spring, friction, how \
+         windings rebound in fact.",
+        map.cam.words, map.range.ratio, map.masses_per_winding
+    ));
+    lines.into_iter().filter(|line| !line.is_empty()).collect()
+}
+
+pub(crate) fn rpm(speed: f64) -> String {
+    format!("{:.0} rpm", 60.0 * speed)
+}
+
+/// The lowest speed of those of which something holds in some way, and in how many ways it holds there.
+fn lowest(map: &SpeedMap, holds: impl Fn(&SpeedPoint) -> bool) -> Option<&SpeedPoint> {
+    map.points.iter().filter(|point| holds(point)).min_by(|a, b| a.speed.total_cmp(&b.speed))
+}
+
+fn label<'a>(map: &'a SpeedMap, point: &SpeedPoint) -> &'a str {
+    &map.spec.mount.cases[point.way].label
+}
+
+fn floats(map: &SpeedMap) -> String {
+    if map.points.iter().all(|point| point.floating.is_none()) {
+        return "No follower_mass under [mount]: whether the valve leaves its cam is not asked.".to_owned();
+    }
+    let aloft = |point: &SpeedPoint| point.floating.is_some_and(|floating| floating.floats > 0.0);
+    let Some(first) = lowest(map, aloft) else {
+        let each = map.points.iter().filter_map(|point| Some((point, point.floating?)));
+        let least = each.min_by(|a, b| a.1.least_cam_force.total_cmp(&b.1.least_cam_force));
+        return least.map_or_else(String::new, |(point, floating)| {
+            format!(
+                "The follower stays on its cam up to {}; the cam presses least, with {} N, at {} ({}).",
+                rpm(map.range.to),
+                digits(floating.least_cam_force),
+                rpm(point.speed),
+                label(map, point)
+            )
+        });
+    };
+    let share = |point: &SpeedPoint| point.floating.map_or(0.0, |floating| floating.share);
+    let worst = map.points.iter().max_by(|a, b| share(a).total_cmp(&share(b)));
+    let worst = worst.map_or_else(String::new, |point| {
+        let fastest = point.floating.map_or(0.0, |floating| floating.fastest);
+        format!(
+            ", and most at {}: {} % of the time, coming down at up to {} m/s",
+            rpm(point.speed),
+            digits(100.0 * share(point)),
+            digits(fastest)
+        )
+    });
+    format!("The follower floats from {} on ({}){worst}.", rpm(first.speed), label(map, first))
+}
+
+fn meets(map: &SpeedMap) -> String {
+    let Some(first) = lowest(map, |point| point.touches > 0.0) else {
+        return format!("Windings stay clear of each other and of their seats up to {}.", rpm(map.range.to));
+    };
+    let most = map.points.iter().max_by(|a, b| a.fastest.total_cmp(&b.fastest));
+    let most = most.map_or_else(String::new, |point| {
+        format!("; hardest at {}, at {} m/s ({})", rpm(point.speed), digits(point.fastest), label(map, point))
+    });
+    format!("Windings meet from {} on ({}){most}.", rpm(first.speed), label(map, first))
+}
+
+fn surge(map: &SpeedMap) -> String {
+    let Some(worst) = map.points.iter().max_by(|a, b| a.surge.total_cmp(&b.surge)) else { return String::new() };
+    let nearest = map
+        .campbell
+        .crossings
+        .iter()
+        .min_by(|a, b| (a.speed - worst.speed).abs().total_cmp(&(b.speed - worst.speed).abs()));
+    let by = nearest
+        .filter(|crossing| (crossing.speed / worst.speed - 1.0).abs() < 0.02)
+        .map_or_else(String::new, |crossing| {
+            format!(", where harmonic {} of the cam has the first surge frequency", crossing.harmonic)
+        });
+    format!(
+        "Surge carries an end force {} N ({:.0} % of F_nom) from the static one at {}{by} ({}); F_i and F_o then differ by {} N rms.",
+        digits(worst.surge),
+        100.0 * worst.surge / map.spec.spring.spring.nominal_force(),
+        rpm(worst.speed),
+        label(map, worst),
+        digits(worst.apart)
+    )
+}
+
+/// The largest surge of each way of rebounding.
+fn rebound(map: &SpeedMap) -> String {
+    let ways = &map.spec.mount.cases;
+    let mut laws: Vec<&str> = Vec::new();
+    for way in ways.iter().filter_map(|way| way.contact.as_ref()) {
+        if !laws.contains(&way.label.as_str()) {
+            laws.push(&way.label);
+        }
+    }
+    if laws.len() < 2 || map.points.iter().all(|point| point.touches == 0.0) {
+        return String::new();
+    }
+    let of = |law: &&str| {
+        let is_its = |point: &&SpeedPoint| ways[point.way].contact.as_ref().is_some_and(|way| way.label == **law);
+        let most = map.points.iter().filter(is_its).map(|point| point.surge).fold(0.0, f64::max);
+        format!("{} N at {law}", digits(most))
+    };
+    let each: Vec<String> = laws.iter().map(of).collect();
+    format!("How windings rebound nobody has measured: the largest surge is {}.", each.join(" and "))
+}
+
+fn unsettled(map: &SpeedMap) -> Option<String> {
+    let wild: Vec<&SpeedPoint> = map.points.iter().filter(|point| point.unsettled > SETTLED).collect();
+    let most = wild.iter().max_by(|a, b| a.unsettled.total_cmp(&b.unsettled))?;
+    Some(format!(
+        "{} of {} runs do not repeat from turn to turn (most at {}, by {:.0} % of F_nom): extremes there are those of four turns only.",
+        wild.len(),
+        map.points.len(),
+        rpm(most.speed),
+        100.0 * most.unsettled
+    ))
+}
+
+fn given_up(map: &SpeedMap) -> Option<String> {
+    let ended: Vec<&SpeedPoint> = map.points.iter().filter(|point| point.given_up.is_some()).collect();
+    let first = ended.iter().min_by(|a, b| a.speed.total_cmp(&b.speed))?;
+    Some(format!(
+        "{} of {} runs could not be followed to their end, the slowest at {}: a solid stack, or one that chatters. Their figures are of what there is.",
+        ended.len(),
+        map.points.len(),
+        rpm(first.speed)
+    ))
+}

@@ -1,0 +1,179 @@
+//! A spring under a cam, from speed to speed: forces at both ends, surge, windings that meet, a follower that floats.
+//!
+//! ```text
+//! Spec ([cam], [contact]) ─► SpeedMap: each speed × each way to damp and rebound, run until it repeats ─► answer ─► report
+//!                            Campbell: harmonics of the cam across the lines of the spring and its neighbours
+//! ```
+//!
+//! Next door: the cam (`crate::spec`), one run (`coilsense::contact`), how a map is shown (`crate::report`).
+
+mod answer;
+mod campbell;
+mod point;
+
+pub(crate) use answer::SETTLED;
+pub use answer::answer;
+pub use campbell::{Campbell, Crossing, Line};
+pub use point::{Floating, SpeedPoint};
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use coilsense::Error;
+use rayon::prelude::*;
+
+use crate::spec::{CamSpec, Spec};
+
+/// Why a map was not made.
+#[derive(Debug, thiserror::Error)]
+pub enum SpeedError {
+    /// The spec lacks something, or the range is none.
+    #[error("{0}")]
+    Spec(String),
+    /// The science refuses.
+    #[error("{file}: at {rpm} rpm, {way}: {reason}")]
+    Point {
+        /// The spec's file.
+        file: String,
+        /// Of the engine.
+        rpm: f64,
+        /// Damping and rebound.
+        way: String,
+        /// What the science says.
+        reason: Box<Error>,
+    },
+    /// The science refuses outside of any run.
+    #[error("{0}")]
+    Science(#[from] Error),
+    /// Somebody stopped it.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
+}
+
+/// From which speed to which.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The lowest speed of the engine \[Hz\].
+    pub from: f64,
+    /// The highest \[Hz\].
+    pub to: f64,
+    /// In steps of \[Hz\].
+    pub step: f64,
+    /// Turns of the camshaft for one of the engine \[1\].
+    pub ratio: f64,
+}
+
+/// What a spring does at each speed.
+#[derive(Debug, Clone)]
+pub struct SpeedMap {
+    /// What was asked.
+    pub spec: Spec,
+    /// The cam.
+    pub cam: CamSpec,
+    /// From where to where.
+    pub range: Range,
+    /// Each speed in each way (damping and rebound), speed by speed.
+    pub points: Vec<SpeedPoint>,
+    /// Harmonics of the cam across the lines of the spring.
+    pub campbell: Campbell,
+    /// Masses for a winding of the chain.
+    pub masses_per_winding: usize,
+}
+
+/// Most speeds of a map.
+const MOST_SPEEDS: usize = 2000;
+
+/// Told how much is done, and of how much; whether to go on.
+pub type Progress<'a> = dyn Fn(usize, usize) -> bool + Sync + 'a;
+
+impl Range {
+    fn check(&self) -> Result<(), SpeedError> {
+        let refuse = |what: &str, hertz: f64, allowed: &str| {
+            Err(SpeedError::Spec(format!("{what} must be {allowed}, got {} rpm", rounded(60.0 * hertz))))
+        };
+        if !(self.from > 0.0 && self.from <= 1e4) {
+            return refuse("from", self.from, "above 0 and at most 600000 rpm");
+        }
+        if !(self.to >= self.from && self.to <= 1e4) {
+            return refuse("to", self.to, &format!("from {} to 600000 rpm", rounded(60.0 * self.from)));
+        }
+        if !(self.step > 0.0 && (self.to - self.from) / self.step <= MOST_SPEEDS as f64) {
+            return refuse("step", self.step, &format!("above 0, for {MOST_SPEEDS} speeds at most"));
+        }
+        if !(self.ratio > 0.0 && self.ratio <= 100.0) {
+            return Err(SpeedError::Spec(format!("cam_ratio must be above 0 and at most 100, got {}", self.ratio)));
+        }
+        Ok(())
+    }
+
+    fn steps(&self) -> Vec<f64> {
+        let count = ((self.to - self.from) / self.step + 1e-9).floor() as usize;
+        let mut each: Vec<f64> = (0..=count).map(|index| self.from + index as f64 * self.step).collect();
+        if each.last().is_some_and(|last| self.to - last > 1e-6 * self.step) {
+            each.push(self.to);
+        }
+        each
+    }
+}
+
+/// Revolutions a minute without what a unit's factor leaves.
+fn rounded(rpm: f64) -> f64 {
+    (1e6 * rpm).round() / 1e6
+}
+
+impl SpeedMap {
+    /// Makes the map of a spec.
+    ///
+    /// # Errors
+    /// [`SpeedError`] for a spec without `[cam]` or `[contact]`, a range that is none, what the science refuses, and where `progress` says stop.
+    pub fn of(mut spec: Spec, range: Range, progress: &Progress<'_>) -> Result<Self, SpeedError> {
+        range.check()?;
+        let lacks = |what: &str| SpeedError::Spec(format!("{}: {what}", spec.file));
+        let cam = spec
+            .cam
+            .clone()
+            .ok_or_else(|| lacks("no table [cam] says what moves end 1; give its law, lift and angle"))?;
+        if spec.mount.cases.iter().any(|way| way.contact.is_none()) {
+            return Err(lacks(
+                "speed takes a table [contact]: at some speed windings meet, and without it they would pass through one another",
+            ));
+        }
+        if spec.mount.far_end() == coilsense::FarEnd::Force {
+            return Err(lacks("speed takes an end 2 that is held or has a mass: no force on it is in the spec"));
+        }
+        spec.spring.look_up_surges(&spec.mount.ends);
+        let campbell = Campbell::of(&spec, &cam, &range);
+        let mut speeds = range.steps();
+        speeds.extend(campbell.crossings.iter().map(|crossing| crossing.speed));
+        speeds.sort_by(f64::total_cmp);
+        speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-4 * *b);
+        let ways = spec.mount.cases.len();
+        let count = speeds.len() * ways;
+        let done = AtomicUsize::new(0);
+        // The long runs, those at few turns a second, first.
+        let one = |index: usize| {
+            if !progress(done.load(Ordering::Relaxed), count) {
+                return Err(SpeedError::Interrupted);
+            }
+            let (speed, way) = (speeds[index / ways], index % ways);
+            let found = point::of(&spec, &cam, &range, speed, way);
+            let point = found.map_err(|reason| SpeedError::Point {
+                file: spec.file.clone(),
+                rpm: (600.0 * speed).round() / 10.0,
+                way: spec.mount.cases[way].label.clone(),
+                reason: Box::new(reason),
+            })?;
+            match progress(done.fetch_add(1, Ordering::Relaxed) + 1, count) {
+                true => Ok(point),
+                false => Err(SpeedError::Interrupted),
+            }
+        };
+        let points: Vec<SpeedPoint> = (0..count).into_par_iter().with_max_len(1).map(one).collect::<Result<_, _>>()?;
+        let masses_per_winding = spec.spring.spring.masses_per_winding();
+        Ok(Self { cam, range, points, campbell, masses_per_winding, spec })
+    }
+
+    /// The points of one way, by rising speed.
+    pub fn of_way(&self, way: usize) -> impl Iterator<Item = &SpeedPoint> {
+        self.points.iter().filter(move |point| point.way == way)
+    }
+}

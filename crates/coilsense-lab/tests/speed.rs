@@ -1,0 +1,198 @@
+//! A spring under a cam from speed to speed.
+//!
+//! | ours | held against |
+//! |---|---|
+//! | a run that repeats, nothing meeting | the closed form of the linear motion under the cam's harmonics |
+//! | laws of lift | their values, and their slopes where pieces meet |
+//! | a cam of a file | the law that it was written from |
+//! | speeds that are added | harmonics times their speed |
+
+use std::f64::consts::TAU;
+
+use coilsense::excitation::{EndInput, Excitation, Harmonic, Start};
+use coilsense::{Channel, Motion};
+use coilsense_lab::spec::Spec;
+use coilsense_lab::speed::{Range, SpeedMap, answer};
+
+const VALVE: &str = include_str!("../../../examples/valve-spring.toml");
+
+/// The valve spring without conditions, with tables of the speed map.
+fn text(damping: &str, mount: &str, contact: &str, cam: &str) -> String {
+    let (head, _) = VALVE.split_once("[[condition]]").unwrap();
+    let head = head.replace("windings = 5.75\n", "model = \"chain\"\nmasses_per_winding = 1\nwindings = 5.75\n");
+    let head = head.replace("[0.002, 0.01]", damping).replace("end2 = \"held\"", &format!("end2 = \"held\"\n{mount}"));
+    format!("{head}\n[contact]\n{contact}\n[cam]\n{cam}\n")
+}
+
+const CAM: &str = "lift = \"10 mm\"\nangle = \"130 deg\"";
+
+fn read(text: &str) -> Result<Spec, String> {
+    read_with(text, "")
+}
+
+fn read_with(text: &str, file: &str) -> Result<Spec, String> {
+    Spec::parse("valve.toml", text, &|_| Ok(file.to_owned())).map_err(|error| error.to_string())
+}
+
+fn map(text: &str, from: f64, to: f64) -> SpeedMap {
+    let range = Range { from: from / 60.0, to: to / 60.0, step: 500.0 / 60.0, ratio: 0.5 };
+    SpeedMap::of(read(text).unwrap(), range, &|_, _| true).unwrap()
+}
+
+#[test]
+fn where_nothing_meets_a_run_is_the_closed_form_of_its_harmonics() {
+    let text = text("0.01", "", "restitution = 0.0", CAM);
+    let map = map(&text, 3000.0, 3000.0);
+    let point = &map.points[0];
+    assert!(point.touches == 0.0 && point.lifts == 0.0 && point.unsettled < 1e-3, "{point:?}");
+    let (cam, spec) = (&map.cam, &map.spec);
+    let samples = 4096;
+    let lifts: Vec<f64> = (0..samples).map(|sample| cam.lift_at(sample as f64 / samples as f64)).collect();
+    let mean = lifts.iter().sum::<f64>() / samples as f64;
+    let harmonic = |number: usize| {
+        let angle = |sample: usize| TAU * (number * sample % samples) as f64 / samples as f64;
+        let of = |wave: fn(f64) -> f64| {
+            2.0 / samples as f64
+                * lifts.iter().enumerate().map(|(sample, lift)| lift * wave(angle(sample))).sum::<f64>()
+        };
+        let (cosine, sine) = (of(f64::cos), of(f64::sin));
+        Harmonic { amplitude: cosine.hypot(sine), frequency: 25.0 * number as f64, phase: cosine.atan2(sine) }
+    };
+    let input = EndInput::Harmonics((1..=120).map(harmonic).collect());
+    let excitation = Excitation::new(cam.length - mean, input, EndInput::Held, Start::Steady).unwrap();
+    let motion = Motion::mounted(&spec.spring.spring, &spec.mount.cases[0].mount, &excitation).unwrap();
+    let times: Vec<f64> = (0..8000).map(|sample| f64::from(sample) * 0.04 / 8000.0).collect();
+    let signals = motion.signals(&times).unwrap();
+    for (channel, found) in [(Channel::InputForce, point.input), (Channel::OutputForce, point.output)] {
+        let force = signals.channel(channel).unwrap();
+        let least = force.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = force.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        // Three decays from rest leave 5 % of what rings at first.
+        assert!((found[0] - least).abs() < 1.0 && (found[1] - most).abs() < 1.0, "{found:?} {least} {most}");
+    }
+}
+
+#[test]
+fn laws_lift_as_they_say_and_join_smoothly() {
+    for (law, joins) in [("3-4-5-6", 2), ("3-4-5", 2), ("4-5-6-7", 3), ("cycloid", 2), ("harmonic", 1)] {
+        let text = text("0.01", "", "", &format!("{CAM}\nlaw = \"{law}\""));
+        let cam = read(&text).unwrap().cam.unwrap();
+        assert!((cam.lift_at(0.5) - 0.01).abs() < 1e-12, "{law}");
+        let open = 130.0 / 360.0;
+        assert!(cam.lift_at(0.5 - 0.5 * open - 1e-6) == 0.0 && cam.lift_at(0.5 + 0.5 * open + 1e-6) == 0.0);
+        for share in [0.1, 0.37, 0.8] {
+            let (up, down) = (cam.lift_at(0.5 - 0.5 * open * share), cam.lift_at(0.5 + 0.5 * open * share));
+            assert!((up - down).abs() < 1e-12, "{law}: {up} {down}");
+        }
+        for (number, pair) in cam.pieces.windows(2).enumerate() {
+            let since = cam.begins[number + 1] - cam.begins[number];
+            let mut factorial = 1.0;
+            for order in 0..=joins {
+                factorial *= (order as f64).max(1.0);
+                let derivative = |powers: &[f64], at: f64| {
+                    let each = powers.iter().enumerate().skip(order).map(|(power, c)| {
+                        let falling: f64 = (0..order).map(|below| (power - below) as f64).product();
+                        falling * c * at.powi((power - order) as i32)
+                    });
+                    each.sum::<f64>()
+                };
+                let (end, begin) = (derivative(&pair[0], since), derivative(&pair[1], 0.0));
+                let scale = 0.01 * (2.0 / open).powi(order as i32) * factorial;
+                assert!((end - begin).abs() < 1e-8 * scale, "{law} {number} {order}: {end} {begin}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_cam_of_a_file_is_the_law_that_it_was_written_from() {
+    let law = read(&text("0.01", "", "", CAM)).unwrap().cam.unwrap();
+    let rows = |from: u32| {
+        (from..=360).map(|angle| format!("{angle},{}", 1e3 * law.lift_at(f64::from(angle) / 360.0))).collect::<Vec<_>>()
+    };
+    for from in [0, 7] {
+        let file = format!("# a cam\nangle [deg],lift [mm]\n{}\n", rows(from).join("\n"));
+        let cam = read_with(&text("0.01", "", "", "file = \"cam.csv\""), &file).unwrap().cam.unwrap();
+        for sample in 0..1000 {
+            let turn = f64::from(sample) / 1000.0;
+            assert!(
+                (cam.lift_at(turn) - law.lift_at(turn)).abs() < 1e-7,
+                "{turn}: {:e}",
+                cam.lift_at(turn) - law.lift_at(turn)
+            );
+        }
+    }
+    let bad = |file: &str| read_with(&text("0.01", "", "", "file = \"cam.csv\""), file).map(|_| ()).unwrap_err();
+    for (file, part) in [
+        ("0,0\n1,1\n", "must hold 8 to"),
+        (&rows(0)[..200].join("\n") as &str, "must end where it begins"),
+        (&format!("{}\n5,1\n", rows(0).join("\n")), "angles must rise"),
+        (&format!("{}\n361,none\n", rows(0).join("\n")), "must be an angle in degrees"),
+    ] {
+        assert!(bad(file).contains(part) && bad(file).lines().count() == 1, "{}", bad(file));
+    }
+}
+
+#[test]
+fn speeds_at_which_a_harmonic_has_the_surge_frequency_are_among_those_run() {
+    let map = map(&text("0.01", "", "restitution = 0.0", CAM), 4000.0, 8000.0);
+    let first = map.campbell.lines[0].frequency;
+    assert!(map.campbell.crossings.len() > 4);
+    for crossing in &map.campbell.crossings {
+        assert!((crossing.harmonic as f64 * 0.5 * crossing.speed / first - 1.0).abs() < 1e-12);
+        assert!(map.points.iter().any(|point| (point.speed - crossing.speed).abs() < 1e-9));
+    }
+    let mut speeds: Vec<f64> = map.points.iter().map(|point| 60.0 * point.speed).collect();
+    assert!(speeds.is_sorted() && (speeds[0] - 4000.0).abs() < 1e-9 && (speeds.pop().unwrap() - 8000.0).abs() < 1e-9);
+    // Slow: the static forces, k · 9 mm on the base circle and k · 19 mm at the nose.
+    let slow = self::map(&text("0.01", "", "restitution = 0.0", CAM), 300.0, 300.0);
+    let (k, point) = (slow.spec.spring.spring.stiffness(), &slow.points[0]);
+    for force in [point.input, point.output] {
+        assert!((force[0] + 0.019 * k).abs() < 2.0 && (force[1] + 0.009 * k).abs() < 2.0, "{force:?}");
+    }
+}
+
+#[test]
+fn a_heavier_follower_floats_at_a_lower_speed() {
+    let floats_from = |mass: &str| {
+        let map = map(&text("0.01", &format!("follower_mass = \"{mass}\""), "restitution = 0.0", CAM), 4000.0, 9000.0);
+        let words = answer(&map).join("\n");
+        assert!(words.contains("The follower floats from"), "{words}");
+        let aloft = map.points.iter().find(|point| point.floating.unwrap().floats > 0.0);
+        aloft.map(|point| 60.0 * point.speed).unwrap()
+    };
+    let (light, heavy) = (floats_from("80 g"), floats_from("160 g"));
+    assert!(heavy < light - 500.0, "{light} {heavy}");
+    let still = map(&text("0.01", "follower_mass = \"80 g\"", "restitution = 0.0", CAM), 1500.0, 2000.0);
+    let words = answer(&still).join("\n");
+    assert!(words.contains("stays on its cam up to 2000 rpm") && words.contains("Windings stay clear"), "{words}");
+    assert!(still.points.iter().all(|point| point.floating.unwrap().least_cam_force > 10.0), "{:?}", still.points);
+}
+
+#[test]
+fn what_is_no_cam_or_no_range_is_refused_in_a_line() {
+    let refused = |text: &str| read(text).map(|_| ()).unwrap_err();
+    for (cam, part) in [
+        ("lift = \"10 mm\"", "lacks the key \"angle\""),
+        ("lift = \"17 mm\"\nangle = \"130 deg\"", "at which the spring is solid"),
+        ("lift = \"10 mm\"\nangle = \"400 deg\"", "below 360 deg"),
+        ("lift = \"10 mm\"\nangle = \"130 deg\"\nlaw = \"sine\"", "must be"),
+        ("file = \"cam.csv\"\nlift = \"10 mm\"", "lift in [cam] is no key of a cam of a file"),
+        ("lift = \"10 mm\"\nangle = \"130 deg\"\nlength = \"70 mm\"", "the range in use"),
+    ] {
+        let message = refused(&text("0.01", "", "", cam));
+        assert!(message.contains(part) && message.lines().count() == 1, "{message}");
+    }
+    let of = |text: &str, range: Range| {
+        SpeedMap::of(read(text).unwrap(), range, &|_, _| true).map(|_| ()).unwrap_err().to_string()
+    };
+    let range = Range { from: 20.0, to: 100.0, step: 5.0, ratio: 0.5 };
+    let good = text("0.01", "", "", CAM);
+    assert!(of(&good, Range { to: 10.0, ..range }).contains("to must be from 1200 to 600000 rpm, got 600 rpm"));
+    assert!(of(&good, Range { step: 0.0, ..range }).contains("step must be above 0"));
+    let (without_cam, _) = good.split_once("[cam]").unwrap();
+    assert!(of(without_cam, range).contains("no table [cam]"));
+    assert!(of(&good.replace("[contact]\n", ""), range).contains("takes a table [contact]"));
+    let stopped = SpeedMap::of(read(&good).unwrap(), range, &|done, _| done < 2).map(|_| ()).unwrap_err();
+    assert!(stopped.to_string().contains("interrupted"));
+}
