@@ -93,9 +93,9 @@ fn by_law(section: &Section<'_>, length: f64) -> Result<CamSpec, SpecError> {
         let mut down = vec![0.0; rise.len()];
         for (power, coefficient) in rise.iter().enumerate() {
             let mut binomial = 1.0;
-            for below in 0..=power {
+            for (below, down) in down[..=power].iter_mut().enumerate() {
                 let sign = if below % 2 == 0 { 1.0 } else { -1.0 };
-                down[below] += lift * coefficient * binomial * sign;
+                *down += lift * coefficient * binomial * sign;
                 binomial *= (power - below) as f64 / (below + 1) as f64;
             }
         }

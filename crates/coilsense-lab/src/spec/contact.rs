@@ -6,7 +6,6 @@ use coilsense::contact::{Contact, Hertz};
 use coilsense::{FarEnd, Spring};
 
 use super::document::Document;
-use super::mount::MountSpec;
 use super::section::Section;
 use super::spring::{Model, SpringSpec};
 use super::{SpecError, plain, stem};
@@ -38,11 +37,11 @@ impl ContactCase {
         stem(&self.label.replace(" = ", "-").replace('ζ', "zeta"))
     }
 
-    /// The ways of a spec; none without the table, and where it says `off`.
+    /// The ways of a spec whose spring ends at `far_end`; none without the table, and where it says `off`.
     pub(super) fn parse_all(
         document: &Document<'_>,
         spec: &SpringSpec,
-        mount: &MountSpec,
+        far_end: FarEnd,
     ) -> Result<Vec<Self>, SpecError> {
         let follower = follower_mass(document)?;
         let alone = |key: &str| match follower {
@@ -59,7 +58,7 @@ impl ContactCase {
         }
         can_meet(&section, spec)?;
         let pushes_only = !spec.geometry.parameters().end_type.is_extension();
-        let is_mass = matches!(mount.far_end(), FarEnd::Mass(_));
+        let is_mass = matches!(far_end, FarEnd::Mass(_));
         let ends = section.optional_flag("ends")?;
         if ends == Some(true) && is_mass && spec.masses_per_winding != Some(1) {
             let why =

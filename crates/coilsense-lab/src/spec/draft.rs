@@ -103,7 +103,7 @@ impl<'a> Draft<'a> {
         spring.follow_helix(&MountSpec::ends(document, end_type)?);
         let mount = MountSpec::parse(document, &spring.spring, end_type)?;
         let mount = if spring.model == Model::Helix { for_helix(&document.section("spring")?, mount)? } else { mount };
-        let contacts = ContactCase::parse_all(document, &spring, &mount)?;
+        let contacts = ContactCase::parse_all(document, &spring, mount.far_end())?;
         let mount = mount.by_contacts(&contacts);
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;

@@ -5,6 +5,19 @@
 use coilsense::Error;
 use coilsense::contact::{Balance, Float, Lift, Touch, Touching};
 
+/// Whether windings meet in this build: known when it is compiled, so that one without the feature does not carry what follows them.
+pub const MEET: Result<(), Error> = if cfg!(feature = "contact") {
+    Ok(())
+} else {
+    Err(Error::Value {
+        field: None,
+        quantity: std::borrow::Cow::Borrowed("feature \"contact\" of this build"),
+        value: 0.0,
+        unit: "",
+        allowed: std::borrow::Cow::Borrowed("on where windings are to meet"),
+    })
+};
+
 /// What met in a run, for how long the answer holds, and where the energy went.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contacts {

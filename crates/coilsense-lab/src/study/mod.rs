@@ -8,7 +8,7 @@ mod masses;
 mod seen;
 mod simulation;
 
-pub use contacts::{Between, Contacts, GRAZES, Meeting};
+pub use contacts::{Between, Contacts, GRAZES, MEET, Meeting};
 pub use helical::{EndLoads, Helical, Helices, Moved};
 pub use masses::{ENOUGH, Masses, enough_masses, mounted, prepare};
 pub use seen::Seen;

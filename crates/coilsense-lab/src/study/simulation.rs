@@ -7,7 +7,7 @@ use coilsense::inductance::{BoundedSeries, MaxwellSum};
 use coilsense::motion::Windings;
 use coilsense::{Calibration, Channel, Error, Excitation, InductanceSensor, Motion, Mount, Signals, Spring};
 
-use super::contacts::{Between, Contacts};
+use super::contacts::{Between, Contacts, MEET};
 use super::helical::{self, EndLoads, Helical};
 use super::seen::Seen;
 
@@ -140,6 +140,7 @@ fn moved(setup: &Setup<'_>, times: &[f64], with_windings: bool) -> Result<Moved,
         let windings = with_windings.then(|| motion.windings(times)).transpose()?;
         return Ok(Moved { motion, signals, windings, loads: None, read: None, struck: None, contacts: None });
     };
+    MEET?;
     // Without the windings L would be that of the motion without contact.
     let with_windings = with_windings || setup.coil.is_some();
     let touching = match meets.apart {

@@ -10,7 +10,7 @@ use coilsense::{Channel, Clash, Deviation, Error, Motion};
 
 use super::column::{BY_INDUCTANCE, Needs};
 use crate::spec::Core;
-use crate::study::{self, Coil, Meets, Method, Setup, Simulation};
+use crate::study::{self, Coil, MEET, Meets, Method, Setup, Simulation};
 
 /// L is taken to second order where that is within this share of it.
 const TOLERANCE: f64 = 1e-6;
@@ -114,6 +114,7 @@ fn clash(
         if !needs.pitch {
             return Ok(None);
         }
+        MEET?;
         let times = sampled_window(asked.sample_rate, 0.0, asked.window.1)?;
         let windings =
             Touching::once(motion, meets, &times, true)?.windings.ok_or(Error::MissingSignal("of windings"))?;

@@ -323,8 +323,8 @@ fn merged(motion: &Motion, signals: Signals, course: &Course, later: usize, from
     for (channel, mut values) in channels {
         values.truncate(reached);
         let with = |values: &mut Vec<f64>, of: &[f64], more: f64| {
-            for sample in from..reached {
-                values[sample] = of[sample - later] + more;
+            for (value, of) in values[from..reached].iter_mut().zip(&of[from - later..]) {
+                *value = of + more;
             }
         };
         match channel {
@@ -333,9 +333,9 @@ fn merged(motion: &Motion, signals: Signals, course: &Course, later: usize, from
             Channel::U1 if !course.cam_force.is_empty() => with(&mut values, &course.end1, 0.0),
             Channel::U2 if !is_prescribed => with(&mut values, &course.end2, rest),
             Channel::DeflectionForce if !is_prescribed || !course.cam_force.is_empty() => {
-                for sample in from..reached {
-                    let [first, second] = [course.end1[sample - later], course.end2[sample - later]];
-                    values[sample] = motion.spring().static_force(second + rest - first);
+                let ends = course.end1[from - later..].iter().zip(&course.end2[from - later..]);
+                for (value, (first, second)) in values[from..reached].iter_mut().zip(ends) {
+                    *value = motion.spring().static_force(second + rest - first);
                 }
             }
             _ => {}

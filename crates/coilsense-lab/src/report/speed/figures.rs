@@ -60,15 +60,15 @@ fn over_speed(map: &SpeedMap, label: &str, of: impl Fn(&SpeedPoint) -> f64 + Cop
 }
 
 fn forces(map: &SpeedMap) -> Panel {
-    let each: [(&str, fn(&SpeedPoint) -> f64, Colour, Dash); 4] = [
+    type Side = (&'static str, fn(&SpeedPoint) -> f64, Colour, Dash);
+    let each: [Side; 4] = [
         ("F_i hardest push", |point| point.input[0], Colour::Red, Dash::Solid),
         ("F_i least", |point| point.input[1], Colour::Red, Dash::Dashed),
         ("F_o hardest push", |point| point.output[0], Colour::Blue, Dash::Solid),
         ("F_o least", |point| point.output[1], Colour::Blue, Dash::Dashed),
     ];
-    let curve = |(name, of, colour, dash): (&str, fn(&SpeedPoint) -> f64, Colour, Dash)| {
-        of_way(map, 0, name.to_owned(), Stroke { colour, dash, width: 1.5 }, of)
-    };
+    let curve =
+        |(name, of, colour, dash): Side| of_way(map, 0, name.to_owned(), Stroke { colour, dash, width: 1.5 }, of);
     Panel {
         x: speeds(map),
         y: Axis { label: "Force [N]".into(), ..Axis::default() },
