@@ -149,6 +149,12 @@ fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
     for spec in commands::examples()? {
         let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
         let path = spec.display().to_string();
+        if commands::is_cam(&spec)? {
+            let [command, options @ ..] = &commands::SPEED;
+            let arguments = [&[*command, &path], &options[..]].concat();
+            all.push(whole(&executable, &format!("speed {name}"), &arguments)?);
+            continue;
+        }
         let (job, command) = if commands::is_rig(&spec)? { ("rig ", "rig") } else { (ANALYZE, "analyze") };
         all.push(whole(&executable, &format!("{job}{name}"), &[command, &path])?);
     }

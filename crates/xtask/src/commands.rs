@@ -10,6 +10,8 @@ use anyhow::{Context, bail};
 
 use crate::{cargo, root, target_folder};
 
+/// What an example with a cam is asked.
+pub const SPEED: [&str; 7] = ["speed", "--from", "1000rpm", "--to", "8000rpm", "--step", "1000rpm"];
 /// How README and book call the command from a checkout.
 const PREFIX: &str = "cargo run --release -- ";
 
@@ -37,6 +39,13 @@ pub fn examples() -> anyhow::Result<Vec<PathBuf>> {
 /// Whether a spec is that of a rig, which has no conditions of use.
 pub fn is_rig(spec: &Path) -> anyhow::Result<bool> {
     Ok(std::fs::read_to_string(spec)?.lines().any(|line| line == "[rig]"))
+}
+
+/// Whether a spec is that of a cam alone, which turns at the speeds of a map and has no conditions of use.
+pub fn is_cam(spec: &Path) -> anyhow::Result<bool> {
+    let text = std::fs::read_to_string(spec)?;
+    let has = |table: &str| text.lines().any(|line| line == table);
+    Ok(has("[cam]") && !has("[[condition]]"))
 }
 
 /// README and every page of the book, README first.
@@ -88,7 +97,7 @@ pub fn readme() -> anyhow::Result<bool> {
     Ok(typed > 0)
 }
 
-/// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig, `placement` where there is a loop; whether all succeed and
+/// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig, `speed` on those of a cam, `placement` where there is a loop; whether all succeed and
 /// leave what they should.
 pub fn every_example() -> anyhow::Result<bool> {
     let executable = executable()?;
@@ -110,6 +119,16 @@ pub fn every_example() -> anyhow::Result<bool> {
             }
             if !place.path().join(&name).join("experiment.toml").is_file() {
                 bail!("{name}/experiment.toml is missing");
+            }
+            continue;
+        }
+        if is_cam(&spec)? {
+            if !(run(&["spring"])? && run(&[&SPEED[..], &["--out", &name]].concat())?) {
+                return Ok(false);
+            }
+            let made = ["report.html", "results.json", "speed.csv"].map(|file| place.path().join(&name).join(file));
+            if let Some(missing) = made.iter().find(|path| !path.is_file()) {
+                bail!("{} is missing", missing.display());
             }
             continue;
         }
