@@ -39,6 +39,10 @@ impl CamSpec {
         files: &Files<'_>,
     ) -> Result<Option<Self>, SpecError> {
         let Some(section) = document.optional_section("cam")? else { return Ok(None) };
+        if !cfg!(feature = "contact") {
+            let key = if section.has("file") { "file" } else { "law" };
+            return Err(section.refuse(key, "is not read in this build; cams are for `coilsense speed`"));
+        }
         let by_file = section.has("file");
         let (kind, whose) = if by_file { ("file", "a cam of a file") } else { ("law", "a cam by a law") };
         section.only_of(kind, whose)?;

@@ -56,6 +56,10 @@ impl ContactCase {
         if word == "off" {
             return alone("[contact] windings = \"hard\"");
         }
+        if !cfg!(feature = "contact") {
+            let allowed = "takes \"off\" in this build; windings that meet are for the command";
+            return Err(section.refuse("windings", allowed));
+        }
         can_meet(&section, spec)?;
         let pushes_only = !spec.geometry.parameters().end_type.is_extension();
         let is_mass = matches!(far_end, FarEnd::Mass(_));
