@@ -44,6 +44,12 @@
     warn(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout, clippy::print_stderr)
 )]
 
+/// Masses and the springs between them to frequencies and shapes.
+mod bidiagonal;
+
+/// A coil whose pitch and diameter change to its static curve.
+pub mod sections;
+
 /// Parameters to a checked spring.
 pub mod spring;
 

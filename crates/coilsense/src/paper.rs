@@ -18,6 +18,7 @@ pub const S_T: SpringParameters = SpringParameters {
     max_length: 0.264,
     nominal_force: None,
     inductance_windings: None,
+    sections: None,
 };
 
 /// S_A, the parallel spring of the lower-leg prosthesis ANGELAA: of another stiffness and pitch, pulled only.

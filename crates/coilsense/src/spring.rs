@@ -2,7 +2,10 @@
 //!
 //! Next door: its vibration modes (`modes`), its inductance (`inductance`), what is done to it (`excitation`).
 
+use std::sync::Arc;
+
 use crate::error::{Error, above_zero, check, finite};
+use crate::sections::Sections;
 
 /// What describes a spring, by name and in SI units; [`Spring::new`] checks it.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +30,9 @@ pub struct SpringParameters {
     pub nominal_force: Option<f64>,
     /// Windings that carry the current \[1\]; `None` takes `windings`. See [`crate::inductance::MaxwellSum`] for the rule of fractions.
     pub inductance_windings: Option<f64>,
+    /// Of a coil that is not uniform, its sections: the static curve, the masses of the chain, and where windings close are then theirs, and
+    /// `stiffness` and `mass` are those of the coil with all windings open, which they scale. `None` for a uniform coil.
+    pub sections: Option<Arc<Sections>>,
 }
 
 /// A spring whose every value has been checked.
@@ -46,6 +52,7 @@ pub struct SpringParameters {
 ///     max_length: 0.264,
 ///     nominal_force: None,
 ///     inductance_windings: None,
+///     sections: None,
 /// })?;
 /// assert!((spring.transit_time() - 9.248e-3).abs() < 1e-6);
 /// assert!((spring.surge_frequency() - 54.065).abs() < 1e-3);
@@ -105,14 +112,91 @@ impl Spring {
                 format!("from 0.5 to {MAX_WINDINGS}"),
             )?;
         }
-        let nominal_force = match p.nominal_force {
-            Some(force) => above_zero("nominal_force", force, "N")?,
-            None => {
-                let longest = (p.max_length - p.rest_length).abs();
-                p.stiffness * longest.max((p.min_length - p.rest_length).abs())
-            }
+        check(p.sections.is_none() || cfg!(feature = "sections"), "sections", 1.0, "", "none in this build")?;
+        if let Some(sections) = &p.sections {
+            let allowed = format!("the {} of its sections", sections.windings());
+            check((p.windings / sections.windings() - 1.0).abs() < 1e-9, "windings", p.windings, "", allowed)?;
+        }
+        let given = p.nominal_force.map(|force| above_zero("nominal_force", force, "N")).transpose()?;
+        let mut spring = Self { parameters, nominal_force: 0.0, masses_per_winding: 1 };
+        let (shortest, longest) = spring.operating_range();
+        let extremes = [shortest, longest].map(|length| spring.static_force(length).abs());
+        spring.nominal_force = given.unwrap_or(extremes[1].max(extremes[0]));
+        Ok(spring)
+    }
+
+    /// Of a coil of sections whose ends are `dead_length` \[m\] further apart than its active wire is long, and between which lengths it is used \[m\].
+    ///
+    /// Windings, stiffness, mass and rest length are the sections' own, the radii means over the wire.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// ```
+    /// use coilsense::Spring;
+    /// use coilsense::sections::{Section, Sections};
+    /// // Stiffer from the force on at which the narrow windings of its first section close.
+    /// let narrow = Section { windings: 2.0, pitch: [5.5e-3; 2], coil_diameter: [25e-3; 2], wire_diameter: 4e-3, telescopes: false };
+    /// let wide = Section { windings: 4.0, pitch: [8e-3; 2], ..narrow };
+    /// let spring = Spring::of_sections(Sections::new(vec![narrow, wide], 79.3e9, 7850.0)?, 0.0, (0.030, 0.042))?;
+    /// let (soft, stiff) = (spring.rate_at(0.042), spring.rate_at(0.032));
+    /// assert!((stiff / soft - 6.0 / 4.0).abs() < 1e-9);
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    pub fn of_sections(sections: Sections, dead_length: f64, (shortest, longest): (f64, f64)) -> Result<Self, Error> {
+        let all = sections.windings();
+        let mean = |of: usize| {
+            let each = sections.sections().iter();
+            let radius = |windings: f64| sections.radii_at(windings)[of];
+            let mut begin = 0.0;
+            let sum = each.map(|section| {
+                let middle = begin + 0.5 * section.windings;
+                begin += section.windings;
+                // Diameters change evenly along a section.
+                section.windings * radius(middle)
+            });
+            sum.sum::<f64>() / all
         };
-        Ok(Self { parameters, nominal_force, masses_per_winding: 1 })
+        Self::new(SpringParameters {
+            rest_length: sections.span() + dead_length,
+            windings: all,
+            coil_radius: mean(0),
+            wire_radius: mean(1),
+            mass: sections.mass(),
+            stiffness: sections.stiffness(),
+            min_length: shortest,
+            max_length: longest,
+            nominal_force: None,
+            inductance_windings: None,
+            sections: Some(Arc::new(sections)),
+        })
+    }
+
+    /// Its sections, where the coil is not uniform.
+    #[inline]
+    pub fn sections(&self) -> Option<&Sections> {
+        self.shared_sections().map(Arc::as_ref)
+    }
+
+    /// The same, to be kept. Known when it is compiled without the feature `sections`, so that such a build does not carry what they need.
+    #[inline]
+    pub(crate) fn shared_sections(&self) -> Option<&Arc<Sections>> {
+        if cfg!(feature = "sections") { self.parameters.sections.as_ref() } else { None }
+    }
+
+    /// Refuses a coil of sections, for what is computed of a uniform one: `what` it is.
+    ///
+    /// # Errors
+    /// [`Error::Value`] with the number of its sections.
+    pub(crate) fn check_uniform(&self, what: &'static str) -> Result<(), Error> {
+        let count = self.sections().map_or(1, |sections| sections.sections().len());
+        let allowed = format!("a uniform coil for {what}, which knows no sections");
+        check(self.sections().is_none(), "sections", count as f64, "", allowed).map(|_| ())
+    }
+
+    /// By how much stiffer \[1\] it is than its sections make it, and by how much heavier \[1\]: what tolerances and measured values do.
+    pub(crate) fn scales(&self, sections: &Sections) -> [f64; 2] {
+        [self.stiffness() / sections.stiffness(), self.mass() / sections.mass()]
     }
 
     /// The parameters it was made from.
@@ -196,7 +280,11 @@ impl Spring {
     /// Valid:    no damping, windings that never touch.
     /// Accuracy: 4e-16 relative.
     pub fn chain_frequency(&self) -> f64 {
-        chain_frequency(self.chain_masses(), self.transit_time())
+        let Some(sections) = self.sections() else { return chain_frequency(self.chain_masses(), self.transit_time()) };
+        let [stiffer, heavier] = self.scales(sections);
+        let lumps = sections.lumps(self.masses_per_winding);
+        crate::bidiagonal::first_frequency(&lumps.masses, &lumps.stiffnesses) * (stiffer / heavier).sqrt()
+            / std::f64::consts::TAU
     }
 
     /// The band in which the first surge frequency of the real coil lies, both ends held \[Hz\].
@@ -210,7 +298,11 @@ impl Spring {
     pub fn first_frequency_band(&self) -> (f64, f64) {
         let windings = self.whole_windings();
         let beyond = (0.25 / windings as f64).max(0.002);
-        let (chain, bar) = (chain_frequency(windings, self.transit_time()), self.surge_frequency());
+        let chain = match self.sections() {
+            Some(_) => Self { masses_per_winding: 1, ..self.clone() }.chain_frequency(),
+            None => chain_frequency(windings, self.transit_time()),
+        };
+        let bar = self.surge_frequency();
         (chain * (1.0 - beyond), bar * (1.0 + beyond))
     }
 
@@ -231,14 +323,15 @@ impl Spring {
 
     /// Dynamic spring characteristic \[s\]: the time in which a surge wave runs through the coil once.
     ///
-    /// τ = √(m/k)
+    /// τ = √(m/k); of a coil of sections half a period of its first surge, π/ω_1
     ///
-    /// Source:   `[Weijde2017]` eq. 2.
-    /// Valid:    a uniform coil.
+    /// Source:   `[Weijde2017]` eq. 2; [`Sections::first_frequency`].
+    /// Valid:    a uniform coil; of sections, while all windings are open.
     /// Accuracy: 2e-16 relative (one division, one root).
-    ///
     pub fn transit_time(&self) -> f64 {
-        (self.parameters.mass / self.parameters.stiffness).sqrt()
+        let Some(sections) = self.sections() else { return (self.parameters.mass / self.parameters.stiffness).sqrt() };
+        let [stiffer, heavier] = self.scales(sections);
+        std::f64::consts::PI / sections.first_frequency() * (heavier / stiffer).sqrt()
     }
 
     /// f1: first surge frequency of the continuous coil with both ends held \[Hz\], everywhere in coilsense.
@@ -284,7 +377,10 @@ impl Spring {
     /// Valid:    active windings only; closed end turns add their own wire diameters.
     /// Accuracy: exact but for rounding.
     pub fn solid_length(&self) -> f64 {
-        self.parameters.windings * self.wire_diameter()
+        match self.sections() {
+            Some(sections) => sections.place_at(sections.windings(), sections.solid_force()),
+            None => self.parameters.windings * self.wire_diameter(),
+        }
     }
 
     /// Distance from winding to winding when they are spread uniformly over a length \[m\].
@@ -302,14 +398,30 @@ impl Spring {
 
     /// Force of a spring without mass \[N\], tension positive.
     ///
-    /// F = k (l − l0)
+    /// F = k (l − l0); of a coil of sections its static curve, with windings that close
     ///
     /// - `length`: l \[m\]
     ///
-    /// Source:   Hooke's law; the paper's F_x.
-    /// Valid:    no initial tension, no clash.
-    /// Accuracy: rounding of the difference of lengths.
+    /// Source:   Hooke's law; the paper's F_x. [`Sections::pushes`].
+    /// Valid:    no initial tension, no clash but that of sections.
+    /// Accuracy: rounding of the difference of lengths; of sections 1e-9.
     pub fn static_force(&self, length: f64) -> f64 {
+        let Some(sections) = self.sections() else { return self.open_force(length) };
+        let [stiffer, _] = self.scales(sections);
+        let [force, _] = sections.pushes(self.parameters.rest_length - length);
+        -stiffer * force
+    }
+
+    /// How the static force grows with a length \[m\] there, in \[N/m\]: k, but for a coil of sections.
+    pub fn rate_at(&self, length: f64) -> f64 {
+        let Some(sections) = self.sections() else { return self.parameters.stiffness };
+        let [stiffer, _] = self.scales(sections);
+        let [_, rate] = sections.pushes(self.parameters.rest_length - length);
+        stiffer * rate
+    }
+
+    /// The force \[N\] of a spring all of whose windings stay open.
+    pub(crate) fn open_force(&self, length: f64) -> f64 {
         self.parameters.stiffness * (length - self.parameters.rest_length)
     }
 }

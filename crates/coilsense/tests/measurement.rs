@@ -27,6 +27,7 @@ fn spring(stiffness: f64, rest_length: f64) -> Spring {
         max_length: 0.264,
         nominal_force: None,
         inductance_windings: None,
+        sections: None,
     };
     Spring::new(parameters).unwrap()
 }

@@ -141,6 +141,7 @@ fn maxwells_sum_of_a_coil_is_that_of_its_spring() {
         max_length: 0.18,
         nominal_force: None,
         inductance_windings: Some(40.4),
+        sections: None,
     };
     let spring = coilsense::Spring::new(parameters).unwrap();
     let coil = Coil::of(&spring).unwrap();

@@ -73,6 +73,7 @@ impl Job {
             max_length: 0.264,
             nominal_force: None,
             inductance_windings: None,
+            sections: None,
         })?)
     }
 

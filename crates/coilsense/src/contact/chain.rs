@@ -3,8 +3,9 @@
 //! Next door: what a contact does (`law`), what damps the lumps (`damper`), how the ends move (`drive`).
 
 use crate::error::{Error, above_zero, check, count, entry};
-use crate::modes::{ModalModel, ModalParameters, chain_spectrum};
+use crate::modes::ModalModel;
 use crate::mount::FarEnd;
+use crate::sections::{Lumps, Sections};
 use crate::spring::Spring;
 
 /// Lumps between two ends. Segment j lies before lump j + 1: segment 0 between end 1 and the first lump, the last one at end 2. Points are
@@ -133,6 +134,9 @@ impl Chain {
         let one = "one where windings meet their seats and end 2 is a mass";
         let is_one = apart == 1 || !matches!(far_end, FarEnd::Mass(_));
         check(!ends || is_one, "masses_per_winding", apart as f64, "", one)?;
+        if let Some(sections) = spring.sections() {
+            return Ok(Self::of_sections(spring, sections, far_end, ends));
+        }
         let pitch = spring.rest_length() / spring.whole_windings() as f64;
         let slack = pitch - contact_pitch;
         let allowed =
@@ -140,27 +144,37 @@ impl Chain {
         check(slack >= -ROUNDING * pitch, "contact_pitch", contact_pitch, "m", allowed)?;
         let gap = slack.max(0.0);
         let stiffness = lumps as f64 * spring.stiffness();
-        let mut masses = vec![spring.mass() / lumps as f64; lumps];
+        let masses = vec![spring.mass() / lumps as f64; lumps];
         let mut stiffnesses = vec![stiffness; lumps + 1];
         (stiffnesses[0], stiffnesses[lumps]) = (2.0 * stiffness, 2.0 * stiffness);
-        let mut pairs: Vec<Pair> = Vec::new();
-        for class in 1..=apart.min(lumps) {
-            let points: Vec<usize> = (class..=lumps).step_by(apart).collect();
-            let of_turn = |points: usize| gap * (points as f64 - 0.5) / apart as f64;
-            if ends {
-                pairs.push(Pair { first: 0, second: class, gap: of_turn(class) });
-            }
-            pairs.extend(points.windows(2).map(|pair| Pair { first: pair[0], second: pair[1], gap }));
-            if let Some(&last) = points.last().filter(|_| ends && far_end != FarEnd::Force) {
-                pairs.push(Pair { first: last, second: lumps + 1, gap: of_turn(lumps + 1 - last) });
-            }
-        }
+        let gap_of = |first: usize, second: usize| match (first, second) {
+            (0, second) => gap * (second as f64 - 0.5) / apart as f64,
+            (first, second) if second > lumps => gap * ((second - first) as f64 - 0.5) / apart as f64,
+            _ => gap,
+        };
+        let pairs = pairs([lumps, apart], ends, far_end, gap_of);
+        Ok(Self::with_far_end(masses, stiffnesses, pairs, far_end))
+    }
+
+    /// The same of a coil of sections: masses in the middle of equal stretches of the wire, each with the gaps that lie between it and the wire a turn
+    /// further on.
+    fn of_sections(spring: &Spring, sections: &Sections, far_end: FarEnd, ends: bool) -> Self {
+        let [stiffer, heavier] = spring.scales(sections);
+        let Lumps { masses, stiffnesses, windings } = sections.lumps(spring.masses_per_winding());
+        let masses: Vec<f64> = masses.iter().map(|mass| heavier * mass).collect();
+        let stiffnesses = stiffnesses.iter().map(|stiffness| stiffer * stiffness).collect();
+        let gap = |first: usize, second: usize| sections.gap_between(windings[first], windings[second]);
+        let pairs = pairs([masses.len(), spring.masses_per_winding()], ends, far_end, gap);
+        Self::with_far_end(masses, stiffnesses, pairs, far_end)
+    }
+
+    fn with_far_end(mut masses: Vec<f64>, mut stiffnesses: Vec<f64>, pairs: Vec<Pair>, far_end: FarEnd) -> Self {
         if let FarEnd::Mass(mass) = far_end {
             masses.push(mass);
             // A stiffness that is not there: end 2 is the mass.
             stiffnesses.push(f64::INFINITY);
         }
-        Ok(Self::trusted(masses, stiffnesses, pairs, far_end))
+        Self::trusted(masses, stiffnesses, pairs, far_end)
     }
 
     /// N: how many lumps there are, an end mass and a follower among them.
@@ -180,7 +194,7 @@ impl Chain {
 
     /// Its modes, for a linear motion: [`crate::Motion::of_modes`] takes them.
     ///
-    /// Source:   singular values of √K S M^(−1/2) by Sturm's count (`modes::bidiagonal`).
+    /// Source:   singular values of √K S M^(−1/2) by Sturm's count (`bidiagonal`).
     /// Valid:    any chain; N² numbers.
     /// Accuracy: 1e-13 of every frequency, the lowest of a thousand masses too (test).
     ///
@@ -197,25 +211,13 @@ impl Chain {
     /// [`Error::Value`] for a chain of nothing but an end mass, and for one on a follower, which is no lump of the spring.
     pub fn modes(&self) -> Result<ModalModel, Error> {
         check(!self.has_follower, "followers", 1.0, "", "none: the modes are those of the spring without it")?;
-        let spectrum = chain_spectrum(&self.masses, &self.stiffnesses);
-        let lumps = self.masses.len();
-        let inner = lumps - usize::from(matches!(self.far_end, FarEnd::Mass(_)));
-        let rows = || spectrum.shapes.chunks_exact(lumps);
-        let end_shapes = match self.far_end {
-            FarEnd::Position => vec![0.0; lumps],
-            // Of the mass; under a force the last segment goes along unstrained.
-            FarEnd::Force | FarEnd::Mass(_) => rows().map(|row| row[lumps - 1]).collect(),
-        };
-        let last = if self.far_end == FarEnd::Force { 1.0 / self.beyond } else { self.stiffnesses[inner] };
-        let parameters = ModalParameters {
-            far_end: self.far_end,
-            masses: self.masses[..inner].to_vec(),
-            places: self.shares[1..=inner].to_vec(),
-            end_segments: [self.stiffnesses[0], last],
-            shapes: rows().flat_map(|row| row[..inner].iter().copied()).collect(),
-            frequencies: spectrum.frequencies.clone(),
-            end_shapes,
-        };
+        let inner = self.masses.len() - usize::from(matches!(self.far_end, FarEnd::Mass(_)));
+        check(inner > 0, "lumps", inner as f64, "", "at least one beside the end mass")?;
+        let mut stiffnesses = self.stiffnesses[..=inner].to_vec();
+        if self.far_end == FarEnd::Force {
+            stiffnesses[inner] = 1.0 / self.beyond;
+        }
+        let parameters = ModalModel::of_lumps(&self.masses[..inner], &stiffnesses, self.far_end);
         ModalModel::new(self.stiffness, parameters)
     }
 
@@ -281,4 +283,21 @@ impl Chain {
     pub(super) fn points(&self) -> usize {
         self.masses.len() + 2
     }
+}
+
+/// Pairs one turn apart, `apart` of `lumps` masses, class by class; with their seats where `ends` says so.
+fn pairs([lumps, apart]: [usize; 2], ends: bool, far_end: FarEnd, gap: impl Fn(usize, usize) -> f64) -> Vec<Pair> {
+    let pair = |first: usize, second: usize| Pair { first, second, gap: gap(first, second) };
+    let mut pairs: Vec<Pair> = Vec::new();
+    for class in 1..=apart.min(lumps) {
+        let points: Vec<usize> = (class..=lumps).step_by(apart).collect();
+        if ends {
+            pairs.push(pair(0, class));
+        }
+        pairs.extend(points.windows(2).map(|points| pair(points[0], points[1])));
+        if let Some(&last) = points.last().filter(|_| ends && far_end != FarEnd::Force) {
+            pairs.push(pair(last, lumps + 1));
+        }
+    }
+    pairs
 }

@@ -17,6 +17,8 @@
 //! # Ok::<(), coilsense::Error>(())
 //! ```
 
+mod at_rest;
+mod begin;
 mod book;
 mod chain;
 mod course;
@@ -31,7 +33,6 @@ mod meet;
 mod path;
 mod polynomial;
 mod run;
-mod sections;
 mod series;
 mod start;
 mod touching;
@@ -44,6 +45,5 @@ pub use follow::follow;
 pub use hertz::Hertz;
 pub use law::{Contact, Law};
 pub use path::Path;
-pub use sections::{Section, Sections};
 pub use start::Start;
 pub use touching::{CHANGE, Touching};

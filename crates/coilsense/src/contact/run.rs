@@ -10,7 +10,7 @@ use super::meet::MARGIN;
 use super::polynomial::{ORDER, Polynomial, value};
 use super::series::{Now, Series, System};
 use super::start::{Start, Watch};
-use super::tridiagonal::Runs;
+use super::tridiagonal::{Runs, pushes};
 use crate::error::{Error, check};
 use crate::mount::FarEnd;
 
@@ -115,7 +115,8 @@ impl<'a> Run<'a> {
         for number in 0..self.rest.len() {
             let pair = self.system.chain.pairs()[number];
             let quantity = format!("distance of points {} and {} at the start", pair.first, pair.second);
-            check(self.gap(number) >= -MARGIN, quantity, self.gap(number), "m", "not below zero: they overlap")?;
+            let may = self.gap(number) >= -MARGIN || self.system.elastic.is_some() && self.begins_closed(number);
+            check(may, quantity, self.gap(number), "m", "not below zero: they overlap")?;
         }
         Ok(())
     }
@@ -130,6 +131,7 @@ impl<'a> Run<'a> {
             self.now.closed[cam] = true;
             self.let_go(None)?;
         }
+        self.hold_what_rests()?;
         let touches = |run: &mut Self, number: usize| !run.now.closed[number] && run.gap(number) <= MARGIN;
         let touching: Vec<usize> =
             (0..self.rest.len()).filter(|&number| touches(self, number) && self.closes(number)).collect();
@@ -171,6 +173,38 @@ impl<'a> Run<'a> {
         self.series.find(self.system, &self.now, self.step);
         self.write_down(f64::MIN_POSITIVE);
         Ok(())
+    }
+
+    /// Whether a pair touches and does not move against each other.
+    fn begins_closed(&self, number: usize) -> bool {
+        let pair = self.system.chain.pairs()[number];
+        self.gap(number) <= MARGIN && self.now.speeds[pair.first] == self.now.speeds[pair.second]
+    }
+
+    /// Holds together what begins closed, as far as it pushes.
+    fn hold_what_rests(&mut self) -> Result<(), GivenUp> {
+        let rests: Vec<bool> =
+            (0..self.rest.len()).map(|number| self.now.closed[number] || self.begins_closed(number)).collect();
+        if rests == self.now.closed {
+            return Ok(());
+        }
+        let pushing = if self.system.elastic.is_some() {
+            rests
+        } else {
+            let opening = self.series.opening(self.system, &self.now, self.step);
+            pushes(self.system.chain, &rests, &opening).ok_or(GivenUp::Solid)?.pushing
+        };
+        for number in (0..pushing.len()).filter(|number| pushing[*number]) {
+            if !self.now.closed[number] {
+                self.book.met(self.system.chain, number, self.now.time, 0.0);
+                self.now.closed[number] = true;
+                if let Some((stiffness, _)) = &self.system.elastic {
+                    let gap = self.gap(number);
+                    self.book.put_in(0.5 * stiffness * gap * gap);
+                }
+            }
+        }
+        self.let_go(None)
     }
 
     /// How long a step lasts \[s\].

@@ -2,6 +2,7 @@
 //!
 //! Next door: the linear motion (`crate::motion`), the chain (`follow`), whether windings meet at all (`crate::measures::Clash`).
 
+use super::begin::{start, unloaded};
 use super::chain::Chain;
 use super::course::{Course, Touch};
 use super::damper::Damper;
@@ -9,7 +10,7 @@ use super::drive::Drive;
 use super::follow::follow_damped;
 use super::law::Contact;
 use super::path::Path;
-use super::start::{Start, Watch};
+use super::start::Watch;
 use crate::error::{Error, check};
 use crate::excitation::{End, EndInput};
 use crate::measures::Clash;
@@ -82,7 +83,7 @@ impl Touching {
         let times = crate::signals::increasing(times)?;
         let signals = motion.signals(times)?;
         let pitch = contact.pitch().unwrap_or(motion.spring().wire_diameter());
-        let is_chain = motion.modes().is_chain();
+        let is_chain = motion.modes().is_chain() || motion.spring().sections().is_some();
         check(
             is_chain,
             "modes",
@@ -109,7 +110,7 @@ impl Touching {
         };
         let run = |larger: f64, watch: Watch| {
             let drives = drives(motion, contact, larger)?;
-            let start = start(motion, &chain, &drives, begin, larger)?;
+            let start = start(motion, contact, &chain, &drives, (begin, larger))?;
             follow_damped(&chain, contact, &damper, &drives, &start, &times[later..], watch)
         };
         let course = run(1.0, watch)?;
@@ -119,7 +120,10 @@ impl Touching {
         let allowed = "one at which windings are not solid between ends that close on them";
         check(later > 0 || !course.input.is_empty(), "start", begin, "s", allowed)?;
         let second = if twice { Some(run(1.0 + CHANGE, Watch::Ends)?) } else { None };
-        let from = first_change(&course).map_or(times.len(), |first| times.partition_point(|time| *time < first));
+        // A course that was given up may end before anything in it has met.
+        let reached = later + course.input.len();
+        let from =
+            first_change(&course).map_or(reached, |first| times.partition_point(|time| *time < first)).min(reached);
         let windings = with_windings.then(|| merged_windings(motion, &course, times, later, from)).transpose()?;
         let signals = merged(motion, signals, &course, later, from)?;
         let changed = second.map(|second| [second.input, second.output]);
@@ -135,7 +139,7 @@ impl Touching {
         let chain = chain_of(motion, contact, pitch)?;
         let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
         let drives = drives(motion, contact, 1.0)?;
-        let start = start(motion, &chain, &drives, 0.0, 1.0)?;
+        let start = start(motion, contact, &chain, &drives, (0.0, 1.0))?;
         follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Forces)
     }
 
@@ -149,7 +153,7 @@ impl Touching {
         let damper = Damper::of(motion.mount().damping(), &chain, motion.modes())?;
         let [_, second] = drives(motion, contact, 1.0)?;
         let drives = [Drive::Path(path), second];
-        let start = start(motion, &chain, &drives, 0.0, 1.0)?;
+        let start = start(motion, contact, &chain, &drives, (0.0, 1.0))?;
         follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Ends)
     }
 
@@ -264,13 +268,6 @@ fn first_near(motion: &Motion, contact: &Contact, chain: &Chain, times: &[f64]) 
     Ok(None)
 }
 
-/// Where the masses of the unloaded spring are \[m\], end 1 at zero.
-fn unloaded(motion: &Motion) -> Vec<f64> {
-    let masses = motion.spring().chain_masses();
-    let rest = motion.spring().rest_length();
-    (0..masses).map(|mass| rest * (mass as f64 + 0.5) / masses as f64).collect()
-}
-
 /// What drives the ends, by a factor larger about the mean. A recording that pushes a follower is a smooth curve through its samples: straight from
 /// sample to sample, each would strike it.
 fn drives(motion: &Motion, contact: &Contact, larger: f64) -> Result<[Drive; 2], Error> {
@@ -285,32 +282,6 @@ fn drives(motion: &Motion, contact: &Contact, larger: f64) -> Result<[Drive; 2],
         (first, _) => Drive::Input(first, 0.0),
     };
     Ok([first, Drive::Input(input(End::Two), about)])
-}
-
-/// The motion's state at a time, by a factor larger about its mean.
-fn start(motion: &Motion, chain: &Chain, drives: &[Drive; 2], time: f64, larger: f64) -> Result<Start, Error> {
-    let spring = motion.spring();
-    let stretch = motion.excitation().mean_length() - spring.rest_length();
-    let windings = motion.windings(&[time])?;
-    let count = spring.chain_masses();
-    let about = |mass: usize| stretch * (mass as f64 + 0.5) / count as f64;
-    let beside = windings.row(0).iter().zip(unloaded(motion)).map(|(position, unloaded)| position - unloaded);
-    let mut places: Vec<f64> =
-        beside.enumerate().map(|(mass, place)| about(mass) + larger * (place - about(mass))).collect();
-    let mut speeds = motion.velocities(time)?;
-    if let FarEnd::Mass(_) = motion.mount().far_end() {
-        let [_, u2] = windings.ends(0);
-        places.push(stretch + larger * (u2 - spring.rest_length() - stretch));
-        speeds.push(motion.end_velocity(time));
-    }
-    speeds.iter_mut().for_each(|speed| *speed *= larger);
-    if chain.base() > 0 {
-        // On the cam, and as fast.
-        let cam = drives[0].series(time, 1.0);
-        places.insert(0, cam[0]);
-        speeds.insert(0, cam[1]);
-    }
-    Ok(Start { time, places, speeds })
 }
 
 /// The motion's signals up to sample `from`, the course's from there on; those that it did not reach are cut off.

@@ -48,7 +48,8 @@ impl<'a> Evaluation<'a> {
     pub(super) fn exact(&mut self, block: &TurnBlock, mut alone: impl FnMut(&TurnBlock, usize) -> f64) -> Columns {
         let scale = 4.0 * MU_0 * self.coil.coil_radius();
         let floor = self.coil.self_part() / scale;
-        let together = (block.samples >= FEWEST).then(|| self.polynomials.sum(block, self.coil.coil_radius(), floor));
+        let together = (block.samples >= FEWEST && self.coil.is_even())
+            .then(|| self.polynomials.sum(block, self.coil.coil_radius(), floor));
         match together.flatten() {
             Some(sums) => sums.map(|sum| self.coil.self_part() + scale * sum),
             None => {
@@ -67,7 +68,8 @@ impl<'a> Evaluation<'a> {
         alone: impl FnMut(&TurnBlock, usize) -> f64,
         mut give: impl FnMut(usize, BoundedInductance),
     ) {
-        let near = if tolerance < ROUNDING || self.is_far(block, tolerance) { None } else { Some(self.near(block)) };
+        let exact_only = tolerance < ROUNDING || !self.coil.is_even();
+        let near = if exact_only || self.is_far(block, tolerance) { None } else { Some(self.near(block)) };
         let good = |value: &BoundedInductance| value.bound <= tolerance * value.inductance;
         let near_enough =
             near.as_ref().map_or(0, |near| near[..block.samples].iter().filter(|value| good(value)).count());

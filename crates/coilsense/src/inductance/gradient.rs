@@ -138,6 +138,7 @@ impl MaxwellSum {
 
     /// The turns of a chain, checked.
     fn checked_turns(&self, ends: [f64; 2], masses: &[f64]) -> Result<Vec<f64>, Error> {
+        self.check_even()?;
         count("masses", masses.len(), self.chain_masses())?;
         finite("u1", ends[0], "m")?;
         finite("u2", ends[1], "m")?;

@@ -6,6 +6,7 @@ use super::carry::Carry;
 use super::coil::Coil;
 use super::mutual::{MU_0, mutual_inductance};
 use super::pairs;
+use super::rings::Rings;
 use super::self_term::SelfDistance;
 use super::uniform;
 use crate::spring::Spring;
@@ -18,7 +19,7 @@ use crate::spring::Spring;
 /// piecewise-linear displacement; the self term counts N_L times.
 ///
 /// Source:   `[Weijde2017]` eqs. 8–11, `[Maxwell1873]` arts. 693 and 701; fractions as in the processing of `[Vlasblom2015]`.
-/// Valid:    one layer of circular rings of one radius, direct current, no core.
+/// Valid:    one layer of circular rings, of one radius but for a coil of sections; direct current, no core.
 /// Accuracy: 2e-15 relative, against 40 digits.
 ///
 /// ```
@@ -38,13 +39,22 @@ pub struct MaxwellSum {
     /// Where the turns sit along the coil, 0 at end 1 and 1 at end 2.
     places: Vec<f64>,
     chain_masses: usize,
+    /// Of a coil of sections, its turns as rings of different radii.
+    rings: Option<Rings>,
 }
 
 impl MaxwellSum {
     /// The sum for a spring.
     pub fn new(spring: &Spring, self_distance: SelfDistance) -> Self {
         let own = self_distance.of_wire(spring.wire_radius());
-        Self::with_chain(spring.inductance_windings(), spring.coil_radius(), own, spring.chain_masses())
+        let even = Self::with_chain(spring.inductance_windings(), spring.coil_radius(), own, spring.chain_masses());
+        match Rings::of(spring, &even.places, self_distance) {
+            Some(rings) => {
+                let self_part = even.windings * rings.own();
+                Self { self_part, rings: Some(rings), ..even }
+            }
+            None => even,
+        }
     }
 
     /// The sum for a coil by itself: a chain of as many masses as turns.
@@ -61,16 +71,20 @@ impl MaxwellSum {
             self_part: windings * mutual_inductance(coil_radius, own),
             places: (0..turns as usize).map(|index| 0.5 + (index as f64 - 0.5 * (turns - 1.0)) / windings).collect(),
             chain_masses,
+            rings: None,
         }
     }
 
-    /// L \[H\] of windings spread uniformly over a length \[m\].
+    /// L \[H\] of windings spread uniformly over a length \[m\]; of a coil of sections as it lies at rest at that length.
     pub fn at_length(&self, length: f64) -> f64 {
         self.at_lengths(&[length])[0]
     }
 
     /// The same for many lengths at once, shape `lengths`.
     pub fn at_lengths(&self, lengths: &[f64]) -> Vec<f64> {
+        if let Some(rings) = self.rings() {
+            return lengths.iter().map(|length| self.of_turns(&rings.at_rest(*length))).collect();
+        }
         let pitches: Vec<f64> = lengths.iter().map(|length| length / self.windings).collect();
         // Uniform windings repeat each distance: Σ_{i<j} is a sum over N − 1 distances.
         let pairs = uniform::sums(self.places.len(), self.coil_radius, &pitches);
@@ -85,6 +99,22 @@ impl MaxwellSum {
         crate::error::count("positions", positions.len(), self.places.len())?;
         crate::error::all_finite("positions", positions, "m")?;
         Ok(self.of_turns(positions))
+    }
+
+    /// Whether its turns are rings of one radius, evenly wound.
+    pub(super) fn is_even(&self) -> bool {
+        self.rings().is_none()
+    }
+
+    #[inline]
+    fn rings(&self) -> Option<&Rings> {
+        if cfg!(feature = "sections") { self.rings.as_ref() } else { None }
+    }
+
+    /// Refuses a coil of sections, for what is of an even one.
+    pub(super) fn check_even(&self) -> Result<(), crate::error::Error> {
+        let allowed = "one radius and one pitch: a coil of sections has its inductance by positions only";
+        crate::error::check(self.is_even(), "radii of the coil", self.coil_radius, "m", allowed).map(|_| ())
     }
 
     /// r \[m\].
@@ -118,6 +148,9 @@ impl MaxwellSum {
     }
 
     pub(super) fn of_turns(&self, turns: &[f64]) -> f64 {
+        if let Some(rings) = self.rings() {
+            return self.self_part + 2.0 * rings.pairs(turns);
+        }
         // Twice 2 μ₀ r: each pair counts in both orders.
         self.self_part + 4.0 * MU_0 * self.coil_radius * pairs::sum(self.coil_radius, turns)
     }

@@ -55,6 +55,7 @@ impl SecondOrder {
     /// # Errors
     /// [`Error::Value`] for a length that is not finite or not above zero.
     pub fn about(coil: &MaxwellSum, length: f64) -> Result<Self, Error> {
+        coil.check_even()?;
         let pitch = above_zero("length", length, "m")? / coil.windings();
         let mut expansion = Expansion::new(coil.places().len());
         expansion.expand(coil, [pitch; LANES]);

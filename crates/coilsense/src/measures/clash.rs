@@ -4,11 +4,13 @@
 
 use crate::error::Error;
 use crate::motion::{Motion, Windings};
+use crate::spring::Spring;
 
 /// How near neighbouring windings come over a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clash {
-    /// Smallest distance between neighbouring windings \[m\], centre to centre; infinite for a single winding.
+    /// Smallest distance between neighbouring windings \[m\], centre to centre; infinite for a single winding. Of a coil of sections, whose windings
+    /// touch at distances of their own, the contact pitch and the smallest clearance.
     pub smallest_pitch: f64,
     /// When \[s\].
     pub time: f64,
@@ -49,27 +51,27 @@ impl Clash {
         crate::error::at_least_one("times", times.len())?;
         crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
         crate::error::above_zero("contact_pitch", contact_pitch, "m")?;
-        let apart = motion.spring().masses_per_winding();
-        let clash = Self::met(times, windings, apart, contact_pitch, None)?;
-        let touches = |sample: &usize| smallest_pitch(windings.row(*sample), apart).0 < contact_pitch;
+        let clash = Self::met(motion.spring(), times, windings, contact_pitch, None)?;
+        let neighbours = Neighbours::of(motion.spring(), contact_pitch);
+        let touches = |sample: &usize| neighbours.smallest_pitch(windings.row(*sample)).0 < contact_pitch;
         let first = if clash.clearance() < 0.0 { (0..times.len()).find(touches) } else { None };
         let first_contact = match first {
             None => None,
             Some(0) => Some(times[0]),
-            Some(sample) => Some(contact_between(motion, contact_pitch, times[sample - 1], times[sample])?),
+            Some(sample) => Some(neighbours.contact_between(motion, times[sample - 1], times[sample])?),
         };
         Ok(Self { first_contact, ..clash })
     }
 
-    /// How near they come where contact is part of the motion ([`crate::contact::Touching`]): `windings` at `times` (shape `samples`), n masses per
-    /// winding, and when anything first met \[s\].
+    /// How near they come where contact is part of the motion ([`crate::contact::Touching`]): `windings` at `times` (shape `samples`), and when anything
+    /// first met \[s\].
     ///
     /// # Errors
     /// As [`Clash::seen`].
     pub fn met(
+        spring: &Spring,
         times: &[f64],
         windings: &Windings,
-        masses_per_winding: usize,
         contact_pitch: f64,
         first_contact: Option<f64>,
     ) -> Result<Self, Error> {
@@ -77,8 +79,9 @@ impl Clash {
         crate::error::count("times", times.len(), windings.samples().min(times.len()))?;
         crate::error::above_zero("contact_pitch", contact_pitch, "m")?;
         let mut clash = Self { smallest_pitch: f64::INFINITY, time: 0.0, winding: 1, contact_pitch, first_contact };
+        let neighbours = Neighbours::of(spring, contact_pitch);
         for (sample, &time) in times.iter().enumerate() {
-            let (pitch, winding) = smallest_pitch(windings.row(sample), masses_per_winding);
+            let (pitch, winding) = neighbours.smallest_pitch(windings.row(sample));
             if pitch < clash.smallest_pitch {
                 (clash.smallest_pitch, clash.winding, clash.time) = (pitch, winding, time);
             }
@@ -109,28 +112,57 @@ impl Clash {
     }
 }
 
-/// Bisects the moment of contact between a time without and a time with it.
-fn contact_between(motion: &Motion, contact_pitch: f64, clear: f64, touching: f64) -> Result<f64, Error> {
-    let (mut clear, mut touching) = (clear, touching);
-    while touching - clear > 1e-12 {
-        let middle = 0.5 * (clear + touching);
-        if middle <= clear || middle >= touching {
-            break;
-        }
-        let windings: Windings = motion.windings(&[middle])?;
-        if smallest_pitch(windings.row(0), motion.spring().masses_per_winding()).0 < contact_pitch {
-            touching = middle;
-        } else {
-            clear = middle;
-        }
-    }
-    Ok(touching)
+/// Masses one turn apart, and where they touch.
+struct Neighbours {
+    /// How many masses a turn has.
+    apart: usize,
+    contact_pitch: f64,
+    /// Of a coil of sections, how much further apart each pair is than the contact pitch when it touches \[m\]; none of an even coil.
+    beyond: Vec<f64>,
 }
 
-/// The smallest distance between masses one turn apart, `apart` of them, and the number of the winding of the first.
-fn smallest_pitch(row: &[f64], apart: usize) -> (f64, usize) {
-    row.iter().zip(&row[apart.min(row.len())..]).map(|(first, next)| next - first).zip(0..).fold(
-        (f64::INFINITY, 1),
-        |least, (pitch, mass)| if pitch < least.0 { (pitch, mass / apart + 1) } else { least },
-    )
+impl Neighbours {
+    fn of(spring: &Spring, contact_pitch: f64) -> Self {
+        let apart = spring.masses_per_winding();
+        let beyond = spring.sections().map_or_else(Vec::new, |sections| {
+            let windings = sections.lumps(apart).windings;
+            let inner = &windings[1..windings.len() - 1];
+            let touching = |(first, second): (&f64, &f64)| {
+                sections.place_at(*second, 0.0) - sections.place_at(*first, 0.0) - sections.gap_between(*first, *second)
+            };
+            inner.iter().zip(&inner[apart.min(inner.len())..]).map(|pair| touching(pair) - contact_pitch).collect()
+        });
+        Self { apart, contact_pitch, beyond }
+    }
+
+    /// The smallest distance between masses one turn apart, and the number of the winding of the first.
+    fn smallest_pitch(&self, row: &[f64]) -> (f64, usize) {
+        let apart = self.apart;
+        let beyond = |mass: usize| self.beyond.get(mass).copied().unwrap_or(0.0);
+        let each = row.iter().zip(&row[apart.min(row.len())..]).zip(0..);
+        each.map(|((first, next), mass)| (next - first - beyond(mass), mass)).fold(
+            (f64::INFINITY, 1),
+            |least, (pitch, mass)| {
+                if pitch < least.0 { (pitch, mass / apart + 1) } else { least }
+            },
+        )
+    }
+
+    /// Bisects the moment of contact between a time without and a time with it.
+    fn contact_between(&self, motion: &Motion, clear: f64, touching: f64) -> Result<f64, Error> {
+        let (mut clear, mut touching) = (clear, touching);
+        while touching - clear > 1e-12 {
+            let middle = 0.5 * (clear + touching);
+            if middle <= clear || middle >= touching {
+                break;
+            }
+            let windings: Windings = motion.windings(&[middle])?;
+            if self.smallest_pitch(windings.row(0)).0 < self.contact_pitch {
+                touching = middle;
+            } else {
+                clear = middle;
+            }
+        }
+        Ok(touching)
+    }
 }

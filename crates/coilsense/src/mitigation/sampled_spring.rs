@@ -32,6 +32,7 @@ impl SampledSpring {
     /// [`Error::Value`] for a rate that is not above twice the first surge frequency, a damping ratio of 1 or more, or a loss factor;
     /// [`Error::Count`] where damping for each mode is given for another number of modes.
     pub fn new(spring: &Spring, damping: &Damping, rate: f64) -> Result<Self, Error> {
+        spring.check_uniform("observers")?;
         Self::check_rate(spring, rate)?;
         let modes = ChainModes::of(spring);
         let ratios = damping.clone().checked()?.ratios(modes.frequencies())?;

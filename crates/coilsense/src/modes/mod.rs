@@ -2,7 +2,6 @@
 //!
 //! Next door: the roots for an end mass (`end_mass`), the continuous coil (`continuous`), the response over time (`motion`) and over frequency (`transmittance`).
 
-mod bidiagonal;
 mod continuous;
 mod end_mass;
 mod model;
@@ -12,7 +11,6 @@ use std::f64::consts::PI;
 use crate::error::{Error, check};
 use crate::mount::FarEnd;
 use crate::spring::Spring;
-pub(crate) use bidiagonal::chain_spectrum;
 pub(crate) use continuous::end_mass_root;
 pub use continuous::{continuous_frequencies, third_rule_error, third_rule_frequency};
 use end_mass::Angle;

@@ -2,6 +2,7 @@
 //!
 //! Next door: the chain's modes in closed form (the parent), those of a continuous wire (`wire`), the motion that is built from them (`motion`).
 
+mod of_sections;
 mod tied;
 mod wire;
 
@@ -43,6 +44,9 @@ pub struct ModalModel {
     /// Mass of end 2 over that; zero but for an end mass.
     relative_end_mass: f64,
     shapes: Shapes,
+    /// How much further from end 1 each mass of the unloaded spring is than its share of the length \[m\], shape `N`; none where the coil is evenly
+    /// wound.
+    offsets: Vec<f64>,
 }
 
 /// Where the masses are, and how they move.
@@ -127,8 +131,11 @@ fn check_rising(quantity: &'static str, unit: &'static str, values: &[f64], top:
 }
 
 impl ModalModel {
-    /// The modes of a spring's chain with end 2 tied to `far_end`.
+    /// The modes of a spring's chain with end 2 tied to `far_end`; of a coil of sections those of its unequal masses, all windings open.
     pub fn chain(spring: &Spring, far_end: FarEnd) -> Self {
+        if let Some(sections) = spring.sections() {
+            return Self::of_sections(spring, sections, far_end);
+        }
         let modes = ChainModes::mounted(spring, far_end);
         let ChainModes { shapes, relative_end_mass, frequencies, norms, end_shapes, rigid, second, .. } = modes;
         Self {
@@ -143,6 +150,7 @@ impl ModalModel {
             mean_mass: spring.mass() / shapes.masses as f64,
             relative_end_mass,
             shapes: Shapes::Chain(shapes),
+            offsets: Vec::new(),
         }
     }
 
@@ -161,6 +169,10 @@ impl ModalModel {
     pub fn new(stiffness: f64, parameters: ModalParameters) -> Result<Self, Error> {
         parameters.check()?;
         check_each("stiffness", "N/m", &[stiffness])?;
+        Ok(Self::trusted(stiffness, parameters))
+    }
+
+    fn trusted(stiffness: f64, parameters: ModalParameters) -> Self {
         let ModalParameters { far_end, masses, places, end_segments, frequencies, shapes, end_shapes } = parameters;
         let (places_count, modes) = (masses.len(), frequencies.len());
         let end_mass = if let FarEnd::Mass(mass) = far_end { mass } else { 0.0 };
@@ -178,6 +190,7 @@ impl ModalModel {
             mean_mass: mean,
             relative_end_mass: end_mass / mean,
             shapes: Shapes::Table { masses: Vec::new(), places: Vec::new(), shapes: Vec::new() },
+            offsets: Vec::new(),
         };
         for (shape, end) in shapes.chunks_exact(places_count).zip(model.end_shapes.clone()) {
             let sum = |value: &dyn Fn(usize) -> f64, of_end: f64| {
@@ -200,7 +213,7 @@ impl ModalModel {
             model.weights[1].push(end_segments[1] / end_segments[0] * (end - shape[places_count - 1]));
         }
         model.shapes = Shapes::Table { masses, places, shapes };
-        Ok(model)
+        model
     }
 
     /// The first `count` of these modes.
@@ -285,6 +298,16 @@ impl ModalModel {
             Shapes::Chain(_) | Shapes::Wire { .. } => (mass as f64 - 0.5) / self.masses() as f64,
             Shapes::Table { places, .. } => places[mass - 1],
         }
+    }
+
+    /// How much further mass `mass`, the number trusted, is from end 1 of the unloaded spring than its share of the length \[m\].
+    pub(crate) fn offset_at(&self, mass: usize) -> f64 {
+        self.offsets.get(mass - 1).copied().unwrap_or(0.0)
+    }
+
+    /// Whether the unloaded coil is evenly wound.
+    pub(crate) fn is_evenly_wound(&self) -> bool {
+        self.offsets.is_empty()
     }
 
     /// m_i over the mean \[1\], the number trusted.

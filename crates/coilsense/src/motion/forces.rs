@@ -103,7 +103,7 @@ impl Motion {
     /// F_s \[N\] under inputs counted from their means.
     pub(super) fn static_force_of(&self, [first, second]: [f64; 2]) -> f64 {
         let [first, second] = self.line_of([first, second]);
-        self.spring.static_force(second - first)
+        self.spring.open_force(second - first)
     }
 
     /// What a unit of an input adds to F_s.

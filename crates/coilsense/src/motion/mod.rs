@@ -203,10 +203,13 @@ impl Motion {
         let shape = |mode: usize, place: usize| self.modes.shape_at(mode + 1, place + 1);
         let mut placing = Placing::new(masses, self.modes.count(), self.modes.is_mirrored(), shape);
         let places: Vec<f64> = (1..=masses).map(|mass| self.modes.place_at(mass)).collect();
+        let evenly = self.modes.is_evenly_wound();
+        let offsets: Vec<f64> = (1..=masses).filter(|_| !evenly).map(|mass| self.modes.offset_at(mass)).collect();
         self.for_each_block(times, |block| {
             let displacements = placing.displace(&block);
             windings.place(block.samples, displacements, &places, &lines);
         })?;
+        windings.shift(&offsets);
         Ok(windings)
     }
 

@@ -14,7 +14,7 @@ const ROUNDING: f64 = 1e-12;
 
 impl Motion {
     /// A distance \[m\] below which no two neighbouring windings come, centre to centre, for 0 ≤ t ≤ `until`; minus infinity where none
-    /// can be stated, infinity for a single winding.
+    /// can be stated, as of a coil that is not evenly wound, infinity for a single winding.
     ///
     /// p ≥ min(û2 − u1)/N − Σ_j Q_j min(ω_jτ/N, 2); Q_j bounds |q_j| over the time, and over one turn, n masses,
     /// |φ_j(i+n) − φ_j(i)| ≤ 2n sin(θ_j/2) = ω_jτ/N, and never more than 2
@@ -40,6 +40,9 @@ impl Motion {
         let turns = self.spring.whole_windings();
         if turns < 2 {
             return f64::INFINITY;
+        }
+        if !self.modes.is_evenly_wound() {
+            return f64::NEG_INFINITY;
         }
         let apart = self.modes.masses() / turns;
         let pushes = self.inputs().map(|input| Push::of(input, until));

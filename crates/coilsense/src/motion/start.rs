@@ -38,8 +38,11 @@ impl Motion {
             }
             Start::Windings { positions, velocities } => {
                 count(called("positions", "start positions"), positions.len(), self.modes.masses())?;
+                let each = positions.iter().enumerate();
+                let evenly: Vec<f64> =
+                    each.map(|(index, position)| position - self.modes.offset_at(index + 1)).collect();
                 ModalState {
-                    coordinates: self.modes.project(&self.less_line(positions, [u[0], mean + u[1]]), -u[1]),
+                    coordinates: self.modes.project(&self.less_line(&evenly, [u[0], mean + u[1]]), -u[1]),
                     rates: self.modes.project(&self.less_line(velocities, v), -v[1]),
                 }
             }

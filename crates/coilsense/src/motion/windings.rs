@@ -50,6 +50,16 @@ impl Windings {
         }
     }
 
+    /// Moves each mass by what belongs to it \[m\], shape `N`; none where there is nothing.
+    pub(super) fn shift(&mut self, offsets: &[f64]) {
+        if offsets.is_empty() {
+            return;
+        }
+        for row in self.positions.chunks_exact_mut(self.count) {
+            row.iter_mut().zip(offsets).for_each(|(position, offset)| *position += offset);
+        }
+    }
+
     /// The centres of whole windings of `masses` masses each: that of the middle mass, or half way between the two in the middle.
     ///
     /// # Errors

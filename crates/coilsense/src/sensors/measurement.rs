@@ -43,7 +43,7 @@ pub struct SpringDoubt {
 /// use coilsense::uncertainty::Budget;
 /// # let spring = coilsense::Spring::new(coilsense::SpringParameters { rest_length: 0.104, windings: 52.0,
 /// #     coil_radius: 0.008, wire_radius: 0.001, mass: 0.065, stiffness: 760.0, min_length: 0.196,
-/// #     max_length: 0.264, nominal_force: None, inductance_windings: None })?;
+/// #     max_length: 0.264, nominal_force: None, inductance_windings: None, sections: None })?;
 ///
 /// let coil = MaxwellSum::new(&spring, SelfDistance::default());
 /// let site = Site { spring: &spring, coil: &coil, mean_length: 0.204 };

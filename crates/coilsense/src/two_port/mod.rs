@@ -83,6 +83,7 @@ impl TwoPort {
     /// [`Error::Value`] where a number of the damping is not finite, below zero or above 1e12; [`Error::Count`] where modal ratios are
     /// not exactly one for each mass.
     pub fn chain(spring: &Spring, damping: Damping) -> Result<Self, Error> {
+        spring.check_uniform("its two-port")?;
         let masses = spring.chain_masses();
         let damping = moderate(damping)?;
         if let Some(loss) = Loss::of(&damping) {
@@ -102,6 +103,7 @@ impl TwoPort {
     /// # Errors
     /// [`Error::Value`] as [`Self::chain`]; [`Error::Count`] where modal ratios are an empty series.
     pub fn wave(spring: &Spring, damping: Damping) -> Result<Self, Error> {
+        spring.check_uniform("its two-port")?;
         let damping = moderate(damping)?;
         let law = match (Loss::of(&damping), damping) {
             (Some(loss), _) => Law::Wave(loss),

@@ -65,6 +65,7 @@ pub fn spring(masses: usize) -> Spring {
         max_length: 0.05,
         nominal_force: None,
         inductance_windings: None,
+        sections: None,
     };
     Spring::new(parameters).unwrap().with_masses_per_winding(masses).unwrap()
 }

@@ -197,6 +197,7 @@ fn spring_holds(case: Use) -> Result<(), TestCaseError> {
         max_length: 0.99 * rest_length,
         nominal_force: None,
         inductance_windings: None,
+        sections: None,
     });
     let spring = spring.unwrap().with_masses_per_winding(case.masses).unwrap();
     let far_end = [FarEnd::Position, FarEnd::Force, FarEnd::Mass(0.05)][case.far_end];

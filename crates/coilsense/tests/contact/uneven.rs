@@ -2,10 +2,23 @@
 
 use std::f64::consts::PI;
 
-use coilsense::contact::{Chain, Contact, Drive, Path, Section, Sections, Start, follow};
-use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, excitation, paper};
+use coilsense::contact::{Chain, Contact, Drive, Path, Start, follow};
+use coilsense::sections::{Section, Sections};
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, excitation, paper};
 
 const NEVER: f64 = f64::INFINITY;
+
+/// The chain of a coil, without seats.
+fn chain_of(coil: &Sections, masses: usize) -> Chain {
+    let spring = wound(coil, masses);
+    Chain::of(&spring, FarEnd::Position, spring.wire_diameter(), false).unwrap()
+}
+
+fn wound(coil: &Sections, masses: usize) -> Spring {
+    let solid = coil.place_at(coil.windings(), coil.solid_force());
+    let spring = Spring::of_sections(coil.clone(), 0.0, (solid * 1.001, coil.span())).unwrap();
+    spring.with_masses_per_winding(masses).unwrap()
+}
 
 /// What holds the ends of the progressive spring \[N/m\].
 const STIFF: f64 = 3e6;
@@ -179,7 +192,7 @@ fn a_uniform_section_is_the_uniform_chain() {
     let parts = [1.5, 2.0, 2.5].map(|windings| Section { windings, ..uniform });
     let parts = Sections::new(parts.to_vec(), 79.3e9, 7850.0).unwrap();
     for masses in [1, 4] {
-        let (whole, parts) = (whole.chain(masses).unwrap(), parts.chain(masses).unwrap());
+        let (whole, parts) = (chain_of(&whole, masses), chain_of(&parts, masses));
         let frequency = |mode: usize, lumps: usize| {
             let (k, m) = (whole.stiffness(), whole.masses().iter().sum::<f64>());
             2.0 * lumps as f64 * (k / m).sqrt() * (0.5 * mode as f64 * PI / lumps as f64).sin()
@@ -213,7 +226,7 @@ fn a_chain_of_sections_pressed_slowly_follows_their_static_curve() {
     let coil = Sections::new(vec![section], 79.3e9, 7850.0).unwrap();
     let stroke = 0.9 * coil.compression(coil.solid_force()).unwrap();
     let apart = |masses: usize, by_turns: bool| {
-        let chain = coil.chain(masses).unwrap();
+        let chain = chain_of(&coil, masses);
         let lumps = chain.lumps();
         let chain = if by_turns {
             chain

@@ -38,6 +38,7 @@ fn drawn(parameters: GeometryParameters, min_length: f64, max_length: f64) -> Ca
         max_length,
         nominal_force: None,
         inductance_windings: None,
+        sections: None,
     });
     (spring.unwrap(), geometry)
 }

@@ -235,6 +235,7 @@ fn long_and_flat() -> Case {
         max_length: 1.05 * rest,
         nominal_force: None,
         inductance_windings: None,
+        sections: None,
     });
     let spring = spring.unwrap();
     let geometry = Geometry::of_spring(&spring, EndType::Hooks, steel()).unwrap();

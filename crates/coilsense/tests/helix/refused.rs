@@ -148,6 +148,7 @@ proptest! {
             max_length: 2.0 * parameters.rest_span,
             nominal_force: None,
             inductance_windings: None,
+            sections: None,
         });
         let (Ok(spring), Ok(helix)) = (spring, Helix::new(&rod, span, Turning::Held)) else { return Ok(()) };
         let geometry = Geometry::of_spring(&spring, EndType::Hooks, steel()).unwrap();

@@ -89,6 +89,7 @@ pub fn own() -> Spring {
         max_length: 0.095,
         nominal_force: None,
         inductance_windings: None,
+        sections: None,
     })
     .expect("a spring that can be")
 }

@@ -84,6 +84,7 @@ impl ModalModel {
             mean_mass: self.mean_mass,
             relative_end_mass: mass / self.mean_mass,
             shapes: Shapes::Wire { count, shapes: Vec::new(), inertia: *inertia, tied: None },
+            offsets: Vec::new(),
         };
         let (mut own_shapes, mut parts) = (Vec::with_capacity(size * count), Vec::with_capacity(size * size));
         for index in order {

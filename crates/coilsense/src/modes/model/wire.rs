@@ -68,6 +68,7 @@ impl ModalModel {
             mean_mass,
             relative_end_mass: 0.0,
             shapes: Shapes::Wire { count, shapes, inertia, tied: None },
+            offsets: Vec::new(),
         }
     }
 

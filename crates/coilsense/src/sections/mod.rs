@@ -1,13 +1,19 @@
 //! A coil wound in sections: pitch and diameter may change along each, so that it gets stiffer as windings close.
 //!
-//! Next door: the chain that stands for it (`chain`), what happens when windings close fast (`follow`).
+//! Next door: the spring that it makes (`crate::spring`), what happens when windings close fast (`crate::contact`).
+
+mod curve;
+mod lumps;
+mod polynomial;
+mod stress;
 
 use std::f64::consts::PI;
 
-use super::chain::{Chain, Pair};
 use crate::error::{Error, above_zero, at_least_one, check, entry, from_zero};
-use crate::mount::FarEnd;
 use crate::quadrature::panel;
+use curve::Curve;
+pub(crate) use lumps::Lumps;
+use polynomial::{Polynomial, at, difference, integral, product, rate, roots, value};
 
 /// One stretch of a coil; what has two values changes evenly from its end towards end 1 to its end towards end 2.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +33,7 @@ pub struct Section {
 /// A coil of sections, from end 1 on, checked.
 ///
 /// ```
-/// use coilsense::contact::{Section, Sections};
+/// use coilsense::sections::{Section, Sections};
 /// // A cone whose windings go into one another: gets stiffer from 317.2 N on.
 /// let cone = Section { windings: 5.0, pitch: [8e-3; 2], coil_diameter: [40e-3, 20e-3], wire_diameter: 4e-3, telescopes: true };
 /// let coil = Sections::new(vec![cone], 79.3e9, 7850.0)?;
@@ -41,6 +47,9 @@ pub struct Sections {
     sections: Vec<Section>,
     shear_modulus: f64,
     density: f64,
+    curve: Curve,
+    /// ω_1 of the open coil with both ends held \[rad/s\].
+    first: f64,
 }
 
 /// Rounding of a compression, relative.
@@ -71,7 +80,17 @@ impl Sections {
                 check(fits, entry("pitch", index), section.pitch[end], "m", allowed)?;
             }
         }
-        Ok(Self { sections, shear_modulus, density })
+        let mut coil = Self { sections, shear_modulus, density, curve: Curve::default(), first: 0.0 };
+        let solid = coil.solid_force();
+        check(solid > 0.0, "pitch", coil.span(), "m", "above the wire's diameter somewhere: this coil is solid")?;
+        coil.curve = Curve::of(&coil);
+        coil.first = coil.first_frequency_at(-1.0).unwrap_or(f64::INFINITY);
+        Ok(coil)
+    }
+
+    /// The sections, from end 1 on.
+    pub fn sections(&self) -> &[Section] {
+        &self.sections
     }
 
     /// All windings \[1\].
@@ -104,16 +123,39 @@ impl Sections {
         self.closing(f64::max, 0.0)
     }
 
-    /// The same of an end of each section, or of the place where gap over compliance turns.
     fn closing(&self, of: fn(f64, f64) -> f64, start: f64) -> f64 {
-        let each = self.sections.iter().flat_map(|section| {
+        self.closings().fold(start, of)
+    }
+
+    /// Forces at which a section begins to close, has closed, or turns from one to the other, ascending \[N\]: between them the static curve is
+    /// smooth.
+    pub fn knees(&self) -> Vec<f64> {
+        let mut knees: Vec<f64> = self.closings().collect();
+        knees.sort_by(f64::total_cmp);
+        let solid = knees.last().copied().unwrap_or(0.0);
+        knees.dedup_by(|a, b| (*a - *b).abs() <= 1e-12 * solid);
+        knees
+    }
+
+    /// Closing forces at an end of each section, and where gap over compliance turns.
+    fn closings(&self) -> impl Iterator<Item = f64> {
+        self.sections.iter().flat_map(|section| {
             let (gap, compliance) = (section.gap(), section.compliance(self.shear_modulus));
             // (g/c)' = 0 where g' c = g c'.
             let turns = roots(&difference(&product(&rate(&gap), &compliance), &product(&gap, &rate(&compliance))));
             let places = turns.into_iter().chain([0.0, 1.0]);
             places.map(move |place| value(&gap, place) / value(&compliance, place)).collect::<Vec<f64>>()
-        });
-        each.fold(start, of)
+        })
+    }
+
+    /// The force \[N\] with which a coil at rest pushes when it is `compression` \[m\] shorter than unloaded, and how it grows \[N/m\], from a table;
+    /// below zero where it is pulled. Shorter than solid, where no spring goes, it goes on as the open coil does.
+    ///
+    /// Source:   [`Self::compression`], turned round.
+    /// Valid:    as there.
+    /// Accuracy: 1e-9 of the force (test).
+    pub fn pushes(&self, compression: f64) -> [f64; 2] {
+        self.curve.at(compression, self.stiffness())
     }
 
     /// By how much a force \[N\] shortens the coil at rest \[m\].
@@ -176,32 +218,18 @@ impl Sections {
         })
     }
 
-    /// The chain that stands for it with both ends' positions prescribed: about `masses_per_winding` equal stretches a winding, a mass in the
-    /// middle of each; a mass meets the one a winding further on.
-    ///
-    /// # Errors
-    /// [`Error::Value`] for no mass per winding.
-    pub fn chain(&self, masses_per_winding: usize) -> Result<Chain, Error> {
-        at_least_one("masses_per_winding", masses_per_winding)?;
-        let windings = self.windings();
-        let lumps = ((windings * masses_per_winding as f64).round() as usize).max(1);
-        let width = windings / lumps as f64;
-        let middle = |lump: usize| (lump as f64 + 0.5) * width;
-        let masses = (0..lumps).map(|lump| self.mass_between(lump as f64 * width, (lump + 1) as f64 * width)).collect();
-        let mut places: Vec<f64> = (0..lumps).map(middle).collect();
-        places.insert(0, 0.0);
-        places.push(windings);
-        let stiffnesses =
-            places.windows(2).map(|pair| 1.0 / self.compliance_between(pair[0], pair[1])).collect::<Vec<f64>>();
-        let apart = masses_per_winding;
-        let of_class = |class: usize| (class..=lumps).step_by(apart).zip((class + apart..=lumps).step_by(apart));
-        let pair = |(first, second): (usize, usize)| {
-            let gap =
-                self.between(places[first], places[second], |section, from, to| integral(&section.gap(), from, to));
-            Pair { first, second, gap: gap.max(0.0) }
-        };
-        let pairs = (1..=apart).flat_map(of_class).map(pair).collect();
-        Ok(Chain::trusted(masses, stiffnesses, pairs, FarEnd::Position))
+    /// Radii of coil and wire at a place along the wire, `windings` from end 1 \[m\].
+    pub fn radii_at(&self, windings: f64) -> [f64; 2] {
+        let mut begin = 0.0;
+        let last = self.sections.len() - 1;
+        for (number, section) in self.sections.iter().enumerate() {
+            let place = (windings - begin) / section.windings;
+            if place <= 1.0 || number == last {
+                return [0.5 * at(section.coil_diameter, place.clamp(0.0, 1.0)), 0.5 * section.wire_diameter];
+            }
+            begin += section.windings;
+        }
+        [0.0; 2]
     }
 
     fn compliance_between(&self, from: f64, to: f64) -> f64 {
@@ -248,76 +276,53 @@ impl Section {
         [self.pitch[0] - closed, self.pitch[1] - self.pitch[0], 0.0, 0.0, 0.0]
     }
 
-    /// Under a force: compression \[m\], and its growth with the force \[m/N\].
-    fn compression(&self, force: f64, shear_modulus: f64) -> [f64; 2] {
+    /// p over a section's place \[m\].
+    fn pitch_over_place(&self) -> Polynomial {
+        [self.pitch[0], self.pitch[1] - self.pitch[0], 0.0, 0.0, 0.0]
+    }
+
+    /// Stretches between places at which windings are just closed, and whether they are open.
+    fn parts(&self, force: f64, shear_modulus: f64) -> Vec<([f64; 2], bool)> {
         let (gap, compliance) = (self.gap(), self.compliance(shear_modulus));
         let pressed = compliance.map(|value| force * value);
         let mut places = roots(&difference(&pressed, &gap));
         places.insert(0, 0.0);
         places.push(1.0);
-        places.windows(2).fold([0.0; 2], |[x, softness], pair| {
+        let part = |pair: &[f64]| {
             let middle = 0.5 * (pair[0] + pair[1]);
-            let (is_open, windings) = (value(&pressed, middle) < value(&gap, middle), self.windings);
-            if is_open {
-                let soft = windings * integral(&compliance, pair[0], pair[1]);
-                [x + force * soft, softness + soft]
+            ([pair[0], pair[1]], force <= 0.0 || value(&pressed, middle) < value(&gap, middle))
+        };
+        places.windows(2).map(part).collect()
+    }
+
+    /// Stretches that are open under a force, by places.
+    fn open_parts(&self, force: f64, shear_modulus: f64) -> Vec<[f64; 2]> {
+        self.parts(force, shear_modulus).into_iter().filter(|(_, is_open)| *is_open).map(|(part, _)| part).collect()
+    }
+
+    /// Under a force: compression \[m\], and its growth with the force \[m/N\].
+    fn compression(&self, force: f64, shear_modulus: f64) -> [f64; 2] {
+        let compliance = self.compliance(shear_modulus);
+        let open = self.open_parts(force, shear_modulus);
+        let soft = open.iter().map(|[from, to]| self.windings * integral(&compliance, *from, *to)).sum();
+        [self.pressed_between(force, shear_modulus, [0.0, 1.0]), soft]
+    }
+
+    /// Compression of the stretch between two places under a force \[m\].
+    fn pressed_between(&self, force: f64, shear_modulus: f64, [low, high]: [f64; 2]) -> f64 {
+        let (gap, compliance) = (self.gap(), self.compliance(shear_modulus));
+        let of_part = |([from, to], is_open): ([f64; 2], bool)| {
+            let (from, to) = (from.max(low), to.min(high));
+            if to <= from {
+                0.0
+            } else if is_open {
+                force * integral(&compliance, from, to)
             } else {
-                [x + windings * integral(&gap, pair[0], pair[1]), softness]
+                integral(&gap, from, to)
             }
-        })
+        };
+        self.windings * self.parts(force, shear_modulus).into_iter().map(of_part).sum::<f64>()
     }
-}
-
-/// Of a place from 0 to 1, lowest power first.
-type Polynomial = [f64; 5];
-
-fn at([first, last]: [f64; 2], place: f64) -> f64 {
-    first + place * (last - first)
-}
-
-fn value(p: &Polynomial, place: f64) -> f64 {
-    p.iter().rev().fold(0.0, |sum, coefficient| sum * place + coefficient)
-}
-
-fn rate(p: &Polynomial) -> Polynomial {
-    [p[1], 2.0 * p[2], 3.0 * p[3], 4.0 * p[4], 0.0]
-}
-
-fn difference(p: &Polynomial, q: &Polynomial) -> Polynomial {
-    std::array::from_fn(|power| p[power] - q[power])
-}
-
-/// The product, which is of no higher power than the fourth.
-fn product(p: &Polynomial, q: &Polynomial) -> Polynomial {
-    std::array::from_fn(|power| (0..=power).map(|first| p[first] * q[power - first]).sum())
-}
-
-fn integral(p: &Polynomial, from: f64, to: f64) -> f64 {
-    let sum = |place: f64| {
-        p.iter().enumerate().rev().fold(0.0, |sum, (power, value)| sum * place + value / (power + 1) as f64) * place
-    };
-    sum(to) - sum(from)
-}
-
-/// Where it crosses zero between 0 and 1, ascending: halved between the places at which it turns.
-fn roots(p: &Polynomial) -> Vec<f64> {
-    if p[1..].iter().all(|coefficient| *coefficient == 0.0) {
-        return Vec::new();
-    }
-    let mut turns = roots(&rate(p));
-    turns.insert(0, 0.0);
-    turns.push(1.0);
-    let crosses = |pair: &&[f64]| (value(p, pair[0]) < 0.0) != (value(p, pair[1]) < 0.0);
-    let root = |pair: &[f64]| {
-        let (mut low, mut high) = (pair[0], pair[1]);
-        let begins_below = value(p, low) < 0.0;
-        for _ in 0..100 {
-            let middle = 0.5 * (low + high);
-            if (value(p, middle) < 0.0) == begins_below { low = middle } else { high = middle }
-        }
-        0.5 * (low + high)
-    };
-    turns.windows(2).filter(crosses).map(root).collect()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Frequencies and shapes of a chain of unequal masses and segments, each to its own last digits.
 //!
-//! Next door: the closed form of the uniform chain (the parent), what a motion takes of them (`model`).
+//! Next door: the closed form of the uniform chain and what a motion takes of them (`crate::modes`).
 
 /// Halvings after which a frequency is known to rounding.
 const HALVINGS: usize = 64;
@@ -23,24 +23,48 @@ pub(crate) struct ChainSpectrum {
 /// Valid:    any chain; frequencies that lie within 1e-13 of one another share what their shapes span.
 /// Accuracy: 1e-14 of each frequency, 1e-9 of shapes of a thousand masses (test).
 pub(crate) fn chain_spectrum(masses: &[f64], stiffnesses: &[f64]) -> ChainSpectrum {
-    // Segment, mass, segment, …: what couples each to the next, squared.
-    let squares: Vec<f64> =
-        masses.iter().enumerate().flat_map(|(mass, m)| [stiffnesses[mass] / m, stiffnesses[mass + 1] / m]).collect();
-    let is_free = stiffnesses.last() == Some(&0.0);
-    let squares = if is_free { &squares[..squares.len() - 1] } else { &squares[..] };
-    // Below zero there are as many as above, and one at zero where a segment is at either end.
-    let below = masses.len() + usize::from(!is_free);
-    let pairs = squares.windows(2).map(|pair| pair[0].sqrt() + pair[1].sqrt());
-    let top = pairs.fold(squares.iter().fold(0.0_f64, |most, square| most.max(square.sqrt())), f64::max);
+    let Matrix { squares, below, top } = Matrix::of(masses, stiffnesses);
+    let squares = &squares;
     let mut spectrum = ChainSpectrum { frequencies: Vec::new(), shapes: Vec::new() };
     let mut lower = 0.0;
     for mode in 1..=masses.len() {
-        let frequency = find(squares, below + mode, lower, top * (1.0 + 1e-14));
+        let frequency = find(squares, below + mode, lower, top);
         lower = frequency * (1.0 - 1e-12);
         spectrum.frequencies.push(frequency);
         spectrum.shapes.extend(shape(squares, frequency, masses));
     }
     spectrum
+}
+
+/// ω_1 \[rad/s\] of such a chain alone.
+pub(crate) fn first_frequency(masses: &[f64], stiffnesses: &[f64]) -> f64 {
+    let Matrix { squares, below, top } = Matrix::of(masses, stiffnesses);
+    find(&squares, below + 1, 0.0, top)
+}
+
+/// The symmetric tridiagonal matrix with a diagonal of zeros.
+struct Matrix {
+    /// What couples segment, mass, segment, … each to the next, squared.
+    squares: Vec<f64>,
+    /// Eigenvalues that are not above zero: as many below as above, and one at zero where a segment is at either end.
+    below: usize,
+    /// A bound on all of them.
+    top: f64,
+}
+
+impl Matrix {
+    fn of(masses: &[f64], stiffnesses: &[f64]) -> Self {
+        let each = masses.iter().enumerate();
+        let mut squares: Vec<f64> =
+            each.flat_map(|(mass, m)| [stiffnesses[mass] / m, stiffnesses[mass + 1] / m]).collect();
+        let is_free = stiffnesses.last() == Some(&0.0);
+        if is_free {
+            squares.pop();
+        }
+        let pairs = squares.windows(2).map(|pair| pair[0].sqrt() + pair[1].sqrt());
+        let top = pairs.fold(squares.iter().fold(0.0_f64, |most, square| most.max(square.sqrt())), f64::max);
+        Self { squares, below: masses.len() + usize::from(!is_free), top: top * (1.0 + 1e-14) }
+    }
 }
 
 /// The `number`th eigenvalue from below, which lies between two bounds.
