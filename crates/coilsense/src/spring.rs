@@ -404,7 +404,7 @@ impl Spring {
     ///
     /// Source:   Hooke's law; the paper's F_x. [`Sections::pushes`].
     /// Valid:    no initial tension, no clash but that of sections.
-    /// Accuracy: rounding of the difference of lengths; of sections 1e-9.
+    /// Accuracy: rounding of the difference of lengths; of sections 1e-7.
     pub fn static_force(&self, length: f64) -> f64 {
         let Some(sections) = self.sections() else { return self.open_force(length) };
         let [stiffer, _] = self.scales(sections);

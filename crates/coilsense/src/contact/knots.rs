@@ -4,6 +4,7 @@
 
 use super::book::energy;
 use super::course::GivenUp;
+use super::meet::even_out;
 use super::polynomial::value;
 use super::run::Run;
 
@@ -27,11 +28,17 @@ impl Run<'_> {
         let chain = self.system.chain;
         let last = chain.lumps() + 1;
         let before = [self.now.places[0], self.now.places[last]];
+        let speeds = [self.now.speeds[0], self.now.speeds[last]];
         let force = |run: &Self, time: f64| run.system.drives[1].series(time, 1.0)[0];
         let old_force = if chain.is_open() { value(&self.series.force, 1.0) } else { 0.0 };
         let energy_before = energy(self.system, &self.now);
         self.drive_ends();
         self.stand_on_cam();
+        let faster = (self.now.speeds[0] - speeds[0]).abs().max((self.now.speeds[last] - speeds[1]).abs());
+        if faster <= PIECES_APART {
+            // What lies on an end goes on with it: its pieces meet to rounding, which would let go what it holds.
+            even_out(chain, &mut self.now);
+        }
         let cam_jumps = self.now.places[0] - before[0];
         // A follower stays where it is when its cam jumps.
         let first = if chain.base() > 0 { 0.0 } else { cam_jumps };

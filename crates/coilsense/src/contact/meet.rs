@@ -147,7 +147,7 @@ pub(super) fn settle(
 }
 
 /// Points that are held together have one speed to the last digit: that of their common momentum, or of the end that they lie on.
-fn even_out(chain: &Chain, now: &mut Now) {
+pub(super) fn even_out(chain: &Chain, now: &mut Now) {
     let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
     let mut begin = 0;
     while begin < pairs.len() {

@@ -175,10 +175,11 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Whether a pair touches and does not move against each other.
+    /// Whether a pair touches and does not move against each other, or is pressed where windings give way.
     fn begins_closed(&self, number: usize) -> bool {
-        let pair = self.system.chain.pairs()[number];
-        self.gap(number) <= MARGIN && self.now.speeds[pair.first] == self.now.speeds[pair.second]
+        let (pair, gap) = (self.system.chain.pairs()[number], self.gap(number));
+        let is_pressed = self.system.elastic.is_some() && gap < 0.0;
+        gap <= MARGIN && (is_pressed || self.now.speeds[pair.first] == self.now.speeds[pair.second])
     }
 
     /// Holds together what begins closed, as far as it pushes.

@@ -5,7 +5,7 @@
 use super::Sections;
 
 /// Nodes between two forces at which a section begins or ends to close.
-const NODES: usize = 96;
+const NODES: usize = 192;
 
 /// Forces over compressions, smooth between nodes.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -30,7 +30,7 @@ impl Curve {
                 let share = 0.5 * (1.0 - (std::f64::consts::PI * node as f64 / NODES as f64).cos());
                 let force = low + share * (high - low);
                 // From within the stretch.
-                let inside = force.clamp(low + 1e-9 * (high - low), high - 1e-9 * (high - low));
+                let inside = force.clamp(low + 1e-13 * (high - low), high - 1e-13 * (high - low));
                 let [x, _] = coil.compressed(force);
                 let [_, softness] = coil.compressed(inside);
                 nodes.push([x, force, (1.0 / softness).min(STEEP * coil.stiffness())]);

@@ -153,7 +153,7 @@ impl Sections {
     ///
     /// Source:   [`Self::compression`], turned round.
     /// Valid:    as there.
-    /// Accuracy: 1e-9 of the force (test).
+    /// Accuracy: 1e-7 of the force (test).
     pub fn pushes(&self, compression: f64) -> [f64; 2] {
         self.curve.at(compression, self.stiffness())
     }

@@ -6,3 +6,4 @@ mod random;
 mod reference;
 mod stepping;
 mod uneven;
+mod wound;
