@@ -135,6 +135,7 @@ impl PySpring {
             max_length,
             nominal_force,
             inductance_windings,
+            sections: None,
         };
         Spring::new(parameters).python().map(Self)
     }

@@ -117,7 +117,7 @@ impl Case {
         let watched = &times[..judged.end];
         let pitch = spec.spring.contact_pitch();
         let clash = match &contacts {
-            Some(contacts) => Clash::met(watched, &windings, spring.masses_per_winding(), pitch, contacts.first)?,
+            Some(contacts) => Clash::met(spring, watched, &windings, pitch, contacts.first)?,
             None => Clash::seen(&motion, watched, &windings, pitch)?,
         };
         let true_force = seen.truth(&signals, &spec.goal).channel(spec.goal.force)?[judged.clone()].to_vec();

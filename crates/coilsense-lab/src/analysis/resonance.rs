@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 
 use coilsense::excitation::Content;
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use coilsense::{End, Error};
 
 use super::judge::Judge;
@@ -91,7 +91,7 @@ fn by_lines(judge: &Judge<'_>, condition: usize, lines: &[f64]) -> Result<Option
     let spec = judge.spec;
     let factors = judge.springs.specimens.each.iter().map(|specimen| specimen.frequency());
     let (low, high) = factors.fold((1.0_f64, 1.0_f64), |(low, high), factor| (low.min(factor), high.max(factor)));
-    let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
+    let modes = ModalModel::chain(&spec.spring.spring, spec.mount.far_end());
     for (mode, angular) in modes.frequencies().iter().enumerate() {
         let frequency = angular / TAU;
         let (from, to) = (low * frequency, high * frequency);
@@ -134,7 +134,7 @@ fn by_response(
     let (_, number, sensor) = loudest?;
     let (spec, factor) = (judge.spec, responses[number].loudest(sensor));
     let assessment = verdicts.iter().find(|verdict| verdict.sensor == sensor)?.assessments[number];
-    let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
+    let modes = ModalModel::chain(&spec.spring.spring, spec.mount.far_end());
     let first = modes.frequencies().first()? / TAU;
     Some(format!(
         "{}, {}: how much the spring rings differs from specimen to specimen: the oscillation alone puts {} off by {} N on the nominal spring \

@@ -5,7 +5,7 @@
 use std::cell::RefCell;
 
 use coilsense::excitation::Content;
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use coilsense::{End, Error, FarEnd};
 
 use super::curve::Curve;
@@ -144,7 +144,7 @@ fn places(asked: &Request<'_>, way: &Way, (low, high): (f64, f64)) -> Result<Vec
     // Modes with an end mass are moved each its own way; those of the chain are near enough to look first.
     let modes = match asked.helix.filter(|_| far_end == FarEnd::Position) {
         Some(helix) => helix.surge().model().frequencies().to_vec(),
-        None => ChainModes::mounted(spring, far_end).frequencies().to_vec(),
+        None => ModalModel::chain(spring, far_end).frequencies().to_vec(),
     };
     let ratios = mount.damping().ratios(&modes)?;
     let mut lines = Vec::new();

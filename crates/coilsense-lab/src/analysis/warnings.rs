@@ -3,7 +3,7 @@
 //! Next door: the judgement of sensors (`verdict`).
 
 use coilsense::measures::{Spectrum, alias_of};
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use coilsense::sensors::{Readout, ReadoutParameters};
 use coilsense::{Channel, End, Error};
 
@@ -303,7 +303,7 @@ fn pull(spec: &Spec, case: &Case, end: End, force: &[f64]) -> Option<Pull> {
 fn alias(judge: &Judge<'_>, sensor: &SensorSpec) -> Result<Option<Warning>, Error> {
     let Some(rate) = sensor.readout.sample_rate else { return Ok(None) };
     let spring = &judge.spec.spring.spring;
-    let modes = ChainModes::mounted(spring, judge.spec.mount.far_end());
+    let modes = ModalModel::chain(spring, judge.spec.mount.far_end());
     let surge = modes.frequencies().iter().map(|angular| angular / std::f64::consts::TAU);
     let lines: Vec<f64> = surge.filter(|line| *line > 0.5 * rate).collect();
     if lines.is_empty() {

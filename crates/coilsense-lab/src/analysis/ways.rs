@@ -5,7 +5,7 @@
 //!
 //! Next door: what is found along them (`response`), the springs (`specimen`).
 
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use coilsense::{Error, FarEnd, Spring, SpringParameters};
 
 use super::specimen::{Change, Specimens};
@@ -159,7 +159,7 @@ pub(super) fn dot(a: Change, b: Change) -> f64 {
 
 /// Angular frequencies of a changed spring.
 fn frequencies(spring: &Spring, far_end: FarEnd, change: Change) -> Option<Vec<f64>> {
-    Some(ChainModes::mounted(&changed(spring, change).ok()?, far_end).frequencies().to_vec())
+    Some(ModalModel::chain(&changed(spring, change).ok()?, far_end).frequencies().to_vec())
 }
 
 /// The spring with another stiffness and other surge frequencies; its mass follows.

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use coilsense::modes::{ChainModes, continuous_frequencies, third_rule_error};
+use coilsense::modes::{ModalModel, continuous_frequencies, third_rule_error};
 use coilsense::{Error, FarEnd, Spring};
 
 /// Surge frequencies on a mount.
@@ -42,8 +42,9 @@ pub(super) fn on_every_mount(spring: &Spring, own: FarEnd) -> Result<Vec<MountFr
 }
 
 fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool) -> Result<MountFrequencies, Error> {
-    let chain = ChainModes::mounted(spring, far_end);
+    let chain = ModalModel::chain(spring, far_end);
     let third_rule_error_percent = match far_end {
+        _ if spring.sections().is_some() => None,
         FarEnd::Position => None,
         FarEnd::Force => Some(100.0 * third_rule_error(spring, 0.0)?),
         FarEnd::Mass(end_mass) => Some(100.0 * third_rule_error(spring, end_mass)?),
@@ -52,10 +53,19 @@ fn of_mount(spring: &Spring, mount: String, far_end: FarEnd, is_the_specs: bool)
         mount,
         is_the_specs,
         chain_hz: chain.frequencies().iter().take(MODES).map(|angular| angular / TAU).collect(),
-        continuous_hz: continuous_frequencies(spring, far_end, MODES)?
-            .into_iter()
-            .map(|angular| angular / TAU)
-            .collect(),
+        continuous_hz: continuous(spring, far_end)?.into_iter().map(|angular| angular / TAU).collect(),
         third_rule_error_percent,
     })
+}
+
+/// Masses for a winding of a chain that stands for a continuous coil of sections: 1e-4 of its third frequency.
+const FINE: usize = 32;
+
+/// Of the continuous coil \[rad/s\].
+fn continuous(spring: &Spring, far_end: FarEnd) -> Result<Vec<f64>, Error> {
+    if spring.sections().is_none() {
+        return continuous_frequencies(spring, far_end, MODES);
+    }
+    let fine = spring.clone().with_masses_per_winding(FINE)?;
+    Ok(ModalModel::chain(&fine, far_end).frequencies().iter().take(MODES).copied().collect())
 }

@@ -2,10 +2,12 @@
 //!
 //! Next door: the formulas (`coilsense::{geometry, modes, helix}`), how the sheet is shown (`report`).
 
+mod curve;
 mod frequencies;
 mod reach;
 mod rows;
 
+pub use curve::AtLength;
 pub use frequencies::MountFrequencies;
 pub use rows::Row;
 
@@ -26,6 +28,8 @@ pub struct DataSheet {
     pub groups: Vec<(&'static str, Vec<Row>)>,
     /// Surge frequencies on every mount.
     pub surge: Vec<MountFrequencies>,
+    /// Of a coil of sections, its static curve over the range in use; none of a uniform one.
+    pub static_curve: Vec<AtLength>,
     /// Every mode at the shortest, the middle and the longest length; none of a spring that is no helix there, which `doubts` then says.
     pub modes_at: Vec<ModesAt>,
     /// What of these the axial model leaves out, a sentence each.
@@ -44,6 +48,9 @@ const USUAL_GOAL: f64 = 0.01;
 /// What does not fit together in a spring.
 fn doubts(spring: &SpringSpec) -> Vec<String> {
     let mut doubts = Vec::new();
+    if spring.dead_ends.is_some() {
+        return doubts;
+    }
     let both = [
         ("k", spring.geometry.stiffness(), spring.spring.stiffness(), 1.0, "N/m"),
         ("m", spring.geometry.active_mass(), spring.mass, 1e3, "g"),
@@ -89,6 +96,7 @@ impl DataSheet {
             material: format!("{}{assumed}", spring.material),
             groups: rows::groups(spring, solid, coil.as_ref().ok(), &modes_at)?,
             surge,
+            static_curve: curve::over_lengths(spring),
             beyond_axial: match spring.model {
                 // All of its modes are in the answer.
                 Model::Helix => reach::buckled(&modes_at).into_iter().collect(),

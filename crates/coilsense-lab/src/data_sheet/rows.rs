@@ -54,14 +54,31 @@ pub(super) fn groups(
     coil: Option<&Coil>,
     modes_at: &[ModesAt],
 ) -> Result<Vec<(&'static str, Vec<Row>)>, Error> {
-    Ok(vec![
+    let groups = vec![
         ("Spring", of_spring(spec)),
         ("Lengths", of_lengths(spec, solid_length)),
+        ("Sections", of_sections(spec)),
         ("Stress", of_stress(spec)),
         ("Surge wave", of_wave(spec, modes_at)),
         ("Force of the helix", of_helix(spec, coil, modes_at)?),
         ("Inductance", of_inductance(spec)),
-    ])
+    ];
+    Ok(groups.into_iter().filter(|(_, rows)| !rows.is_empty()).collect())
+}
+
+/// What a coil of sections has beside.
+fn of_sections(spec: &SpringSpec) -> Vec<Row> {
+    let (Some(sections), Some(dead)) = (spec.spring.sections(), spec.dead_ends) else { return Vec::new() };
+    let knees = super::curve::knees(spec, sections);
+    let (first, last) = (knees.first().copied().unzip(), knees.last().copied().unzip());
+    vec![
+        Row::new("first_closing_force_n", "force at which the first windings close", first.0, 1.0, "N"),
+        Row::new("first_closing_length_m", "length at which they do", first.1, MM, "mm"),
+        Row::new("solid_force_n", "force at which all are closed", last.0, 1.0, "N"),
+        Row::new("dead_windings_1", "closed windings at end 1, which do not move", dead.windings[0], 1.0, ""),
+        Row::new("dead_windings_2", "the same at end 2", dead.windings[1], 1.0, ""),
+        Row::new("dead_mass_kg", "mass of both", dead.mass, 1e3, "g"),
+    ]
 }
 
 /// The static force of the wire as a helix, where it is one.
@@ -101,8 +118,10 @@ const MM: f64 = 1e3;
 
 fn of_spring(spec: &SpringSpec) -> Vec<Row> {
     let (spring, geometry) = (&spec.spring, &spec.geometry);
+    let of_sections = spec.dead_ends.is_some();
+    let rate = if of_sections { "k, spring rate with all windings open" } else { "k, spring rate" };
     let mut rows = vec![
-        Row::new("stiffness_n_per_m", "k, spring rate", spring.stiffness(), 1.0, "N/m"),
+        Row::new("stiffness_n_per_m", rate, spring.stiffness(), 1.0, "N/m"),
         Row::new("mass_kg", "m, mass of the active windings", spec.mass, 1e3, "g"),
         Row::new("windings", "N, active windings", spring.windings(), 1.0, ""),
         Row::new("wire_diameter_m", "d, wire diameter", spring.wire_diameter(), MM, "mm"),
@@ -110,7 +129,9 @@ fn of_spring(spec: &SpringSpec) -> Vec<Row> {
         Row::new("spring_index", "D/d, spring index", geometry.index(), 1.0, ""),
         Row::new("nominal_force_n", "F_nom, largest static force in use", spring.nominal_force(), 1.0, "N"),
     ];
-    if spec.by_geometry {
+    if of_sections {
+        // Its wire and coil are the sections'.
+    } else if spec.by_geometry {
         rows.push(Row::new("total_mass_kg", "mass of all windings", geometry.total_mass(), 1e3, "g"));
     } else {
         let (stiffness, mass) = (geometry.stiffness(), geometry.active_mass());
@@ -138,7 +159,8 @@ fn of_spring(spec: &SpringSpec) -> Vec<Row> {
 fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
     let spring = &spec.spring;
     let (shortest, longest) = spring.operating_range();
-    let speed = |length: f64| (length - solid_length) / spring.transit_time();
+    let is_uniform = spec.dead_ends.is_none();
+    let speed = |length: f64| is_uniform.then_some((length - solid_length) / spring.transit_time());
     let mut rows = vec![Row::new("rest_length_m", "l0, length without force", spec.closed_length, MM, "mm")];
     if spec.initial_tension > 0.0 {
         let label = "l0 − F_0/k, where the line of force crosses zero";
@@ -163,6 +185,19 @@ fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
 
 fn of_stress(spec: &SpringSpec) -> Vec<Row> {
     let (geometry, force) = (&spec.geometry, spec.spring.nominal_force());
+    if spec.dead_ends.is_some() {
+        let impact = geometry.material().impact_stress(1.0);
+        return vec![
+            Row::new(
+                "corrected_shear_stress_pa",
+                "largest shear stress at F_nom, with Wahl's factor",
+                spec.corrected_shear_stress(force),
+                1e-6,
+                "MPa",
+            ),
+            Row::new("impact_stress_pa_per_m_per_s", "impact stress per m/s", impact, 1e-6, "MPa"),
+        ];
+    }
     vec![
         Row::new("wahl_factor", "Wahl's factor", geometry.wahl_factor(), 1.0, ""),
         Row::new("shear_stress_pa", "shear stress at F_nom, uncorrected", geometry.shear_stress(force), 1e-6, "MPa"),
@@ -190,7 +225,7 @@ fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
         [] => spec.first_frequency_band(),
         _ => (surges().fold(f64::INFINITY, f64::min), surges().fold(0.0, f64::max)),
     };
-    let bar = 0.5 * (spring.stiffness() / spec.mass).sqrt();
+    let bar = spec.dead_ends.is_none().then_some(0.5 * (spring.stiffness() / spec.mass).sqrt());
     vec![
         Row::new(
             "surge_frequency_hz",
@@ -213,7 +248,7 @@ fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
         Row::new(
             "surge_frequency_en13906_hz",
             "the same by EN 13906-1, from wire and coil",
-            spec.geometry.surge_frequency_en13906(),
+            spec.dead_ends.is_none().then(|| spec.geometry.surge_frequency_en13906()),
             1.0,
             "Hz",
         ),
@@ -250,6 +285,12 @@ fn of_inductance(spec: &SpringSpec) -> Vec<Row> {
             1e3,
             "µH/mm",
         ),
-        Row::new("wire_resistance_ohm", "resistance of the wire", spec.geometry.wire_resistance(), 1e3, "mΩ"),
+        Row::new(
+            "wire_resistance_ohm",
+            "resistance of the wire",
+            spec.dead_ends.is_none().then(|| spec.geometry.wire_resistance()).flatten(),
+            1e3,
+            "mΩ",
+        ),
     ]
 }

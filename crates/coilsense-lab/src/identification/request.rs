@@ -3,7 +3,6 @@
 //! Next door: what a row says (`crate::request`), the options of the log (`crate::recording::request`).
 
 use coilsense::identify::Settings;
-use coilsense::modes::ChainModes;
 use coilsense::{Channel, FarEnd, Spring};
 
 use super::Coil;
@@ -127,7 +126,7 @@ pub const SPEC_OUT: Row = Row {
 /// # Errors
 /// [`Wrong`] for a mass at an end that carries none.
 pub fn settings(given: &Given, spring: Option<&Spring>) -> Result<Settings, Wrong> {
-    let predicted = spring.and_then(|spring| ChainModes::of(spring).frequencies().first().copied());
+    let predicted = spring.map(|spring| std::f64::consts::TAU * spring.chain_frequency());
     let share = |row| given.number(row).unwrap_or_default();
     Ok(Settings {
         windings: spring.map(|spring| spring.whole_windings() as f64).or(given.number(&WINDINGS)),

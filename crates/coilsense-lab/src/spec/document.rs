@@ -35,7 +35,8 @@ pub(super) struct Document<'a> {
 impl<'a> Document<'a> {
     pub(super) fn parse(file: &'a str, text: &'a str) -> Result<Self, SpecError> {
         let document = Self { lenient: false, ..Self::catalogue(file, text)? };
-        let names: Vec<&str> = TABLES.iter().map(|table| table.name).chain([VERSION_KEY]).collect();
+        let names: Vec<&str> =
+            TABLES.iter().filter(|table| !table.is_inner()).map(|table| table.name).chain([VERSION_KEY]).collect();
         reject_unknown(file, text, document.table.get_ref(), &names, "", |name| like_one_of(&names, name))?;
         document.check_version()?;
         Ok(document)
@@ -185,7 +186,7 @@ impl<'a> Document<'a> {
         let documented = documented.ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
         let section = Section { file: self.file, text: self.text, documented, label, table, span };
         if !self.lenient {
-            let (names, place) = (documented.names(None), format!(" in {}", section.label));
+            let (names, place) = (documented.names_with_tables(None), format!(" in {}", section.label));
             let meant = |name: &str| synonyms::meant(documented, kind_of(documented, table), name);
             reject_unknown(self.file, self.text, table, &names, &place, meant)?;
         }

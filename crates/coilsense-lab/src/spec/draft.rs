@@ -105,6 +105,16 @@ impl<'a> Draft<'a> {
         let mount = if spring.model == Model::Helix { for_helix(&document.section("spring")?, mount)? } else { mount };
         let contacts = ContactCase::parse_all(document, &spring, mount.far_end())?;
         let mount = mount.by_contacts(&contacts);
+        if contacts.is_empty() && !document.sections("condition")?.is_empty() {
+            let section = document.section("spring")?;
+            if let Some(length) = spring.closes_in_use() {
+                let why = format!(
+                    "close from {:.3} mm on, within the range in use: give a table [contact] with windings = \"hard\", or raise min_length",
+                    1e3 * length
+                );
+                return Err(section.refuse("section", why));
+            }
+        }
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })

@@ -29,6 +29,7 @@ mod run;
 #[cfg(feature = "reference")]
 mod schema;
 mod section;
+mod sections;
 mod sensor;
 mod setting;
 mod size;
@@ -58,6 +59,7 @@ pub use rig::RigSpec;
 pub use run::{RunKind, RunSpec};
 #[cfg(feature = "reference")]
 pub use schema::{experiment_file_schema, spec_schema};
+pub use sections::DeadEnds;
 pub use sensor::SensorSpec;
 pub use spring::{Model, SpringSpec};
 pub use template::template;

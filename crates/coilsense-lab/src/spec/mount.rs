@@ -3,7 +3,7 @@
 //! Next door: what they mean (`coilsense::{Mount, Damping}`), how the ends are held against rotations (`ends`).
 
 use coilsense::geometry::EndType;
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use coilsense::{Damping, FarEnd, Mount, Spring};
 
 use super::contact::ContactCase;
@@ -157,7 +157,7 @@ fn check_ratios(section: &Section<'_>, ratios: &[f64]) -> Result<(), SpecError> 
 
 /// Damping in proportion to mass or stiffness, where it is given.
 fn proportional(section: &Section<'_>, spring: &Spring, far_end: FarEnd) -> Result<Option<DampingCase>, SpecError> {
-    let lowest = ChainModes::mounted(spring, far_end).frequencies().first().copied().unwrap_or(f64::INFINITY);
+    let lowest = ModalModel::chain(spring, far_end).frequencies().first().copied().unwrap_or(f64::INFINITY);
     let rounded = |value: f64| format!("{value:.4e}").parse().map_or_else(|_| plain(value), plain);
     let (key, most, unit, case) = if let Some(rate) = section.not_negative("mass_damping", Dimension::Rate)? {
         let label = format!("α = {} 1/s", plain(rate));
@@ -187,7 +187,7 @@ fn modal(section: &Section<'_>, spring: &Spring, far_end: FarEnd, ratio: f64) ->
         Some(first) => {
             let holds = (0.0..=HIGHEST_RATIO).contains(&first);
             section.check("first_mode_damping_ratio", holds, first, "from 0 to 10")?;
-            let mut ratios = vec![ratio; ChainModes::mounted(spring, far_end).count()];
+            let mut ratios = vec![ratio; ModalModel::chain(spring, far_end).count()];
             ratios[0] = first;
             Damping::ModalEach(ratios)
         }

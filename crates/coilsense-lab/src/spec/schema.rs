@@ -11,8 +11,14 @@ const DIALECT: &str = "https://json-schema.org/draft/2020-12/schema";
 
 /// The schema of a spec. It knows every table, key and kind of value; which keys belong together, and what units are taken, the reader says.
 pub fn spec_schema() -> Value {
+    let (inner, outer): (Vec<&Table>, Vec<&Table>) = TABLES.into_iter().partition(|table| table.name.contains('.'));
     let mut properties: Map<String, Value> =
-        TABLES.iter().map(|table| (table.name.to_owned(), several(table))).collect();
+        outer.iter().map(|table| (table.name.to_owned(), several(table))).collect();
+    for table in inner {
+        if let Some((parent, key)) = table.name.split_once('.') {
+            properties[parent]["properties"][key] = several(table);
+        }
+    }
     let version = json!({ "const": SPEC_VERSION, "description": "The version of this form; may be left out." });
     properties.insert("spec_version".to_owned(), version);
     json!({

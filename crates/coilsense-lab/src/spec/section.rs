@@ -32,6 +32,39 @@ impl Section<'_> {
         self.table.contains_key(key)
     }
 
+    /// Whether its value is a list.
+    pub(super) fn is_list(&self, key: &str) -> bool {
+        self.table.get(key).is_some_and(|value| value.get_ref().is_array())
+    }
+
+    /// The tables of an array of them within this one, in order.
+    pub(super) fn tables(&self, key: &'static str) -> Result<Vec<Section<'_>>, SpecError> {
+        let Some(value) = self.table.get(key) else { return Ok(Vec::new()) };
+        let heading = format!("[[{}.{key}]]", self.documented.name);
+        let fault = || self.at(value, format!("{key} in {} must be tables {heading}", self.label));
+        let documented = self.documented.child(key).ok_or_else(fault)?;
+        let each = value.get_ref().as_array().ok_or_else(fault)?;
+        let table = |(index, item): (usize, &'_ Spanned<DeValue<'_>>)| match item.get_ref().as_table() {
+            Some(_) => Ok((index, item.span())),
+            None => Err(fault()),
+        };
+        let places: Vec<(usize, Range<usize>)> = each.iter().enumerate().map(table).collect::<Result<_, _>>()?;
+        let tables = each.iter().filter_map(|item| item.get_ref().as_table());
+        let read = |((index, span), table)| {
+            let section = Section {
+                file: self.file,
+                text: self.text,
+                documented,
+                label: format!("{heading} {}", index + 1),
+                table,
+                span,
+            };
+            section.only_of("", "a section of a spring")?;
+            Ok(section)
+        };
+        places.into_iter().zip(tables).map(read).collect()
+    }
+
     /// The first of the keys that is there.
     pub(super) fn first_of<'k>(&self, keys: &[&'k str]) -> Option<&'k str> {
         keys.iter().copied().find(|key| self.has(key))
@@ -39,7 +72,7 @@ impl Section<'_> {
 
     /// Rejects keys that do not apply to a kind; `whose` says in words what does not have them.
     pub(super) fn only_of(&self, kind: &str, whose: &str) -> Result<(), SpecError> {
-        let known = self.documented.names(Some(kind));
+        let known = self.documented.names_with_tables(Some(kind));
         let stranger =
             self.table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())).min_by_key(|key| key.span().start);
         let Some(stranger) = stranger else {

@@ -14,6 +14,7 @@ use super::ends::EndsSpec;
 use super::keys::springs;
 use super::material::material;
 use super::section::Section;
+use super::sections::{DeadEnds, Use};
 use super::tolerance::Tolerances;
 use super::{SpecError, plain, read_text};
 use crate::helix::Coil;
@@ -41,6 +42,8 @@ pub struct SpringSpec {
     pub material_is_given: bool,
     /// Whether stiffness and mass come from wire and coil.
     pub by_geometry: bool,
+    /// Of a coil of sections, the closed windings at its ends.
+    pub dead_ends: Option<DeadEnds>,
     /// Length without force as the spec gives it, of an extension spring closed \[m\].
     pub closed_length: f64,
     /// F_0 \[N\].
@@ -120,7 +123,26 @@ impl SpringSpec {
 
     /// Length with all windings touching \[m\], as [`Geometry::solid_length`] has it: with initial tension the closed length.
     pub fn solid_length(&self) -> f64 {
+        if let (Some(sections), Some(dead)) = (self.spring.sections(), self.dead_ends) {
+            return sections.place_at(sections.windings(), sections.solid_force()) + dead.length;
+        }
         if self.initial_tension > 0.0 { self.closed_length } else { self.geometry.solid_length() }
+    }
+
+    /// The largest shear stress of the wire under a pressing or pulling force \[Pa\], with Wahl's factor; of sections where it is largest.
+    pub fn corrected_shear_stress(&self, force: f64) -> f64 {
+        match self.spring.sections() {
+            Some(sections) => sections.corrected_shear_stress(force.abs()),
+            None => self.geometry.corrected_shear_stress(force),
+        }
+    }
+
+    /// Length \[m\] at which the first windings close at rest, where that lies in the range in use: of a coil of sections.
+    pub fn closes_in_use(&self) -> Option<f64> {
+        let sections = self.spring.sections()?;
+        let length = self.spring.rest_length() - sections.compression(sections.first_closing()).ok()?;
+        let (shortest, _) = self.spring.operating_range();
+        (shortest < length * (1.0 - ROUNDING)).then_some(length)
     }
 
     /// Distance of points one turn apart at which windings touch \[m\]: l_s over the model's windings, since their pitch is the length over
@@ -188,6 +210,10 @@ impl SpringSpec {
 
     /// As [`super::Spec::needs_chain`]; `file` is the spec's.
     pub(crate) fn needs_chain(&self, file: &str, what: &str) -> Result<(), SpecError> {
+        if self.dead_ends.is_some() {
+            let takes = "a uniform coil; one of sections is for spring, simulate, analyze and speed";
+            return Err(SpecError(format!("{file}: [[spring.section]]: {what} takes {takes}")));
+        }
         if self.model != Model::Helix {
             return Ok(());
         }
@@ -224,18 +250,36 @@ impl SpringSpec {
     pub(super) fn of(section: &Section<'_>) -> Result<Self, SpecError> {
         let kind = springs::way(|key| section.has(key));
         let by_geometry = kind == springs::BY_GEOMETRY;
-        let whose = match by_geometry {
-            true => "a spring by geometry (which wire_diameter or coil_diameter makes it)",
-            false => "a spring by values (without wire_diameter and coil_diameter)",
+        let whose = match kind {
+            springs::BY_GEOMETRY => "a spring by geometry (which wire_diameter or coil_diameter makes it)",
+            springs::BY_SECTIONS => "a spring by sections (which [[spring.section]] makes it)",
+            _ => "a spring by values (without wire_diameter and coil_diameter)",
         };
         section.only_of(kind, whose)?;
-        let closed_length = section.quantity("rest_length", Dimension::Length)?;
         let (material, material_is_given) =
             (material(section)?, section.has("material") || section.has("shear_modulus"));
         let initial_tension = section.not_negative("initial_tension", Dimension::Force)?.unwrap_or(0.0);
-        let (spring, geometry) = match by_geometry {
-            true => Self::wound(section, material.1, closed_length, initial_tension)?,
-            false => Self::valued(section, material.1, closed_length, initial_tension)?,
+        let rest_length = || section.quantity("rest_length", Dimension::Length);
+        let mut dead_ends = None;
+        let (spring, geometry, closed_length) = match kind {
+            springs::BY_GEOMETRY => {
+                let length = rest_length()?;
+                let (spring, geometry) = Self::wound(section, material.1, length, initial_tension)?;
+                (spring, geometry, length)
+            }
+            springs::BY_SECTIONS => {
+                let (end_type, parameters) = (end_type(section)?, in_use(section)?);
+                let (spring, geometry, dead) =
+                    DeadEnds::parse(Use { section, material: material.1, end_type, parameters })?;
+                dead_ends = Some(dead);
+                let length = spring.rest_length();
+                (spring, geometry, length)
+            }
+            _ => {
+                let length = rest_length()?;
+                let (spring, geometry) = Self::valued(section, material.1, length, initial_tension)?;
+                (spring, geometry, length)
+            }
         };
         let name = section.text("name")?;
         let masses = section.optional_whole("masses_per_winding", 1, MOST_MASSES_PER_WINDING)?;
@@ -243,6 +287,8 @@ impl SpringSpec {
         let model = match section.optional_word("model", &["coil", "chain", "helix"])? {
             Some("chain") => Model::Chain,
             Some("helix") => Model::Helix,
+            // No helix of changing pitch is known here.
+            _ if dead_ends.is_some() => Model::Chain,
             _ => Model::Coil,
         };
         let self_distance = match section.optional_word("self_distance", &["as-printed", "geometric-mean"])? {
@@ -255,6 +301,7 @@ impl SpringSpec {
             material: material.0,
             material_is_given,
             by_geometry,
+            dead_ends,
             closed_length,
             initial_tension,
             self_distance,
@@ -350,7 +397,7 @@ impl SpringSpec {
     }
 }
 
-/// What both ways to describe a spring share; the rest is to be filled in.
+/// What all ways to describe a spring share; the rest is to be filled in.
 fn in_use(section: &Section<'_>) -> Result<SpringParameters, SpecError> {
     Ok(SpringParameters {
         rest_length: 0.0,
@@ -363,6 +410,7 @@ fn in_use(section: &Section<'_>) -> Result<SpringParameters, SpecError> {
         max_length: section.quantity("max_length", Dimension::Length)?,
         nominal_force: section.optional_quantity("nominal_force", Dimension::Force)?,
         inductance_windings: section.optional_number("inductance_windings")?,
+        sections: None,
     })
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Next door: what the spring does at each speed (the parent).
 
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 
 use super::Range;
 use crate::data_sheet::DataSheet;
@@ -51,7 +51,7 @@ const SAMPLES: usize = 2048;
 
 impl Campbell {
     pub(super) fn of(spec: &Spec, cam: &CamSpec, range: &Range) -> Self {
-        let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
+        let modes = ModalModel::chain(&spec.spring.spring, spec.mount.far_end());
         let surges = modes.frequencies().iter().take(SURGES).enumerate();
         let mut lines: Vec<Line> = surges
             .map(|(index, angular)| Line {

@@ -158,7 +158,7 @@ fn judged(
             fastest: floats().map(|float| float.closing_speed).fold(0.0, f64::max),
         }
     });
-    let pressed = |force: f64| spec.spring.geometry.corrected_shear_stress((-force).max(0.0));
+    let pressed = |force: f64| spec.spring.corrected_shear_stress((-force).max(0.0));
     let (least, most) = (input[1].max(output[1]), input[0].min(output[0]));
     SpeedPoint {
         speed,

@@ -94,7 +94,8 @@ impl<'a> Coil<'a> {
 /// Those of [`Motion::mounted`], [`Helical::simulate`], [`Motion::signals`], [`Motion::windings`], [`Touching::of`] and
 /// [`MaxwellSum::series_within`]; [`Error::Value`] for windings that could not be followed to the last of the times.
 pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
-    let exact = matches!(setup.coil, Some(Coil { method: Method::Exact, .. }));
+    // Turns of unequal radii are summed one by one.
+    let exact = matches!(setup.coil, Some(Coil { method: Method::Exact, .. })) || setup.spring.sections().is_some();
     let moved = moved(setup, times, exact || setup.positions)?;
     let Moved { motion, mut signals, windings, loads, read, struck, contacts } = moved;
     let mut bounded = None;

@@ -118,8 +118,7 @@ fn clash(
         let times = sampled_window(asked.sample_rate, 0.0, asked.window.1)?;
         let windings =
             Touching::once(motion, meets, &times, true)?.windings.ok_or(Error::MissingSignal("of windings"))?;
-        let apart = motion.spring().masses_per_winding();
-        return Clash::met(&times, &windings, apart, contact, None).map(Some);
+        return Clash::met(motion.spring(), &times, &windings, contact, None).map(Some);
     }
     if !needs.pitch && Clash::excluded(motion, asked.window.1, contact) {
         return Ok(None);

@@ -99,3 +99,23 @@ pub fn check(good: &str, faults: &[[&str; 4]]) {
         assert_eq!(message, *expected, "{what}");
     }
 }
+
+/// A spring of two sections, the second of which is the last table.
+pub const BY_SECTIONS: &str = r#"[spring]
+name = "two steps"
+min_length = "40 mm"
+max_length = "45 mm"
+end_type = "open-ground"
+
+[[spring.section]]
+windings = 2
+pitch = "5 mm"
+coil_diameter = "25 mm"
+wire_diameter = "4 mm"
+
+[[spring.section]]
+windings = 4.5
+pitch = "8 mm"
+coil_diameter = "25 mm"
+wire_diameter = "4 mm"
+"#;

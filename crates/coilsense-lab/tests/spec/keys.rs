@@ -2,7 +2,7 @@
 
 use coilsense_lab::spec::{CONDITION_KINDS, Key, SENSOR_KINDS, TABLES, Table, classes, markdown, materials, template};
 
-use super::fixtures::{BY_GEOMETRY, BY_VALUES, read};
+use super::fixtures::{BY_GEOMETRY, BY_SECTIONS, BY_VALUES, read};
 
 /// A condition of a kind with the keys that it needs.
 fn condition(kind: &str) -> String {
@@ -35,6 +35,10 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
                 ["110 mm", "270 mm"].map(|rest| (*kind, format!("{}\n", text.replace("104 mm", rest))))
             };
             both.iter().flat_map(used).collect()
+        }
+        "spring.section" => {
+            let by_pitch = BY_SECTIONS.to_owned();
+            vec![("pitch", by_pitch.clone()), ("gap", by_pitch.replace("pitch = \"8 mm\"", "gap = \"4 mm\""))]
         }
         "mount" => {
             // With windings that may meet, which a follower asks for.
@@ -74,7 +78,7 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
 
 /// The spec with a key of its last table set to a value.
 fn with(spec: &str, table: &Table, key: &str, value: &str) -> String {
-    let start = spec.find(&table.heading()).expect("the table");
+    let start = spec.rfind(&table.heading()).expect("the table");
     let kept = |line: &&str| !line.starts_with(&format!("{key} = "));
     let last: Vec<&str> = spec[start..].lines().filter(kept).collect();
     format!("{}{}\n{key} = {value}\n", &spec[..start], last.join("\n"))

@@ -15,5 +15,6 @@ mod fixtures;
 mod hostile;
 mod keys;
 mod placed;
+mod sections;
 mod sensors;
 mod springs;

@@ -52,6 +52,7 @@ impl Rod {
         stiffness_at: StiffnessAt,
         hand: Hand,
     ) -> Result<Self, Error> {
+        spring.check_uniform("a helix")?;
         let material = geometry.material();
         let nominal = RodParameters {
             wire_diameter: spring.wire_diameter(),

@@ -3,7 +3,7 @@
 //! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
 
 use coilsense::Channel;
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use coilsense_figure::{
     Axis, Band, Bar, Bars, Colour, Curve, Dash, Figure, HeatMap, Mark, MarkedCells, Panel, Scale, Stroke,
 };
@@ -146,7 +146,7 @@ fn spectrum(case: &Case, channel: Channel) -> Option<&coilsense::measures::Spect
 }
 
 fn surge_lines(analysis: &Analysis) -> Vec<f64> {
-    let modes = ChainModes::mounted(&analysis.spec.spring.spring, analysis.spec.mount.far_end());
+    let modes = ModalModel::chain(&analysis.spec.spring.spring, analysis.spec.mount.far_end());
     modes.frequencies().iter().take(LINES).map(|angular| angular / std::f64::consts::TAU).collect()
 }
 

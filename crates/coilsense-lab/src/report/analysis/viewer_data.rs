@@ -5,7 +5,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use coilsense::Channel;
-use coilsense::modes::ChainModes;
+use coilsense::modes::ModalModel;
 use serde_json::{Value, json};
 
 use crate::analysis::{Analysis, Case};
@@ -42,7 +42,7 @@ fn case_value(analysis: &Analysis, case: &Case) -> Value {
         .iter()
         .zip(&case.readings)
         .map(|(sensor, reading)| signal(&sensor.name, "force", &thin.series(&reading.force[case.judged.clone()])));
-    let modes = ChainModes::mounted(&spec.spring.spring, spec.mount.far_end());
+    let modes = ModalModel::chain(&spec.spring.spring, spec.mount.far_end());
     let lines = modes.frequencies().iter().take(LINES).map(|angular| angular / std::f64::consts::TAU);
     json!({
         "id": format!("{}--{}", condition.stem(), damping.stem),

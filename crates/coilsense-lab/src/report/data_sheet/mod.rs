@@ -8,7 +8,7 @@ use std::fmt::Write;
 use anstyle::{AnsiColor, Style};
 use serde::Serialize;
 
-use crate::data_sheet::{DataSheet, MountFrequencies};
+use crate::data_sheet::{AtLength, DataSheet, MountFrequencies};
 use crate::helix::{ModeLine, ModesAt, UnderEnds};
 use crate::report::outcome::{Outcome, to_json};
 
@@ -37,6 +37,7 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
         let _ = writeln!(text, "{star} {:34}{modes}{rule}", mount.mount);
     }
     let _ = writeln!(text, "  * the spec's own mount");
+    curve_text(&mut text, &sheet.static_curve);
     for at in &sheet.modes_at {
         modes_text(&mut text, at);
     }
@@ -44,6 +45,32 @@ pub fn data_sheet_text(sheet: &DataSheet) -> String {
         let _ = writeln!(text, "{MARK}Warning:{MARK:#} {warning}");
     }
     text
+}
+
+/// Force, rate and first surge frequency over lengths.
+fn curve_text(text: &mut String, curve: &[AtLength]) {
+    if curve.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "\n{BOLD}Static curve{BOLD:#}");
+    let _ = writeln!(
+        text,
+        "  {:>10}{:>12}{:>14}{:>18}{:>12}",
+        "l [mm]", "F [N]", "dF/dl [N/mm]", "closed windings", "f1 [Hz]"
+    );
+    for at in curve {
+        let first = at.first_surge_hz.map_or_else(|| "solid".to_owned(), |hertz| format!("{hertz:.1}"));
+        let mark = if at.is_knee { "  knee" } else { "" };
+        let _ = writeln!(
+            text,
+            "  {:>10.3}{:>12.2}{:>14.3}{:>18.2}{:>12}{mark}",
+            1e3 * at.length_m,
+            at.force_n,
+            1e-3 * at.stiffness_n_per_m,
+            at.closed_windings,
+            first
+        );
+    }
 }
 
 /// How many modes people read.
@@ -94,6 +121,8 @@ pub struct DataSheetOutcome<'a> {
     rows: BTreeMap<&'static str, Option<f64>>,
     /// Surge frequencies on every mount.
     surge: &'a [MountFrequencies],
+    /// Of a coil of sections, its static curve over the range in use, knees among the lengths; empty for a uniform coil.
+    static_curve: &'a [AtLength],
     /// Every mode of the coil as a helix, at the shortest, the middle and the longest length.
     modes_at: &'a [ModesAt],
     warnings: Vec<String>,
@@ -112,6 +141,7 @@ impl<'a> DataSheetOutcome<'a> {
             material: &sheet.material,
             rows: rows.map(|row| (row.key, row.value)).collect(),
             surge: &sheet.surge,
+            static_curve: &sheet.static_curve,
             modes_at: &sheet.modes_at,
             warnings: sheet.doubts.iter().chain(&sheet.beyond_axial).cloned().collect(),
         }

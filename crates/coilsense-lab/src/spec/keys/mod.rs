@@ -46,8 +46,9 @@ pub struct Table {
 }
 
 /// All tables, in the order in which one writes them.
-pub const TABLES: [&Table; 10] = [
+pub const TABLES: [&Table; 11] = [
     &springs::SPRING,
+    &springs::SECTION,
     &springs::MOUNT,
     &contact::CONTACT,
     &conditions::CONDITION,
@@ -90,6 +91,27 @@ impl Table {
     /// Names of the keys that apply to a kind, or of all.
     pub(super) fn names(&self, kind: Option<&str>) -> Vec<&'static str> {
         self.keys.iter().filter(|key| key.applies_to(kind)).map(|key| key.name).collect()
+    }
+
+    /// The same, and tables that it may hold.
+    pub(super) fn names_with_tables(&self, kind: Option<&str>) -> Vec<&'static str> {
+        let mut names = self.names(kind);
+        if self.name == springs::SPRING.name && kind.is_none_or(|kind| kind == springs::BY_SECTIONS) {
+            names.push(springs::SECTIONS);
+        }
+        names
+    }
+
+    /// A table that it may hold several of, by its key.
+    pub(super) fn child(&self, key: &str) -> Option<&'static Table> {
+        TABLES
+            .into_iter()
+            .find(|table| table.name.strip_prefix(self.name).and_then(|rest| rest.strip_prefix('.')) == Some(key))
+    }
+
+    /// Whether it stands within another.
+    pub(super) fn is_inner(&self) -> bool {
+        self.name.contains('.')
     }
 
     /// As a spec writes it: `[name]` or `[[name]]`.

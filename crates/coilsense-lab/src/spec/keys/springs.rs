@@ -6,12 +6,24 @@ use super::{Table, needed, optional, told};
 const BY_VALUES: &str = "by values";
 /// By wire, coil and material.
 pub(crate) const BY_GEOMETRY: &str = "by geometry";
+/// By sections of a coil that is not uniform.
+pub(crate) const BY_SECTIONS: &str = "by sections";
+/// The key under which these stand.
+pub(crate) const SECTIONS: &str = "section";
 const TABLE_I: &[&str] = &[BY_VALUES];
 const GEOMETRY: &[&str] = &[BY_GEOMETRY];
+/// Of a coil that is the same all along.
+const UNIFORM: &[&str] = &[BY_VALUES, BY_GEOMETRY];
 
 /// The way by which the keys that a table `has` describe a spring.
 pub(crate) fn way(has: impl Fn(&str) -> bool) -> &'static str {
-    if has("wire_diameter") || has("coil_diameter") { BY_GEOMETRY } else { BY_VALUES }
+    if has(SECTIONS) {
+        BY_SECTIONS
+    } else if has("wire_diameter") || has("coil_diameter") {
+        BY_GEOMETRY
+    } else {
+        BY_VALUES
+    }
 }
 
 pub(super) const SPRING: Table = Table {
@@ -19,7 +31,8 @@ pub(super) const SPRING: Table = Table {
     repeats: false,
     meaning: told(
         "The spring, either *by values* (stiffness, mass, radii, as in Table I of the paper) or *by geometry* (wire, coil and material); \
-              the presence of `wire_diameter` or `coil_diameter` means the latter.",
+              the presence of `wire_diameter` or `coil_diameter` means the latter. A coil that is not the same all along is given *by sections*, \
+              tables `[[spring.section]]` below.",
     ),
     keys: &[
         needed("name", "\"S_T\"", "what people call it"),
@@ -27,7 +40,8 @@ pub(super) const SPRING: Table = Table {
             "rest_length",
             "\"104 mm\"",
             "l0, the length without force (of an extension spring with initial tension: its closed length)",
-        ),
+        )
+        .of(UNIFORM),
         needed(
             "min_length",
             "\"196 mm\"",
@@ -39,7 +53,7 @@ pub(super) const SPRING: Table = Table {
             "\"264 mm\"",
             "longest length in use; with ends that can only be pushed (`open`, `closed`, ground) at most `rest_length`",
         ),
-        needed("windings", "52", "N, active windings; may be fractional"),
+        needed("windings", "52", "N, active windings; may be fractional").of(UNIFORM),
         needed("stiffness", "\"760 N/m\"", "k").of(TABLE_I),
         needed("mass", "\"65 g\"", "m, of the active windings").of(TABLE_I),
         needed("coil_radius", "\"8 mm\"", "r, from the axis to the centre of the wire").of(TABLE_I),
@@ -72,20 +86,23 @@ pub(super) const SPRING: Table = Table {
                (at mid range, with its ends as `[mount]` has them); `chain`, the paper's chain with the spring's own mass; or `helix`, every mode of the \
                coil (axial, torsional, sideways) about the mean length of a condition, for `simulate` and `analyze`",
             "`coil`",
-        ),
+        )
+        .of(UNIFORM),
         optional(
             "hand",
             "\"right\"",
             "the sense in which the wire is wound, `right` or `left`: the sign of couples",
             "`right`",
-        ),
+        )
+        .of(UNIFORM),
         optional(
             "stiffness_at",
             "\"range\"",
             "what k is to the wire: `range`, the slope of the force at the middle of the range in use, or `flat`, that of the flat coil, \
                G d⁴/8 D³ n. E and G of the helix are brought to it",
             "`range`; of a spring by geometry `flat`",
-        ),
+        )
+        .of(UNIFORM),
         optional("shear_modulus", "\"81.5 GPa\"", "G, in place of the material's", "the material's"),
         optional("youngs_modulus", "\"206 GPa\"", "E, in place of the material's", "the material's"),
         optional("density", "\"7850 kg/m3\"", "in place of the material's", "the material's"),
@@ -102,7 +119,8 @@ pub(super) const SPRING: Table = Table {
             "\"5 N\"",
             "F_0, what a close-wound extension spring pulls before it opens",
             "`\"0 N\"`",
-        ),
+        )
+        .of(UNIFORM),
         optional(
             "nominal_force",
             "\"121.6 N\"",
@@ -133,7 +151,8 @@ pub(super) const SPRING: Table = Table {
             "\"10 %\"",
             "how far F_0 may be off, either way; the tolerance of k does not act on it",
             "none",
-        ),
+        )
+        .of(UNIFORM),
         optional("rest_length_tolerance", "\"0.5 mm\"", "how far l0 may be off, either way", "none"),
         optional("wire_diameter_tolerance", "\"0.5 %\"", "how far d may be off, either way", "none").of(GEOMETRY),
         optional("coil_diameter_tolerance", "\"1 %\"", "how far D may be off, either way", "none").of(GEOMETRY),
@@ -146,6 +165,40 @@ pub(super) const SPRING: Table = Table {
             "4",
             "masses of the chain for each winding, 1 (the paper's chain) to 64",
             "as many as it takes for no rms to move by more than 0.5 % when they are doubled, 32 at most",
+        ),
+    ],
+};
+
+pub(super) const SECTION: Table = Table {
+    name: "spring.section",
+    repeats: true,
+    meaning: told(
+        "A stretch of a coil that is not the same all along, from end 1 on: progressive, barrel-shaped, conical, beehive. What has two values in a \
+              list changes evenly along the wire, from the end nearer to end 1 to the other. Closed ends are sections with the pitch of the wire's \
+              diameter; those at the ends lie on their seats and do not move. Length, rate, mass and the static curve follow from the sections; \
+              windings that close within the range in use take a table `[contact]`. Axial motion only, as a chain. For `spring`, `simulate`, \
+              `analyze` and `speed`.",
+    ),
+    keys: &[
+        needed("windings", "1.5", "of this section; may be fractional"),
+        needed(
+            "pitch",
+            "\"8 mm\"",
+            "from winding to winding, centre to centre, unloaded; or `[\"4 mm\", \"8 mm\"]`. In its place `gap`",
+        ),
+        optional(
+            "gap",
+            "\"4 mm\"",
+            "from wire to wire, in place of `pitch`: the wire's diameter less; likewise of two values",
+            "by `pitch`",
+        ),
+        needed("coil_diameter", "\"25 mm\"", "D, mean diameter; or of two values"),
+        needed("wire_diameter", "\"4 mm\"", "d"),
+        optional(
+            "telescopes",
+            "true",
+            "whether a winding goes inside the next: it then closes where its pitch is used up, not where wires meet",
+            "`false`",
         ),
     ],
 };
