@@ -5,4 +5,5 @@ mod laws;
 mod random;
 mod reference;
 mod stepping;
+mod steps;
 mod uneven;
