@@ -32,7 +32,7 @@ def from_library(module, make):
     return prepare
 
 
-MODULES = {name: library(name) for name in ("numpy_modal", "scipy_motion", "mujoco_chain", "exudyn_chain", "rings")}
+MODULES = {name: library(name) for name in ("numpy_modal", "scipy_motion", "mujoco_chain", "mujoco_contact", "exudyn_chain", "rings")}
 
 DOP853 = {"method": "DOP853", "rtol": 1e-9, "atol": 1e-12}
 TWO_LEVELS = "phasors on two levels"
@@ -46,6 +46,13 @@ MOTION = [
     ("SciPy", "solve_ivp, DOP853 1e-9", "scipy_motion", lambda m, j: lambda: m.integrated(j, **DOP853), 1.5, ""),
     ("MuJoCo", "RK4, step 10 us", "mujoco_chain", lambda m, j: m.simulation(j, 10), 2.0, JOINTS),
     ("Exudyn", "RK67, step 33 us", "exudyn_chain", lambda m, j: m.simulation(j, "RK67", 3), 2.0, MASSES),
+]
+# Step [us], steps a sample, limits' settings, remark. The hardest contact that MuJoCo takes has a time constant of two steps.
+HARDEST = 'solreflimit="{} 1" solimplimit="0.99 0.99 0.001"'
+SOFT_CONTACT = [
+    ("RK4, step 20 us, contact as it is", 1, "", "solref 0.02 s, solimp 0.9 to 0.95"),
+    ("RK4, step 20 us, hardest contact", 1, HARDEST.format(40e-6), "solref 40 us, solimp 0.99"),
+    ("RK4, step 5 us, hardest contact", 4, HARDEST.format(10e-6), "solref 10 us, solimp 0.99"),
 ]
 RINGS = ("eq. 8, ellipkm1 and ellipe", "elliprd, no cancellation")
 
@@ -70,10 +77,20 @@ def mutual(bench, job):
         bench.row(job, "SciPy", setting, prepare, value_error(whole))
 
 
+def contact(bench):
+    """Windings that meet: chains of the job's own, no file of the folder."""
+    for job in ("valve", "contact"):
+        for setting, substeps, limit, remark in SOFT_CONTACT:
+            make = lambda m, n=substeps, limit=limit, job=job: m.simulation(job, n, limit)  # noqa: E731
+            error = lambda forces, job=job: MODULES["mujoco_contact"].error(job)(forces)  # noqa: E731
+            bench.row({"job": job}, "MuJoCo", setting, from_library(MODULES["mujoco_contact"], make), error, remark=remark)
+
+
 def main(folder, only):
     bench = Bench(only)
     for job in read_jobs(folder):
         {"motion": motion, "inductance": inductance, "mutual": mutual}[job["kind"]](bench, job)
+    contact(bench)
 
 
 if __name__ == "__main__":

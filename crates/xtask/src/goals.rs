@@ -78,6 +78,7 @@ pub fn print(rows: &[Row]) -> bool {
     growth(rows, &mut judge);
     analyses(rows, &mut judge);
     helix(rows, &mut judge);
+    contact(rows, &mut judge);
     all
 }
 
@@ -114,6 +115,31 @@ fn helix(rows: &[Row], judge: &mut impl FnMut(bool, &str)) {
         if let Some(median) = row.and_then(|row| row.median_ms) {
             judge(median <= most, &format!("helix, {setting}: {median:.3} ms (goal {most} ms)"));
         }
+    }
+}
+
+/// How long a spring whose windings meet may take \[ms\], by job and how its row begins.
+const CONTACT: [(&str, &str, f64); 4] = [
+    ("valve", "0.3 s, 6 masses", 3.0),
+    ("valve-48", "0.3 s, 48 masses, neighbours", 60.0),
+    ("valve-48", "0.3 s, 48 masses, a turn apart", 60.0),
+    ("contact", "S_A, 1 s, one run", 50.0),
+];
+
+/// Most time that asking for contact may take where a bound keeps windings apart, over not asking.
+const DEAREST_QUESTION: f64 = 1.02;
+
+fn contact(rows: &[Row], judge: &mut impl FnMut(bool, &str)) {
+    for (job, setting, most) in CONTACT {
+        let row = rows.iter().find(|row| row.job == job && row.setting.starts_with(setting));
+        if let Some(median) = row.and_then(|row| row.median_ms) {
+            judge(median <= most, &format!("{job}, {setting}: {median:.2} ms (goal {most} ms)"));
+        }
+    }
+    let asked = rows.iter().find(|row| row.job == "contact-clear" && row.setting.starts_with("S_A, 1 s, asked"));
+    if let Some(ratio) = asked.and_then(|row| row.ratio) {
+        let what = format!("contact asked where a bound rules it out: {ratio:.3}× (goal at most {DEAREST_QUESTION}×)");
+        judge(ratio <= DEAREST_QUESTION, &what);
     }
 }
 

@@ -105,7 +105,11 @@ fn what_is_no_coil_is_refused_at_its_line() {
     }
     let closed = BY_SECTIONS.replace("\"5 mm\"", "\"4 mm\"").replace("\"8 mm\"", "\"4 mm\"");
     assert!(read(&closed).unwrap_err().contains("at least one section must have a gap"));
-    let middle = format!("{}\n{}", BY_SECTIONS.replace("\"8 mm\"", "\"4 mm\""), &BY_SECTIONS[BY_SECTIONS.rfind("[[spring").unwrap()..]);
+    let middle = format!(
+        "{}\n{}",
+        BY_SECTIONS.replace("\"8 mm\"", "\"4 mm\""),
+        &BY_SECTIONS[BY_SECTIONS.rfind("[[spring").unwrap()..]
+    );
     assert!(read(&middle).unwrap_err().contains("is closed between open sections"));
     let table = "[spring]\nname = \"x\"\nmin_length = \"1 mm\"\nmax_length = \"2 mm\"\nsection = 3\n";
     assert!(read(table).unwrap_err().contains("must be tables [[spring.section]]"));

@@ -2,6 +2,7 @@
 //!
 //! The jobs and what is measured are described in `bench/README.md`; `cargo xtask bench` runs this beside the peers.
 
+mod contact;
 mod helix;
 mod job;
 mod measure;
@@ -40,6 +41,9 @@ fn main() -> Result<(), Failure> {
     }
     for measurement in helix::rows()? {
         println!("{}", measurement.json("helix", path)?);
+    }
+    for (job, measurement) in contact::rows()? {
+        println!("{}", measurement.json(job, path)?);
     }
     Ok(())
 }

@@ -129,20 +129,11 @@ impl Chain {
     /// [`Error::Value`] for a contact pitch that is not above zero, or above the pitch of the unloaded spring: its gap would be below zero;
     /// for `ends` with more than one mass per winding where end 2 is a mass: more than one point would lie on it.
     pub fn of(spring: &Spring, far_end: FarEnd, contact_pitch: f64, ends: bool) -> Result<Self, Error> {
-        above_zero("contact_pitch", contact_pitch, "m")?;
+        let gap = Self::gap(spring, far_end, contact_pitch, ends)?;
         let (lumps, apart) = (spring.chain_masses(), spring.masses_per_winding());
-        let one = "one where windings meet their seats and end 2 is a mass";
-        let is_one = apart == 1 || !matches!(far_end, FarEnd::Mass(_));
-        check(!ends || is_one, "masses_per_winding", apart as f64, "", one)?;
         if let Some(sections) = spring.sections() {
             return Ok(Self::of_sections(spring, sections, far_end, ends));
         }
-        let pitch = spring.rest_length() / spring.whole_windings() as f64;
-        let slack = pitch - contact_pitch;
-        let allowed =
-            format!("at most the {pitch} m of the unloaded spring: windings that touch without force are not covered");
-        check(slack >= -ROUNDING * pitch, "contact_pitch", contact_pitch, "m", allowed)?;
-        let gap = slack.max(0.0);
         let stiffness = lumps as f64 * spring.stiffness();
         let masses = vec![spring.mass() / lumps as f64; lumps];
         let mut stiffnesses = vec![stiffness; lumps + 1];
@@ -175,6 +166,31 @@ impl Chain {
             stiffnesses.push(f64::INFINITY);
         }
         Self::trusted(masses, stiffnesses, pairs, far_end)
+    }
+
+    /// By how much the unloaded spring's pitch is above that of contact \[m\]: all that [`Self::of`] checks.
+    ///
+    /// # Errors
+    /// Those of [`Self::of`].
+    pub(super) fn gap(spring: &Spring, far_end: FarEnd, contact_pitch: f64, ends: bool) -> Result<f64, Error> {
+        above_zero("contact_pitch", contact_pitch, "m")?;
+        let apart = spring.masses_per_winding();
+        let one = "one where windings meet their seats and end 2 is a mass";
+        let is_one = apart == 1 || !matches!(far_end, FarEnd::Mass(_));
+        check(!ends || is_one, "masses_per_winding", apart as f64, "", one)?;
+        if spring.sections().is_some() {
+            // Each pair has a gap of its own, none of which is below zero.
+            return Ok(0.0);
+        }
+        let pitch = spring.rest_length() / spring.whole_windings() as f64;
+        let slack = pitch - contact_pitch;
+        if slack < -ROUNDING * pitch || slack.is_nan() {
+            let allowed = format!(
+                "at most the {pitch} m of the unloaded spring: windings that touch without force are not covered"
+            );
+            check(false, "contact_pitch", contact_pitch, "m", allowed)?;
+        }
+        Ok(slack.max(0.0))
     }
 
     /// N: how many lumps there are, an end mass and a follower among them.

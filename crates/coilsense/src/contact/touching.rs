@@ -80,7 +80,7 @@ impl Touching {
         twice: bool,
     ) -> Result<Self, Error> {
         crate::error::at_least_one("times", times.len())?;
-        let times = crate::signals::increasing(times)?;
+        // Which lets through ascending times only.
         let signals = motion.signals(times)?;
         let pitch = contact.pitch().unwrap_or(motion.spring().wire_diameter());
         let is_chain = motion.modes().is_chain() || motion.spring().sections().is_some();
@@ -91,13 +91,17 @@ impl Touching {
             "",
             "those of a chain of equal masses where windings may meet",
         )?;
-        let chain = chain_of(motion, contact, pitch)?;
         let until = times[times.len() - 1];
         let all = || with_windings.then(|| motion.windings(times)).transpose();
         let only_windings = !contact.ends() && !contact.lifts() && contact.follower().is_none();
-        if only_windings && Clash::excluded(motion, until, pitch) {
-            return Ok(Self { signals, course: None, windings: all()?, changed: None });
+        if only_windings {
+            // Refuses what the chain would, which is not made where a bound keeps all windings apart.
+            Chain::gap(motion.spring(), motion.mount().far_end(), pitch, false)?;
+            if Clash::excluded(motion, until, pitch) {
+                return Ok(Self { signals, course: None, windings: all()?, changed: None });
+            }
         }
+        let chain = chain_of(motion, contact, pitch)?;
         let Some(begin) = first_near(motion, contact, &chain, times)? else {
             return Ok(Self { signals, course: None, windings: all()?, changed: None });
         };

@@ -104,7 +104,9 @@ fn under_sine(sine: &Sine, oscillator: &Oscillator, until: f64) -> f64 {
     let pushed = lasts / natural;
     let swing = match oscillator.roots() {
         Roots::Pair(root) => {
-            let parts = [root, root.conj()].map(|root| lasts.min(2.0 / (root - Complex64::new(0.0, drive)).norm()));
+            // Not `norm`, whose care for overflow takes time; squares of frequencies are far from it.
+            let apart = |root: Complex64| (root - Complex64::new(0.0, drive)).norm_sqr().sqrt();
+            let parts = [root, root.conj()].map(|root| lasts.min(2.0 / apart(root)));
             // Of q and of q̇/ω each; both together where the sine has ended and the mode swings on.
             let on = if sine.until < until { std::f64::consts::SQRT_2 } else { 1.0 };
             on * (parts[0] + parts[1]) / (2.0 * root.im)

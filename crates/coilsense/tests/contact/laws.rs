@@ -181,6 +181,19 @@ fn a_motion_that_stays_clear_is_left_alone() {
 }
 
 #[test]
+fn times_that_do_not_ascend_are_refused_where_nothing_meets_too() {
+    let motion = Motion::new(&spring(1), &sine(1e-5, 100.0)).unwrap();
+    let error = |times: &[f64]| Touching::of(&motion, &hard(), times, false).unwrap_err().to_string();
+    assert!(error(&[]).contains("times"));
+    assert!(error(&[0.0, 0.01, 0.005]).contains("time[2] must be above its predecessor of 0.01 s"));
+    assert!(error(&[0.0, f64::NAN]).contains("time[1]"));
+    assert!(error(&[-0.1, 0.0]).contains("time[0]"));
+    // And a pitch at which the unloaded spring would overlap, which the bound alone would not see.
+    let wide = Contact::default().at_pitch(0.0096).unwrap();
+    assert!(Touching::of(&motion, &wide, &[0.0, 0.01], false).unwrap_err().to_string().contains("contact_pitch"));
+}
+
+#[test]
 fn what_stays_together_is_calm_and_what_bounces_fully_is_lost() {
     let motion = Motion::new(&spring(1), &sine(1.5e-3, 399.0)).unwrap();
     let times = grid(0.3, 3000);

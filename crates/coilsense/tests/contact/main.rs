@@ -5,5 +5,6 @@ mod laws;
 mod random;
 mod reference;
 mod stepping;
+mod steps;
 mod uneven;
 mod wound;

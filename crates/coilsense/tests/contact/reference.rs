@@ -132,7 +132,7 @@ fn s_a_on_windings_that_give_way_does_what_two_other_schemes_say() {
 }
 
 /// The spring is 9 mm shorter than unloaded in the middle of its use; the chain of these tests counts from there.
-const PRELOAD: f64 = 29028.0 * 0.009;
+pub const PRELOAD: f64 = 29028.0 * 0.009;
 
 #[test]
 fn the_valve_spring_does_what_two_other_schemes_say() {
