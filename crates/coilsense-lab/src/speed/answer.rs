@@ -15,11 +15,15 @@ pub fn answer(map: &SpeedMap) -> Vec<String> {
     lines.extend(given_up(map));
     lines.extend(refined(map));
     lines.push(format!(
-        "{} of a camshaft that turns {} times a turn of the engine; {} masses per winding. Left out: what else gives between cam and spring, friction, how \
+        "{} of a camshaft that turns {} times a turn of the engine; {} per winding. Left out: what else gives between cam and spring, friction, how \
          windings rebound in fact.",
-        map.cam.words, map.range.ratio, map.masses_per_winding
+        map.cam.words, map.range.ratio, masses(map.masses_per_winding)
     ));
     lines.into_iter().filter(|line| !line.is_empty()).collect()
+}
+
+fn masses(count: usize) -> String {
+    format!("{count} mass{}", if count == 1 { "" } else { "es" })
 }
 
 pub(crate) fn rpm(speed: f64) -> String {

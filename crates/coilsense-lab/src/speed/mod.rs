@@ -26,6 +26,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use coilsense::Error;
 use rayon::prelude::*;
 
+use self::point::{Asked, Waves};
 use self::speeds::Speeds;
 use crate::spec::{CamSpec, Spec};
 
@@ -154,7 +155,8 @@ impl SpeedMap {
             .map(|way| Ok(Speeds::of(&range, &campbell, point::first_ratio(&spec, way)?)))
             .collect::<Result<_, Error>>()?;
         let added = ways.iter().map(|speeds| speeds.added).collect();
-        let points = run_all(&spec, &cam, &range, &jobs(&ways), progress)?;
+        let asked = Asked { spec: &spec, cam: &cam, range: &range, waves: Waves::of(&cam) };
+        let points = run_all(&asked, &jobs(&ways), progress)?;
         let masses_per_winding = spec.spring.spring.masses_per_winding();
         Ok(Self { cam, range, points, campbell, added, masses_per_winding, spec })
     }
@@ -174,19 +176,14 @@ fn jobs(ways: &[Speeds]) -> Vec<(f64, usize)> {
 }
 
 /// Runs them on all cores.
-fn run_all(
-    spec: &Spec,
-    cam: &CamSpec,
-    range: &Range,
-    jobs: &[(f64, usize)],
-    progress: &Progress<'_>,
-) -> Result<Vec<SpeedPoint>, SpeedError> {
+fn run_all(asked: &Asked<'_>, jobs: &[(f64, usize)], progress: &Progress<'_>) -> Result<Vec<SpeedPoint>, SpeedError> {
+    let spec = asked.spec;
     let done = AtomicUsize::new(0);
     let one = |&(speed, way): &(f64, usize)| {
         if !progress(done.load(Ordering::Relaxed), jobs.len()) {
             return Err(SpeedError::Interrupted);
         }
-        let found = point::of(spec, cam, range, speed, way);
+        let found = point::of(asked, speed, way);
         let point = found.map_err(|reason| SpeedError::Point {
             file: spec.file.clone(),
             rpm: (600.0 * speed).round() / 10.0,

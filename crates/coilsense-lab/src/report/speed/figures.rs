@@ -7,12 +7,14 @@ use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, HeatMap, HorizontalMar
 use crate::speed::{HARMONICS, Line, SpeedMap, SpeedPoint};
 
 const PANEL: (f64, f64) = (430.0, 165.0);
+/// Of a phone.
+const NARROW: (f64, f64) = (355.0, 170.0);
 /// How ways are told apart, by colour and dash.
 const COLOURS: [Colour; 4] = [Colour::Red, Colour::Blue, Colour::Green, Colour::Ink];
 const DASHES: [Dash; 2] = [Dash::Solid, Dash::Dashed];
 
-/// Campbell's map, windings that meet with a follower that floats, forces at both ends, surge.
-pub(super) fn overview(map: &SpeedMap) -> Figure {
+/// Campbell's map, a follower that floats, windings that meet, surge; without a follower forces at both ends. So many columns of panels.
+pub(super) fn overview(map: &SpeedMap, columns: usize) -> Figure {
     let mut panels = vec![campbell(map)];
     let has_follower = map.points.iter().any(|point| point.floating.is_some());
     if has_follower {
@@ -24,7 +26,8 @@ pub(super) fn overview(map: &SpeedMap) -> Figure {
     if !has_follower {
         panels.push(forces(map));
     }
-    Figure { panels, columns: 2, panel_width: PANEL.0, panel_height: PANEL.1 }
+    let (panel_width, panel_height) = if columns == 1 { NARROW } else { PANEL };
+    Figure { panels, columns, panel_width, panel_height }
 }
 
 /// Least and largest forces at both ends of the first way.
