@@ -204,7 +204,10 @@ fn a_step_of_1000_rpm_finds_the_worst_surge_of_one_of_100() {
     let worst = |step: f64| {
         let range = Range { from: 4000.0 / 60.0, to: 8000.0 / 60.0, step: step / 60.0, ratio: 0.5 };
         let map = SpeedMap::of(read(&text).unwrap(), range, &|_, _| true).unwrap();
-        let at_steps = map.points.iter().filter(|point| (60.0 * point.speed / step).fract().min(1.0 - (60.0 * point.speed / step).fract()) < 1e-6);
+        let at_steps = map
+            .points
+            .iter()
+            .filter(|point| (60.0 * point.speed / step).fract().min(1.0 - (60.0 * point.speed / step).fract()) < 1e-6);
         let least = at_steps.map(|point| point.surge).fold(0.0, f64::max);
         let most = map.points.iter().max_by(|a, b| a.surge.total_cmp(&b.surge)).unwrap();
         (most.surge, least, most.speed, map.added[0])
@@ -243,7 +246,9 @@ fn a_cam_of_harmonics_is_their_sum_counted_from_its_least() {
     let cam = "harmonics = [[1, \"-3 mm\"], [2, \"0.8 mm\", \"30 deg\"], [7, \"20 um\", \"-1 rad\"]]";
     let cam = read(&text("0.01", "", "", cam)).unwrap().cam.unwrap();
     let sum = |turn: f64| {
-        -3e-3 * (TAU * turn).cos() + 0.8e-3 * (2.0 * TAU * turn + TAU / 12.0).cos() + 2e-5 * (7.0 * TAU * turn - 1.0).cos()
+        -3e-3 * (TAU * turn).cos()
+            + 0.8e-3 * (2.0 * TAU * turn + TAU / 12.0).cos()
+            + 2e-5 * (7.0 * TAU * turn - 1.0).cos()
     };
     let turns: Vec<f64> = (0..20_000).map(|sample| f64::from(sample) / 20_000.0).collect();
     let least = turns.iter().map(|turn| sum(*turn)).fold(f64::INFINITY, f64::min);
@@ -253,8 +258,16 @@ fn a_cam_of_harmonics_is_their_sum_counted_from_its_least() {
         assert!((cam.lift_at(*turn) - (sum(*turn) - least)).abs() < 1e-9, "{turn}");
     }
     assert!((cam.lift - (most - least)).abs() < 1e-9 && cam.lift_at(cam.least_at).abs() < 1e-12);
-    let refused = |harmonics: &str| read(&text("0.01", "", "", &format!("harmonics = {harmonics}"))).map(|_| ()).unwrap_err();
-    for wrong in ["[]", "[[0, \"1 mm\"]]", "[[1, \"1 mm\"], [1, \"2 mm\"]]", "[[1.5, \"1 mm\"]]", "[[1, 3]]", "[[1, \"1 mm\", \"1 s\"]]"] {
+    let refused =
+        |harmonics: &str| read(&text("0.01", "", "", &format!("harmonics = {harmonics}"))).map(|_| ()).unwrap_err();
+    for wrong in [
+        "[]",
+        "[[0, \"1 mm\"]]",
+        "[[1, \"1 mm\"], [1, \"2 mm\"]]",
+        "[[1.5, \"1 mm\"]]",
+        "[[1, 3]]",
+        "[[1, \"1 mm\", \"1 s\"]]",
+    ] {
         let message = refused(wrong);
         assert!(message.contains("list of 1 to 64 lists") && message.lines().count() == 1, "{message}");
     }
@@ -274,7 +287,8 @@ fn harmonics_of_the_force_are_those_of_the_motion_under_one_of_the_cam() {
     let times: Vec<f64> = (0..1000).map(|sample| f64::from(sample) * 5e-5).collect();
     let signals = motion.signals(&times).unwrap();
     let force = signals.channel(Channel::OutputForce).unwrap();
-    let swing = force.iter().copied().fold(f64::NEG_INFINITY, f64::max) - force.iter().copied().fold(f64::INFINITY, f64::min);
+    let swing =
+        force.iter().copied().fold(f64::NEG_INFINITY, f64::max) - force.iter().copied().fold(f64::INFINITY, f64::min);
     // What is left of the start from rest.
     assert!((point.harmonics[0] - 0.5 * swing).abs() < 0.02, "{} {}", point.harmonics[0], 0.5 * swing);
     assert!(point.harmonics[1..].iter().all(|amplitude| *amplitude < 0.3), "{:?}", point.harmonics);
@@ -283,13 +297,17 @@ fn harmonics_of_the_force_are_those_of_the_motion_under_one_of_the_cam() {
 #[test]
 fn a_slow_cam_stresses_the_wire_as_its_static_forces_do() {
     let cam = text("0.01", "", "restitution = 0.0", CAM);
-    let strong = cam.replace("[mount]", "endurance_shear_strength = \"300 MPa\"\nultimate_shear_strength = \"1100 MPa\"\n[mount]");
+    let strong = cam
+        .replace("[mount]", "endurance_shear_strength = \"300 MPa\"\nultimate_shear_strength = \"1100 MPa\"\n[mount]");
     let (plain, strong) = (map(&cam, 300.0, 300.0), map(&strong, 300.0, 300.0));
     let stress = plain.points[0].stress.unwrap();
     let geometry = &plain.spec.spring.geometry;
     let of = |stretch: f64| geometry.corrected_shear_stress(plain.spec.spring.spring.stiffness() * stretch);
     // Waves at 300 rpm are within 2 N of 551 N.
-    assert!((stress.largest / of(0.019) - 1.0).abs() < 5e-3 && (stress.least / of(0.009) - 1.0).abs() < 1e-2, "{stress:?}");
+    assert!(
+        (stress.largest / of(0.019) - 1.0).abs() < 5e-3 && (stress.least / of(0.009) - 1.0).abs() < 1e-2,
+        "{stress:?}"
+    );
     assert_eq!(stress.safety, None);
     assert!(answer(&plain).join("\n").contains("gives no strengths"));
     let factor = strong.points[0].stress.unwrap().safety.unwrap();

@@ -115,7 +115,9 @@ fn seats(map: &SpeedMap) -> String {
     let at = format!("{} ({})", rpm(worst.speed), label(map, worst));
     match lowest(map, |point| point.lifts > 0.0) {
         Some(first) => format!("An end leaves its seat from {} on ({}).", rpm(first.speed), label(map, first)),
-        None if least(worst) < 0.0 => format!("A seat would have to pull with {} N at {at}: lift_off is off.", digits(-least(worst))),
+        None if least(worst) < 0.0 => {
+            format!("A seat would have to pull with {} N at {at}: lift_off is off.", digits(-least(worst)))
+        }
         None => format!("Seats are pressed with {} N at least, at {at}.", digits(least(worst))),
     }
 }

@@ -27,7 +27,8 @@ impl Stress {
             Self { safety: strength.map(|strength| stress.against(strength)), ..stress }
         };
         let each = tensions.iter().filter(|pair| pair[0] <= pair[1]).map(of);
-        let danger = |stress: &Self| stress.safety.map_or(stress.largest.abs().max(stress.least.abs()), |safety| 1.0 / safety);
+        let danger =
+            |stress: &Self| stress.safety.map_or(stress.largest.abs().max(stress.least.abs()), |safety| 1.0 / safety);
         each.max_by(|a, b| danger(a).total_cmp(&danger(b)))
     }
 

@@ -127,7 +127,8 @@ fn harmonics(forces: &[f64], in_a_turn: usize) -> Vec<f64> {
     for turn in whole {
         mean.iter_mut().zip(turn).for_each(|(mean, force)| *mean += force / count as f64);
     }
-    let wave: Vec<(f64, f64)> = (0..in_a_turn).map(|sample| (TAU * sample as f64 / in_a_turn as f64).sin_cos()).collect();
+    let wave: Vec<(f64, f64)> =
+        (0..in_a_turn).map(|sample| (TAU * sample as f64 / in_a_turn as f64).sin_cos()).collect();
     let of = |harmonic: usize| {
         let (mut sine, mut cosine) = (0.0, 0.0);
         for (sample, force) in mean.iter().enumerate() {
@@ -147,8 +148,9 @@ mod tests {
     #[test]
     fn a_sine_of_the_third_harmonic_is_found_there_and_nowhere_else() {
         let samples = 150;
-        let forces: Vec<f64> =
-            (0..=4 * samples).map(|sample| -5.0 + 2.0 * (TAU * 3.0 * sample as f64 / samples as f64 + 0.3).sin()).collect();
+        let forces: Vec<f64> = (0..=4 * samples)
+            .map(|sample| -5.0 + 2.0 * (TAU * 3.0 * sample as f64 / samples as f64 + 0.3).sin())
+            .collect();
         let found = harmonics(&forces, samples);
         assert_eq!(found.len(), HARMONICS);
         for (index, amplitude) in found.iter().enumerate() {

@@ -169,7 +169,8 @@ impl SpeedMap {
 
 /// Every speed of every way, speed by speed: the long runs, those at few turns a second, first.
 fn jobs(ways: &[Speeds]) -> Vec<(f64, usize)> {
-    let of_way = |(way, speeds): (usize, &Speeds)| speeds.each.iter().map(move |speed| (*speed, way)).collect::<Vec<_>>();
+    let of_way =
+        |(way, speeds): (usize, &Speeds)| speeds.each.iter().map(move |speed| (*speed, way)).collect::<Vec<_>>();
     let mut jobs: Vec<(f64, usize)> = ways.iter().enumerate().flat_map(of_way).collect();
     jobs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     jobs

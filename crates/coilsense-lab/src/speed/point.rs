@@ -153,24 +153,24 @@ pub(super) fn of(asked: &Asked<'_>, speed: f64, way: usize) -> Result<SpeedPoint
     let rate = SAMPLES * first / std::f64::consts::TAU;
     // A whole number of samples a turn, the same in each.
     let in_a_turn = (rate / turning).ceil().max(64.0) as usize;
-    let run = |motion: &Motion, before: usize| {
+    let run = |motion: &Motion, about: f64, before: usize| {
         let (turns, from) = (before + JUDGED, before as f64 / turning);
         let time = |sample: usize| from + sample as f64 / (in_a_turn as f64 * turning);
         let times: Vec<f64> = (0..=JUDGED * in_a_turn).map(time).collect();
-        let course = Touching::driven(motion, contact, path(cam, turning, turns)?, &times)?;
+        let course = Touching::driven(motion, contact, path(cam, about, turning, turns)?, &times)?;
         let seen = Turns { from, until: turns as f64 / turning, in_a_turn, count: turns };
         Ok::<_, Error>((course, seen))
     };
     if ratio > 0.0 {
         // What cannot be, since windings overlap in it, is not how the run begins.
         let repeats = moved(spec, way, cam.length - waves.mean, waves.at(turning), Start::Steady);
-        let found = repeats.and_then(|repeats| run(&repeats, 0));
+        let found = repeats.and_then(|repeats| run(&repeats, waves.mean, 0));
         if let Some((course, seen)) = found.ok().filter(|(course, _)| is_clear(course)) {
             return Ok(judged(spec, way, speed, &course, &seen));
         }
     }
     let wait = if ratio > 0.0 { (DECAYS / (ratio * first)).min(LONGEST) } else { LONGEST };
-    let (course, seen) = run(&motion, ((wait * turning).ceil() as usize).max(FEWEST))?;
+    let (course, seen) = run(&motion, 0.0, ((wait * turning).ceil() as usize).max(FEWEST))?;
     Ok(judged(spec, way, speed, &course, &seen))
 }
 
@@ -182,9 +182,10 @@ pub(super) struct Asked<'a> {
     pub waves: Waves,
 }
 
-/// The cam's lift over time, from where it is least.
-fn path(cam: &CamSpec, turning: f64, turns: usize) -> Result<Path, Error> {
-    let (begins, of_a_turn) = cam.from_least();
+/// The cam's lift over time about a lift \[m\], from where it is least.
+fn path(cam: &CamSpec, about: f64, turning: f64, turns: usize) -> Result<Path, Error> {
+    let (begins, mut of_a_turn) = cam.from_least();
+    of_a_turn.iter_mut().filter_map(|powers| powers.first_mut()).for_each(|first| *first -= about);
     let mut knots = Vec::with_capacity(turns * begins.len() + 1);
     let mut pieces = Vec::with_capacity(turns * begins.len());
     for turn in 0..turns {

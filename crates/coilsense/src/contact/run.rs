@@ -244,8 +244,7 @@ impl<'a> Run<'a> {
         let (base, last) = (chain.base(), chain.last_segment());
         self.tensions.resize(last + 1 - base, [f64::INFINITY, f64::NEG_INFINITY]);
         for (segment, [least, largest]) in (base..=last).zip(&mut self.tensions) {
-            let hangs_loose =
-                segment == base && !self.now.attached[0] || segment == last && !self.now.attached[1];
+            let hangs_loose = segment == base && !self.now.attached[0] || segment == last && !self.now.attached[1];
             let stretch = if hangs_loose { 0.0 } else { places[segment + 1] - places[segment] };
             let tension = chain.stiffnesses()[segment] * stretch;
             (*least, *largest) = (least.min(tension), largest.max(tension));

@@ -148,7 +148,8 @@ const MOST_COLUMNS: f64 = 200.0;
 /// Which harmonic has a line's frequency, over the speed.
 fn order(map: &SpeedMap, index: usize, line: &Line) -> Curve {
     let range = &map.range;
-    let speeds: Vec<f64> = (0..=100).map(|part| range.from + f64::from(part) / 100.0 * (range.to - range.from)).collect();
+    let speeds: Vec<f64> =
+        (0..=100).map(|part| range.from + f64::from(part) / 100.0 * (range.to - range.from)).collect();
     Curve {
         label: line.name.clone(),
         x: speeds.iter().map(|speed| 60.0 * speed).collect(),

@@ -35,7 +35,9 @@ const COLUMNS: [Column; 24] = [
     ("Goodman factor [1]", "goodman_factor", 1.0, |point| point.stress?.safety),
     ("unsettled [F_nom]", "unsettled", 1.0, |point| Some(point.unsettled)),
     ("turns [1]", "turns", 1.0, |point| Some(point.turns as f64)),
-    ("followed to the end [1]", "followed_to_the_end", 1.0, |point| Some(if point.given_up.is_none() { 1.0 } else { 0.0 })),
+    ("followed to the end [1]", "followed_to_the_end", 1.0, |point| {
+        Some(if point.given_up.is_none() { 1.0 } else { 0.0 })
+    }),
 ];
 
 /// What a run holds in the title's unit; NaN where it does not apply.
@@ -74,8 +76,7 @@ pub(super) fn parquet(map: &SpeedMap) -> Result<Vec<u8>, SweepError> {
 
 /// The runs of one damping and rebound by rising speed: keys, and what they hold in SI, NaN where they do not apply.
 pub fn speed_columns(map: &SpeedMap, way: usize) -> Vec<(&'static str, Vec<f64>)> {
-    let of_way = |(_, key, _, of): &Column| {
-        (*key, map.of_way(way).map(|point| of(point).unwrap_or(f64::NAN)).collect())
-    };
+    let of_way =
+        |(_, key, _, of): &Column| (*key, map.of_way(way).map(|point| of(point).unwrap_or(f64::NAN)).collect());
     std::iter::once(&SPEED).chain(&COLUMNS).map(of_way).collect()
 }
