@@ -22,6 +22,8 @@ from coilsense._studies import (
     ranking_frame,
     runs_frame,
     sensitivity_html,
+    speed_html,
+    speeds_frame,
 )
 
 __all__ = [
@@ -44,4 +46,6 @@ __all__ = [
     "ranking_frame",
     "runs_frame",
     "sensitivity_html",
+    "speed_html",
+    "speeds_frame",
 ]

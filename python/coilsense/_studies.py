@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import matplotlib.axes
     import pandas
 
-    from coilsense import Experiment, Mitigation, Pareto, Placement, Sensitivity
+    from coilsense import Experiment, Mitigation, Pareto, Placement, Sensitivity, SpeedMap
 
 # mitigation
 
@@ -81,6 +81,23 @@ def placement_html(placement: Placement) -> str:
     """The answer, and the limits."""
     rows = [(name, f"{stable:.4g}", f"{robust:.4g}") for name, (stable, robust) in placement.limits.items()]
     return paragraphs(placement.answer) + table("Limits", rows, ("fed back", "stable up to [Hz]", "sensitivity 2 up to [Hz]"))
+
+
+# speed
+
+
+def speeds_frame(speeds: SpeedMap) -> pandas.DataFrame:
+    """One row per run: its case, then the columns in SI."""
+    library = _library("pandas", "pandas")
+    cases = [library.DataFrame({"case": case, **columns}) for case, columns in speeds.runs.items()]
+    made: pandas.DataFrame = library.concat(cases, ignore_index=True)
+    return made
+
+
+def speed_html(speeds: SpeedMap) -> str:
+    """The answer, and where harmonics meet the first surge frequency."""
+    rows = [(f"{60 * speed:.0f}", str(harmonic), f"{1e6 * lift:.3g}") for harmonic, speed, lift in speeds.crossings]
+    return paragraphs(speeds.answer) + table("Crossings", rows, ("n [rpm]", "harmonic", "its lift [µm]"))
 
 
 # experiment

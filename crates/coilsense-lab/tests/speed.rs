@@ -196,3 +196,140 @@ fn what_is_no_cam_or_no_range_is_refused_in_a_line() {
     let stopped = SpeedMap::of(read(&good).unwrap(), range, &|done, _| done < 2).map(|_| ()).unwrap_err();
     assert!(stopped.to_string().contains("interrupted"));
 }
+
+#[test]
+fn a_step_of_1000_rpm_finds_the_worst_surge_of_one_of_100() {
+    // Without refinement, a step of 1000 rpm from 4000 on would meet no peak of a mode of ζ = 0.005: they are 0.5 % wide.
+    let text = text("0.005", "", "restitution = 0.0", CAM);
+    let worst = |step: f64| {
+        let range = Range { from: 4000.0 / 60.0, to: 8000.0 / 60.0, step: step / 60.0, ratio: 0.5 };
+        let map = SpeedMap::of(read(&text).unwrap(), range, &|_, _| true).unwrap();
+        let at_steps = map
+            .points
+            .iter()
+            .filter(|point| (60.0 * point.speed / step).fract().min(1.0 - (60.0 * point.speed / step).fract()) < 1e-6);
+        let least = at_steps.map(|point| point.surge).fold(0.0, f64::max);
+        let most = map.points.iter().max_by(|a, b| a.surge.total_cmp(&b.surge)).unwrap();
+        (most.surge, least, most.speed, map.added[0])
+    };
+    let (fine, _, at, _) = worst(100.0);
+    let (coarse, at_steps, there, added) = worst(1000.0);
+    // Windings that meet limit the peak: between points of one bandwidth it moves by a few percent.
+    assert!((coarse / fine - 1.0).abs() < 0.04, "{coarse} {fine}");
+    assert!((there / at - 1.0).abs() < 0.02 && added > 10, "{there} {at} {added}");
+    assert!(at_steps < 0.9 * fine, "{at_steps} {fine}");
+}
+
+#[test]
+fn points_beside_a_crossing_show_the_width_of_its_peak() {
+    let map = map(&text("[0.001, 0.01]", "", "restitution = 0.0", CAM), 3000.0, 4000.0);
+    for (way, ratio) in [(0, 0.001), (1, 0.01)] {
+        let speeds: Vec<f64> = map.of_way(way).map(|point| point.speed).collect();
+        for crossing in &map.campbell.crossings {
+            for share in [1.0 - ratio, 1.0, 1.0 + ratio] {
+                let expected = share * crossing.speed;
+                let is_within = (50.0..=4000.0 / 60.0).contains(&expected);
+                let nearest = speeds.iter().map(|speed| (speed / expected - 1.0).abs()).fold(f64::INFINITY, f64::min);
+                assert!(!is_within || nearest < 1.1e-4, "{way} {expected}: {nearest:e}");
+            }
+        }
+    }
+    let words = answer(&map).join("\n");
+    assert!(words.contains("Besides the steps"), "{words}");
+    // Slower than any harmonic that is looked at can reach the surge frequency: none is added.
+    let slow = self::map(&text("0.01", "", "restitution = 0.0", CAM), 300.0, 300.0);
+    assert!(slow.added == [0] && !answer(&slow).join("\n").contains("Besides the steps"));
+}
+
+#[test]
+fn a_cam_of_harmonics_is_their_sum_counted_from_its_least() {
+    let cam = "harmonics = [[1, \"-3 mm\"], [2, \"0.8 mm\", \"30 deg\"], [7, \"20 um\", \"-1 rad\"]]";
+    let cam = read(&text("0.01", "", "", cam)).unwrap().cam.unwrap();
+    let sum = |turn: f64| {
+        -3e-3 * (TAU * turn).cos()
+            + 0.8e-3 * (2.0 * TAU * turn + TAU / 12.0).cos()
+            + 2e-5 * (7.0 * TAU * turn - 1.0).cos()
+    };
+    let turns: Vec<f64> = (0..20_000).map(|sample| f64::from(sample) / 20_000.0).collect();
+    let least = turns.iter().map(|turn| sum(*turn)).fold(f64::INFINITY, f64::min);
+    let most = turns.iter().map(|turn| sum(*turn)).fold(f64::NEG_INFINITY, f64::max);
+    for turn in &turns {
+        // The least of samples is off by the square of their distance.
+        assert!((cam.lift_at(*turn) - (sum(*turn) - least)).abs() < 1e-9, "{turn}");
+    }
+    assert!((cam.lift - (most - least)).abs() < 1e-9 && cam.lift_at(cam.least_at).abs() < 1e-12);
+    let refused =
+        |harmonics: &str| read(&text("0.01", "", "", &format!("harmonics = {harmonics}"))).map(|_| ()).unwrap_err();
+    for wrong in [
+        "[]",
+        "[[0, \"1 mm\"]]",
+        "[[1, \"1 mm\"], [1, \"2 mm\"]]",
+        "[[1.5, \"1 mm\"]]",
+        "[[1, 3]]",
+        "[[1, \"1 mm\", \"1 s\"]]",
+    ] {
+        let message = refused(wrong);
+        assert!(message.contains("list of 1 to 64 lists") && message.lines().count() == 1, "{message}");
+    }
+    assert!(refused("[[1, \"9 mm\"]]").contains("at which the spring is solid"));
+    assert!(refused("[[1, \"1 mm\"]]\nlift = \"2 mm\"").contains("no key of a cam of harmonics"));
+}
+
+#[test]
+fn harmonics_of_the_force_are_those_of_the_motion_under_one_of_the_cam() {
+    // One harmonic at 20 Hz, far below f1, and its answer in closed form; the steady state has no other.
+    let text = text("0.01", "", "restitution = 0.0", "harmonics = [[1, \"4 mm\", \"180 deg\"]]");
+    let map = map(&text, 2400.0, 2400.0);
+    let (point, spec) = (&map.points[0], &map.spec);
+    let input = EndInput::Harmonics(vec![Harmonic { amplitude: 4e-3, frequency: 20.0, phase: 0.0 }]);
+    let excitation = Excitation::new(map.cam.length - 4e-3, input, EndInput::Held, Start::Steady).unwrap();
+    let motion = Motion::mounted(&spec.spring.spring, &spec.mount.cases[0].mount, &excitation).unwrap();
+    let times: Vec<f64> = (0..1000).map(|sample| f64::from(sample) * 5e-5).collect();
+    let signals = motion.signals(&times).unwrap();
+    let force = signals.channel(Channel::OutputForce).unwrap();
+    let swing =
+        force.iter().copied().fold(f64::NEG_INFINITY, f64::max) - force.iter().copied().fold(f64::INFINITY, f64::min);
+    // What is left of the start from rest.
+    assert!((point.harmonics[0] - 0.5 * swing).abs() < 0.02, "{} {}", point.harmonics[0], 0.5 * swing);
+    assert!(point.harmonics[1..].iter().all(|amplitude| *amplitude < 0.3), "{:?}", point.harmonics);
+}
+
+#[test]
+fn a_slow_cam_stresses_the_wire_as_its_static_forces_do() {
+    let cam = text("0.01", "", "restitution = 0.0", CAM);
+    let strong = cam
+        .replace("[mount]", "endurance_shear_strength = \"300 MPa\"\nultimate_shear_strength = \"1100 MPa\"\n[mount]");
+    let (plain, strong) = (map(&cam, 300.0, 300.0), map(&strong, 300.0, 300.0));
+    let stress = plain.points[0].stress.unwrap();
+    let geometry = &plain.spec.spring.geometry;
+    let of = |stretch: f64| geometry.corrected_shear_stress(plain.spec.spring.spring.stiffness() * stretch);
+    // Waves at 300 rpm are within 2 N of 551 N.
+    assert!(
+        (stress.largest / of(0.019) - 1.0).abs() < 5e-3 && (stress.least / of(0.009) - 1.0).abs() < 1e-2,
+        "{stress:?}"
+    );
+    assert_eq!(stress.safety, None);
+    assert!(answer(&plain).join("\n").contains("gives no strengths"));
+    let factor = strong.points[0].stress.unwrap().safety.unwrap();
+    let expected = 1.0 / (0.5 * (of(0.019) - of(0.009)) / 300e6 + 0.5 * (of(0.019) + of(0.009)) / 1100e6);
+    assert!((factor / expected - 1.0).abs() < 1e-2, "{factor} {expected}");
+    assert!(answer(&strong).join("\n").contains("a Goodman factor of"));
+    let refused = |keys: &str| read(&cam.replace("[mount]", &format!("{keys}\n[mount]"))).map(|_| ()).unwrap_err();
+    assert!(refused("endurance_shear_strength = \"300 MPa\"").contains("lacks the key \"ultimate_shear_strength\""));
+    let swapped = refused("endurance_shear_strength = \"900 MPa\"\nultimate_shear_strength = \"800 MPa\"");
+    assert!(swapped.contains("must be below ultimate_shear_strength of 800 MPa"), "{swapped}");
+}
+
+#[test]
+fn windings_stay_closed_for_longer_than_none_where_they_meet_and_seats_are_pressed_until_an_end_leaves() {
+    let map = map(&text("0.002", "", "restitution = 0.0", CAM), 3000.0, 8000.0);
+    for point in &map.points {
+        let [first, second] = point.least_push();
+        assert!(first == 0.0 - point.input[1] && second == 0.0 - point.output[1]);
+        assert!((0.0..=1.0).contains(&point.closed) && (point.touches > 0.0 || point.closed == 0.0), "{point:?}");
+        // An end that leaves is not pulled; one that stays is pressed.
+        assert!(first >= -1e-6 && second >= -1e-6, "{point:?}");
+        assert!(point.lifts == 0.0 || first.min(second) < 1e-6, "{point:?}");
+    }
+    assert!(map.points.iter().any(|point| point.closed > 1e-3) && map.points.iter().any(|point| point.lifts > 0.0));
+}

@@ -3,6 +3,7 @@
 //! Next door: the spec (`spec`), progress and Ctrl-C (`progress`).
 
 mod case;
+mod contact;
 
 use std::path::PathBuf;
 use std::sync::OnceLock;

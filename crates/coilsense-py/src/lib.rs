@@ -39,6 +39,7 @@ mod series;
 mod signals;
 mod spec;
 mod spec_argument;
+mod speed;
 mod spring;
 mod spring_argument;
 mod stream;
@@ -85,6 +86,7 @@ mod _coilsense {
         signals::{PySignals, py_sampled_window},
         simd_path,
         spec::{PyCondition, PySpec},
+        speed::{PySpeedMap, speed},
         spring::PySpring,
         stream::{PyLive, PyStream},
         sweep::{

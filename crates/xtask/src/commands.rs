@@ -126,7 +126,8 @@ pub fn every_example() -> anyhow::Result<bool> {
             if !(run(&["spring"])? && run(&[&SPEED[..], &["--out", &name]].concat())?) {
                 return Ok(false);
             }
-            let made = ["report.html", "results.json", "speed.csv"].map(|file| place.path().join(&name).join(file));
+            let made = ["report.html", "results.json", "speed.csv", "speed.parquet"]
+                .map(|file| place.path().join(&name).join(file));
             if let Some(missing) = made.iter().find(|path| !path.is_file()) {
                 bail!("{} is missing", missing.display());
             }

@@ -44,7 +44,7 @@ pub use reference::options_markdown;
 pub use reproduction::{add_reproduction, reproduction_json, reproduction_text};
 #[cfg(feature = "reference")]
 pub use schemas::schemas;
-pub use speed::{SpeedOutcome, add_speed, speed_json, speed_text};
+pub use speed::{SpeedOutcome, add_speed, speed_columns, speed_json, speed_text};
 
 #[cfg(feature = "parquet")]
 pub use sensitivity::{SensitivityOutcome, add_sensitivity, sensitivity_json, sensitivity_text};

@@ -267,14 +267,19 @@ const OF_ENGINE: Row = Row {
     ..Row::PLAIN
 };
 /// The lowest speed.
-pub const SPEED_FROM: Row = Row { name: "from", meaning: "Lowest speed of the engine, such as 1000rpm", ..OF_ENGINE };
+pub const SPEED_FROM: Row = Row {
+    name: "from",
+    meaning: "Lowest speed of the engine, such as 1000rpm",
+    elsewhere: &[(Door::Python, "from_")],
+    ..OF_ENGINE
+};
 /// The highest speed.
 pub const SPEED_TO: Row = Row { name: "to", meaning: "Highest speed of the engine, such as 8000rpm", ..OF_ENGINE };
 /// From speed to speed.
 pub const SPEED_STEP: Row = Row {
     name: "step",
     if_absent: IfAbsent::Value("100rpm"),
-    meaning: "From speed to speed; those at which a harmonic of the cam has the first surge frequency are added",
+    meaning: "From speed to speed; more are added about those at which a harmonic of the cam has the first surge frequency",
     ..OF_ENGINE
 };
 /// Turns of the camshaft for one of the engine.
@@ -295,7 +300,10 @@ const SPEED: [Row; 8] = [
     SPEED_TO,
     SPEED_STEP,
     CAM_RATIO,
-    out("Folder for report.html, results.json and speed.csv; its other files are left alone", IfAbsent::Nothing),
+    out(
+        "Folder for report.html, results.json, speed.csv and speed.parquet; its other files are left alone",
+        IfAbsent::Nothing,
+    ),
     JSON,
     DATE_OF_OUT,
 ];

@@ -21,6 +21,7 @@ use super::section::Section;
 use super::sensor::SensorSpec;
 use super::setting::Setting;
 use super::spring::{Model, SpringSpec};
+use super::strength::StrengthSpec;
 use super::synonyms::synonym;
 use super::{Files, Spec, SpecError};
 use crate::likeness::alike;
@@ -81,6 +82,7 @@ impl<'a> Draft<'a> {
         Ok(Spec {
             rig: RigSpec::parse(document, &sensors)?,
             uncertainty: UncertaintySpec::parse(document)?,
+            strength: StrengthSpec::parse(document)?,
             cam: CamSpec::parse(document, &spring, files)?,
             control: ControlSpec::parse(document, &spring.spring, &mount)?,
             notes: document.notes().to_vec(),

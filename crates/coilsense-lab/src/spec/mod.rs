@@ -35,6 +35,7 @@ mod setting;
 mod size;
 mod spline;
 mod spring;
+mod strength;
 mod synonyms;
 mod template;
 mod tolerance;
@@ -62,6 +63,7 @@ pub use schema::{experiment_file_schema, spec_schema};
 pub use sections::DeadEnds;
 pub use sensor::SensorSpec;
 pub use spring::{Model, SpringSpec};
+pub use strength::StrengthSpec;
 pub use template::template;
 pub(crate) use tolerance::DIMENSIONS as TOLERANCE_DIMENSIONS;
 pub use tolerance::{Departure, Tolerances};
@@ -102,6 +104,8 @@ pub struct Spec {
     pub rig: RigSpec,
     /// The force loop, where there is one.
     pub control: Option<ControlSpec>,
+    /// What the wire bears in fatigue, where the spec says it.
+    pub strength: Option<StrengthSpec>,
     /// What moves end 1 in `coilsense speed`, where the spec has a cam.
     pub cam: Option<CamSpec>,
     /// What the file calls as it was called before, a sentence each.

@@ -137,6 +137,14 @@ impl SpringSpec {
         }
     }
 
+    /// The shear stress of the wire under a force that it carries at a place, 0 at end 1 and 1 at end 2 \[Pa\], with Wahl's factor; its sign is the force's.
+    pub fn corrected_shear_stress_at(&self, place: f64, force: f64) -> f64 {
+        match self.spring.sections() {
+            Some(sections) => sections.corrected_shear_stress_at(place * sections.windings(), force),
+            None => self.geometry.corrected_shear_stress(force),
+        }
+    }
+
     /// Length \[m\] at which the first windings close at rest, where that lies in the range in use: of a coil of sections.
     pub fn closes_in_use(&self) -> Option<f64> {
         let sections = self.spring.sections()?;

@@ -2,7 +2,7 @@
 //!
 //! Next door: the map (the parent), the report (`crate::report`).
 
-use super::{SpeedMap, SpeedPoint};
+use super::{SpeedMap, SpeedPoint, Stress};
 use crate::quantity::digits;
 
 /// Extremes that differ by more than this share of F_nom from turns to turns have not settled.
@@ -10,15 +10,20 @@ pub(crate) const SETTLED: f64 = 0.02;
 
 /// The answer, a sentence or two per line.
 pub fn answer(map: &SpeedMap) -> Vec<String> {
-    let mut lines = vec![floats(map), meets(map), surge(map), rebound(map)];
+    let mut lines = vec![floats(map), meets(map), surge(map), seats(map), fatigue(map), rebound(map)];
     lines.extend(unsettled(map));
     lines.extend(given_up(map));
+    lines.extend(refined(map));
     lines.push(format!(
-        "{} of a camshaft that turns {} times a turn of the engine; {} masses per winding. Left out: what else gives between cam and spring, friction, how \
+        "{} of a camshaft that turns {} times a turn of the engine; {} per winding. Left out: what else gives between cam and spring, friction, how \
          windings rebound in fact.",
-        map.cam.words, map.range.ratio, map.masses_per_winding
+        map.cam.words, map.range.ratio, masses(map.masses_per_winding)
     ));
     lines.into_iter().filter(|line| !line.is_empty()).collect()
+}
+
+fn masses(count: usize) -> String {
+    format!("{count} mass{}", if count == 1 { "" } else { "es" })
 }
 
 pub(crate) fn rpm(speed: f64) -> String {
@@ -74,7 +79,11 @@ fn meets(map: &SpeedMap) -> String {
     let most = most.map_or_else(String::new, |point| {
         format!("; hardest at {}, at {} m/s ({})", rpm(point.speed), digits(point.fastest), label(map, point))
     });
-    format!("Windings meet from {} on ({}){most}.", rpm(first.speed), label(map, first))
+    let longest = map.points.iter().max_by(|a, b| a.closed.total_cmp(&b.closed));
+    let longest = longest.map_or_else(String::new, |point| {
+        format!("; longest at {}, for {} % of a turn", rpm(point.speed), digits(100.0 * point.closed))
+    });
+    format!("Windings meet from {} on ({}){most}{longest}.", rpm(first.speed), label(map, first))
 }
 
 fn surge(map: &SpeedMap) -> String {
@@ -97,6 +106,49 @@ fn surge(map: &SpeedMap) -> String {
         label(map, worst),
         digits(worst.apart)
     )
+}
+
+/// How near an end is to leaving its seat.
+fn seats(map: &SpeedMap) -> String {
+    let least = |point: &SpeedPoint| point.least_push().into_iter().fold(f64::INFINITY, f64::min);
+    let Some(worst) = map.points.iter().min_by(|a, b| least(a).total_cmp(&least(b))) else { return String::new() };
+    let at = format!("{} ({})", rpm(worst.speed), label(map, worst));
+    match lowest(map, |point| point.lifts > 0.0) {
+        Some(first) => format!("An end leaves its seat from {} on ({}).", rpm(first.speed), label(map, first)),
+        None if least(worst) < 0.0 => {
+            format!("A seat would have to pull with {} N at {at}: lift_off is off.", digits(-least(worst)))
+        }
+        None => format!("Seats are pressed with {} N at least, at {at}.", digits(least(worst))),
+    }
+}
+
+/// The stress of the wire and, where strengths are given, what is left to Goodman's line.
+fn fatigue(map: &SpeedMap) -> String {
+    let each = map.points.iter().filter_map(|point| Some((point, point.stress?)));
+    let danger = |stress: &Stress| stress.safety.map_or(stress.largest, |safety| 1.0 / safety);
+    let Some((point, stress)) = each.max_by(|a, b| danger(&a.1).total_cmp(&danger(&b.1))) else { return String::new() };
+    let [mean, amplitude] = [stress.mean(), stress.amplitude()].map(|stress| format!("{:.0}", 1e-6 * stress));
+    let at = format!("at {} ({})", rpm(point.speed), label(map, point));
+    match stress.safety {
+        Some(safety) => format!(
+            "The wire is stressed by {mean} \u{b1} {amplitude} MPa where that counts most, {at}: a Goodman factor of {safety:.2}{}. Blows of windings on each other are beside that.",
+            if safety < 1.0 { ", so it breaks before long" } else { "" }
+        ),
+        None => format!(
+            "The wire is stressed by {mean} \u{b1} {amplitude} MPa at most, {at}; the spec gives no strengths, so no Goodman factor."
+        ),
+    }
+}
+
+/// How many speeds stand beside the steps.
+fn refined(map: &SpeedMap) -> Option<String> {
+    let most = map.added.iter().copied().max().filter(|most| *most > 0)?;
+    let least = map.added.iter().copied().min().unwrap_or(most);
+    let count = if least == most { most.to_string() } else { format!("{least} to {most}") };
+    Some(format!(
+        "Besides the steps {count} speeds of each case were run: where a harmonic of the cam has the first surge frequency, and half a half-power bandwidth \
+         below and above."
+    ))
 }
 
 /// The largest surge of each way of rebounding.

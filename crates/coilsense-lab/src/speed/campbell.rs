@@ -17,6 +17,13 @@ pub struct Line {
     pub frequency: f64,
 }
 
+impl Line {
+    /// Whether it is one of the chain's surge frequencies.
+    pub fn is_surge(&self) -> bool {
+        self.name.starts_with('f')
+    }
+}
+
 /// Where a harmonic of the cam has the first surge frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crossing {

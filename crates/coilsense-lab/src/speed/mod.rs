@@ -9,11 +9,16 @@
 
 mod answer;
 mod campbell;
+mod fatigue;
+mod judged;
 mod point;
+mod speeds;
 
 pub(crate) use answer::SETTLED;
 pub use answer::answer;
 pub use campbell::{Campbell, Crossing, Line};
+pub use fatigue::Stress;
+pub use judged::HARMONICS;
 pub use point::{Floating, SpeedPoint};
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -21,6 +26,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use coilsense::Error;
 use rayon::prelude::*;
 
+use self::point::{Asked, Waves};
+use self::speeds::Speeds;
 use crate::spec::{CamSpec, Spec};
 
 /// Why a map was not made.
@@ -63,7 +70,7 @@ pub struct Range {
 }
 
 /// What a spring does at each speed.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SpeedMap {
     /// What was asked.
     pub spec: Spec,
@@ -75,6 +82,8 @@ pub struct SpeedMap {
     pub points: Vec<SpeedPoint>,
     /// Harmonics of the cam across the lines of the spring.
     pub campbell: Campbell,
+    /// Speeds of each way beside the steps: about where a harmonic of the cam has the first surge frequency.
+    pub added: Vec<usize>,
     /// Masses for a winding of the chain.
     pub masses_per_winding: usize,
 }
@@ -142,38 +151,50 @@ impl SpeedMap {
         }
         spec.spring.look_up_surges(&spec.mount.ends);
         let campbell = Campbell::of(&spec, &cam, &range);
-        let mut speeds = range.steps();
-        speeds.extend(campbell.crossings.iter().map(|crossing| crossing.speed));
-        speeds.sort_by(f64::total_cmp);
-        speeds.dedup_by(|a, b| (*a - *b).abs() < 1e-4 * *b);
-        let ways = spec.mount.cases.len();
-        let count = speeds.len() * ways;
-        let done = AtomicUsize::new(0);
-        // The long runs, those at few turns a second, first.
-        let one = |index: usize| {
-            if !progress(done.load(Ordering::Relaxed), count) {
-                return Err(SpeedError::Interrupted);
-            }
-            let (speed, way) = (speeds[index / ways], index % ways);
-            let found = point::of(&spec, &cam, &range, speed, way);
-            let point = found.map_err(|reason| SpeedError::Point {
-                file: spec.file.clone(),
-                rpm: (600.0 * speed).round() / 10.0,
-                way: spec.mount.cases[way].label.clone(),
-                reason: Box::new(reason),
-            })?;
-            match progress(done.fetch_add(1, Ordering::Relaxed) + 1, count) {
-                true => Ok(point),
-                false => Err(SpeedError::Interrupted),
-            }
-        };
-        let points: Vec<SpeedPoint> = (0..count).into_par_iter().with_max_len(1).map(one).collect::<Result<_, _>>()?;
+        let ways: Vec<Speeds> = (0..spec.mount.cases.len())
+            .map(|way| Ok(Speeds::of(&range, &campbell, point::first_ratio(&spec, way)?)))
+            .collect::<Result<_, Error>>()?;
+        let added = ways.iter().map(|speeds| speeds.added).collect();
+        let asked = Asked { spec: &spec, cam: &cam, range: &range, waves: Waves::of(&cam) };
+        let points = run_all(&asked, &jobs(&ways), progress)?;
         let masses_per_winding = spec.spring.spring.masses_per_winding();
-        Ok(Self { cam, range, points, campbell, masses_per_winding, spec })
+        Ok(Self { cam, range, points, campbell, added, masses_per_winding, spec })
     }
 
     /// The points of one way, by rising speed.
     pub fn of_way(&self, way: usize) -> impl Iterator<Item = &SpeedPoint> {
         self.points.iter().filter(move |point| point.way == way)
     }
+}
+
+/// Every speed of every way, speed by speed: the long runs, those at few turns a second, first.
+fn jobs(ways: &[Speeds]) -> Vec<(f64, usize)> {
+    let of_way =
+        |(way, speeds): (usize, &Speeds)| speeds.each.iter().map(move |speed| (*speed, way)).collect::<Vec<_>>();
+    let mut jobs: Vec<(f64, usize)> = ways.iter().enumerate().flat_map(of_way).collect();
+    jobs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    jobs
+}
+
+/// Runs them on all cores.
+fn run_all(asked: &Asked<'_>, jobs: &[(f64, usize)], progress: &Progress<'_>) -> Result<Vec<SpeedPoint>, SpeedError> {
+    let spec = asked.spec;
+    let done = AtomicUsize::new(0);
+    let one = |&(speed, way): &(f64, usize)| {
+        if !progress(done.load(Ordering::Relaxed), jobs.len()) {
+            return Err(SpeedError::Interrupted);
+        }
+        let found = point::of(asked, speed, way);
+        let point = found.map_err(|reason| SpeedError::Point {
+            file: spec.file.clone(),
+            rpm: (600.0 * speed).round() / 10.0,
+            way: spec.mount.cases[way].label.clone(),
+            reason: Box::new(reason),
+        })?;
+        match progress(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len()) {
+            true => Ok(point),
+            false => Err(SpeedError::Interrupted),
+        }
+    };
+    jobs.par_iter().with_max_len(1).map(one).collect()
 }

@@ -1,14 +1,14 @@
-//! One speed in one way: run until it repeats, and the last turns of it.
+//! One speed in one way: run until it repeats, and the last turns of it. Where nothing meets, what repeats is known in closed form, and the run begins with it.
 //!
-//! Next door: all of them (the parent), the run (`coilsense::contact::Touching::driven`).
+//! Next door: all of them (the parent), what is told of it (`judged`), the run (`coilsense::contact::Touching::driven`).
 
 use coilsense::contact::{Course, GivenUp, Path, Touching};
-use coilsense::excitation::{EndInput, Excitation, Start};
+use coilsense::excitation::{EndInput, Excitation, Harmonic, Start};
 use coilsense::{Error, Motion};
 
-use super::Range;
+use super::judged::{Turns, judged};
+use super::{Range, Stress};
 use crate::spec::{CamSpec, Spec};
-use crate::study::GRAZES;
 
 /// What a spring does at one speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,8 +25,12 @@ pub struct SpeedPoint {
     pub apart: f64,
     /// The largest |F − F_x| of both ends: how far surge carries an end force from the static one \[N\].
     pub surge: f64,
+    /// Amplitudes of F_o at the camshaft's frequency and its multiples, up to [`super::HARMONICS`] \[N\]; empty where not a turn could be followed.
+    pub harmonics: Vec<f64>,
     /// How often windings, or a winding and its seat, meet in a turn of the camshaft.
     pub touches: f64,
+    /// For how long of a turn the two points that touch longest do \[1\].
+    pub closed: f64,
     /// The largest closing speed \[m/s\].
     pub fastest: f64,
     /// The largest blow on a seat \[N s\].
@@ -35,14 +39,22 @@ pub struct SpeedPoint {
     pub lifts: f64,
     /// How the follower floats; `None` without one.
     pub floating: Option<Floating>,
-    /// Shear stress of the wire at the least and the largest pressing end force, with Wahl's correction \[Pa\].
-    pub stress: [f64; 2],
+    /// Shear stress where the wire is worst off; `None` where nothing could be followed.
+    pub stress: Option<Stress>,
     /// By how much the extremes of the last two turns differ from those of the two before, as a share of F_nom: what repeats has settled.
     pub unsettled: f64,
     /// Turns that were run.
     pub turns: usize,
     /// Why the run ended early.
     pub given_up: Option<GivenUp>,
+}
+
+impl SpeedPoint {
+    /// The least push on seat 1 and seat 2 \[N\]: at zero an end is about to leave its seat.
+    pub fn least_push(&self) -> [f64; 2] {
+        // A sum with zero has no sign of zero.
+        [self.input[1], self.output[1]].map(|force| 0.0 - force)
+    }
 }
 
 /// A follower off its cam.
@@ -59,122 +71,129 @@ pub struct Floating {
 }
 
 /// Turns that are looked at, at the end.
-const JUDGED: usize = 4;
+pub(super) const JUDGED: usize = 4;
 /// Fewest turns before them.
-const FEWEST: usize = 8;
+const FEWEST: usize = 4;
+/// Harmonics of the cam that make what repeats where nothing meets, and samples for them: those of a law whose acceleration bends go with the fourth
+/// power of their number, which leaves out 1e-9 of the lift.
+const WAVES: usize = 200;
+const WAVE_SAMPLES: usize = 2048;
 /// How many times the decay of the first mode is waited for, and how long at most \[s\].
 const DECAYS: f64 = 3.0;
 const LONGEST: f64 = 1.5;
 /// Samples for a period of the first mode.
 const SAMPLES: f64 = 60.0;
 
-/// Runs one speed.
-pub(super) fn of(spec: &Spec, cam: &CamSpec, range: &Range, speed: f64, way: usize) -> Result<SpeedPoint, Error> {
+/// Damping ratio of the first mode in a way \[1\].
+pub(super) fn first_ratio(spec: &Spec, way: usize) -> Result<f64, Error> {
+    let motion = still(spec, way, spec.spring.spring.operating_range().1)?;
+    of_first(&motion)
+}
+
+fn still(spec: &Spec, way: usize, length: f64) -> Result<Motion, Error> {
+    moved(spec, way, length, EndInput::Held, Start::Rest)
+}
+
+fn moved(spec: &Spec, way: usize, length: f64, end1: EndInput, start: Start) -> Result<Motion, Error> {
     let spring = &spec.spring.spring;
+    let excitation = Excitation::new(length, end1, EndInput::Held, start)?;
+    Motion::mounted(spring, &crate::study::mounted(&spec.mount.cases[way].mount, spring)?, &excitation)
+}
+
+/// The cam's mean lift and its harmonics, from where the lift is least.
+pub(super) struct Waves {
+    mean: f64,
+    /// Frequencies in turns.
+    each: Vec<Harmonic>,
+}
+
+impl Waves {
+    pub fn of(cam: &CamSpec) -> Self {
+        let count = WAVE_SAMPLES as f64;
+        let lifts: Vec<f64> =
+            (0..WAVE_SAMPLES).map(|sample| cam.lift_at(cam.least_at + sample as f64 / count)).collect();
+        let harmonic = |number: usize| {
+            let angle = |sample: usize| std::f64::consts::TAU * (number * sample % WAVE_SAMPLES) as f64 / count;
+            let of = |wave: fn(f64) -> f64| {
+                2.0 / count * lifts.iter().enumerate().map(|(sample, lift)| lift * wave(angle(sample))).sum::<f64>()
+            };
+            let (cosine, sine) = (of(f64::cos), of(f64::sin));
+            Harmonic { amplitude: cosine.hypot(sine), frequency: number as f64, phase: cosine.atan2(sine) }
+        };
+        Self { mean: lifts.iter().sum::<f64>() / count, each: (1..=WAVES).map(harmonic).collect() }
+    }
+
+    /// At so many turns a second.
+    fn at(&self, turning: f64) -> EndInput {
+        EndInput::Harmonics(
+            self.each.iter().map(|wave| Harmonic { frequency: turning * wave.frequency, ..*wave }).collect(),
+        )
+    }
+}
+
+/// Whether nothing met, left its seat or its cam: then the motion is linear.
+fn is_clear(course: &Course) -> bool {
+    course.touches.is_empty() && course.lifts.is_empty() && course.floats.is_empty() && course.given_up.is_none()
+}
+
+fn of_first(motion: &Motion) -> Result<f64, Error> {
+    let ratios = motion.mount().damping().ratios(motion.modes().frequencies())?;
+    Ok(ratios.first().copied().unwrap_or(0.0))
+}
+
+/// Runs one speed.
+pub(super) fn of(asked: &Asked<'_>, speed: f64, way: usize) -> Result<SpeedPoint, Error> {
+    let Asked { spec, cam, range, waves } = asked;
     let case = &spec.mount.cases[way];
     let contact = case.contact.as_ref().map(|way| &way.contact).ok_or(Error::MissingSignal("[contact]"))?;
-    let excitation = Excitation::new(cam.length, EndInput::Held, EndInput::Held, Start::Rest)?;
-    let mount = crate::study::mounted(&case.mount, spring)?;
-    let motion = Motion::mounted(spring, &mount, &excitation)?;
+    let motion = still(spec, way, cam.length)?;
     let turning = range.ratio * speed;
-    let frequencies = motion.modes().frequencies();
-    let first = frequencies.first().copied().unwrap_or(1.0);
-    let ratio = mount.damping().ratios(frequencies)?.first().copied().unwrap_or(0.0);
-    let wait = if ratio > 0.0 { (DECAYS / (ratio * first)).min(LONGEST) } else { LONGEST };
-    let before = ((wait * turning).ceil() as usize).max(FEWEST);
-    let turns = before + JUDGED;
-    let until = turns as f64 / turning;
-    let from = before as f64 / turning;
+    let first = motion.modes().frequencies().first().copied().unwrap_or(1.0);
+    let ratio = of_first(&motion)?;
     let rate = SAMPLES * first / std::f64::consts::TAU;
     // A whole number of samples a turn, the same in each.
     let in_a_turn = (rate / turning).ceil().max(64.0) as usize;
-    let times: Vec<f64> =
-        (0..=JUDGED * in_a_turn).map(|sample| from + sample as f64 / (in_a_turn as f64 * turning)).collect();
-    let course = Touching::driven(&motion, contact, path(cam, turning, turns)?, &times)?;
-    Ok(judged(spec, way, speed, &course, [from, until], in_a_turn, turns))
+    let run = |motion: &Motion, about: f64, before: usize| {
+        let (turns, from) = (before + JUDGED, before as f64 / turning);
+        let time = |sample: usize| from + sample as f64 / (in_a_turn as f64 * turning);
+        let times: Vec<f64> = (0..=JUDGED * in_a_turn).map(time).collect();
+        let course = Touching::driven(motion, contact, path(cam, about, turning, turns)?, &times)?;
+        let seen = Turns { from, until: turns as f64 / turning, in_a_turn, count: turns };
+        Ok::<_, Error>((course, seen))
+    };
+    if ratio > 0.0 {
+        // What cannot be, since windings overlap in it, is not how the run begins.
+        let repeats = moved(spec, way, cam.length - waves.mean, waves.at(turning), Start::Steady);
+        let found = repeats.and_then(|repeats| run(&repeats, waves.mean, 0));
+        if let Some((course, seen)) = found.ok().filter(|(course, _)| is_clear(course)) {
+            return Ok(judged(spec, way, speed, &course, &seen));
+        }
+    }
+    let wait = if ratio > 0.0 { (DECAYS / (ratio * first)).min(LONGEST) } else { LONGEST };
+    let (course, seen) = run(&motion, 0.0, ((wait * turning).ceil() as usize).max(FEWEST))?;
+    Ok(judged(spec, way, speed, &course, &seen))
 }
 
-/// The cam's lift over time.
-fn path(cam: &CamSpec, turning: f64, turns: usize) -> Result<Path, Error> {
-    let mut knots = Vec::with_capacity(turns * cam.begins.len() + 1);
-    let mut pieces = Vec::with_capacity(turns * cam.begins.len());
+/// What is the same at every speed.
+pub(super) struct Asked<'a> {
+    pub spec: &'a Spec,
+    pub cam: &'a CamSpec,
+    pub range: &'a Range,
+    pub waves: Waves,
+}
+
+/// The cam's lift over time about a lift \[m\], from where it is least.
+fn path(cam: &CamSpec, about: f64, turning: f64, turns: usize) -> Result<Path, Error> {
+    let (begins, mut of_a_turn) = cam.from_least();
+    of_a_turn.iter_mut().filter_map(|powers| powers.first_mut()).for_each(|first| *first -= about);
+    let mut knots = Vec::with_capacity(turns * begins.len() + 1);
+    let mut pieces = Vec::with_capacity(turns * begins.len());
     for turn in 0..turns {
-        for (begin, powers) in cam.begins.iter().zip(&cam.pieces) {
+        for (begin, powers) in begins.iter().zip(&of_a_turn) {
             knots.push((turn as f64 + begin) / turning);
             pieces.push(powers.iter().enumerate().map(|(power, c)| c * turning.powi(power as i32)).collect());
         }
     }
     knots.push(turns as f64 / turning);
     Path::new(knots, pieces)
-}
-
-fn judged(
-    spec: &Spec,
-    way: usize,
-    speed: f64,
-    course: &Course,
-    [from, until]: [f64; 2],
-    in_a_turn: usize,
-    turns: usize,
-) -> SpeedPoint {
-    let spring = &spec.spring.spring;
-    let nominal = spring.nominal_force();
-    let extremes = |forces: &[f64]| {
-        forces.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], force| [low.min(*force), high.max(*force)])
-    };
-    let (input, output) = (extremes(&course.input), extremes(&course.output));
-    let samples = course.input.len().max(1) as f64;
-    let pairs = || course.input.iter().zip(&course.output);
-    let apart = (pairs().map(|(input, output)| (output - input).powi(2)).sum::<f64>() / samples).sqrt();
-    let still = course.end1.iter().zip(&course.end2);
-    let surge = pairs().zip(still).map(|((input, output), (first, second))| {
-        let still = spring.stiffness() * (second - first);
-        (input - still).abs().max((output - still).abs())
-    });
-    let surge = surge.fold(0.0, f64::max);
-    let settled = |forces: &[f64]| {
-        let half = (2 * in_a_turn).min(forces.len());
-        let ([a, b], [c, d]) = (extremes(&forces[..half]), extremes(&forces[forces.len() - half..]));
-        (a - c).abs().max((b - d).abs())
-    };
-    let unsettled =
-        if course.input.is_empty() { 0.0 } else { settled(&course.input).max(settled(&course.output)) / nominal };
-    let each = 1.0 / JUDGED as f64;
-    let is_seen = |time: f64| (from..until).contains(&time);
-    let touches = || course.touches.iter().filter(|touch| is_seen(touch.time));
-    let base = usize::from(!course.cam_force.is_empty());
-    let last = base + spring.chain_masses();
-    let at_seat = |points: [usize; 2]| points[0] == base || points[1] > last;
-    let floating = (!course.cam_force.is_empty()).then(|| {
-        let floats = || {
-            let aloft = course.floats.iter().filter(|float| float.back.is_none() || float.closing_speed >= GRAZES);
-            aloft.filter(|float| float.time < until && float.back.is_none_or(|back| back > from))
-        };
-        let aloft: f64 = floats().map(|float| float.back.unwrap_or(until).min(until) - float.time.max(from)).sum();
-        Floating {
-            least_cam_force: extremes(&course.cam_force)[0].max(0.0),
-            floats: each * floats().count() as f64,
-            share: aloft / (until - from),
-            fastest: floats().map(|float| float.closing_speed).fold(0.0, f64::max),
-        }
-    });
-    let pressed = |force: f64| spec.spring.corrected_shear_stress((-force).max(0.0));
-    let (least, most) = (input[1].max(output[1]), input[0].min(output[0]));
-    SpeedPoint {
-        speed,
-        way,
-        input,
-        output,
-        apart,
-        surge,
-        touches: each * touches().count() as f64,
-        fastest: touches().map(|touch| touch.closing_speed).fold(0.0, f64::max),
-        blow: touches().filter(|touch| at_seat(touch.points)).map(|touch| touch.impulse).fold(0.0, f64::max),
-        lifts: each * course.lifts.iter().filter(|lift| is_seen(lift.time)).count() as f64,
-        floating,
-        stress: [pressed(least), pressed(most)],
-        unsettled,
-        turns,
-        given_up: course.given_up,
-    }
 }

@@ -24,11 +24,13 @@ pub struct PyCase {
     judged: (usize, usize),
     clash: coilsense::Clash,
     lengths: (f64, f64),
+    contact: Option<Py<PyDict>>,
 }
 
 impl PyCase {
     /// A case moved to Python.
     pub fn of(py: Python<'_>, spec: &Spec, sensors: &[SensorSpec], case: Case) -> PyResult<Self> {
+        let contact = case.contacts.as_ref().map(|contacts| super::contact::contact(py, contacts)).transpose()?;
         let (readings, forces, deviations) = (PyDict::new(py), PyDict::new(py), PyDict::new(py));
         for (channel, deviation) in &case.ideal {
             deviations.set_item(channel.name(), PyDeviation(*deviation).into_pyobject(py)?)?;
@@ -48,6 +50,7 @@ impl PyCase {
             judged: (case.judged.start, case.judged.end),
             clash: case.clash,
             lengths: case.lengths,
+            contact: contact.map(Bound::unbind),
         })
     }
 }
@@ -70,6 +73,11 @@ getters! {
     clash: PyClash = PyClash(self.clash);
     /// Shortest and longest length of the spring [m], as a tuple.
     lengths: (f64, f64) = self.lengths;
+    /// What windings, ends and a follower did when they met or parted, in SI; None where the spec has no table [contact]. A dict: ``first_contact``,
+    /// ``holds_until`` (None where nobody asked), ``until``, ``energy_lost``, ``least_cam_force`` (None without a follower), ``touches``, ``lifts`` and
+    /// ``floats`` as dicts of arrays (durations are nan where something lasted to the end), ``meetings`` as a list of a dict for each pair of
+    /// neighbours.
+    contact<'py>(py): Option<Py<PyDict>> = self.contact.as_ref().map(|contact| contact.clone_ref(py));
 }
 
 #[pymethods]

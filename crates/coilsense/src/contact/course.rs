@@ -17,6 +17,9 @@ pub struct Course {
     pub end2: Vec<f64>,
     /// Displacements of the lumps from the unloaded spring \[m\], shape `samples, N`; empty where they were not asked for.
     pub places: Vec<f64>,
+    /// Least and largest tension in the wire of each segment at these samples \[N\], its stiffness times its stretch, from end 1 on; what touching windings
+    /// press on each other with goes past the wire. Empty where it was not asked for.
+    pub tensions: Vec<[f64; 2]>,
     /// What met, in the order in which it did.
     pub touches: Vec<Touch>,
     /// When an end that is not held left its seat, and when it came back.

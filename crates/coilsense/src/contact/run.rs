@@ -38,6 +38,7 @@ pub(super) struct Run<'a> {
     pub cam_force: Vec<f64>,
     pub end2: Vec<f64>,
     pub places: Vec<f64>,
+    pub tensions: Vec<[f64; 2]>,
     pub events: usize,
     pub deepest: f64,
     /// How long a step may be as it stands \[s\].
@@ -86,6 +87,7 @@ impl<'a> Run<'a> {
             cam_force: Vec::new(),
             end2: Vec::with_capacity(samples),
             places: Vec::new(),
+            tensions: Vec::new(),
             events: 0,
             deepest: f64::INFINITY,
             step: 0.0,
@@ -149,7 +151,7 @@ impl<'a> Run<'a> {
             let event = self.first_event();
             let tau = event.map_or(1.0, |(tau, _)| tau);
             self.write_down(tau);
-            self.book.stepped(self.system, &self.now, &self.series, tau, self.watch != Watch::Ends);
+            self.book.stepped(self.system, &self.now, &self.series, tau, self.watch.counts_energy());
             self.series.advance(tau, &mut self.now);
             match event {
                 Some((_, event)) => self.happens(event)?,
@@ -260,10 +262,27 @@ impl<'a> Run<'a> {
             self.end1.push(value(&end1, at));
             self.cam_force.extend(cam.as_ref().map(|push| value(push, at)));
             self.end2.push(value(&end2, at) + beyond * value(&self.series.force, at));
-            if self.watch == Watch::Places {
+            if matches!(self.watch, Watch::Places | Watch::Tensions) {
                 self.series.places_at(at, &mut row);
-                self.places.extend_from_slice(&row[1..=lumps]);
             }
+            match self.watch {
+                Watch::Places => self.places.extend_from_slice(&row[1..=lumps]),
+                Watch::Tensions => self.stretch(&row),
+                Watch::Ends | Watch::Forces => {}
+            }
+        }
+    }
+
+    /// Widens the extremes of the segments' tensions to what they are with the points at `places`.
+    fn stretch(&mut self, places: &[f64]) {
+        let chain = self.system.chain;
+        let (base, last) = (chain.base(), chain.last_segment());
+        self.tensions.resize(last + 1 - base, [f64::INFINITY, f64::NEG_INFINITY]);
+        for (segment, [least, largest]) in (base..=last).zip(&mut self.tensions) {
+            let hangs_loose = segment == base && !self.now.attached[0] || segment == last && !self.now.attached[1];
+            let stretch = if hangs_loose { 0.0 } else { places[segment + 1] - places[segment] };
+            let tension = chain.stiffnesses()[segment] * stretch;
+            (*least, *largest) = (least.min(tension), largest.max(tension));
         }
     }
 
@@ -276,6 +295,7 @@ impl<'a> Run<'a> {
             cam_force: self.cam_force,
             end2: self.end2,
             places: self.places,
+            tensions: self.tensions,
             touches: self.book.touches,
             lifts: self.book.lifts,
             floats: self.book.floats,

@@ -18,8 +18,17 @@ pub struct Start {
 pub(super) enum Watch {
     /// End forces alone: nobody asks where the energy went that damping took.
     Ends,
-    /// And that.
+    /// End forces, and between which tensions each segment of the wire goes.
+    Tensions,
+    /// End forces, and where the energy went.
     Forces,
     /// And where the lumps are.
     Places,
+}
+
+impl Watch {
+    /// Whether anybody asks where the energy went.
+    pub fn counts_energy(self) -> bool {
+        matches!(self, Self::Forces | Self::Places)
+    }
 }

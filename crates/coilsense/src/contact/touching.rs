@@ -147,7 +147,7 @@ impl Touching {
         follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Forces)
     }
 
-    /// The chain alone, from rest at t = 0 on, its end 1 driven along a path in place of the motion's input.
+    /// The chain alone, from rest at t = 0 on, its end 1 driven along a path in place of the motion's input; with the wire's tensions.
     ///
     /// # Errors
     /// As [`Self::of`].
@@ -158,7 +158,7 @@ impl Touching {
         let [_, second] = drives(motion, contact, 1.0)?;
         let drives = [Drive::Path(path), second];
         let start = start(motion, contact, &chain, &drives, (0.0, 1.0))?;
-        follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Ends)
+        follow_damped(&chain, contact, &damper, &drives, &start, times, Watch::Tensions)
     }
 
     /// When something first meets, an end first leaves its seat, or a follower its cam \[s\].

@@ -10,7 +10,24 @@ use super::{Section, Sections};
 /// Places along a section at which the stress is looked at.
 const PLACES: usize = 64;
 
+/// K_W 8 F D/(π d³).
+fn wahl_stress(coil: f64, wire: f64, force: f64) -> f64 {
+    let index = coil / wire;
+    let wahl = 1.0 + 0.75 / (index - 1.0) + 0.615 / index;
+    wahl * 8.0 * force * coil / (PI * wire.powi(3))
+}
+
 impl Sections {
+    /// The shear stress at the inside of a winding under a force that its wire carries \[Pa\]; `windings` lie between it and end 1.
+    ///
+    /// Source:   as [`Self::corrected_shear_stress`].
+    /// Valid:    as there.
+    /// Accuracy: rounding.
+    pub fn corrected_shear_stress_at(&self, windings: f64, force: f64) -> f64 {
+        let [coil, wire] = self.radii_at(windings).map(|radius| 2.0 * radius);
+        wahl_stress(coil, wire, force)
+    }
+
     /// The largest shear stress at the inside of any winding under a pressing force \[Pa\]; a winding that has closed takes no more than it had when it
     /// closed.
     ///
@@ -26,11 +43,8 @@ impl Sections {
             let (gap, compliance) = (section.gap(), section.compliance(self.shear_modulus));
             let of_place = |number: usize| {
                 let place = number as f64 / PLACES as f64;
-                let (coil, wire) = (at(section.coil_diameter, place), section.wire_diameter);
-                let index = coil / wire;
-                let wahl = 1.0 + 0.75 / (index - 1.0) + 0.615 / index;
                 let carried = force.min(value(&gap, place) / value(&compliance, place)).max(0.0);
-                wahl * 8.0 * carried * coil / (PI * wire.powi(3))
+                wahl_stress(at(section.coil_diameter, place), section.wire_diameter, carried)
             };
             (0..=PLACES).map(of_place).fold(0.0, f64::max)
         };

@@ -2,17 +2,19 @@
 //!
 //! Next door: the page (`html`).
 
-use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, HorizontalMark, Panel, Stroke};
+use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, HeatMap, HorizontalMark, Panel, Stroke};
 
-use crate::speed::{SpeedMap, SpeedPoint};
+use crate::speed::{HARMONICS, Line, SpeedMap, SpeedPoint};
 
 const PANEL: (f64, f64) = (430.0, 165.0);
+/// Of a phone.
+const NARROW: (f64, f64) = (355.0, 170.0);
 /// How ways are told apart, by colour and dash.
 const COLOURS: [Colour; 4] = [Colour::Red, Colour::Blue, Colour::Green, Colour::Ink];
 const DASHES: [Dash; 2] = [Dash::Solid, Dash::Dashed];
 
-/// Campbell's map, windings that meet with a follower that floats, forces at both ends, surge.
-pub(super) fn overview(map: &SpeedMap) -> Figure {
+/// Campbell's map, a follower that floats, windings that meet, surge; without a follower forces at both ends. So many columns of panels.
+pub(super) fn overview(map: &SpeedMap, columns: usize) -> Figure {
     let mut panels = vec![campbell(map)];
     let has_follower = map.points.iter().any(|point| point.floating.is_some());
     if has_follower {
@@ -24,7 +26,8 @@ pub(super) fn overview(map: &SpeedMap) -> Figure {
     if !has_follower {
         panels.push(forces(map));
     }
-    Figure { panels, columns: 2, panel_width: PANEL.0, panel_height: PANEL.1 }
+    let (panel_width, panel_height) = if columns == 1 { NARROW } else { PANEL };
+    Figure { panels, columns, panel_width, panel_height }
 }
 
 /// Least and largest forces at both ends of the first way.
@@ -101,5 +104,56 @@ fn campbell(map: &SpeedMap) -> Panel {
         curves: (1..=map.campbell.harmonics).map(harmonic).collect(),
         limits,
         ..Panel::default()
+    }
+}
+
+/// Amplitudes of F_o's harmonics over the speed, in decibels; columns are the steps, and of the speeds within one the largest is shown.
+pub(super) fn waterfall(map: &SpeedMap) -> Figure {
+    let range = &map.range;
+    let step = range.step.max((range.to - range.from) / MOST_COLUMNS);
+    let columns = ((range.to - range.from) / step).round() as usize + 1;
+    let mut values = vec![f64::NAN; HARMONICS * columns];
+    for point in map.of_way(0) {
+        let column = (((point.speed - range.from) / step).round() as usize).min(columns - 1);
+        for (harmonic, amplitude) in point.harmonics.iter().enumerate() {
+            let value = &mut values[harmonic * columns + column];
+            *value = value.max(20.0 * amplitude.max(1.0).log10());
+        }
+    }
+    let edge = |column: f64| 60.0 * (range.from + (column - 0.5) * step);
+    let heat = HeatMap {
+        label: "Amplitude [dB re 1 N]".into(),
+        rows: HARMONICS,
+        values,
+        x: (edge(0.0), edge(columns as f64)),
+        y: (0.5, HARMONICS as f64 + 0.5),
+        range: None,
+        smooth: false,
+        marked: None,
+    };
+    let surges = map.campbell.lines.iter().filter(|line| line.is_surge());
+    let panel = Panel {
+        x: Axis { label: "Engine speed [rpm]".into(), range: Some(heat.x), ..Axis::default() },
+        y: Axis { label: "Harmonic of the camshaft [1]".into(), range: Some(heat.y), ..Axis::default() },
+        curves: surges.enumerate().map(|(index, line)| order(map, index, line)).collect(),
+        heat: Some(heat),
+        ..Panel::default()
+    };
+    Figure { panels: vec![panel], columns: 1, panel_width: 760.0, panel_height: 340.0 }
+}
+
+/// Most columns of the waterfall.
+const MOST_COLUMNS: f64 = 200.0;
+
+/// Which harmonic has a line's frequency, over the speed.
+fn order(map: &SpeedMap, index: usize, line: &Line) -> Curve {
+    let range = &map.range;
+    let speeds: Vec<f64> =
+        (0..=100).map(|part| range.from + f64::from(part) / 100.0 * (range.to - range.from)).collect();
+    Curve {
+        label: line.name.clone(),
+        x: speeds.iter().map(|speed| 60.0 * speed).collect(),
+        y: speeds.iter().map(|speed| line.frequency / (range.ratio * speed)).collect(),
+        stroke: Stroke { colour: Colour::Ink, dash: if index == 0 { Dash::Solid } else { Dash::Dashed }, width: 1.0 },
     }
 }

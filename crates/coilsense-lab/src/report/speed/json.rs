@@ -22,6 +22,8 @@ pub struct SpeedOutcome<'a> {
     lines: Vec<LineRow<'a>>,
     /// Speeds at which a harmonic of the cam has the first of them.
     crossings: Vec<CrossingRow>,
+    /// Speeds that were added about them, by case.
+    added_speeds: Vec<usize>,
     runs: Vec<RunRow<'a>>,
 }
 
@@ -54,9 +56,15 @@ struct RunRow<'a> {
     /// Least and largest, tension positive.
     input_force_n: [f64; 2],
     output_force_n: [f64; 2],
+    /// Least push on seat 1 and on seat 2: at zero an end is about to leave it.
+    least_push_n: [f64; 2],
     rms_between_ends_n: f64,
     surge_n: f64,
+    /// Amplitudes of F_o at the camshaft's frequency and its multiples.
+    output_force_harmonics_n: &'a [f64],
     touches_per_turn: f64,
+    /// Of the two points that touch longest.
+    share_of_time_closed: f64,
     closing_speed_m_per_s: f64,
     blow_on_seat_n_s: f64,
     lift_offs_per_turn: f64,
@@ -65,12 +73,56 @@ struct RunRow<'a> {
     floating_share: Option<f64>,
     landing_speed_m_per_s: Option<f64>,
     least_cam_force_n: Option<f64>,
-    /// With Wahl's correction, at the least and the largest push of an end.
-    shear_stress_pa: [f64; 2],
+    /// Where the wire is worst off, with Wahl's correction; null where nothing could be followed.
+    stress: Option<StressPart>,
     /// By how much the extremes differ from two turns to the next two, as a share of F_nom.
     unsettled: f64,
     turns: usize,
     followed_to_the_end: bool,
+}
+
+impl<'a> RunRow<'a> {
+    fn of(map: &'a SpeedMap, point: &'a SpeedPoint) -> Self {
+        Self {
+            speed_hz: point.speed,
+            case: &map.spec.mount.cases[point.way].label,
+            input_force_n: point.input,
+            output_force_n: point.output,
+            least_push_n: point.least_push(),
+            rms_between_ends_n: point.apart,
+            surge_n: point.surge,
+            output_force_harmonics_n: &point.harmonics,
+            touches_per_turn: point.touches,
+            share_of_time_closed: point.closed,
+            closing_speed_m_per_s: point.fastest,
+            blow_on_seat_n_s: point.blow,
+            lift_offs_per_turn: point.lifts,
+            floats_per_turn: point.floating.map(|floating| floating.floats),
+            floating_share: point.floating.map(|floating| floating.share),
+            landing_speed_m_per_s: point.floating.map(|floating| floating.fastest),
+            least_cam_force_n: point.floating.map(|floating| floating.least_cam_force),
+            stress: point.stress.map(|stress| StressPart {
+                largest_pa: stress.largest,
+                mean_pa: stress.mean(),
+                amplitude_pa: stress.amplitude(),
+                goodman_factor: stress.safety,
+            }),
+            unsettled: point.unsettled,
+            turns: point.turns,
+            followed_to_the_end: point.given_up.is_none(),
+        }
+    }
+}
+
+/// Shear stress of the wire.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct StressPart {
+    largest_pa: f64,
+    mean_pa: f64,
+    amplitude_pa: f64,
+    /// Safety factor against Goodman's line; null where the spec gives no strengths.
+    goodman_factor: Option<f64>,
 }
 
 /// The map as JSON.
@@ -78,26 +130,6 @@ struct RunRow<'a> {
 /// # Errors
 /// What `serde_json` says.
 pub fn speed_json(map: &SpeedMap) -> Result<String, serde_json::Error> {
-    let run = |point: &SpeedPoint| RunRow {
-        speed_hz: point.speed,
-        case: &map.spec.mount.cases[point.way].label,
-        input_force_n: point.input,
-        output_force_n: point.output,
-        rms_between_ends_n: point.apart,
-        surge_n: point.surge,
-        touches_per_turn: point.touches,
-        closing_speed_m_per_s: point.fastest,
-        blow_on_seat_n_s: point.blow,
-        lift_offs_per_turn: point.lifts,
-        floats_per_turn: point.floating.map(|floating| floating.floats),
-        floating_share: point.floating.map(|floating| floating.share),
-        landing_speed_m_per_s: point.floating.map(|floating| floating.fastest),
-        least_cam_force_n: point.floating.map(|floating| floating.least_cam_force),
-        shear_stress_pa: point.stress,
-        unsettled: point.unsettled,
-        turns: point.turns,
-        followed_to_the_end: point.given_up.is_none(),
-    };
     to_json(SpeedOutcome {
         answer: answer(map),
         cam: &map.cam.words,
@@ -113,6 +145,7 @@ pub fn speed_json(map: &SpeedMap) -> Result<String, serde_json::Error> {
         crossings: (map.campbell.crossings.iter())
             .map(|at| CrossingRow { harmonic: at.harmonic, speed_hz: at.speed, amplitude_m: at.amplitude })
             .collect(),
-        runs: map.points.iter().map(run).collect(),
+        added_speeds: map.added.clone(),
+        runs: map.points.iter().map(|point| RunRow::of(map, point)).collect(),
     })
 }

@@ -6,12 +6,13 @@ use super::{Table, needed, optional, told};
 
 const LAW: &[&str] = &["law"];
 const FILE: &[&str] = &["file"];
+const HARMONICS: &[&str] = &["harmonics"];
 
 pub(super) const CAM: Table = Table {
     name: "cam",
     repeats: false,
     meaning: told(
-        "What moves end 1 once in each turn of a camshaft, for `coilsense speed`: a standard law of lift over angle, or a file of it. Other commands take their \
+        "What moves end 1 once in each turn of a camshaft, for `coilsense speed`: a standard law of lift over angle, a file of it, or its harmonics. Other commands take their \
               inputs from `[[condition]]`.",
     ),
     keys: &[
@@ -32,6 +33,13 @@ pub(super) const CAM: Table = Table {
             "none: the law",
         )
         .of(FILE),
+        optional(
+            "harmonics",
+            "[[1, \"4 mm\", \"180 deg\"], [2, \"1 mm\"]]",
+            "number, amplitude and phase (0 where left out) of each harmonic of the camshaft, in place of a law: the sum of the cosines, counted from its least",
+            "none: the law",
+        )
+        .of(HARMONICS),
         optional(
             "length",
             "\"max\"",

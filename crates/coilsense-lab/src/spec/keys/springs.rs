@@ -161,6 +161,19 @@ pub(super) const SPRING: Table = Table {
         optional("density_tolerance", "\"0.5 %\"", "how far the wire's density may be off, either way", "none")
             .of(GEOMETRY),
         optional(
+            "endurance_shear_strength",
+            "\"300 MPa\"",
+            "amplitude of the shear stress that the wire bears for ever about a mean of zero; with `ultimate_shear_strength`, for the Goodman factor of \
+               `coilsense speed`",
+            "none: no factor is given",
+        ),
+        optional(
+            "ultimate_shear_strength",
+            "\"1100 MPa\"",
+            "shear stress at which the wire breaks; with `endurance_shear_strength`",
+            "none: no factor is given",
+        ),
+        optional(
             "masses_per_winding",
             "4",
             "masses of the chain for each winding, 1 (the paper's chain) to 64",

@@ -1,6 +1,8 @@
-//! The table `[cam]`: lift over the angle of a camshaft.
+//! The table `[cam]`: lift over the angle of a camshaft, by a law, from a file or as harmonics.
 //!
 //! Next door: how it turns (`crate::speed`).
+
+mod harmonics;
 
 use std::f64::consts::{PI, TAU};
 
@@ -20,12 +22,16 @@ pub struct CamSpec {
     pub pieces: Vec<Vec<f64>>,
     /// The largest lift \[m\].
     pub lift: f64,
+    /// Where the lift is least, as a share of a turn: runs begin there.
+    pub least_at: f64,
     /// Length of the spring on the base circle \[m\].
     pub length: f64,
     /// In words.
     pub words: String,
 }
 
+/// What describes a cam in place of a law: the key that says so, and what it is then.
+const KINDS: [(&str, &str); 2] = [("file", "a cam of a file"), ("harmonics", "a cam of harmonics")];
 /// Pieces by which sines are made of polynomials, for each flank: a span of π/32 leaves out 1e-16 of them.
 const PIECES: usize = 32;
 /// Most rows of a file.
@@ -40,22 +46,43 @@ impl CamSpec {
     ) -> Result<Option<Self>, SpecError> {
         let Some(section) = document.optional_section("cam")? else { return Ok(None) };
         if !cfg!(feature = "contact") {
-            let key = if section.has("file") { "file" } else { "law" };
+            let key = KINDS.into_iter().find(|(key, _)| section.has(key)).map_or("law", |(key, _)| key);
             return Err(section.refuse(key, "is not read in this build; cams are for `coilsense speed`"));
         }
-        let by_file = section.has("file");
-        let (kind, whose) = if by_file { ("file", "a cam of a file") } else { ("law", "a cam by a law") };
+        let (kind, whose) = KINDS.into_iter().find(|(key, _)| section.has(key)).unwrap_or(("law", "a cam by a law"));
         section.only_of(kind, whose)?;
         let length = length(&section, spring)?;
-        let found = match by_file {
-            true => of_file(&section, &section.text("file")?, files, length)?,
-            false => by_law(&section, length)?,
+        let (found, key) = match kind {
+            "file" => (of_file(&section, &section.text("file")?, files, length)?, "file"),
+            "harmonics" => (harmonics::of_harmonics(&section, length)?, "harmonics"),
+            _ => (by_law(&section, length)?, "lift"),
         };
         let shortest = spring.solid_length();
         let allowed = format!("below {:.4} mm, at which the spring is solid", 1e3 * (length - shortest));
-        let key = if by_file { "file" } else { "lift" };
         section.check(key, found.lift < length - shortest, found.lift, &allowed)?;
         Ok(Some(found))
+    }
+
+    /// One turn from where the lift is least: where pieces begin, from 0 on, and the powers of each.
+    pub(crate) fn from_least(&self) -> (Vec<f64>, Vec<Vec<f64>>) {
+        if self.least_at == 0.0 {
+            return (self.begins.clone(), self.pieces.clone());
+        }
+        let first = self.begins.partition_point(|begin| *begin <= self.least_at).max(1) - 1;
+        let since = self.least_at - self.begins[first];
+        let count = self.begins.len();
+        let mut begins = vec![0.0];
+        let mut pieces = vec![shifted(&self.pieces[first], since)];
+        for next in (1..count).map(|step| (first + step) % count) {
+            begins.push((self.begins[next] - self.least_at).rem_euclid(1.0));
+            pieces.push(self.pieces[next].clone());
+        }
+        // What is left of the piece that was cut.
+        if since > 0.0 {
+            begins.push(1.0 - since);
+            pieces.push(self.pieces[first].clone());
+        }
+        (begins, pieces)
     }
 
     /// Lift \[m\] at a share of a turn.
@@ -120,7 +147,7 @@ fn by_law(section: &Section<'_>, length: f64) -> Result<CamSpec, SpecError> {
     begins.push(from + open);
     pieces.push(vec![0.0]);
     let words = format!("{law} law, {} mm over {} deg", 1e3 * lift, (angle.to_degrees() * 1e6).round() / 1e6);
-    Ok(CamSpec { begins, pieces, lift, length, words })
+    Ok(CamSpec { begins, pieces, lift, length, least_at: 0.0, words })
 }
 
 /// A cycloid or a harmonic law, piece by piece of its Taylor series.
@@ -204,6 +231,10 @@ fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) ->
         lifts.pop();
     }
     let pieces = periodic_spline(&begins, &lifts);
+    // On the base circle already, else at its lowest row.
+    let lowest = (0..lifts.len()).min_by(|a, b| lifts[*a].total_cmp(&lifts[*b])).unwrap_or(0);
+    let is_low = begins[0] == 0.0 && lifts[0] - least <= 1e-9 * (lift - least);
+    let least_at = if is_low { 0.0 } else { begins[lowest] };
     if begins[0] > 0.0 {
         // What lies before the first row is the end of the last piece.
         let count = begins.len();
@@ -212,7 +243,7 @@ fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) ->
         begins.insert(0, 0.0);
         let mut all = vec![before];
         all.extend(pieces);
-        return Ok(CamSpec { begins, pieces: all, lift, length, words: format!("lift of {file}") });
+        return Ok(CamSpec { begins, pieces: all, lift, length, least_at, words: format!("lift of {file}") });
     }
-    Ok(CamSpec { begins, pieces, lift, length, words: format!("lift of {file}") })
+    Ok(CamSpec { begins, pieces, lift, length, least_at, words: format!("lift of {file}") })
 }

@@ -1,0 +1,34 @@
+//! What the wire of `[spring]` bears in fatigue, where the spec says it.
+//!
+//! Next door: the rest of a spring (`spring`), who judges by it (`crate::speed`).
+
+use super::SpecError;
+use super::document::Document;
+use crate::quantity::Dimension;
+
+/// Strengths of the wire in shear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrengthSpec {
+    /// Amplitude of the shear stress that it bears for ever about a mean of zero \[Pa\].
+    pub endurance: f64,
+    /// Shear stress at which it breaks \[Pa\].
+    pub ultimate: f64,
+}
+
+impl StrengthSpec {
+    /// Both strengths, where they are given.
+    pub(super) fn parse(document: &Document<'_>) -> Result<Option<Self>, SpecError> {
+        let section = document.section("spring")?;
+        let [endurance, ultimate] = ["endurance_shear_strength", "ultimate_shear_strength"];
+        if !section.has(endurance) && !section.has(ultimate) {
+            return Ok(None);
+        }
+        let found = Self {
+            endurance: section.positive(endurance, Dimension::Modulus)?,
+            ultimate: section.positive(ultimate, Dimension::Modulus)?,
+        };
+        let allowed = format!("below ultimate_shear_strength of {} MPa", 1e-6 * found.ultimate);
+        section.check(endurance, found.endurance < found.ultimate, found.endurance, &allowed)?;
+        Ok(Some(found))
+    }
+}
