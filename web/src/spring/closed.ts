@@ -5,7 +5,7 @@
 import type { Series } from '../answer';
 
 /** A touch that is shorter is drawn for this share of what is shown [1]: hard windings that bounce are together for no time at all. */
-const SHORTEST = 0.01;
+const SHORTEST = 0.03;
 
 /** What is together at a time. */
 export interface Closed {

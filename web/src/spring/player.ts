@@ -7,7 +7,7 @@ import { closedAt, type Closed } from './closed';
 import { drawSpring } from './draw';
 import { firstContact, label, nearest, positionsAt, survey, type Coil, type Scene, type Seen } from './scene';
 
-const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002];
 /** Where nobody chose, what is shown takes about so long [s]. */
 const ROUND = 10;
 /** Frames per second are counted over so many seconds. */
