@@ -27,7 +27,9 @@ export interface SpringFacts {
   minLength: number;
   maxLength: number;
   windings: number;
+  /** Whole windings, and masses that stand for each. */
   masses: number;
+  massesPerWinding: number;
   coilRadius: number;
   wireDiameter: number;
   contactPitch: number;
@@ -45,6 +47,31 @@ export interface ConditionFacts {
   sampleRate: number;
 }
 
+/** What windings did that were asked to meet, as `results.json` has it. */
+export interface ContactFacts {
+  /** `e = 0.5`, or `ζ_c = 3`; and whether the spec is silent on it. */
+  law: string;
+  isAssumed: boolean;
+  /** Whether ends meet their seats. */
+  ends: boolean;
+  /** When windings first met [s], which and how fast [m/s]; null where none did. */
+  first: number | null;
+  between: string | null;
+  speed: number | null;
+  touches: number;
+  fastest: number;
+  /** Energy lost [J]. */
+  lost: number;
+  pairs: { between: string; touches: number; closed: number; speed: number }[];
+  lifts: number;
+  /** How long ends were off their seats in all [s]. */
+  aloft: number;
+  /** Until when a change of the input by a millionth moves no end force by more than `apart` [N]; null in a preview. */
+  holdsUntil: number | null;
+  apart: number;
+  until: number;
+}
+
 export interface Facts {
   exact: boolean;
   spring: SpringFacts;
@@ -59,6 +86,8 @@ export interface Facts {
   truth: string;
   goal: number | null;
   clash: Clash;
+  /** Null where windings pass through one another. */
+  contact: ContactFacts | null;
   forces: Record<string, Deviation>;
 }
 

@@ -1,14 +1,16 @@
 // What is computed of a state, and when: a preview of every state, the exact case once the state rests. Newer states win.
 //
-// Next door: one worker's queue (`lane`), what shows the results (`tabs`).
+// Next door: one worker's queue (`lane`), those of an engine (`lanes`), what shows the results (`tabs`).
 
 import type { Answer, ExactFacts, Facts, Job, Question } from './answer';
-import { toToml } from './document';
+import { section, toToml, withValue } from './document';
 import engineAddress from './engine/coilsense_web_bg.wasm?url';
-import { Lane, type Reply } from './lane';
+import type { Reply } from './lane';
+import { Lanes } from './lanes';
 import { preset } from './presets';
 import { isOther, type State } from './state';
 import type { Store } from './store';
+import { workshop } from './workshop';
 
 /** A state rests after so long [ms]. */
 const REST = 140;
@@ -38,13 +40,16 @@ export interface Refusal {
   text: string;
 }
 
+/** Whether a spec, as the page writes it, has windings that meet. */
+const meets = (text: string): boolean => /^\[contact\]$/m.test(text);
+
 type Listener = { shown(shown: Shown): void; refused(refusal: Refusal | null): void; busy(busy: boolean): void };
 
 export class Compute {
   private readonly files = new Map<string, string>();
-  private readonly previews: Lane;
-  private readonly exacts: Lane;
-  private asides: Lane | null = null;
+  private readonly first: Lanes;
+  /** The larger engine's, once windings are to meet. */
+  private larger: Lanes | null = null;
   private readonly listeners: Listener[] = [];
   private readonly loaded = new Map<string, Promise<void>>();
   private last: Shown | null = null;
@@ -53,15 +58,12 @@ export class Compute {
   private exactText = '';
   private rest = 0;
   private since = 0;
-  private readonly engine = WebAssembly.compileStreaming(fetch(engineAddress));
 
   constructor(private readonly store: Store) {
-    this.previews = new Lane(this.engine, this.files, false);
-    this.exacts = new Lane(this.engine, this.files, true);
-    this.engine.catch((reason: unknown) => {
-      const text = `The engine could not be loaded (${reason}). A browser of 2023 or later runs it.`;
-      for (const listener of this.listeners) listener.refused({ place: '', text });
-    });
+    const engine = WebAssembly.compileStreaming(fetch(engineAddress));
+    const hire = () => new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module' });
+    this.first = new Lanes(engine, this.files, hire);
+    engine.catch((reason: unknown) => this.missing(reason));
     store.subscribe((state, before) => {
       const moved = isOther(state, before);
       if (moved || state.view.times !== before.view.times) void this.follow(state, moved);
@@ -84,18 +86,17 @@ export class Compute {
 
   /** Any one question, in the lane of exact answers. */
   ask(question: Question): Promise<Reply> {
-    return new Promise((resolve) => this.exacts.ask(question, resolve));
+    return new Promise((resolve) => this.lanes(question).exacts.ask(question, resolve));
   }
 
   /** The newest question of a part that asks often, in a worker beside the others; nobody answers one that a newer one overtook. */
   beside(question: Question, done: (reply: Reply) => void): void {
-    this.asides ??= new Lane(this.engine, this.files, false);
-    this.asides.ask(question, done);
+    this.lanes(question).asides.ask(question, done);
   }
 
   /** One question in a worker of its own, which waits for nothing and ends with its answer. */
   async alone(question: Question): Promise<Reply> {
-    const lane = new Lane(this.engine, this.files, false);
+    const lane = this.first.lane(false);
     const reply = await new Promise<Reply>((resolve) => lane.ask(question, resolve));
     lane.end();
     return reply;
@@ -116,6 +117,32 @@ export class Compute {
     return { text, places, condition: state.view.condition, damping: state.view.damping };
   }
 
+  /** Of the engine that a question needs: windings that meet take the larger one. */
+  private lanes(question: { text: string } | Question): Lanes {
+    if (!('text' in question && meets(question.text))) return this.first;
+    if (this.larger) return this.larger;
+    const engine = workshop();
+    engine.catch((reason: unknown) => {
+      this.larger = null;
+      this.missing(reason);
+    });
+    const hire = () => new Worker(new URL('./meeting.worker.ts', import.meta.url), { type: 'module' });
+    return (this.larger = new Lanes(engine, this.files, hire));
+  }
+
+  private missing(reason: unknown): void {
+    const text = `The engine could not be loaded (${reason}). A browser of 2023 or later runs it.`;
+    for (const listener of this.listeners) listener.refused({ place: '', text });
+  }
+
+  /** The spec with as many masses as the exact case has, so that windings are drawn where that has them meet. */
+  private asFine({ spec }: State, text: string): string {
+    const { contact, spring } = this.exact?.facts ?? {};
+    const isGiven = 'masses_per_winding' in section(spec, 'spring');
+    if (!contact || !spring || isGiven || spring.massesPerWinding < 2) return text;
+    return toToml(withValue(spec, 'spring.masses_per_winding', spring.massesPerWinding)).text;
+  }
+
   private async follow(state: State, moved: boolean): Promise<void> {
     // A preset without files must not wait for a turn of the loop.
     const files = Object.keys(preset(state.preset).files);
@@ -125,7 +152,10 @@ export class Compute {
     }
     const asked = this.question(state);
     if (moved) {
-      this.exacts.drop();
+      this.first.exacts.drop();
+      this.larger?.exacts.drop();
+      // What the other engine still has under way is of an earlier state.
+      for (const lanes of [this.first, this.larger]) if (lanes !== this.lanes(asked)) lanes?.drop();
       clearTimeout(this.rest);
     }
     this.askPreview(state, asked, moved);
@@ -137,7 +167,10 @@ export class Compute {
     const times = this.times(state);
     const rate = this.last?.answer.facts.conditions[state.view.condition]?.sampleRate ?? 10_000;
     const samples = Math.max(2, Math.min(MOST_SAMPLES, Math.round((times[1] - times[0]) * rate) + 1));
-    this.previews.ask({ kind: 'preview', from: times[0], to: times[1], samples, ...question }, (reply) => {
+    const { text } = question;
+    const drawn = text === this.exactText ? this.asFine(state, text) : text;
+    const of = { kind: 'preview' as const, from: times[0], to: times[1], samples, ...question, text: drawn };
+    this.lanes(question).previews.ask(of, (reply) => {
       if ('error' in reply) return this.refuse(reply.error, places);
       if (!('answer' in reply)) return;
       const answer = reply.answer as Answer<Facts>;
@@ -153,7 +186,7 @@ export class Compute {
   private askExact(asked: ReturnType<Compute['question']>): void {
     const { places, ...question } = asked;
     for (const listener of this.listeners) listener.busy(true);
-    this.exacts.ask({ kind: 'exact', ...question }, (reply) => {
+    this.lanes(question).exacts.ask({ kind: 'exact', ...question }, (reply) => {
       for (const listener of this.listeners) listener.busy(false);
       if ('error' in reply) return this.refuse(reply.error, places);
       if (!('answer' in reply)) return;
@@ -162,7 +195,9 @@ export class Compute {
       if (!this.last) return;
       this.show({ ...this.last, answer, exact: answer, exactText: question.text });
       const { times, frames } = this.last;
-      if (frames.times[frames.times.length - 1] !== times[1]) this.askPreview(this.store.state, asked, false);
+      const isCoarse = this.asFine(this.store.state, question.text) !== question.text;
+      if (isCoarse || frames.times[frames.times.length - 1] !== times[1])
+        this.askPreview(this.store.state, asked, false);
     });
   }
 
@@ -205,9 +240,8 @@ export class Compute {
     const each = Object.entries(preset(id).files).map(async ([name, address]) => {
       const text = await (await fetch(address)).text();
       this.files.set(name, text);
-      this.previews.addFile(name, text);
-      this.exacts.addFile(name, text);
-      this.asides?.addFile(name, text);
+      this.first.addFile(name, text);
+      this.larger?.addFile(name, text);
     });
     const all = Promise.all(each).then(() => undefined);
     this.loaded.set(id, all);

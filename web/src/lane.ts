@@ -1,6 +1,6 @@
 // One worker and the questions to it: one is under way, the newest waits, older ones are dropped.
 //
-// Next door: which questions there are (`compute`).
+// Next door: which questions there are (`compute`), the lanes of one engine (`lanes`).
 
 import { STOPPED, type FromWorker, type Question, type ToWorker } from './answer';
 
@@ -25,6 +25,7 @@ export class Lane {
     private readonly engine: Promise<WebAssembly.Module>,
     private readonly files: Map<string, string>,
     private readonly mayStop: boolean,
+    private readonly hire: () => Worker,
   ) {
     this.worker = this.begin();
   }
@@ -55,7 +56,7 @@ export class Lane {
   }
 
   private begin(): Worker {
-    const worker = new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module' });
+    const worker = this.hire();
     worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => this.finish(data));
     this.engine.then((engine) => {
       worker.postMessage({ engine } satisfies ToWorker);

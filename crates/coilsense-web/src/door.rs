@@ -117,7 +117,20 @@ impl Engine {
         let files = |name: &str| self.files.get(name).cloned().ok_or_else(|| format!("{name} is not on this page"));
         let spec = Spec::parse(NAME, text, &files).map_err(|error| error.to_string())?;
         spec.needs_chain("the page").map_err(|error| error.to_string())?;
-        spec.needs_no_contact("the page").map_err(|error| error.to_string())?;
+        if !cfg!(feature = "workshop") {
+            spec.needs_no_contact("the page").map_err(|error| error.to_string())?;
+        }
+        if spec.cam.is_some() {
+            return Err(format!("{NAME}: [cam]: the page turns no camshaft; cams are for `coilsense speed`"));
+        }
+        Ok(spec)
+    }
+
+    /// The same for `what` takes no windings that meet.
+    #[cfg(feature = "workshop")]
+    pub(crate) fn spec_without_contact(&self, text: &str, what: &str) -> Result<Spec, String> {
+        let spec = self.spec(text)?;
+        spec.needs_no_contact(what).map_err(|error| error.to_string())?;
         Ok(spec)
     }
 }

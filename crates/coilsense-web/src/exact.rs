@@ -7,7 +7,7 @@ use coilsense_lab::spec::Spec;
 use serde_json::{Map, Value, json};
 
 use crate::answer::Answer;
-use crate::facts;
+use crate::{contact, facts};
 
 /// A case processed.
 #[derive(Debug, Clone)]
@@ -31,7 +31,7 @@ impl Exact {
     /// Series: `time` and every channel from t = 0 on, `reading 0` … the force each sensor means, `frequency` and `spectrum F_i` … of the judged
     /// window.
     pub fn answer(self) -> Answer {
-        let Single { case, sensors, warnings, .. } = self.single;
+        let Single { case, sensors, warnings, spec, .. } = self.single;
         let mut meta = self.facts;
         meta["exact"] = json!(true);
         meta["clash"] = facts::of_clash(&case.clash);
@@ -48,6 +48,7 @@ impl Exact {
             })
         });
         meta["sensors"] = of_sensor.collect();
+        meta["contact"] = contact::of_case(&spec.mount.cases[case.damping], case.contacts.as_ref());
         meta["warnings"] = warnings.iter().map(|w| json!({ "subject": w.subject.name(), "text": w.text })).collect();
 
         let mut series = vec![("time".to_owned(), case.signals.time().to_vec())];
@@ -60,6 +61,7 @@ impl Exact {
             }
             series.push((format!("spectrum {}", force.name()), spectrum.amplitudes().to_vec()));
         }
+        series.extend(case.contacts.iter().flat_map(contact::series));
         Answer::new(&meta, series)
     }
 }

@@ -16,6 +16,7 @@
 
 pub mod answer;
 pub mod catalogue;
+mod contact;
 mod door;
 pub mod exact;
 mod facts;

@@ -7,11 +7,11 @@ use coilsense::measures::Spectrum;
 use coilsense::motion::Windings;
 use coilsense::{Channel, Clash, Deviation, Error, Motion};
 use coilsense_lab::spec::{ConditionSpec, Spec};
-use coilsense_lab::study::{self, Coil, Method, Setup, Simulation};
+use coilsense_lab::study::{self, Coil, Meets, Method, Setup, Simulation};
 use serde_json::{Map, Value, json};
 
 use crate::answer::Answer;
-use crate::facts;
+use crate::{contact, facts};
 
 /// Most times of a preview.
 pub const MOST_SAMPLES: usize = 2000;
@@ -43,19 +43,27 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
     let coil = Coil::of(&spec.spring.spring, &sum, asked.excitation.mean_length(), Method::Within(ANY)).ok();
     let (spring, mount) = (&spec.spring.spring, &mounted.mount);
     let excitation = &asked.excitation;
-    let setup = Setup { spring, mount, excitation, coil, positions: true, helix: None, contact: None };
-    let Simulation { motion, signals, windings, .. } = study::simulate(&setup, &times).map_err(science)?;
+    let meets = mounted.contact.as_ref().map(|way| Meets { contact: &way.contact, apart: None });
+    let setup = Setup { spring, mount, excitation, coil, positions: true, helix: None, contact: meets };
+    let Simulation { motion, signals, windings, contacts, .. } = study::simulate(&setup, &times).map_err(science)?;
     let windings = windings.map_or_else(|| motion.windings(&times), Ok).map_err(science)?;
-    let clash = Clash::seen(&motion, &times, &windings, spec.spring.contact_pitch()).map_err(science)?;
-    let judged = Judged::of(spec, asked, &motion).map_err(science)?;
+    let (pitch, masses) = (spec.spring.contact_pitch(), spring.masses_per_winding());
+    let clash = match &contacts {
+        Some(contacts) => Clash::met(&times, &windings, masses, pitch, contacts.first),
+        None => Clash::seen(&motion, &times, &windings, pitch),
+    };
+    let clash = clash.map_err(science)?;
+    let judged = Judged::of(spec, asked, &motion, &setup).map_err(science)?;
     let mut meta = facts::of_spec(spec, condition, damping);
     meta["exact"] = json!(false);
+    meta["contact"] = contact::of_case(mounted, contacts.as_ref());
     meta["clash"] = facts::of_clash(&clash);
     meta["forces"] = judged.deviations;
     let mut series = vec![("time".to_owned(), times)];
     series.extend(signals.channels().map(|(channel, values)| (channel.name().to_owned(), values.to_vec())));
     series.extend(judged.spectra);
-    let turns = windings.turns(spring.masses_per_winding()).map_err(science)?;
+    series.extend(contacts.iter().flat_map(contact::series));
+    let turns = windings.turns(masses).map_err(science)?;
     Ok(Answer::new(&meta, series).with_positions(rows(&turns)))
 }
 
@@ -72,11 +80,15 @@ struct Judged {
 }
 
 impl Judged {
-    fn of(spec: &Spec, asked: &ConditionSpec, motion: &Motion) -> Result<Self, Error> {
+    /// Of the motion, or where windings meet of the setup's once more, at other times.
+    fn of(spec: &Spec, asked: &ConditionSpec, motion: &Motion, setup: &Setup<'_>) -> Result<Self, Error> {
         let (from, to) = asked.window;
         let samples = ((to - from) * asked.sample_rate).round() as usize + 1;
         let times = evenly(from, to.min(asked.duration), samples.clamp(3, MOST_SAMPLES));
-        let signals = motion.signals(&times)?;
+        let signals = match setup.contact {
+            Some(_) => study::simulate(&Setup { coil: None, positions: false, ..*setup }, &times)?.signals,
+            None => motion.signals(&times)?,
+        };
         let truth = signals.channel(spec.goal.force)?;
         let mut deviations = Map::new();
         let mut spectra = Vec::new();

@@ -1,4 +1,5 @@
-//! What the tabs *Log* and *Mitigate* ask: an engine twice as large, which a page loads only with them (feature `workshop`).
+//! What the tabs *Log* and *Mitigate* ask: an engine twice as large, which a page loads only with them or with windings that meet (feature
+//! `workshop`).
 //!
 //! Next door: what every page asks (`door`), the answers (`log`, `mitigate`).
 
@@ -9,6 +10,8 @@ use crate::{Engine, log, mitigate};
 
 /// Of the noise in the simulated log: any, but always the same.
 const TRIAL_SEED: u64 = 20_261_122;
+/// What judges filters, in messages.
+const MITIGATE: &str = "mitigate";
 
 #[wasm_bindgen]
 impl Engine {
@@ -48,7 +51,7 @@ impl Engine {
     /// # Errors
     /// What the spec's reader or the science says.
     pub fn trial_log(&self, text: &str, condition: usize, damping: usize) -> Result<Answer, String> {
-        log::trial(&self.spec(text)?, condition, damping, TRIAL_SEED)
+        log::trial(&self.spec_without_contact(text, "a simulated log")?, condition, damping, TRIAL_SEED)
     }
 
     /// What to do about the ringing of a spec's conditions; `asked` is JSON with the command's options, see [`mitigate::asked`].
@@ -56,7 +59,7 @@ impl Engine {
     /// # Errors
     /// What the spec's reader or the science says, behind `option: ` where it is about one.
     pub fn mitigate(&self, text: &str, asked: &str) -> Result<Answer, String> {
-        mitigate::run(&self.spec(text)?, &log::Request::parse(asked)?, &tell)
+        mitigate::run(&self.spec_without_contact(text, MITIGATE)?, &log::Request::parse(asked)?, &tell)
     }
 
     /// The same on a log.
@@ -64,7 +67,7 @@ impl Engine {
     /// # Errors
     /// As [`Self::mitigate`]; for the log with its name, and where it can be said line and column.
     pub fn mitigate_log(&self, text: &str, asked: &str, name: &str, log: Vec<u8>) -> Result<Answer, String> {
-        mitigate::run_on(&self.spec(text)?, &log::Request::parse(asked)?, (name, log), &tell)
+        mitigate::run_on(&self.spec_without_contact(text, MITIGATE)?, &log::Request::parse(asked)?, (name, log), &tell)
     }
 
     /// What those options are where nothing is said, and what is wrong with those that are given.
@@ -72,7 +75,7 @@ impl Engine {
     /// # Errors
     /// What the spec's reader says.
     pub fn mitigate_usual(&self, text: &str, asked: &str) -> Result<Answer, String> {
-        mitigate::usual(&self.spec(text)?, &log::Request::parse(asked)?)
+        mitigate::usual(&self.spec_without_contact(text, MITIGATE)?, &log::Request::parse(asked)?)
     }
 }
 

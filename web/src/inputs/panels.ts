@@ -1,6 +1,6 @@
 // The fields of the state that is shown, in groups: what is dragged first, then the spring, the condition, the sensors.
 //
-// Next door: one field (`control`), damping (`damping`), the spring given the other way (`way`), the fields' words (`fields`).
+// Next door: one field (`control`), damping (`damping`), windings that meet (`contact`), the spring given the other way (`way`), the fields' words (`fields`).
 
 import type { Facts } from '../answer';
 import { section, sections, type Spec } from '../document';
@@ -9,6 +9,7 @@ import { BY_GEOMETRY, BY_VALUES, CONDITION, ENDS, GOAL, RADII, SHAPE, TEMPLATES,
 import type { Refusal } from '../compute';
 import type { State } from '../state';
 import type { Store } from '../store';
+import { ContactControl } from './contact';
 import { Control } from './control';
 import { DampingControl } from './damping';
 import { Shelf } from './shelf';
@@ -17,6 +18,7 @@ import { byGeometry, toGeometry, toValues } from './way';
 
 export class Panels {
   private readonly damping: DampingControl;
+  private readonly contact: ContactControl;
   private controls: Control[] = [];
   private drawn = '';
   private facts: Facts | null = null;
@@ -29,6 +31,7 @@ export class Panels {
     private readonly shelf: Shelf,
   ) {
     this.damping = new DampingControl(store, onInput);
+    this.contact = new ContactControl(store, onInput);
   }
 
   show(state: State, facts: Facts | null): void {
@@ -39,6 +42,7 @@ export class Panels {
     this.shelf.fill(state, this.controls, this.facts);
     for (const control of this.controls) control.show(state);
     this.damping.show(state, this.facts);
+    this.contact.show(state);
   }
 
   /** Puts a refusal beside its field; false where there is no such field. */
@@ -55,7 +59,8 @@ export class Panels {
     }
     const damped = place === 'mount.damping_ratio';
     this.damping.refuse(damped ? (refusal?.text ?? null) : null);
-    return found || damped;
+    const met = this.contact.refuse(place, refusal?.text ?? null);
+    return found || damped || met;
   }
 
   /** What decides which fields there are. */
@@ -97,6 +102,7 @@ export class Panels {
     this.host.replaceChildren(
       make('h2', {}, 'Drag a slider, or type'),
       this.damping.element,
+      this.contact.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),
       group(
         'more-condition',

@@ -3,16 +3,13 @@
 // Next door: the worker (`job.worker`), the engine of the first load (`lane`).
 
 import type { FromWorker, Job, Told, ToWorkshop } from '../answer';
-import engineAddress from '../workshop/coilsense_web_bg.wasm?url';
-
-let engine: Promise<WebAssembly.Module> | null = null;
+import { workshop } from '../workshop';
 
 export function begin(
   job: Job,
   files: Map<string, string>,
   told: (done: number, of: number) => void,
 ): { reply: Promise<FromWorker>; cancel: () => void } {
-  engine ??= WebAssembly.compileStreaming(fetch(engineAddress));
   const worker = new Worker(new URL('./job.worker.ts', import.meta.url), { type: 'module' });
   const reply = new Promise<FromWorker>((resolve) => {
     worker.addEventListener('message', ({ data }: MessageEvent<FromWorker | Told>) => {
@@ -21,6 +18,6 @@ export function begin(
       resolve(data);
     });
   });
-  void engine.then((engine) => worker.postMessage({ engine, files, job } satisfies ToWorkshop));
+  void workshop().then((engine) => worker.postMessage({ engine, files, job } satisfies ToWorkshop));
   return { reply, cancel: () => worker.terminate() };
 }

@@ -1,7 +1,7 @@
 // The answer in one sentence with numbers, for people who have just come.
 
-import type { Answer, Facts } from '../answer';
-import { digits, make, type Child } from '../dom';
+import type { Answer, ContactFacts, Facts } from '../answer';
+import { digits, fixed, make, type Child } from '../dom';
 
 const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce)}\u00a0%`;
 const bold = (text: string) => make('b', {}, text);
@@ -27,8 +27,14 @@ export function sentence(answer: Answer<Facts>): Child[] {
     `, ${percent(apart, facts)} of its nominal force. A load cell at end ${end} is `,
     bold(`${percent(off, facts)} rms off`),
     ` ${meant}.`,
-    facts.clash.firstContact === null
-      ? null
-      : make('b', { class: 'beyond' }, ' Windings touch: a real coil would do something else.'),
+    facts.contact ? met(facts.contact) : facts.clash.firstContact !== null && beyond(),
   ];
+}
+
+const beyond = () => make('b', { class: 'beyond' }, ' Windings touch: a real coil would do something else.');
+
+/** What windings did that were asked to meet. */
+function met({ law, first, touches, fastest }: ContactFacts): string {
+  if (first === null) return ` No windings meet (${law}).`;
+  return ` Windings meet from ${fixed(1e3 * first, 1)}\u00a0ms on, ${touches} times, at up to ${digits(fastest)}\u00a0m/s (${law}).`;
 }

@@ -5,6 +5,7 @@ import { digits, fixed, make } from '../dom';
 
 const HEADINGS: Record<string, string> = {
   clash: 'Windings touch',
+  contact: 'Windings meet',
   length: 'Out of the range in use',
   doubt: 'Values do not fit together',
   alias: 'Folded down by sampling',
@@ -24,7 +25,7 @@ export function showWarnings(host: HTMLElement, facts: Facts, exact: ExactFacts 
         text,
       );
     host.replaceChildren(...exact.warnings.map(one));
-  } else if (facts.clash.firstContact !== null && !host.querySelector('[data-subject=clash]')) {
+  } else if (!facts.contact && facts.clash.firstContact !== null && !host.querySelector('[data-subject=clash]')) {
     host.prepend(
       make(
         'li',

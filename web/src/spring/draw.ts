@@ -1,11 +1,12 @@
 // The spring on a canvas: its ends true to scale, its windings off the straight line by a factor, coloured by local strain; where windings
-// touch, marked; the force at each end as an arrow.
+// touch or lie on each other, marked; the force at each end as an arrow.
 //
-// Next door: its ends (`walls`), when it is drawn, and how fast time runs (`player`).
+// Next door: its ends (`walls`), which windings lie on each other (`closed`), when it is drawn, and how fast time runs (`player`).
 
 import { clamp } from '../dom';
 import { LARGER } from '../plots/chart';
 import { ink } from '../plots/looks';
+import type { Closed } from './closed';
 import type { Coil, Scene } from './scene';
 import { drawEnds, drawRuler } from './walls';
 
@@ -16,12 +17,16 @@ export interface Moment extends Scene {
   spring: Coil;
   /** Forces at the ends [N]. */
   forces: [number, number];
+  /** What lies on what, where windings were asked to meet; else those count that would overlap. */
+  closed: Closed | null;
 }
 
 export interface Plan {
   drawn: Float64Array;
   strain: Float64Array;
   touching: Uint8Array;
+  /** Whether what touches lies on each other, and does not only overlap. */
+  isHeld: boolean;
   margin: number;
   scale: number;
   radius: number;
@@ -90,7 +95,7 @@ export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
   drawRuler(context, plan, height);
 }
 
-function layOut({ positions, spring, left, right, gain }: Moment, width: number, height: number): Plan {
+function layOut({ positions, spring, closed, left, right, gain }: Moment, width: number, height: number): Plan {
   const margin = clamp(0.09 * width, 44, 110);
   const scale = (width - 2 * margin) / (right - left);
   const count = positions.length - 2;
@@ -101,14 +106,15 @@ function layOut({ positions, spring, left, right, gain }: Moment, width: number,
     const straight = first + ((node - 0.5) / count) * (last - first);
     return place(straight + gain * (position - straight));
   });
-  const touching = Uint8Array.from({ length: count + 1 }, (_, gap) =>
-    Number(gap > 0 && gap < count && (positions[gap + 1] ?? 0) - (positions[gap] ?? 0) <= spring.contactPitch),
-  );
+  const overlaps = (gap: number) =>
+    gap > 0 && gap < count && (positions[gap + 1] ?? 0) - (positions[gap] ?? 0) <= spring.contactPitch;
+  const touching = closed?.gaps ?? Uint8Array.from({ length: count + 1 }, (_, gap) => Number(overlaps(gap)));
   const radius = clamp(spring.coilRadius * scale, 18, height / 2 - 32);
   return {
     drawn,
     strain: strains(positions),
     touching,
+    isHeld: closed !== null,
     margin,
     scale,
     radius,
@@ -151,10 +157,19 @@ function drawCoil(context: CanvasRenderingContext2D, plan: Plan, peak: number): 
     context.lineWidth = wire;
     context.stroke();
   }
+  markTouching(context, plan);
+}
+
+/** An arrowhead below each gap in which windings touch, and one above where they lie on each other. */
+function markTouching(
+  context: CanvasRenderingContext2D,
+  { drawn, touching, isHeld, radius, middle, wire }: Plan,
+): void {
   context.fillStyle = ink.touch;
-  for (let gap = 1; gap < count; gap++) {
-    if (!touching[gap]) continue;
-    const [middleOfGap, foot] = [(at(gap) + at(gap + 1)) / 2, middle + radius + wire];
-    context.fill(new Path2D(`M${middleOfGap} ${foot + 1}l3.5 7h-7z`));
-  }
+  touching.forEach((touches, gap) => {
+    if (!touches) return;
+    const [middleOfGap, reach] = [((drawn[gap] ?? 0) + (drawn[gap + 1] ?? 0)) / 2, radius + wire + 1];
+    context.fill(new Path2D(`M${middleOfGap} ${middle + reach}l3.5 7h-7z`));
+    if (isHeld) context.fill(new Path2D(`M${middleOfGap} ${Math.max(8, middle - reach)}l3.5 -7h-7z`));
+  });
 }

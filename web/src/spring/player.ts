@@ -1,12 +1,13 @@
 // Time: runs slowly through what is shown, or is where the user puts it; the spring, its forces and the plots' mark follow.
 //
-// Next door: how the spring is drawn (`draw`), what holds for all times (`scene`).
+// Next door: how the spring is drawn (`draw`), what holds for all times (`scene`), which windings lie on each other (`closed`).
 
 import { clamp, digits, fixed, make, rich } from '../dom';
+import { closedAt, type Closed } from './closed';
 import { drawSpring } from './draw';
-import { label, nearest, positionsAt, survey, type Coil, type Scene, type Seen } from './scene';
+import { firstContact, label, nearest, positionsAt, survey, type Coil, type Scene, type Seen } from './scene';
 
-const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
+const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002];
 /** Where nobody chose, what is shown takes about so long [s]. */
 const ROUND = 10;
 /** Frames per second are counted over so many seconds. */
@@ -33,7 +34,16 @@ export class Player {
   private readonly gain = make('span', { class: 'gain' });
   private readonly low = make('span');
   private readonly high = make('span');
-  private readonly touch = make('span', { class: 'touch', hidden: true }, 'windings touch');
+  private readonly touch = make('span', { class: 'touch', hidden: true });
+  /** What lies on what at the mark, in words. */
+  private readonly together = make('span', { class: 'together', hidden: true });
+  private readonly contact = make(
+    'button',
+    { type: 'button', class: 'plain', hidden: true, onclick: () => this.onContact?.(this.firstContact ?? 0) },
+    'Go to first contact',
+  );
+  /** A time [s] to go on from once it is among those shown. */
+  private awaited: number | null = null;
   private readonly speed: HTMLSelectElement;
 
   constructor(
@@ -42,6 +52,8 @@ export class Player {
     host: HTMLElement,
     private readonly canvas: HTMLCanvasElement,
     private readonly onTime: (time: number, told: boolean) => void,
+    /** What is done to see a first contact [s]; without it nobody is offered to. */
+    private readonly onContact: ((time: number) => void) | null = null,
   ) {
     this.ends = [make('span', { class: 'end first' }), make('span', { class: 'end second' })];
     const words = (slow: number) => (slow === 1 ? 'real time' : `${Math.round(1 / slow)}× slower`);
@@ -67,9 +79,11 @@ export class Player {
         { class: 'legend' },
         make('span', {}, 'Windings closer ', this.low, ' ', scale, ' ', this.high, ' wider than the mean'),
         this.touch,
+        this.together,
         this.gain,
       ),
     );
+    if (onContact) host.querySelector('.legend')?.append(this.contact);
     new ResizeObserver(() => this.draw()).observe(canvas);
     new IntersectionObserver((entries) => {
       this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
@@ -86,6 +100,13 @@ export class Player {
     this.shown = shown;
     this.speed.value = String(this.slow(shown));
     if (!sameFrames) this.look(shown);
+    this.contact.hidden = this.firstContact === null;
+    const awaited = this.awaited ?? NaN;
+    if (awaited >= shown.times[0] && awaited <= shown.times[1]) {
+      this.awaited = null;
+      this.time = awaited;
+      this.onTime(this.time, true);
+    }
     if (this.time < shown.times[0] || this.time > shown.times[1]) {
       this.time = shown.times[0];
       this.onTime(this.time, true);
@@ -100,6 +121,17 @@ export class Player {
     this.time = time;
     this.draw();
     this.onTime(time, true);
+  }
+
+  /** Plays on from a time [s] as soon as it is among those shown. */
+  playFrom(time: number): void {
+    this.goTo(time);
+    this.awaited = time;
+    this.setPlaying(true);
+  }
+
+  private get firstContact(): number | null {
+    return this.shown ? firstContact(this.shown.answer.facts) : null;
   }
 
   setPlaying(playing: boolean): void {
@@ -138,7 +170,8 @@ export class Player {
     this.high.textContent = `+${percent}`;
     this.enlarge(gain);
     const { facts } = shown.answer;
-    this.touch.hidden = facts.clash.firstContact === null;
+    this.touch.hidden = firstContact(facts) === null;
+    this.touch.textContent = facts.contact ? 'windings lie on each other' : 'windings touch';
     this.canvas.setAttribute('aria-label', label(facts, peak));
   }
 
@@ -157,11 +190,13 @@ export class Player {
     if (!shown) return;
     const { frames, answer } = shown;
     const { spring } = answer.facts;
+    const closed = closedAt(answer.series, this.time, spring.masses, shown.times);
     const at = nearest(answer.series['time'] ?? frames.times, this.time);
     const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
     if (frames.times.length > 0)
-      drawSpring(this.canvas, { positions: positionsAt(frames, this.time), spring, forces, ...this.scene });
+      drawSpring(this.canvas, { positions: positionsAt(frames, this.time), spring, forces, closed, ...this.scene });
     if (told) this.tell(forces, spring);
+    if (told) this.tellClosed(closed);
     const [from, to] = shown.times;
     this.scrub.value = String((1000 * (this.time - from)) / (to - from));
     this.scrub.setAttribute('aria-valuetext', `${fixed(1e3 * this.time, 1)} milliseconds`);
@@ -182,6 +217,14 @@ export class Player {
       `${fixed(Math.abs(apart), decimals)} N apart`,
       make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')),
     );
+  }
+
+  private tellClosed(closed: Closed | null): void {
+    this.together.hidden = closed === null;
+    if (!closed) return;
+    const off = closed.off.map((end) => `end ${end} off its seat`);
+    const met = closed.words.length > 0 ? [`closed: ${closed.words.join(', ')}`] : ['no windings closed'];
+    this.together.textContent = `At the mark: ${[...met, ...off].join('; ')}.`;
   }
 
   private run(): void {

@@ -2,7 +2,7 @@
 //
 // Next door: one moment of it (`draw`), which moment (`player`).
 
-import type { Clash, Series, SpringFacts } from '../answer';
+import type { Clash, ContactFacts, Series, SpringFacts } from '../answer';
 import { clamp, digits, fixed } from '../dom';
 import { strains } from './draw';
 
@@ -26,12 +26,21 @@ export type Coil = Pick<
   'name' | 'masses' | 'coilRadius' | 'wireDiameter' | 'contactPitch' | 'nominalForce'
 >;
 
+interface Told {
+  spring: Coil;
+  clash: Pick<Clash, 'firstContact'>;
+  contact?: Pick<ContactFacts, 'first'> | null;
+}
+
+/** When windings first touch or, where they were asked to, meet [s]. */
+export const firstContact = ({ contact, clash }: Told): number | null => (contact ? contact.first : clash.firstContact);
+
 /** A motion, and which part of it is seen. */
 export interface Seen {
   frames: Frames;
   times: [number, number];
   /** With time, F_i and F_o. */
-  answer: { series: Series; facts: { spring: Coil; clash: Pick<Clash, 'firstContact'> } };
+  answer: { series: Series; facts: Told };
 }
 
 export interface Scene {
@@ -102,10 +111,10 @@ export function positionsAt({ times, positions, columns }: Frames, time: number)
   });
 }
 
-export function label({ spring, clash: { firstContact } }: Seen['answer']['facts'], peak: number): string {
+export function label(facts: Told, peak: number): string {
+  const { spring } = facts;
+  const [first, verb] = [firstContact(facts), facts.contact ? 'meet' : 'touch'];
   const touch =
-    firstContact === null
-      ? 'No windings touch in what is shown.'
-      : `Windings touch from ${fixed(1e3 * firstContact, 1)} ms on.`;
+    first === null ? `No windings ${verb} in what is shown.` : `Windings ${verb} from ${fixed(1e3 * first, 1)} ms on.`;
   return `The spring ${spring.name} with its ${spring.masses} windings, end 1 at the left, coloured by local pitch, which changes by up to ${digits(100 * peak, 2)} percent. ${touch}`;
 }

@@ -6,14 +6,18 @@ import { font } from '../plots/chart';
 import { ink } from '../plots/looks';
 import type { Moment, Plan } from './draw';
 
-/** Both walls, and at each the force: an arrow out of the spring for tension, into it for compression. */
-export function drawEnds(context: CanvasRenderingContext2D, plan: Plan, { forces, mean, departure }: Moment): void {
+/** Both walls, hollow where the spring has left them, and at each the force: an arrow out of the spring for tension, into it for compression. */
+export function drawEnds(context: CanvasRenderingContext2D, plan: Plan, moment: Moment): void {
+  const { forces, mean, departure, closed } = moment;
   const { drawn, radius, middle, margin } = plan;
   const colours = [ink.blue, ink.red];
   [drawn[0] ?? 0, drawn[drawn.length - 1] ?? 0].forEach((at, end) => {
     const outward = end ? 1 : -1;
-    context.fillStyle = ink.soft;
-    context.fillRect(at + (end ? 0 : -5), middle - radius - 8, 5, 2 * radius + 16);
+    const wall = [at + (end ? 0 : -5), middle - radius - 8, 5, 2 * radius + 16] as const;
+    context.fillStyle = context.strokeStyle = ink.soft;
+    context.lineWidth = 1;
+    if (closed?.off.includes(end + 1)) context.strokeRect(...wall);
+    else context.fillRect(...wall);
     // Half of the room stands for the mean, a third of it for the largest departure, which would not be seen to scale.
     const length =
       (margin - 16) * (Math.sign(mean) * 0.55 + (departure > 0 ? (0.4 * ((forces[end] ?? 0) - mean)) / departure : 0));

@@ -33,6 +33,7 @@ export function layOut(panel: HTMLElement) {
     ),
     keys: make('p', { class: 'keys' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
+    meetings: make('section', { class: 'card meetings', 'aria-label': 'How windings met', hidden: true }),
     warnings: make('ul', { class: 'warnings' }),
     facts: make('p', { class: 'facts' }),
     modes: make('section', { class: 'card every', 'aria-label': 'Every mode of the coil' }),
@@ -58,6 +59,7 @@ export function layOut(panel: HTMLElement) {
       'div',
       { class: 'results' },
       make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'How far off')), parts.table),
+      parts.meetings,
       make(
         'section',
         { class: 'card' },

@@ -14,6 +14,7 @@ import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
 import { Views } from '../plots/views';
 import { Downloads } from '../results/downloads';
+import { Meetings } from '../results/meetings';
 import { Modes } from '../results/modes';
 import { sentence } from '../results/sentence';
 import { Table } from '../results/table';
@@ -30,6 +31,7 @@ export const open: Open = (panel, store, compute) => {
   const choose = new Choose(store, parts.choose, parts.first);
   const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
   const table = new Table(store, parts.table);
+  const meetings = new Meetings(parts.meetings);
   const modes = new Modes(parts.modes, compute);
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
@@ -45,10 +47,19 @@ export const open: Open = (panel, store, compute) => {
       store.setView({ slow });
     },
   };
-  const player = new Player(speed, parts.spring, parts.canvas, (time, told) => {
+  const moved = (time: number, told: boolean) => {
     forces.timeline.moveMark(time);
     if (told) readOut.at(time);
-  });
+  };
+  // A surge period around it, as slowly as fits.
+  const meet = (time: number) => {
+    const { lines, conditions, condition } = last?.answer.facts ?? {};
+    const period = 1 / (lines?.[0] ?? 54);
+    const end = conditions?.[condition ?? 0]?.duration ?? Infinity;
+    player.playFrom(time);
+    store.setView({ times: [Math.max(0, time - 0.25 * period), Math.min(end, time + 0.75 * period)], slow: 0 });
+  };
+  const player = new Player(speed, parts.spring, parts.canvas, moved, meet);
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
   const views = new Views(store, parts.views, forces);
   let facts: Facts | null = null;
@@ -103,6 +114,7 @@ export const open: Open = (panel, store, compute) => {
           ...sentence(shown.answer).filter((part) => part !== null && part !== undefined && part !== false),
         );
       table.show(facts, shown.exact);
+      meetings.show(shown.exact?.facts ?? null, facts);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
       modes.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });

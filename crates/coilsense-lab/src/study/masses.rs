@@ -5,6 +5,7 @@
 use coilsense::contact::Law;
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Damping, Deviation, Error, FarEnd, Mount, Spring};
+#[cfg(not(target_family = "wasm"))]
 use rayon::prelude::*;
 
 use super::simulation::{Meets, Setup, simulate};
@@ -132,7 +133,11 @@ fn rms(
     let spring = spring.spring.clone().with_masses_per_winding(masses)?;
     let dampings = ways.len();
     let one = |index: usize| of_case(&spring, ways[index % dampings], conditions[index / dampings]);
-    let each: Vec<[f64; 3]> = (0..conditions.len() * dampings).into_par_iter().map(one).collect::<Result<_, _>>()?;
+    let each = 0..conditions.len() * dampings;
+    // In a browser there is one thread, and rayon is 10 kB of what the page loads first.
+    #[cfg(not(target_family = "wasm"))]
+    let each = each.into_par_iter();
+    let each: Vec<[f64; 3]> = each.map(one).collect::<Result<_, _>>()?;
     Ok(each.into_iter().flatten().collect())
 }
 
