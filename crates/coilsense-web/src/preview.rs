@@ -47,9 +47,9 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
     let setup = Setup { spring, mount, excitation, coil, positions: true, helix: None, contact: meets };
     let Simulation { motion, signals, windings, contacts, .. } = study::simulate(&setup, &times).map_err(science)?;
     let windings = windings.map_or_else(|| motion.windings(&times), Ok).map_err(science)?;
-    let (pitch, masses) = (spec.spring.contact_pitch(), spring.masses_per_winding());
+    let pitch = spec.spring.contact_pitch();
     let clash = match &contacts {
-        Some(contacts) => Clash::met(&times, &windings, masses, pitch, contacts.first),
+        Some(contacts) => Clash::met(spring, &times, &windings, pitch, contacts.first),
         None => Clash::seen(&motion, &times, &windings, pitch),
     };
     let clash = clash.map_err(science)?;
