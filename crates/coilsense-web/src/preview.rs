@@ -63,7 +63,7 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
     series.extend(signals.channels().map(|(channel, values)| (channel.name().to_owned(), values.to_vec())));
     series.extend(judged.spectra);
     series.extend(contacts.iter().flat_map(contact::series));
-    let turns = windings.turns(masses).map_err(science)?;
+    let turns = windings.turns(spring.masses_per_winding()).map_err(science)?;
     Ok(Answer::new(&meta, series).with_positions(rows(&turns)))
 }
 
