@@ -172,14 +172,21 @@ fn happened(contacts: &Contacts) -> String {
             format!(", {} together for {} % of the time", longest.between.words(), digits(100.0 * longest.closed))
         });
         let fastest = contacts.touches.iter().map(|touch| touch.closing_speed).fold(0.0, f64::max);
-        clauses.push(format!(
-            "windings meet from t = {:.4} s on ({} at {} m/s), {} times, at up to {} m/s{together}",
-            first.time,
-            contacts.between(first).words(),
-            digits(first.closing_speed),
-            contacts.touches.len(),
-            digits(fastest),
-        ));
+        let resting =
+            contacts.touches.iter().filter(|touch| touch.time == first.time && touch.closing_speed == 0.0).count();
+        if resting > 0 {
+            clauses.push(format!("{resting} points of the wire are closed from the start"));
+        }
+        if let Some(first) = contacts.touches.get(resting) {
+            clauses.push(format!(
+                "windings meet from t = {:.4} s on ({} at {} m/s), {} times, at up to {} m/s{together}",
+                first.time,
+                contacts.between(first).words(),
+                digits(first.closing_speed),
+                contacts.touches.len() - resting,
+                digits(fastest),
+            ));
+        }
     }
     if let Some(first) = contacts.lifts.first() {
         let aloft: f64 = contacts.lifts.iter().map(|lift| lift.back.unwrap_or(contacts.until) - lift.time).sum();

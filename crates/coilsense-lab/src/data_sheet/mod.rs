@@ -42,6 +42,9 @@ pub struct DataSheet {
 
 /// From so large a departure on, stiffness or mass are not those of the wire, coil and material that the spec names.
 const DOUBTFUL: f64 = 0.05;
+/// What is left out of a coil of sections.
+const OF_SECTIONS: &str = "a coil of sections is followed along its axis only, as a chain: as a helix it may surge some per cent lower where it has few \
+                           windings, and its lateral and torsional lines are not known.";
 /// Error that is asked for where a spec has no goal, as a share.
 const USUAL_GOAL: f64 = 0.01;
 
@@ -84,6 +87,9 @@ impl DataSheet {
         let coil = spring.helix(&spec.mount.ends);
         let modes_at =
             coil.as_ref().map_err(Clone::clone).and_then(|coil| coil.over_lengths(3)).unwrap_or_else(|error| {
+                if spring.dead_ends.is_some() {
+                    return Vec::new();
+                }
                 doubts
                     .push(format!("the coil cannot be followed as a helix ({error}): only its axial modes are told."));
                 Vec::new()
@@ -98,6 +104,7 @@ impl DataSheet {
             surge,
             static_curve: curve::over_lengths(spring),
             beyond_axial: match spring.model {
+                _ if spring.dead_ends.is_some() => vec![OF_SECTIONS.to_owned()],
                 // All of its modes are in the answer.
                 Model::Helix => reach::buckled(&modes_at).into_iter().collect(),
                 Model::Coil | Model::Chain => reach::warnings(&modes_at, model, own.unwrap_or(f64::INFINITY), goal),

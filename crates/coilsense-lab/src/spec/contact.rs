@@ -17,8 +17,8 @@ const RESTITUTIONS: [f64; 2] = [0.0, 0.5];
 const CONTACT_DAMPINGS: [f64; 2] = [3.0, 0.3];
 /// Most ways in a list.
 const MOST_WAYS: usize = 8;
-/// After so many events a run gives up: that of a minute of a chattering stack.
-const MOST_EVENTS: usize = 2_000_000;
+/// After so many events a run gives up: that of a minute of a chattering stack of a hundred masses.
+const MOST_EVENTS: usize = 300_000;
 
 /// One way in which windings meet.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,6 +4,7 @@
 
 use super::SpecError;
 use super::document::Document;
+use super::section::Section;
 use crate::quantity::Dimension;
 
 /// Strengths of the wire in shear.
@@ -23,12 +24,17 @@ impl StrengthSpec {
         if !section.has(endurance) && !section.has(ultimate) {
             return Ok(None);
         }
-        let found = Self {
-            endurance: section.positive(endurance, Dimension::Modulus)?,
-            ultimate: section.positive(ultimate, Dimension::Modulus)?,
-        };
+        let found = Self { endurance: strength(&section, endurance)?, ultimate: strength(&section, ultimate)? };
         let allowed = format!("below ultimate_shear_strength of {} MPa", 1e-6 * found.ultimate);
         section.check(endurance, found.endurance < found.ultimate, found.endurance, &allowed)?;
         Ok(Some(found))
     }
+}
+
+/// The highest strength that is taken \[Pa\]: above that of any wire.
+const HIGHEST: f64 = 2e10;
+
+fn strength(section: &Section<'_>, key: &str) -> Result<f64, SpecError> {
+    let value = section.quantity(key, Dimension::Modulus)?;
+    section.check(key, value > 0.0 && value <= HIGHEST, value, "above zero and at most 2e10 Pa")
 }

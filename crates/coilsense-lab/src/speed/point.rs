@@ -188,12 +188,18 @@ fn path(cam: &CamSpec, about: f64, turning: f64, turns: usize) -> Result<Path, E
     of_a_turn.iter_mut().filter_map(|powers| powers.first_mut()).for_each(|first| *first -= about);
     let mut knots = Vec::with_capacity(turns * begins.len() + 1);
     let mut pieces = Vec::with_capacity(turns * begins.len());
+    let until = turns as f64 / turning;
     for turn in 0..turns {
         for (begin, powers) in begins.iter().zip(&of_a_turn) {
-            knots.push((turn as f64 + begin) / turning);
+            let knot = (turn as f64 + begin) / turning;
+            // A piece that rounding alone has left lasts no time.
+            if knot >= until || knots.last().is_some_and(|last| *last >= knot) {
+                continue;
+            }
+            knots.push(knot);
             pieces.push(powers.iter().enumerate().map(|(power, c)| c * turning.powi(power as i32)).collect());
         }
     }
-    knots.push(turns as f64 / turning);
+    knots.push(until);
     Path::new(knots, pieces)
 }

@@ -20,6 +20,7 @@ mod helix;
 mod paper;
 mod readings;
 mod runs;
+mod sections;
 mod small;
 mod specimens;
 mod verdicts;

@@ -32,7 +32,8 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
             // Pulled, with room for some windings more; and pushed.
             let both = [("by values", by_values), ("by geometry", spring(BY_GEOMETRY))];
             let used = |(kind, text): &(&'static str, String)| {
-                ["110 mm", "270 mm"].map(|rest| (*kind, format!("{}\n", text.replace("104 mm", rest))))
+                let strengths = "endurance_shear_strength = \"300 MPa\"\nultimate_shear_strength = \"900 MPa\"";
+                ["110 mm", "270 mm"].map(|rest| (*kind, format!("{}\n{strengths}\n", text.replace("104 mm", rest))))
             };
             both.iter().flat_map(used).collect()
         }
@@ -58,7 +59,8 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
         "cam" => {
             let held = by_values.replace("104 mm", "150 mm");
             let law = format!("{held}\n[cam]\nlift = \"1 mm\"\nangle = \"130 deg\"\n");
-            vec![("law", law), ("file", format!("{held}\n[cam]\nfile = \"cam.csv\"\n"))]
+            let harmonics = format!("{held}\n[cam]\nharmonics = [[1, \"0.5 mm\"]]\n");
+            vec![("law", law), ("file", format!("{held}\n[cam]\nfile = \"cam.csv\"\n")), ("harmonics", harmonics)]
         }
         "condition" => {
             CONDITION_KINDS.iter().map(|kind| (*kind, format!("{by_values}\n{}", condition(kind)))).collect()

@@ -4,7 +4,7 @@
 
 use super::book::energy;
 use super::course::GivenUp;
-use super::meet::even_out;
+use super::meet::go_along;
 use super::polynomial::value;
 use super::run::Run;
 
@@ -35,9 +35,9 @@ impl Run<'_> {
         self.drive_ends();
         self.stand_on_cam();
         let faster = (self.now.speeds[0] - speeds[0]).abs().max((self.now.speeds[last] - speeds[1]).abs());
-        if faster <= PIECES_APART {
+        if faster <= PIECES_APART && self.system.elastic.is_none() {
             // What lies on an end goes on with it: its pieces meet to rounding, which would let go what it holds.
-            even_out(chain, &mut self.now);
+            go_along(chain, &mut self.now);
         }
         let cam_jumps = self.now.places[0] - before[0];
         // A follower stays where it is when its cam jumps.

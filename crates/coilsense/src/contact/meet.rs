@@ -147,7 +147,16 @@ pub(super) fn settle(
 }
 
 /// Points that are held together have one speed to the last digit: that of their common momentum, or of the end that they lie on.
-pub(super) fn even_out(chain: &Chain, now: &mut Now) {
+fn even_out(chain: &Chain, now: &mut Now) {
+    even_out_groups(chain, now, false);
+}
+
+/// The same of what lies on an end alone: it goes on as fast as that.
+pub(super) fn go_along(chain: &Chain, now: &mut Now) {
+    even_out_groups(chain, now, true);
+}
+
+fn even_out_groups(chain: &Chain, now: &mut Now, at_ends_only: bool) {
     let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
     let mut begin = 0;
     while begin < pairs.len() {
@@ -166,6 +175,10 @@ pub(super) fn even_out(chain: &Chain, now: &mut Now) {
             mass += 1.0 / inverse[point];
         }
         let held = points().find(|point| inverse[*point] == 0.0);
+        if at_ends_only && held.is_none() {
+            begin = end + 1;
+            continue;
+        }
         let speed = held.map_or(momentum / mass, |point| now.speeds[point]);
         points().for_each(|point| now.speeds[point] = speed);
         begin = end + 1;
