@@ -88,7 +88,7 @@ fn what_is_no_coil_is_refused_at_its_line() {
     for (from, to, line, part) in [
         ("pitch = \"8 mm\"", "pitch = \"3 mm\"", 15, "at least 0.004 m, where wires touch"),
         ("pitch = \"8 mm\"", "pitch = [\"8 mm\"]", 15, "must be a list of two"),
-        ("pitch = \"8 mm\"", "pitch = \"4 mm\"", 0, "min_length"),
+        ("pitch = \"8 mm\"", "pitch = \"4 mm\"", 4, "cannot be pulled"),
         ("windings = 4.5", "windings = 0", 14, "above zero"),
         ("windings = 4.5", "windings = 4.5\nwindigs = 2", 15, "no key of a section"),
         ("windings = 4.5", "", 0, "lacks the key \"windings\""),

@@ -193,7 +193,7 @@ pub(super) const SECTION: Table = Table {
               `analyze` and `speed`.",
     ),
     keys: &[
-        needed("windings", "1.5", "of this section; may be fractional"),
+        needed("windings", "4.5", "of this section; may be fractional"),
         needed(
             "pitch",
             "\"8 mm\"",
