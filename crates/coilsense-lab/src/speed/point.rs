@@ -184,7 +184,7 @@ pub(super) struct Asked<'a> {
 
 /// The cam's lift over time about a lift \[m\], from where it is least.
 fn path(cam: &CamSpec, about: f64, turning: f64, turns: usize) -> Result<Path, Error> {
-    let (begins, mut of_a_turn) = cam.from_least();
+    let (begins, mut of_a_turn) = cam.begun_at_least();
     of_a_turn.iter_mut().filter_map(|powers| powers.first_mut()).for_each(|first| *first -= about);
     let mut knots = Vec::with_capacity(turns * begins.len() + 1);
     let mut pieces = Vec::with_capacity(turns * begins.len());

@@ -106,15 +106,14 @@ impl Sections {
     }
 
     fn open_compliance_between(&self, from: f64, to: f64, opens: &[Vec<[f64; 2]>]) -> f64 {
-        let mut number = 0;
         let mut begin = 0.0;
         let mut sum = 0.0;
-        for section in &self.sections {
+        for (section, open) in self.sections.iter().zip(opens) {
             let end = begin + section.windings;
             let place = |winding: f64| ((winding - begin) / section.windings).clamp(0.0, 1.0);
             let compliance = section.compliance(self.shear_modulus);
             if to > begin && from < end {
-                for [low, high] in &opens[number] {
+                for [low, high] in open {
                     let (low, high) = (low.max(place(from)), high.min(place(to)));
                     if high > low {
                         sum += section.windings * integral(&compliance, low, high);
@@ -122,7 +121,6 @@ impl Sections {
                 }
             }
             begin = end;
-            number += 1;
         }
         sum
     }

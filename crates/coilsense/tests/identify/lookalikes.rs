@@ -277,7 +277,7 @@ fn a_beam_is_no_spring() {
 fn windings_that_the_lines_contradict_are_left_out_and_that_is_said() {
     let spring = coilsense::Spring::new(coilsense::SpringParameters {
         windings: 15.0,
-        ..*crate::paper_springs::s_t().parameters()
+        ..crate::paper_springs::s_t().parameters().clone()
     })
     .unwrap();
     let truth = crate::records::hit(&spring, 0.004, 3, [0.0; 3]);

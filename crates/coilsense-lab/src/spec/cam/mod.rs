@@ -64,7 +64,7 @@ impl CamSpec {
     }
 
     /// One turn from where the lift is least: where pieces begin, from 0 on, and the powers of each.
-    pub(crate) fn from_least(&self) -> (Vec<f64>, Vec<Vec<f64>>) {
+    pub(crate) fn begun_at_least(&self) -> (Vec<f64>, Vec<Vec<f64>>) {
         if self.least_at == 0.0 {
             return (self.begins.clone(), self.pieces.clone());
         }
