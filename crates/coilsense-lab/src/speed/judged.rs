@@ -6,16 +6,77 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use coilsense::Spring;
-use coilsense::contact::{Course, Touch};
+use coilsense::contact::{Course, GivenUp, Touch};
 
-use super::point::JUDGED;
-use super::{Floating, SpeedPoint, Stress};
+use super::Stress;
 use crate::spec::Spec;
 use crate::study::GRAZES;
 
 /// Harmonics of the camshaft that are told of F_o.
 pub const HARMONICS: usize = 40;
 
+/// What a spring does at one speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpeedPoint {
+    /// Of the engine \[Hz\].
+    pub speed: f64,
+    /// Number of the damping and rebound in the spec.
+    pub way: usize,
+    /// Least and largest F_i \[N\], tension positive.
+    pub input: [f64; 2],
+    /// The same of F_o.
+    pub output: [f64; 2],
+    /// Rms of F_o − F_i, by which load cells at both ends differ \[N\].
+    pub apart: f64,
+    /// The largest |F − F_x| of both ends: how far surge carries an end force from the static one \[N\].
+    pub surge: f64,
+    /// Amplitudes of F_o at the camshaft's frequency and its multiples, up to [`HARMONICS`] \[N\]; empty where not a turn could be followed.
+    pub harmonics: Vec<f64>,
+    /// How often windings, or a winding and its seat, meet in a turn of the camshaft.
+    pub touches: f64,
+    /// For how long of a turn the two points that touch longest do \[1\].
+    pub closed: f64,
+    /// The largest closing speed \[m/s\].
+    pub fastest: f64,
+    /// The largest blow on a seat \[N s\].
+    pub blow: f64,
+    /// How often an end leaves its seat in a turn.
+    pub lifts: f64,
+    /// How the follower floats; `None` without one.
+    pub floating: Option<Floating>,
+    /// Shear stress where the wire is worst off; `None` where nothing could be followed.
+    pub stress: Option<Stress>,
+    /// By how much the extremes of the last two turns differ from those of the two before, as a share of F_nom: what repeats has settled.
+    pub unsettled: f64,
+    /// Turns that were run.
+    pub turns: usize,
+    /// Why the run ended early.
+    pub given_up: Option<GivenUp>,
+}
+
+impl SpeedPoint {
+    /// The least push on seat 1 and seat 2 \[N\]: at zero an end is about to leave its seat.
+    pub fn least_push(&self) -> [f64; 2] {
+        // A sum with zero has no sign of zero.
+        [self.input[1], self.output[1]].map(|force| 0.0 - force)
+    }
+}
+
+/// A follower off its cam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Floating {
+    /// The least force of the cam on it \[N\]; zero where it floats.
+    pub least_cam_force: f64,
+    /// How often in a turn.
+    pub floats: f64,
+    /// For how long of a turn \[1\].
+    pub share: f64,
+    /// How fast it comes down at most \[m/s\].
+    pub fastest: f64,
+}
+
+/// Turns that are looked at, at the end.
+pub(super) const JUDGED: usize = 4;
 /// The turns that are looked at.
 pub(super) struct Turns {
     /// From when to when \[s\].

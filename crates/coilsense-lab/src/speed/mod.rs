@@ -18,8 +18,7 @@ pub(crate) use answer::SETTLED;
 pub use answer::answer;
 pub use campbell::{Campbell, Crossing, Line};
 pub use fatigue::Stress;
-pub use judged::HARMONICS;
-pub use point::{Floating, SpeedPoint};
+pub use judged::{Floating, HARMONICS, SpeedPoint};
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

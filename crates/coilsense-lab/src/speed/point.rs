@@ -2,76 +2,14 @@
 //!
 //! Next door: all of them (the parent), what is told of it (`judged`), the run (`coilsense::contact::Touching::driven`).
 
-use coilsense::contact::{Course, GivenUp, Path, Touching};
+use coilsense::contact::{Course, Path, Touching};
 use coilsense::excitation::{EndInput, Excitation, Harmonic, Start};
 use coilsense::{Error, Motion};
 
-use super::judged::{Turns, judged};
-use super::{Range, Stress};
+use super::Range;
+use super::judged::{JUDGED, SpeedPoint, Turns, judged};
 use crate::spec::{CamSpec, Spec};
 
-/// What a spring does at one speed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpeedPoint {
-    /// Of the engine \[Hz\].
-    pub speed: f64,
-    /// Number of the damping and rebound in the spec.
-    pub way: usize,
-    /// Least and largest F_i \[N\], tension positive.
-    pub input: [f64; 2],
-    /// The same of F_o.
-    pub output: [f64; 2],
-    /// Rms of F_o − F_i, by which load cells at both ends differ \[N\].
-    pub apart: f64,
-    /// The largest |F − F_x| of both ends: how far surge carries an end force from the static one \[N\].
-    pub surge: f64,
-    /// Amplitudes of F_o at the camshaft's frequency and its multiples, up to [`super::HARMONICS`] \[N\]; empty where not a turn could be followed.
-    pub harmonics: Vec<f64>,
-    /// How often windings, or a winding and its seat, meet in a turn of the camshaft.
-    pub touches: f64,
-    /// For how long of a turn the two points that touch longest do \[1\].
-    pub closed: f64,
-    /// The largest closing speed \[m/s\].
-    pub fastest: f64,
-    /// The largest blow on a seat \[N s\].
-    pub blow: f64,
-    /// How often an end leaves its seat in a turn.
-    pub lifts: f64,
-    /// How the follower floats; `None` without one.
-    pub floating: Option<Floating>,
-    /// Shear stress where the wire is worst off; `None` where nothing could be followed.
-    pub stress: Option<Stress>,
-    /// By how much the extremes of the last two turns differ from those of the two before, as a share of F_nom: what repeats has settled.
-    pub unsettled: f64,
-    /// Turns that were run.
-    pub turns: usize,
-    /// Why the run ended early.
-    pub given_up: Option<GivenUp>,
-}
-
-impl SpeedPoint {
-    /// The least push on seat 1 and seat 2 \[N\]: at zero an end is about to leave its seat.
-    pub fn least_push(&self) -> [f64; 2] {
-        // A sum with zero has no sign of zero.
-        [self.input[1], self.output[1]].map(|force| 0.0 - force)
-    }
-}
-
-/// A follower off its cam.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Floating {
-    /// The least force of the cam on it \[N\]; zero where it floats.
-    pub least_cam_force: f64,
-    /// How often in a turn.
-    pub floats: f64,
-    /// For how long of a turn \[1\].
-    pub share: f64,
-    /// How fast it comes down at most \[m/s\].
-    pub fastest: f64,
-}
-
-/// Turns that are looked at, at the end.
-pub(super) const JUDGED: usize = 4;
 /// Fewest turns before them.
 const FEWEST: usize = 4;
 /// Harmonics of the cam that make what repeats where nothing meets, and samples for them: those of a law whose acceleration bends go with the fourth

@@ -1,8 +1,6 @@
 //! The static curve of a coil of sections as a table: a force for each of many lengths.
 //!
-//! Next door: the curve by closed forms (the parent).
-
-use super::Sections;
+//! Next door: the curve by closed forms (`coil`).
 
 /// Nodes between two forces at which a section begins or ends to close.
 const NODES: usize = 192;
@@ -18,10 +16,11 @@ pub(super) struct Curve {
 const STEEP: f64 = 1e9;
 
 impl Curve {
-    pub(super) fn of(coil: &Sections) -> Self {
-        let mut knees = coil.knees();
+    /// - `knees`: forces between which it is smooth \[N\]; `solid`: the last of them; `stiffness`: of the open coil \[N/m\]; `compressed`: compression \[m\]
+    ///   under a force, and its growth \[m/N\]
+    pub(super) fn of(mut knees: Vec<f64>, solid: f64, stiffness: f64, compressed: impl Fn(f64) -> [f64; 2]) -> Self {
         knees.insert(0, 0.0);
-        knees.dedup_by(|a, b| (*a - *b).abs() < 1e-12 * coil.solid_force());
+        knees.dedup_by(|a, b| (*a - *b).abs() < 1e-12 * solid);
         let mut nodes = Vec::new();
         for pair in knees.windows(2) {
             let (low, high) = (pair[0], pair[1]);
@@ -31,9 +30,9 @@ impl Curve {
                 let force = low + share * (high - low);
                 // From within the stretch.
                 let inside = force.clamp(low + 1e-13 * (high - low), high - 1e-13 * (high - low));
-                let [x, _] = coil.compressed(force);
-                let [_, softness] = coil.compressed(inside);
-                nodes.push([x, force, (1.0 / softness).min(STEEP * coil.stiffness())]);
+                let [x, _] = compressed(force);
+                let [_, softness] = compressed(inside);
+                nodes.push([x, force, (1.0 / softness).min(STEEP * stiffness)]);
             }
         }
         Self { nodes }

@@ -1,9 +1,9 @@
 //! A coil of sections as masses and springs, and how it rings when windings are closed.
 //!
-//! Next door: its static curve (the parent), the modes of any chain (`crate::bidiagonal`).
+//! Next door: its static curve (`coil`), the modes of any chain (`crate::bidiagonal`).
 
+use super::coil::{Section, Sections};
 use super::polynomial::integral;
-use super::{Section, Sections};
 use crate::bidiagonal::first_frequency;
 
 /// Masses in the middle of equal stretches of the wire, and the springs between them.

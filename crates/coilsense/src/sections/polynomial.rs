@@ -1,6 +1,6 @@
 //! Polynomials of the place along a section, 0 to 1: gap and compliance.
 //!
-//! Next door: what they are of (the parent).
+//! Next door: what they are of (`coil`).
 
 /// Of a place from 0 to 1, lowest power first.
 pub(super) type Polynomial = [f64; 5];

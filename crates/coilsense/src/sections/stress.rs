@@ -4,8 +4,8 @@
 
 use std::f64::consts::PI;
 
+use super::coil::{Section, Sections};
 use super::polynomial::{at, value};
-use super::{Section, Sections};
 
 /// Places along a section at which the stress is looked at.
 const PLACES: usize = 64;
