@@ -25,7 +25,8 @@ fn engine() -> Engine {
 fn windings_that_meet_are_those_of_the_whole_analysis() {
     let text = valve("windings = \"hard\"");
     let spec = Spec::parse("spec", &text, &|_| Ok(CAM.to_owned())).unwrap();
-    let case = &simulate(&spec, &|condition, damping| (condition, damping) == (1, 1)).unwrap()[0];
+    let cases = simulate(&spec, &|_, _| true).unwrap();
+    let case = cases.iter().find(|case| (case.condition, case.damping) == (1, 1)).unwrap();
     let contacts = case.contacts.as_ref().unwrap();
     assert!(!contacts.touches.is_empty());
     let answer = engine().exact(&text, 1, 1).unwrap();

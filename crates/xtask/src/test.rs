@@ -132,7 +132,7 @@ fn clippy(_: &Arguments) -> anyhow::Result<Outcome> {
 /// Unit, integration and property tests, the examples' build, and every Rust block of documentation, README and book.
 /// Every test. What is drawn at random is the same in every run, so that a change is judged by what it changes; `long` draws anew.
 fn tests(_: &Arguments) -> anyhow::Result<Outcome> {
-    let mut command = cargo(&["test", "--workspace", "--all-features"]);
+    let mut command = cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]);
     command.env("PROPTEST_RNG_SEED", "1");
     outcome(command)
 }

@@ -14,6 +14,9 @@ pub(super) const MARGIN: f64 = 1e-13;
 /// Slower than this \[m/s\] nothing bounces: the distance by which a contact is found sets a smallest bounce of 1e-4 m/s.
 const STICKS: f64 = 2e-3;
 
+/// Slower than this share \[1\] of the fastest, what is held does not part at a blow: rounding alone is so fast.
+const ROUNDING: f64 = 1e-12;
+
 /// After so many blows at one instant what still comes together stays together.
 const MOST_ROUNDS: usize = 50;
 
@@ -44,7 +47,7 @@ pub(super) fn collide(
         let opening = opening_speeds(chain, now);
         let largest = opening.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
         let touches = |&number: &usize| {
-            !now.closed[number] && now.gap(chain, number) <= MARGIN && opening[number] < -1e-12 * largest
+            !now.closed[number] && now.gap(chain, number) <= MARGIN && opening[number] < -ROUNDING * largest
         };
         let next: Vec<usize> = (0..opening.len()).filter(touches).collect();
         if next.is_empty() {
@@ -106,8 +109,9 @@ fn strike(
             }
         }
     }
+    let slow = ROUNDING * before.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
     for number in (0..opening.len()).filter(|number| may[*number]) {
-        let is_held = now.closed[number] && found.opening[number] <= 0.0;
+        let is_held = now.closed[number] && found.opening[number] <= slow;
         let stays = if found.pushing[number] { !bouncing[number] } else { is_held };
         book.parted_unless(stays, number, now.time);
         now.closed[number] = stays;
