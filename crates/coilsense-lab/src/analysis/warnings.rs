@@ -2,6 +2,7 @@
 //!
 //! Next door: the judgement of sensors (`verdict`).
 
+use coilsense::contact::Touch;
 use coilsense::measures::{Spectrum, alias_of};
 use coilsense::modes::ModalModel;
 use coilsense::sensors::{Readout, ReadoutParameters};
@@ -166,25 +167,32 @@ const LEAST_TOGETHER: f64 = 1e-4;
 /// What happened in a run, in a clause or two.
 fn happened(contacts: &Contacts) -> String {
     let mut clauses = Vec::new();
-    if let Some(first) = contacts.touches.first() {
+    if !contacts.touches.is_empty() {
         let longest = contacts.meetings.iter().max_by(|a, b| a.closed.total_cmp(&b.closed));
         let together = longest.filter(|longest| longest.closed >= LEAST_TOGETHER).map_or_else(String::new, |longest| {
             format!(", {} together for {} % of the time", longest.between.words(), digits(100.0 * longest.closed))
         });
-        let fastest = contacts.touches.iter().map(|touch| touch.closing_speed).fold(0.0, f64::max);
-        let resting =
-            contacts.touches.iter().filter(|touch| touch.time == first.time && touch.closing_speed == 0.0).count();
+        // Only what was closed before the input began can touch at 0.
+        let resting = contacts.touches.iter().take_while(|touch| touch.time == 0.0).count();
+        let (at_start, later) = contacts.touches.split_at(resting);
+        let fastest = |touches: &[Touch]| touches.iter().map(|touch| touch.closing_speed).fold(0.0, f64::max);
         if resting > 0 {
-            clauses.push(format!("{resting} points of the wire are closed from the start"));
+            let blow = fastest(at_start);
+            let struck = if blow > 0.0 {
+                format!(", and the input sets out against them at {} m/s", digits(blow))
+            } else {
+                String::new()
+            };
+            clauses.push(format!("{resting} points of the wire are closed from the start{struck}"));
         }
-        if let Some(first) = contacts.touches.get(resting) {
+        if let Some(first) = later.first() {
             clauses.push(format!(
                 "windings meet from t = {:.4} s on ({} at {} m/s), {} times, at up to {} m/s{together}",
                 first.time,
                 contacts.between(first).words(),
                 digits(first.closing_speed),
-                contacts.touches.len() - resting,
-                digits(fastest),
+                later.len(),
+                digits(fastest(later)),
             ));
         }
     }
