@@ -47,6 +47,7 @@ WIDTH = 120
 TOLD: dict[str, str] = {
     "Analysis.uncertainties": "dict[str, float]",
     "Calibration.theories": "list[dict[str, Any]]",
+    "Case.contact": "dict[str, Any] | None",
     "Case.deviations": "dict[str, Deviation]",
     "Case.forces": "dict[str, _Floats]",
     "Case.judged": "slice[int, int, int]",
@@ -79,6 +80,8 @@ TOLD: dict[str, str] = {
     "Signals.get.default": "_Default | None",
     "Signals.to_dict": "dict[str, list[float]]",
     "Spec.mounts": "dict[str, Mount]",
+    "SpeedMap.harmonics": "dict[str, list[list[float]]]",
+    "SpeedMap.runs": "dict[str, dict[str, _Floats]]",
     "SweepPlan.rows_of": "range",
     "analyze.progress": "Callable[[int, int], object] | None",
     "calibrate.columns": "Mapping[str, str | int] | None",
@@ -88,6 +91,7 @@ TOLD: dict[str, str] = {
     "open_log.units": "Mapping[str, str] | None",
     "simd_path": 'Literal["scalar", "avx2", "avx512"]',
     "simulate.progress": "Callable[[int, int], object] | None",
+    "speed.progress": "Callable[[int, int], object] | None",
     "theories": "dict[str, _Floats]",
 }
 
