@@ -34,8 +34,9 @@ def test_runs_are_arrays_by_case_in_si(speeds: coilsense.SpeedMap) -> None:
     assert (runs["least_push_seat_2_n"] >= -1e-6).all()
     # No strengths in the spec: no factor, but a stress.
     assert numpy.isnan(runs["goodman_factor"]).all() and (runs["stress_amplitude_pa"] > 1e7).all()
-    # The static stroke at any speed: k times the lift, at least.
-    assert (runs["input_force_largest_n"] - runs["input_force_least_n"] > 0.9 * 29e3 * 10e-3).all()
+    # Slowest, where surge adds little: the static stroke, k times the lift, within its ringing.
+    stroke = runs["input_force_largest_n"][0] - runs["input_force_least_n"][0]
+    assert 0.9 < stroke / (29e3 * 10e-3) < 1.2
 
 
 def test_harmonics_meet_the_surge_frequency_where_it_says(speeds: coilsense.SpeedMap) -> None:
