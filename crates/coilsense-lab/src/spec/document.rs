@@ -149,7 +149,12 @@ impl<'a> Document<'a> {
     /// stood, or at the head of its table.
     pub(super) fn set(&mut self, table: &'static str, index: Option<usize>, key: &'static str, value: DeValue<'a>) {
         let span = self.table.span().start;
-        let root = self.table.get_mut();
+        let mut root = self.table.get_mut();
+        let mut table = table;
+        if let Some((outer, name)) = inner(table) {
+            let Some(DeValue::Table(within)) = root.get_mut(outer).map(Spanned::get_mut) else { return };
+            (root, table) = (within, name);
+        }
         if !root.contains_key(table) && index.is_none() {
             root.insert(
                 Spanned::new(span..span, table.into()),
@@ -241,4 +246,9 @@ fn kind_of<'t>(documented: &Table, table: &'t DeTable<'_>) -> Option<&'t str> {
         "control" => word("drive"),
         _ => word("kind"),
     }
+}
+
+/// `spring` and `section` of `spring.section`, a table within another.
+pub(super) fn inner(table: &'static str) -> Option<(&'static str, &'static str)> {
+    table.split_once('.')
 }

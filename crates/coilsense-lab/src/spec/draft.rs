@@ -11,7 +11,7 @@ use super::cam::CamSpec;
 use super::condition::ConditionSpec;
 use super::contact::ContactCase;
 use super::control::ControlSpec;
-use super::document::Document;
+use super::document::{Document, inner};
 use super::goal::{Goal, UncertaintySpec};
 use super::keys::{Domain, TABLES, Table};
 use super::mount::MountSpec;
@@ -36,6 +36,7 @@ pub(crate) struct Draft<'a> {
 /// Where a value stands in a spec.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Place {
+    /// `spring`, or `spring.section` of a table within it.
     pub(super) table: &'static str,
     /// Which of several tables of that name.
     pub(super) index: Option<usize>,
@@ -122,7 +123,7 @@ impl<'a> Draft<'a> {
         Ok(Core { conditions, goal: Goal::parse(document, &spring.spring)?, spring, mount })
     }
 
-    /// Where a dotted key stands: `spring.stiffness`, `condition.1.velocity`, `sensor."laser".delay`.
+    /// Where a dotted key stands: `spring.stiffness`, `spring.section.2.pitch`, `condition.1.velocity`, `sensor."laser".delay`.
     ///
     /// # Errors
     /// One line that names the nearest known key, or the tables there are.
@@ -133,7 +134,11 @@ impl<'a> Draft<'a> {
             None => (None, rest),
         };
         let table = TABLES.into_iter().find(|table| table.name == head.trim()).ok_or_else(|| unknown(path))?;
-        let key = table.keys.iter().find(|key| key.name == last.trim()).ok_or_else(|| unknown(path))?;
+        let (table, middle) = within(table, middle).unwrap_or((table, middle));
+        let key = table.keys.iter().find(|key| key.name == last.trim()).ok_or_else(|| match inner(table.name) {
+            Some(_) => format!("{path}: no key of {}; allowed: {}", table.heading(), table.names(None).join(", ")),
+            None => unknown(path),
+        })?;
         let index = match (table.repeats, middle) {
             (true, Some(name)) => Some(self.index_of(table, name)?),
             (false, None) => None,
@@ -155,7 +160,11 @@ impl<'a> Draft<'a> {
         let by_number =
             || name.parse::<usize>().ok().filter(|number| (1..=names.len()).contains(number)).map(|n| n - 1);
         names.iter().position(|known| known == name).or_else(by_number).ok_or_else(|| {
-            let known: Vec<String> = names.iter().enumerate().map(|(n, name)| format!("{} {name:?}", n + 1)).collect();
+            let numbered = |(n, name): (usize, &String)| match name.as_str() {
+                "" => format!("{}", n + 1),
+                name => format!("{} {name:?}", n + 1),
+            };
+            let known: Vec<String> = names.iter().enumerate().map(numbered).collect();
             let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
             format!("no {} {name:?} is there; there are: {known}", table.name)
         })
@@ -170,7 +179,13 @@ impl<'a> Draft<'a> {
     }
 
     /// What tables of one kind are called, in order.
+    ///
+    /// Those within another have numbers only.
     pub fn names(&self, table: &Table) -> Vec<String> {
+        if let Some((outer, inner)) = inner(table.name) {
+            let outer = self.document.optional_section(outer).ok().flatten();
+            return vec![String::new(); outer.map_or(0, |outer| outer.number_of(inner))];
+        }
         let sections = self.document.sections(table.name).unwrap_or_default();
         let name = |section: &super::section::Section<'_>| {
             let text = |key| section.optional_text(key).ok().flatten();
@@ -181,10 +196,18 @@ impl<'a> Draft<'a> {
 
     fn examples(&self, table: &Table, key: &str) -> String {
         match self.names(table).first() {
+            Some(first) if first.is_empty() => format!("{}.1.{key}", table.name),
             Some(first) => format!("{}.\"{first}\".{key}, or by its number: {}.1.{key}", table.name, table.name),
             None => format!("there is no [[{}]] in the spec", table.name),
         }
     }
+}
+
+/// The table within one that a dotted key is of, and which of those: of `spring` and `section.2` the second `[[spring.section]]`.
+fn within<'p>(table: &Table, middle: Option<&'p str>) -> Option<(&'static Table, Option<&'p str>)> {
+    let middle = middle?;
+    let (name, which) = middle.split_once('.').map_or((middle, None), |(name, which)| (name, Some(which.trim())));
+    Some((table.child(name.trim())?, which))
 }
 
 /// The mount of a helix, in each way in which its ends may be held.

@@ -5,6 +5,7 @@
 use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
 
 use super::SpecError;
+use super::document::inner;
 use super::draft::Place;
 use super::keys::Domain;
 
@@ -30,9 +31,13 @@ pub(crate) fn replaced(file: &str, text: &str, values: &[(&Place, &str)]) -> Res
 }
 
 fn table<'d>(document: &'d mut DocumentMut, place: &Place) -> Option<&'d mut dyn TableLike> {
+    let (root, name): (&mut dyn TableLike, _) = match inner(place.table) {
+        Some((outer, name)) => (document.get_mut(outer)?.as_table_like_mut()?, name),
+        None => (document.as_table_mut(), place.table),
+    };
     match place.index {
-        None => document.entry(place.table).or_insert_with(|| Item::Table(Table::new())).as_table_like_mut(),
-        Some(index) => match document.get_mut(place.table)? {
+        None => root.entry(name).or_insert_with(|| Item::Table(Table::new())).as_table_like_mut(),
+        Some(index) => match root.get_mut(name)? {
             Item::ArrayOfTables(tables) => tables.get_mut(index).map(|table| table as &mut dyn TableLike),
             Item::Value(Value::Array(tables)) => {
                 tables.get_mut(index)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)

@@ -37,6 +37,11 @@ impl Section<'_> {
         self.table.get(key).is_some_and(|value| value.get_ref().is_array())
     }
 
+    /// How many tables `[[name.key]]` there are.
+    pub(super) fn number_of(&self, key: &str) -> usize {
+        self.table.get(key).and_then(|value| value.get_ref().as_array()).map_or(0, |each| each.len())
+    }
+
     /// The tables of an array of them within this one, in order.
     pub(super) fn tables(&self, key: &'static str) -> Result<Vec<Section<'_>>, SpecError> {
         let Some(value) = self.table.get(key) else { return Ok(Vec::new()) };

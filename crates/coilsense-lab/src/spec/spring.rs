@@ -219,9 +219,14 @@ impl SpringSpec {
     /// As [`super::Spec::needs_chain`]; `file` is the spec's.
     pub(crate) fn needs_chain(&self, file: &str, what: &str) -> Result<(), SpecError> {
         if self.dead_ends.is_some() {
-            let takes = "a uniform coil; one of sections is for spring, simulate, analyze and speed";
+            let takes = "a uniform coil; one of sections is for spring, simulate, analyze, sweep and speed";
             return Err(SpecError(format!("{file}: [[spring.section]]: {what} takes {takes}")));
         }
+        self.needs_axial(file, what)
+    }
+
+    /// Refuses the helix alone: what moves along the axis only takes a coil of sections, too.
+    pub(crate) fn needs_axial(&self, file: &str, what: &str) -> Result<(), SpecError> {
         if self.model != Model::Helix {
             return Ok(());
         }

@@ -93,14 +93,19 @@ const OF_SPRING: [SpringNumber; 19] = [
     number("masses_per_winding", "1", |core| core.spring.spring.masses_per_winding() as f64),
     number("tau", "s", |core| core.spring.spring.transit_time()),
     number("nominal_force", "N", |core| core.spring.spring.nominal_force()),
-    number("wave_impedance", "N s/m", |core| core.spring.spring.wave_impedance()),
-    number("stress", "Pa", |core| core.spring.geometry.corrected_shear_stress(core.spring.spring.nominal_force())),
-    number("f_lateral", "Hz", |core| lateral(core).unwrap_or(f64::NAN)),
+    number("wave_impedance", "N s/m", |core| of_uniform(core, core.spring.spring.wave_impedance())),
+    number("stress", "Pa", |core| core.spring.corrected_shear_stress(core.spring.spring.nominal_force())),
+    number("f_lateral", "Hz", |core| of_uniform(core, lateral(core).unwrap_or(f64::NAN))),
     number("f_torsional", "Hz", |core| {
-        column(core, core.spring.spring.mid_length()).map_or(f64::NAN, |it| it.torsional())
+        column(core, core.spring.spring.mid_length()).map_or(f64::NAN, |it| of_uniform(core, it.torsional()))
     }),
-    number("buckling", "1", |core| f64::from(u8::from(lateral(core).is_none()))),
+    number("buckling", "1", |core| of_uniform(core, f64::from(u8::from(lateral(core).is_none())))),
 ];
+
+/// What is known of a uniform coil only: NaN of one of sections.
+fn of_uniform(core: &Core, value: f64) -> f64 {
+    if core.spring.dead_ends.is_some() { f64::NAN } else { value }
+}
 
 /// The coil as a column at a length, by formula: a sweep has no time for the helix.
 fn column(core: &Core, length: f64) -> Option<neighbours::Column> {

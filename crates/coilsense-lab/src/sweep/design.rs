@@ -77,7 +77,7 @@ fn judged(
 ) -> std::result::Result<Row, String> {
     let (core, assessed) = if !needs.sensors.is_empty() {
         let mut spec = draft.spec(files).map_err(|error| error.to_string())?;
-        spec.needs_chain(MOVES).map_err(|error| error.to_string())?;
+        spec.spring.needs_axial(&spec.file, MOVES).map_err(|error| error.to_string())?;
         spec.spring.masses_per_winding = spec.spring.masses_per_winding.or(masses);
         spec.spring.look_up_surges(&spec.mount.ends);
         prepare(&mut spec.spring, &mut spec.mount, &spec.conditions).map_err(|error| error.to_string())?;
@@ -87,7 +87,7 @@ fn judged(
     } else {
         let mut core = draft.core(files).map_err(|error| error.to_string())?;
         if needs.motion() {
-            core.spring.needs_chain("a design", MOVES).map_err(|error| error.to_string())?;
+            core.spring.needs_axial("a design", MOVES).map_err(|error| error.to_string())?;
         }
         core.spring.masses_per_winding = core.spring.masses_per_winding.or(masses);
         prepare(&mut core.spring, &mut core.mount, &core.conditions).map_err(|error| error.to_string())?;

@@ -145,7 +145,7 @@ impl Plan {
         if needs.motion() && !variables.iter().any(|variable| variable.target.key == "spring.model") {
             // Whatever else is wrong with the spring is said by its designs.
             if let Ok(spring) = SpringSpec::parse(&parameters.spec_file, &parameters.spec) {
-                let refused = spring.needs_chain(&parameters.spec_file, MOVES);
+                let refused = spring.needs_axial(&parameters.spec_file, MOVES);
                 refused.map_err(|error| SweepError::new(error.to_string()))?;
             }
         }

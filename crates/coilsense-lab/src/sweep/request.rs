@@ -70,7 +70,7 @@ pub const JOBS: Row = Row {
 
 /// How values are written.
 pub const GRAMMAR: &str = "\
-KEY is a key of the spec: spring.mass, condition.\"heel strike\".velocity or condition.1.velocity, sensor.laser.delay, goal.error.
+KEY is a key of the spec: spring.mass, spring.section.2.pitch, condition.\"heel strike\".velocity or condition.1.velocity, sensor.laser.delay, goal.error.
 
 VALUES are one of
   600..900 N/m               a range, uniform

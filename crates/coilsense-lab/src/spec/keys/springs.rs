@@ -190,7 +190,7 @@ pub(super) const SECTION: Table = Table {
               list changes evenly along the wire, from the end nearer to end 1 to the other. Closed ends are sections with the pitch of the wire's \
               diameter; those at the ends lie on their seats and do not move. Length, rate, mass and the static curve follow from the sections; \
               windings that close within the range in use take a table `[contact]`. Axial motion only, as a chain. For `spring`, `simulate`, \
-              `analyze` and `speed`.",
+              `analyze`, `sweep` and `speed`.",
     ),
     keys: &[
         needed("windings", "4.5", "of this section; may be fractional"),
