@@ -2,6 +2,7 @@
 
 mod bench;
 mod browser;
+mod built;
 mod commands;
 #[cfg(test)]
 mod floors;

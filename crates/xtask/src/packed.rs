@@ -30,9 +30,11 @@ pub fn steps() -> anyhow::Result<bool> {
         return Ok(false);
     }
     // The golden tables travel with the crate. A test knows its folder from when it was compiled, so nothing of an earlier run's is taken.
+    let mut clean = lean(&["clean", "--quiet", "--package", "coilsense"]);
+    clean.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
     let mut test = lean(&["test", "--quiet", "--package", "coilsense", "--test", "golden", "--test", "trend"]);
-    test.current_dir(place.path()).env("CARGO_TARGET_DIR", place.path().join("target"));
-    Ok(ask(&built.join("debug/coilsense"), place.path())? && test.status()?.success())
+    test.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
+    Ok(ask(&built.join("debug/coilsense"), place.path())? && clean.status()?.success() && test.status()?.success())
 }
 
 /// Cargo for a build that is run once: nothing kept for the next one or for a debugger, which is most of its disk.
