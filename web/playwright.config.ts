@@ -11,8 +11,6 @@ export default defineConfig({
   workers: 1,
   timeout: 120_000,
   reporter: [['list']],
-  // A shared machine computes some times as long; two at a time are no quicker, for a page draws and computes on both cores of it.
-  expect: { timeout: 20_000 },
   use: {
     baseURL: `http://127.0.0.1:${PORT}/some/where/`,
     launchOptions: {

@@ -8,9 +8,9 @@ import { expect } from './page';
 const page = new URL('..', import.meta.url).pathname;
 export const example = (name: string): string => join(page, '..', 'examples', `${name}.toml`);
 
-/** A folder of test results for this worker, in which the command runs: what two write at once is nobody's. */
+/** A folder of test results, in which the command runs. */
 export function folderOf(name: string): { folder: string; told: (...args: string[]) => string } {
-  const folder = join(page, 'test-results', `${name}-${process.env['TEST_PARALLEL_INDEX'] ?? '0'}`);
+  const folder = join(page, 'test-results', name);
   mkdirSync(folder, { recursive: true });
   const program = process.env['COILSENSE_COMMAND'] ?? '';
   const told = (...args: string[]) =>

@@ -1,13 +1,13 @@
-//! The workspace's test executables, as the part `tests` builds them: what runs some of them in another way takes them from here, for cargo builds
-//! anew for each choice of packages, since that changes the features of what they share.
+//! The workspace's test executables, as the part `tests` builds them. Parts that run some of them in another way take them from here: with another
+//! choice of packages cargo would build them anew, since that changes the features of what they share.
 //!
 //! Next door: the parts that do so (`test`).
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use anyhow::{Context, bail};
-use serde::Deserialize;
+use anyhow::Context;
+use serde_json::Value;
 
 use crate::cargo;
 
@@ -26,32 +26,12 @@ pub struct Executable {
 }
 
 impl Executable {
-    /// A run of it, as cargo would run it.
+    /// Its run, as cargo would start it.
     pub fn command(&self) -> Command {
         let mut command = Command::new(&self.path);
         command.current_dir(&self.folder).env("CARGO_MANIFEST_DIR", &self.folder);
         command
     }
-}
-
-/// A line of cargo's messages, as far as it matters here.
-#[derive(Deserialize)]
-struct Message {
-    reason: String,
-    manifest_path: Option<PathBuf>,
-    executable: Option<PathBuf>,
-    target: Option<Target>,
-    profile: Option<Profile>,
-}
-
-#[derive(Deserialize)]
-struct Target {
-    name: String,
-}
-
-#[derive(Deserialize)]
-struct Profile {
-    test: bool,
 }
 
 /// Builds the tests where they are not built, and names them; `None` where that fails, of which cargo has told.
@@ -65,19 +45,15 @@ pub fn executables() -> anyhow::Result<Option<Vec<Executable>>> {
     let text = String::from_utf8(output.stdout).context("cargo's messages are not UTF-8")?;
     let mut found = Vec::new();
     for line in text.lines().filter(|line| line.starts_with('{')) {
-        let message: Message = serde_json::from_str(line).with_context(|| format!("not a message of cargo: {line}"))?;
-        let is_test = message.reason == "compiler-artifact" && message.profile.is_some_and(|profile| profile.test);
-        let (true, Some(path), Some(manifest), Some(target)) =
-            (is_test, message.executable, message.manifest_path, message.target)
+        let message: Value = serde_json::from_str(line).with_context(|| format!("not a message of cargo: {line}"))?;
+        let named = [&message["executable"], &message["manifest_path"], &message["target"]["name"]].map(Value::as_str);
+        let (Some(true), [Some(path), Some(manifest), Some(name)]) = (message["profile"]["test"].as_bool(), named)
         else {
             continue;
         };
-        let folder = manifest.parent().context("a manifest without a folder")?.to_owned();
+        let folder = Path::new(manifest).parent().context("a manifest without a folder")?.to_owned();
         let package = folder.file_name().and_then(std::ffi::OsStr::to_str).unwrap_or_default().to_owned();
-        found.push(Executable { package, name: target.name, path, folder });
-    }
-    if found.is_empty() {
-        bail!("cargo named no test");
+        found.push(Executable { package, name: name.to_owned(), path: path.into(), folder });
     }
     Ok(Some(found))
 }

@@ -145,10 +145,16 @@ fn measured_runs(_: &Arguments) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Unlicensed("no measured runs; COILSENSE_LAB_DATA names their folder".to_owned()));
     }
     let folder = std::path::absolute(folder)?;
-    let set = |command: &mut std::process::Command| {
+    let Some(tests) = built::executables()? else { return Ok(Outcome::Failed) };
+    for (package, name) in MEASURED {
+        let test = tests.iter().find(|test| test.package == package && test.name == name);
+        let mut command = test.with_context(|| format!("{package} has no test {name}"))?.command();
         command.args(["--ignored", "measured_runs"]).env("COILSENSE_LAB_DATA", &folder);
-    };
-    passed(again(|test| MEASURED.contains(&(test.package.as_str(), test.name.as_str())), set)?)
+        if !command.status()?.success() {
+            return Ok(Outcome::Failed);
+        }
+    }
+    Ok(Outcome::Passed)
 }
 
 /// The tests that read measured runs, by package.
@@ -157,42 +163,27 @@ const MEASURED: [(&str, &str); 2] = [("coilsense", "lab_data"), ("coilsense-cli"
 /// The science once more for each path of vector instructions; `tests` has run it on the widest. A path that this processor lacks is
 /// refused by name, and so skipped.
 fn vector_paths(_: &Arguments) -> anyhow::Result<Outcome> {
+    let Some(tests) = built::executables()? else { return Ok(Outcome::Failed) };
+    let science: Vec<_> = tests.iter().filter(|test| test.package == "coilsense").collect();
+    if science.is_empty() {
+        bail!("coilsense has no test");
+    }
     for path in ["scalar", "avx2"] {
         if path != "scalar" && !supports(path) {
             println!("{path}: not on this processor");
             continue;
         }
         println!("{path}");
-        let set = |command: &mut std::process::Command| {
+        for test in &science {
+            let mut command = test.command();
             command.arg("--quiet").env("COILSENSE_SIMD", path).env("PROPTEST_RNG_SEED", "1");
-        };
-        if !again(|test| test.package == "coilsense" && test.name != WITHOUT_PATHS, set)? {
-            return Ok(Outcome::Failed);
+            println!("{}", test.name);
+            if !command.status()?.success() {
+                return Ok(Outcome::Failed);
+            }
         }
     }
     Ok(Outcome::Passed)
-}
-
-/// Identification transforms and fits; the records that its tests make are all that a path could change in them, and they take longest of all.
-const WITHOUT_PATHS: &str = "identify";
-
-/// Runs those tests once more that `tests` has built, each set as told; whether there are any and all of them succeed.
-fn again(
-    wanted: impl Fn(&built::Executable) -> bool,
-    set: impl Fn(&mut std::process::Command),
-) -> anyhow::Result<bool> {
-    let Some(all) = built::executables()? else { return Ok(false) };
-    let mut run = 0;
-    for test in all.iter().filter(|test| wanted(test)) {
-        let mut command = test.command();
-        set(&mut command);
-        println!("{}", test.name);
-        if !command.status().with_context(|| format!("cannot start {command:?}"))?.success() {
-            return Ok(false);
-        }
-        run += 1;
-    }
-    Ok(run > 0)
 }
 
 #[cfg(target_arch = "x86_64")]
