@@ -29,9 +29,11 @@ pub fn missing() -> Option<String> {
     Some("no Python 3.11 or later with venv; install it with: apt-get install python3 python3-venv".to_owned())
 }
 
-/// Builds the wheel, installs it, and runs everything; whether all succeed.
+/// Packs the source, builds the wheel from that as pip would, installs it, and runs everything; whether all succeed.
 pub fn steps() -> anyhow::Result<bool> {
-    let tests = installed()?;
+    let tests = python::environment("target/python", REQUIREMENTS)?;
+    let wheel = from(&packed(&tests)?, &tests)?;
+    install(&wheel, &tests)?;
     let checks: [&[&str]; 3] = [
         &["-m", "pytest", "-q"],
         &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
@@ -40,30 +42,43 @@ pub fn steps() -> anyhow::Result<bool> {
     Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments)))?
         && stubs::agree(&tests)?
         && examples(&tests)?
-        && readme(&packed(&tests)?)?)
+        && readme(&wheel)?)
 }
 
 /// The tests' environment with the wheel of this source in it.
 pub fn installed() -> anyhow::Result<Environment> {
     let environment = python::environment("target/python", REQUIREMENTS)?;
-    let wheel = build(&environment)?;
+    install(&build(&environment)?, &environment)?;
+    Ok(environment)
+}
+
+/// Installs a wheel that is no larger than it may be.
+fn install(wheel: &Path, environment: &Environment) -> anyhow::Result<()> {
     let size = wheel.metadata()?.len();
-    println!("{}: {:.1} MB (at most {:.0})", name(&wheel), 1e-6 * size as f64, 1e-6 * LARGEST_WHEEL as f64);
+    println!("{}: {:.1} MB (at most {:.0})", name(wheel), 1e-6 * size as f64, 1e-6 * LARGEST_WHEEL as f64);
     if size > LARGEST_WHEEL {
         bail!("the wheel is too large");
     }
-    if !succeeds(environment.pip().args(["--force-reinstall", "--no-deps"]).arg(&wheel))? {
+    if !succeeds(environment.pip().args(["--force-reinstall", "--no-deps"]).arg(wheel))? {
         bail!("the wheel cannot be installed");
     }
-    Ok(environment)
+    Ok(())
+}
+
+/// The wheel that pip builds from the packed source, which it unpacks elsewhere.
+fn from(source: &Path, environment: &Environment) -> anyhow::Result<PathBuf> {
+    let folder = root().join("target/wheels");
+    let mut build = environment.python();
+    build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(source);
+    if !succeeds(build.env("CARGO_TARGET_DIR", crate::target_folder()))? {
+        bail!("the packed source cannot be built");
+    }
+    files(&folder, "whl")?.pop().context("pip left no wheel")
 }
 
 /// The wheel, built anew.
 fn build(environment: &Environment) -> anyhow::Result<PathBuf> {
-    let folder = root().join("target/wheels");
-    if folder.exists() {
-        std::fs::remove_dir_all(&folder)?;
-    }
+    let folder = emptied()?;
     let mut build = environment.python();
     build.args(["-m", "maturin", "build", "--release", "--quiet", "--interpreter", "python3", "--out"]).arg(&folder);
     if !succeeds(&mut build)? {
@@ -80,9 +95,18 @@ fn examples(environment: &Environment) -> anyhow::Result<bool> {
     })
 }
 
+/// The folder of wheels, with none in it.
+fn emptied() -> anyhow::Result<PathBuf> {
+    let folder = root().join("target/wheels");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder)?;
+    }
+    Ok(folder)
+}
+
 /// What is published beside wheels: the source, packed.
 fn packed(environment: &Environment) -> anyhow::Result<PathBuf> {
-    let folder = root().join("target/wheels");
+    let folder = emptied()?;
     let mut pack = environment.python();
     pack.args(["-m", "maturin", "sdist", "--out"]).arg(&folder);
     if !succeeds(&mut pack)? {
@@ -91,11 +115,10 @@ fn packed(environment: &Environment) -> anyhow::Result<PathBuf> {
     files(&folder, "gz")?.pop().context("maturin left no packed source")
 }
 
-/// The Python code of README and book, each block by itself, in an environment that has nothing but what the packed source brings: pip
-/// unpacks it elsewhere and builds a wheel there.
-fn readme(source: &Path) -> anyhow::Result<bool> {
+/// The Python code of README and book, each block by itself, in an environment that has nothing but what the wheel brings.
+fn readme(wheel: &Path) -> anyhow::Result<bool> {
     let plain = python::fresh("target/python-plain")?;
-    if !succeeds(plain.pip().arg(source).env("CARGO_TARGET_DIR", crate::target_folder()))? {
+    if !succeeds(plain.pip().arg(wheel))? {
         return Ok(false);
     }
     let mut run = 0;
