@@ -83,6 +83,8 @@ TOLD: dict[str, str] = {
     "SpeedMap.harmonics": "dict[str, list[list[float]]]",
     "SpeedMap.runs": "dict[str, dict[str, _Floats]]",
     "SweepPlan.rows_of": "range",
+    "Together.signs": "dict[str, float]",
+    "Together.springs": "dict[str, Case]",
     "analyze.progress": "Callable[[int, int], object] | None",
     "calibrate.columns": "Mapping[str, str | int] | None",
     "calibrate.units": "Mapping[str, str] | None",
@@ -91,6 +93,7 @@ TOLD: dict[str, str] = {
     "open_log.units": "Mapping[str, str] | None",
     "simd_path": 'Literal["scalar", "avx2", "avx512"]',
     "simulate.progress": "Callable[[int, int], object] | None",
+    "simulate_together.progress": "Callable[[int, int], object] | None",
     "speed.progress": "Callable[[int, int], object] | None",
     "theories": "dict[str, _Floats]",
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use coilsense_lab::analysis::{AnalysisError, simulate};
+use coilsense_lab::analysis::{AnalysisError, Together, simulate};
 use coilsense_lab::output::Output;
 use coilsense_lab::report::verbs::ONE_FILE;
 use coilsense_lab::report::{SimulationOutcome, to_json};
@@ -26,10 +26,18 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("simulating")?;
     let mut output = Output::begin(&folder)?;
-    let cases = simulate(&spec, &|done, of| watch.tell(done, of))?;
-    let runs: Vec<Run<'_>> = cases.iter().map(|case| case.series(&spec, &spec.sensors)).collect();
+    let progress = |done, of| watch.tell(done, of);
+    let (cases, together) = match spec.beside.is_empty() {
+        true => (simulate(&spec, &progress)?, None),
+        false => (Vec::new(), Some(Together::of(&spec, &progress)?)),
+    };
+    let runs: Vec<Run<'_>> = match &together {
+        Some(together) => (0..together.all.len()).map(|number| together.series(number)).collect(),
+        None => cases.iter().map(|case| case.series(&spec, &spec.sensors)).collect(),
+    };
     let apart = format == Format::Csv && runs.len() > 1 && !given.holds(&ONE_FILE);
     if apart {
+        let cases = together.as_ref().map_or(&cases, |together| &together.springs[0].cases);
         for (case, run) in cases.iter().zip(&runs) {
             let damping = &spec.mount.cases[case.damping].stem;
             let condition = spec.conditions[case.condition].stem();
@@ -45,7 +53,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let names = output.files().iter().map(|file| file.display().to_string()).collect();
     let files = output.commit()?;
-    let samples: usize = cases.iter().map(|case| case.signals.time().len()).sum();
+    let samples: usize = runs.iter().map(Run::samples).sum();
     if given.holds(&JSON) {
         let (spec_file, runs) = (spec.file.as_str(), runs.len());
         let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples })?;

@@ -14,12 +14,21 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let text = if given.holds(&MATERIALS) {
         spec::materials()?
     } else {
-        let mut spec = Spec::read(given.needed(&SPEC)?)?;
-        study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions)?;
-        let sheet = DataSheet::of(&spec)?;
-        if given.holds(&JSON) { data_sheet_json(&sheet)? } else { data_sheet_text(&sheet) }
+        let spec = Spec::read(given.needed(&SPEC)?)?;
+        if given.holds(&JSON) {
+            spec.needs_one_spring("spring --json")?;
+        }
+        let each = spec.each().into_iter().map(|(_, spec)| sheet(spec, given.holds(&JSON)));
+        each.collect::<anyhow::Result<Vec<_>>>()?.join("\n")
     };
     // A reader that closes the pipe early has all it wants.
     let _ = write!(anstream::stdout().lock(), "{text}");
     Ok(())
+}
+
+/// The data sheet of a spec of one spring.
+fn sheet(mut spec: Spec, json: bool) -> anyhow::Result<String> {
+    study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions)?;
+    let sheet = DataSheet::of(&spec)?;
+    Ok(if json { data_sheet_json(&sheet)? } else { data_sheet_text(&sheet) })
 }

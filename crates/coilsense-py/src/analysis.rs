@@ -4,6 +4,7 @@
 
 mod case;
 mod contact;
+mod together;
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -19,6 +20,7 @@ use crate::long_work::watched;
 use crate::spec::PySpec;
 use crate::value::getters;
 pub use case::PyCase;
+pub use together::{PyTogether, py_simulate_together};
 
 /// Simulates every condition of a spec under every damping, on all cores.
 ///
@@ -37,7 +39,7 @@ pub use case::PyCase;
 /// Raises
 /// ------
 /// AnalysisError
-///     For a spec without conditions, or the first case that the science refuses.
+///     For a spec without conditions or of several springs (`simulate_together` takes those), or the first case that the science refuses.
 ///
 /// Examples
 /// --------

@@ -60,7 +60,7 @@ mod _coilsense {
 
     #[pymodule_export]
     use crate::{
-        analysis::{PyAnalysis, PyCase, py_analyze, py_simulate},
+        analysis::{PyAnalysis, PyCase, PyTogether, py_analyze, py_simulate, py_simulate_together},
         calibration::{PyCalibration, calibrate},
         errors::{AnalysisError, Error, LogError, OutputError, SpecError, SweepError},
         estimate::PyEstimate,

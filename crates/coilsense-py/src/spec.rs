@@ -57,8 +57,10 @@ getters! {
     text: &str = &self.spec.text;
     /// The spring's name.
     name: &str = &self.spec.spring.name;
-    /// The spring, with its own mass whatever ``model`` says.
+    /// The spring, with its own mass whatever ``model`` says; of several the first.
     spring: PySpring = PySpring(self.spec.spring.as_given());
+    /// Names of all springs, the first first.
+    springs: Vec<&str> = self.spec.springs().map(|spring| spring.name.as_str()).collect();
     /// The conditions of use, as a list of `Condition`; may be empty.
     conditions: Vec<PyCondition> = self.spec.conditions.iter().cloned().map(PyCondition).collect();
     /// The sensors' names; may be empty.
@@ -147,7 +149,13 @@ impl PySpec {
     /// -------
     /// dict
     ///     As ``coilsense spring --json`` prints it.
+    ///
+    /// Raises
+    /// ------
+    /// SpecError
+    ///     For a spec of several springs.
     fn data_sheet<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.spec.needs_one_spring("a data sheet").python()?;
         let sheet = py.detach(|| DataSheet::of(&self.spec)).python()?;
         json::loads(py, data_sheet_json(&sheet))
     }

@@ -32,6 +32,7 @@ mod single;
 mod specimen;
 mod spread;
 mod tighter;
+mod together;
 #[cfg(test)]
 mod toy_sensor;
 mod trial;
@@ -48,6 +49,7 @@ pub use change::Fix;
 pub use frames::Frames;
 pub use resonance::{driven, is_broad};
 pub use single::Single;
+pub use together::{Strand, Together};
 pub use verdict::{Assessment, GoalFilter, Verdict};
 pub use warnings::{Subject, Warning};
 
@@ -58,7 +60,7 @@ use coilsense::inductance::MaxwellSum;
 use rayon::prelude::*;
 
 use crate::data_sheet::DataSheet;
-use crate::spec::{Model, Quantity, SensorSpec, Spec, Tolerances};
+use crate::spec::{Model, Quantity, SensorSpec, Spec, SpecError, Tolerances};
 use crate::study::{self, Helices, Masses};
 use moments::Moments;
 use response::Responses;
@@ -73,6 +75,9 @@ pub enum AnalysisError {
     /// A condition or a damping that the spec does not have.
     #[error("{0}")]
     NoSuchCase(String),
+    /// What the spec says is not for this.
+    #[error(transparent)]
+    Spec(#[from] SpecError),
     /// The science refuses.
     #[error("{place}: {reason}")]
     Case {
@@ -130,8 +135,14 @@ pub struct IfUsual {
 /// Simulates every condition under every damping.
 ///
 /// # Errors
-/// [`AnalysisError`] for a spec without conditions, the first case that the science refuses, or where `progress` says stop.
+/// [`AnalysisError`] for a spec without conditions or of several springs ([`Together`] takes those), the first case that the science refuses, or where
+/// `progress` says stop.
 pub fn simulate(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
+    spec.needs_one_spring("a case of its own")?;
+    simulate_alone(spec, progress)
+}
+
+fn simulate_alone(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
     let mut spec = spec.clone();
     prepare(&mut spec)?;
     simulate_watched(&spec, &spec.sensors, &helices(&spec)?, progress)
@@ -277,6 +288,7 @@ impl Analysis {
     /// # Errors
     /// As [`simulate`].
     pub fn run(mut spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
+        spec.needs_one_spring("analyze")?;
         let as_chain = as_chain(&spec, progress)?;
         let masses = prepare(&mut spec)?;
         let sensors = judged_sensors(&spec);

@@ -73,7 +73,7 @@ impl<'a> Run<'a> {
     }
 
     /// How many samples it has.
-    fn samples(&self) -> usize {
+    pub fn samples(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 }

@@ -15,6 +15,8 @@ use crate::quantity::with_point;
 
 /// The version of a spec's form that is read here: rises where a key changes its meaning.
 pub const SPEC_VERSION: u64 = 1;
+/// The table that may stand alone, `[spring]`, or several times.
+const SPRING: &str = "spring";
 /// The key at the top of a spec that may state it.
 const VERSION_KEY: &str = "spec_version";
 
@@ -84,6 +86,7 @@ impl<'a> Document<'a> {
             label: EXPERIMENT_TABLES[0].heading(),
             table: self.table.get_ref(),
             span: 0..0,
+            also: None,
         }
     }
 
@@ -101,7 +104,33 @@ impl<'a> Document<'a> {
             let message = format!("{name} must be a table [{name}]");
             return Err(located(self.file, self.text, value.span().start, message));
         };
-        Ok(Some(self.reading(name, format!("[{name}]"), inner, value.span())?))
+        Ok(Some(self.reading(name, format!("[{name}]"), inner, (value.span(), None))?))
+    }
+
+    /// The springs, `[spring]` or tables `[[spring]]`, in order; there is at least one.
+    pub(super) fn springs(&self) -> Result<Vec<Section<'_>>, SpecError> {
+        if !self.has_several_springs() {
+            return Ok(vec![self.section(SPRING)?]);
+        }
+        let each = self.sections(SPRING)?;
+        if each.is_empty() { Err(SpecError(format!("{}: the table [spring] is missing", self.file))) } else { Ok(each) }
+    }
+
+    /// The only spring.
+    ///
+    /// # Errors
+    /// [`SpecError`] where there are several.
+    pub(super) fn only_spring(&self) -> Result<Section<'_>, SpecError> {
+        let mut springs = self.springs()?;
+        if let Some(second) = springs.get(1) {
+            return Err(located(self.file, self.text, second.span.start, "[[spring]] 2: here one spring is taken"));
+        }
+        Ok(springs.swap_remove(0))
+    }
+
+    /// Whether springs are tables `[[spring]]`, be it a single one.
+    pub(super) fn has_several_springs(&self) -> bool {
+        self.table.get_ref().get(SPRING).is_some_and(|value| value.get_ref().is_array())
     }
 
     /// All tables `[[name]]`, in order.
@@ -121,7 +150,10 @@ impl<'a> Document<'a> {
         places
             .into_iter()
             .zip(tables)
-            .map(|((index, span), table)| self.reading(name, format!("[[{name}]] {}", index + 1), table, span))
+            .map(|((index, span), table)| {
+                let also = (name == SPRING && index > 0).then_some(springs::BESIDE);
+                self.reading(name, format!("[[{name}]] {}", index + 1), table, (span, also))
+            })
             .collect()
     }
 
@@ -145,14 +177,24 @@ impl<'a> Document<'a> {
         self.text
     }
 
-    /// Puts a value in place of a key's, or adds the key; of several tables of one name that at `index`. Messages show it where the old one
-    /// stood, or at the head of its table.
-    pub(super) fn set(&mut self, table: &'static str, index: Option<usize>, key: &'static str, value: DeValue<'a>) {
+    /// Puts a value in place of a key's, or adds the key; of several tables of one name that at `index`, and of several around them that at
+    /// `outer`. Messages show it where the old one stood, or at the head of its table.
+    pub(super) fn set(
+        &mut self,
+        table: &'static str,
+        [outer, index]: [Option<usize>; 2],
+        key: &'static str,
+        value: DeValue<'a>,
+    ) {
         let span = self.table.span().start;
         let mut root = self.table.get_mut();
         let mut table = table;
-        if let Some((outer, name)) = inner(table) {
-            let Some(DeValue::Table(within)) = root.get_mut(outer).map(Spanned::get_mut) else { return };
+        if let Some((around, name)) = inner(table) {
+            let around = match (root.get_mut(around).map(Spanned::get_mut), outer) {
+                (Some(DeValue::Array(each)), Some(number)) => each.get_mut(number).map(Spanned::get_mut),
+                (found, _) => found,
+            };
+            let Some(DeValue::Table(within)) = around else { return };
             (root, table) = (within, name);
         }
         if !root.contains_key(table) && index.is_none() {
@@ -185,13 +227,13 @@ impl<'a> Document<'a> {
         name: &str,
         label: String,
         table: &'s DeTable<'s>,
-        span: Range<usize>,
+        (span, also): (Range<usize>, Option<&'static str>),
     ) -> Result<Section<'s>, SpecError> {
         let documented = self.tables.iter().copied().find(|table| table.name == name);
         let documented = documented.ok_or_else(|| SpecError(format!("{}: no table [{name}] is known", self.file)))?;
-        let section = Section { file: self.file, text: self.text, documented, label, table, span };
+        let section = Section { file: self.file, text: self.text, documented, label, table, span, also };
         if !self.lenient {
-            let (names, place) = (documented.names_with_tables(None), format!(" in {}", section.label));
+            let (names, place) = (documented.names_of_any(also), format!(" in {}", section.label));
             let meant = |name: &str| synonyms::meant(documented, kind_of(documented, table), name);
             reject_unknown(self.file, self.text, table, &names, &place, meant)?;
         }

@@ -2,7 +2,7 @@
 //!
 //! Next door: the instruments (`sensor`).
 
-use coilsense::{Channel, Spring};
+use coilsense::Channel;
 
 use super::SpecError;
 use super::document::Document;
@@ -36,14 +36,15 @@ pub struct UncertaintySpec {
 const UNSAID: UncertaintySpec = UncertaintySpec { temperature_change: 10.0, coverage: 0.95, trials: 100_000, seed: 1 };
 
 impl Goal {
-    pub(super) fn parse(document: &Document<'_>, spring: &Spring) -> Result<Self, SpecError> {
+    /// Reads it; a share is of `nominal_force` \[N\].
+    pub(super) fn parse(document: &Document<'_>, nominal_force: f64) -> Result<Self, SpecError> {
         let Some(section) = document.optional_section("goal")? else {
             return Ok(Self { error: None, bandwidth: None, force: Channel::DeflectionForce });
         };
         let (dimension, value) = section.any_quantity("error", &[Dimension::Force, Dimension::Share])?;
         section.check("error", value.is_finite() && value > 0.0, value, "above zero and finite")?;
         section.check("error", value <= 1e9, value, "at most 1e9 N")?;
-        let error = if dimension == Dimension::Share { value * spring.nominal_force() } else { value };
+        let error = if dimension == Dimension::Share { value * nominal_force } else { value };
         let forces = [Channel::DeflectionForce, Channel::InputForce, Channel::OutputForce];
         let word = section.optional_word("force", &forces.map(Channel::name))?;
         let force = forces.into_iter().find(|channel| Some(channel.name()) == word).unwrap_or(forces[0]);

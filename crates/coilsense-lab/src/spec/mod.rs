@@ -5,6 +5,7 @@
 //!
 //! [`Spec`]: crate::spec::Spec
 
+mod beside;
 mod cam;
 mod catalogue;
 mod condition;
@@ -41,6 +42,7 @@ mod template;
 mod tolerance;
 mod value;
 
+pub use beside::{Beside, Side};
 pub use cam::CamSpec;
 pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
 pub use coilsense::sensors::Quantity;
@@ -81,7 +83,7 @@ pub(crate) use replaced::replaced;
 /// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.
 pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
 
-/// A spec: a spring, how it is mounted, what is done to it, what watches it, and what that should achieve.
+/// A spec: a spring, or several between the same ends, how it is mounted, what is done to it, what watches it, and what that should achieve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spec {
     /// The file's name, as messages call it.
@@ -106,6 +108,8 @@ pub struct Spec {
     pub control: Option<ControlSpec>,
     /// What the wire bears in fatigue, where the spec says it.
     pub strength: Option<StrengthSpec>,
+    /// Springs between the same ends, each as it undergoes what is done to the first.
+    pub beside: Vec<Beside>,
     /// What moves end 1 in `coilsense speed`, where the spec has a cam.
     pub cam: Option<CamSpec>,
     /// What the file calls as it was called before, a sentence each.
@@ -129,6 +133,32 @@ impl Spec {
         Self::parse(&path.display().to_string(), &read_text(path)?, &files_beside(path))
     }
 
+    /// All springs, the first first.
+    pub fn springs(&self) -> impl Iterator<Item = &SpringSpec> {
+        [&self.spring].into_iter().chain(self.beside.iter().map(|beside| &beside.spring))
+    }
+
+    /// The spec of each of its springs by itself, with which way that acts; the first comes first.
+    pub fn each(&self) -> Vec<(Side, Self)> {
+        let first = Self { beside: Vec::new(), ..self.clone() };
+        let other = |it: &Beside| {
+            let (spring, mount, conditions) = (it.spring.clone(), it.mount.clone(), it.conditions.clone());
+            (it.side, Self { spring, mount, conditions, ..first.clone() })
+        };
+        let others: Vec<_> = self.beside.iter().map(other).collect();
+        [(Side::Same, first)].into_iter().chain(others).collect()
+    }
+
+    /// Refuses several springs, for what is computed of one only: `what` it is, in a word or two.
+    ///
+    /// # Errors
+    /// [`SpecError`] with what takes them.
+    pub fn needs_one_spring(&self, what: &str) -> Result<(), SpecError> {
+        let Some(second) = self.beside.first() else { return Ok(()) };
+        let why = "takes one spring; several between the same ends are for simulate and sweep";
+        Err(SpecError(format!("{}: [[spring]] {:?}: {what} {why}", self.file, second.spring.name)))
+    }
+
     /// Refuses windings that meet, for what is computed without contact only: `what` it is, in a word or two.
     ///
     /// # Errors
@@ -137,11 +167,12 @@ impl Spec {
         self.mount.needs_no_contact(&self.file, what)
     }
 
-    /// Refuses the model that is a helix, for what is computed on a chain only: `what` it is, in a word or two.
+    /// Refuses the model that is a helix, and several springs, for what is computed on one chain only: `what` it is, in a word or two.
     ///
     /// # Errors
     /// [`SpecError`] with what takes the helix.
     pub fn needs_chain(&self, what: &str) -> Result<(), SpecError> {
+        self.needs_one_spring(what)?;
         self.spring.needs_chain(&self.file, what)
     }
 }

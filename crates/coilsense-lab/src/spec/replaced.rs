@@ -32,18 +32,24 @@ pub(crate) fn replaced(file: &str, text: &str, values: &[(&Place, &str)]) -> Res
 
 fn table<'d>(document: &'d mut DocumentMut, place: &Place) -> Option<&'d mut dyn TableLike> {
     let (root, name): (&mut dyn TableLike, _) = match inner(place.table) {
-        Some((outer, name)) => (document.get_mut(outer)?.as_table_like_mut()?, name),
+        Some((outer, name)) => (one(document.get_mut(outer)?, place.spring)?, name),
         None => (document.as_table_mut(), place.table),
     };
     match place.index {
         None => root.entry(name).or_insert_with(|| Item::Table(Table::new())).as_table_like_mut(),
-        Some(index) => match root.get_mut(name)? {
-            Item::ArrayOfTables(tables) => tables.get_mut(index).map(|table| table as &mut dyn TableLike),
-            Item::Value(Value::Array(tables)) => {
-                tables.get_mut(index)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
-            }
-            _ => None,
-        },
+        index => one(root.get_mut(name)?, index),
+    }
+}
+
+/// A table, or of several the one at `index`.
+fn one(item: &mut Item, index: Option<usize>) -> Option<&mut dyn TableLike> {
+    match (item, index) {
+        (Item::ArrayOfTables(tables), Some(index)) => tables.get_mut(index).map(|table| table as &mut dyn TableLike),
+        (Item::Value(Value::Array(tables)), Some(index)) => {
+            tables.get_mut(index)?.as_inline_table_mut().map(|table| table as &mut dyn TableLike)
+        }
+        (item, None) => item.as_table_like_mut(),
+        _ => None,
     }
 }
 

@@ -19,12 +19,15 @@ pub fn spec_schema() -> Value {
             properties[parent]["properties"][key] = several(table);
         }
     }
+    // One, or several between the same ends.
+    let spring = properties["spring"].take();
+    properties["spring"] = json!({ "oneOf": [spring, { "type": "array", "minItems": 1, "items": spring }] });
     let version = json!({ "const": SPEC_VERSION, "description": "The version of this form; may be left out." });
     properties.insert("spec_version".to_owned(), version);
     json!({
         "$schema": DIALECT,
         "title": "Spec",
-        "description": "One spring, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.",
+        "description": "A spring, or several between the same ends, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.",
         "type": "object",
         "properties": properties,
         "required": ["spring"],

@@ -24,6 +24,8 @@ pub(super) struct Section<'a> {
     pub(super) label: String,
     pub(super) table: &'a DeTable<'a>,
     pub(super) span: Range<usize>,
+    /// A kind that it is of besides the one that its keys tell: it may hold the keys of both.
+    pub(super) also: Option<&'static str>,
 }
 
 impl Section<'_> {
@@ -63,6 +65,7 @@ impl Section<'_> {
                 label: format!("{heading} {}", index + 1),
                 table,
                 span,
+                also: None,
             };
             section.only_of("", "a section of a spring")?;
             Ok(section)
@@ -77,7 +80,11 @@ impl Section<'_> {
 
     /// Rejects keys that do not apply to a kind; `whose` says in words what does not have them.
     pub(super) fn only_of(&self, kind: &str, whose: &str) -> Result<(), SpecError> {
-        let known = self.documented.names_with_tables(Some(kind));
+        let mut known = self.documented.names_with_tables(Some(kind));
+        if let Some(also) = self.also {
+            let own = self.documented.names(Some(also)).into_iter().filter(|name| !known.contains(name));
+            known.extend(own.collect::<Vec<_>>());
+        }
         let stranger =
             self.table.keys().filter(|key| !known.contains(&key.get_ref().as_ref())).min_by_key(|key| key.span().start);
         let Some(stranger) = stranger else {
@@ -94,6 +101,11 @@ impl Section<'_> {
             Some(value) => self.at(value, format!("{key} = {}: {error}", self.source(value))),
             None => located(self.file, self.text, self.span.start, format!("{} {key}: {error}", self.label)),
         }
+    }
+
+    /// An error about this table as one of several springs.
+    pub(super) fn together(&self, why: &str) -> SpecError {
+        located(self.file, self.text, self.span.start, format!("{}: several springs {why}", self.label))
     }
 
     /// An error of the science: at the key of its parameter's name, or at the one that `keys` (parameter, key) says sets it; at the table

@@ -110,7 +110,7 @@ impl SpringSpec {
     /// # Errors
     /// [`SpecError`], one line with file, line, key, value, unit and what is allowed.
     pub fn parse(file: &str, text: &str) -> Result<Self, SpecError> {
-        Self::of(&Document::parse(file, text)?.section("spring")?)
+        Self::of(&Document::parse(file, text)?.only_spring()?)
     }
 
     /// Reads a spring from a file.
@@ -431,7 +431,7 @@ fn in_use(section: &Section<'_>) -> Result<SpringParameters, SpecError> {
 const ROUNDING: f64 = 1e-9;
 
 /// A length as messages have it, to a tenth of a micrometre.
-fn millimetres(length: f64) -> String {
+pub(super) fn millimetres(length: f64) -> String {
     format!("{} mm", plain((1e7 * length).round() / 1e4))
 }
 

@@ -3,7 +3,6 @@
 //! Next door: the rest of a spring (`spring`), who judges by it (`crate::speed`).
 
 use super::SpecError;
-use super::document::Document;
 use super::section::Section;
 use crate::quantity::Dimension;
 
@@ -18,13 +17,12 @@ pub struct StrengthSpec {
 
 impl StrengthSpec {
     /// Both strengths, where they are given.
-    pub(super) fn parse(document: &Document<'_>) -> Result<Option<Self>, SpecError> {
-        let section = document.section("spring")?;
+    pub(super) fn parse(section: &Section<'_>) -> Result<Option<Self>, SpecError> {
         let [endurance, ultimate] = ["endurance_shear_strength", "ultimate_shear_strength"];
         if !section.has(endurance) && !section.has(ultimate) {
             return Ok(None);
         }
-        let found = Self { endurance: strength(&section, endurance)?, ultimate: strength(&section, ultimate)? };
+        let found = Self { endurance: strength(section, endurance)?, ultimate: strength(section, ultimate)? };
         let allowed = format!("below ultimate_shear_strength of {} MPa", 1e-6 * found.ultimate);
         section.check(endurance, found.endurance < found.ultimate, found.endurance, &allowed)?;
         Ok(Some(found))

@@ -135,6 +135,7 @@ impl SpeedMap {
     /// [`SpeedError`] for a spec without `[cam]` or `[contact]`, a range that is none, what the science refuses, and where `progress` says stop.
     pub fn of(mut spec: Spec, range: Range, progress: &Progress<'_>) -> Result<Self, SpeedError> {
         range.check()?;
+        spec.needs_one_spring("speed").map_err(|refused| SpeedError::Spec(refused.to_string()))?;
         let lacks = |what: &str| SpeedError::Spec(format!("{}: {what}", spec.file));
         let cam = spec
             .cam

@@ -9,7 +9,7 @@ use super::column::Kind;
 use super::design::{self, Result as Cell, Row, Status};
 use super::plan::{Plan, titles};
 use super::variable;
-use crate::spec::{Draft, Files};
+use crate::spec::{Core, Draft, Files, Side};
 use crate::study::enough_masses;
 
 /// Columns of one length, each under its title.
@@ -80,22 +80,24 @@ impl Plan {
                 return None;
             }
             let values = self.set(row, draft);
-            Some((values, design::judge(draft, &files, &columns, &self.needs, masses)))
+            Some((values, design::judge(draft, &files, &columns, &self.needs, &masses)))
         };
         let designs: Option<Vec<_>> = rows.clone().into_par_iter().map_init(|| draft.clone(), one).collect();
         Ok(designs.map(|designs| self.assembled(rows.start, designs)))
     }
 
-    /// Masses per winding that are enough for the spec as it is written, and are taken for all designs; `None` where designs differ in their
-    /// windings, and each must find its own.
-    fn masses(&self, draft: &Draft<'_>, files: &Files<'_>) -> Option<usize> {
-        let winds = self.variables.iter().any(|variable| variable.target.key == "spring.windings");
+    /// Masses per winding that are enough for each spring of the spec as it is written, and are taken for all designs; none where designs differ in
+    /// their windings, and each must find its own.
+    fn masses(&self, draft: &Draft<'_>, files: &Files<'_>) -> Vec<usize> {
+        let winds = self.variables.iter().any(|variable| variable.target.place.is_of_spring("windings"));
         if winds || self.catalogue.is_some() {
-            return None;
+            return Vec::new();
         }
-        let core = draft.core(files).ok()?;
-        let masses = enough_masses(&core.spring, &core.mount, &core.conditions).ok()?;
-        Some(masses.per_winding)
+        let Ok(core) = draft.core(files) else { return Vec::new() };
+        let enough = |(_, core): &(Side, Core)| {
+            enough_masses(&core.spring, &core.mount, &core.conditions).map(|masses| masses.per_winding)
+        };
+        core.each().iter().map(enough).collect::<Result<_, _>>().unwrap_or_default()
     }
 
     fn assembled(&self, first: u64, designs: Vec<(Vec<variable::Cell>, Row)>) -> Chunk {

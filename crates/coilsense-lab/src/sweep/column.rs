@@ -159,11 +159,33 @@ impl Needs {
 pub(super) struct Names {
     pub conditions: Vec<String>,
     pub sensors: Vec<String>,
+    /// How many springs there are.
+    pub springs: usize,
 }
 
 impl Column {
     /// Reads a column's word.
     pub fn parse(text: &str, names: &Names) -> Result<Self, SweepError> {
+        let column = Self::read(text, names)?;
+        if names.springs > 1 && !column.is_of_all() {
+            let allowed = "is of one spring, and the spec has several; allowed: F_i, F_o and F_x of all, worst";
+            return Err(SweepError::new(format!("column {}: {allowed}", text.trim())));
+        }
+        Ok(column)
+    }
+
+    /// Whether it can be told of several springs together.
+    fn is_of_all(&self) -> bool {
+        match self {
+            Self::Force { force, .. } | Self::WorstOf { force } => *force != BY_INDUCTANCE,
+            Self::Worst => true,
+            Self::Spring(_) | Self::Method { .. } | Self::Bound { .. } | Self::Pitch { .. } | Self::Sensor { .. } => {
+                false
+            }
+        }
+    }
+
+    fn read(text: &str, names: &Names) -> Result<Self, SweepError> {
         let text = text.trim();
         let (word, condition) = match text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
             Some((word, name)) => (word.trim(), Some(found(&names.conditions, "condition", name)?)),
@@ -289,9 +311,12 @@ pub fn column_words(text: &str) -> Vec<String> {
 }
 
 /// What is recorded where nothing is asked for: the spring, and every force but the one that counts as true and F_L, which takes longest.
-pub(super) fn usual(truth: Channel, has_conditions: bool) -> Vec<String> {
-    let mut columns: Vec<String> = ["stiffness", "mass", "f1", "nominal_force", "stress"].map(str::to_owned).into();
-    if has_conditions {
+pub(super) fn usual(truth: Channel, names: &Names) -> Vec<String> {
+    let mut columns: Vec<String> = Vec::new();
+    if names.springs == 1 {
+        columns.extend(["stiffness", "mass", "f1", "nominal_force", "stress"].map(str::to_owned));
+    }
+    if !names.conditions.is_empty() {
         let forces = Channel::FORCES.into_iter().take(BY_INDUCTANCE).filter(|force| *force != truth);
         columns.extend(forces.flat_map(|force| MEASURES.map(|(word, _)| format!("{}.{word}", force.name()))));
         columns.push("worst".to_owned());

@@ -9,7 +9,7 @@ use coilsense::inductance::MaxwellSum;
 use super::column::{BY_INDUCTANCE, Column, MOVES, Measure, Needs, OfSensor};
 use super::forces::{self, Judged, Windows};
 use crate::analysis::{Assessed, assess};
-use crate::spec::{Core, Draft, Files};
+use crate::spec::{Core, Draft, Files, Side};
 use crate::study::prepare;
 
 /// What became of a design.
@@ -54,14 +54,8 @@ pub(super) struct Row {
 
 /// Judges the design that a draft holds.
 ///
-/// - `masses`: for each winding, where the spec leaves that open and it was found for all designs
-pub(super) fn judge(
-    draft: &Draft<'_>,
-    files: &Files<'_>,
-    columns: &[Column],
-    needs: &Needs,
-    masses: Option<usize>,
-) -> Row {
+/// - `masses`: for each winding, of each spring, where the spec leaves that open and it was found for all designs; else empty
+pub(super) fn judge(draft: &Draft<'_>, files: &Files<'_>, columns: &[Column], needs: &Needs, masses: &[usize]) -> Row {
     match judged(draft, files, columns, needs, masses) {
         Ok(row) => row,
         Err(reason) => Row { status: Status::Refused, reason, results: Vec::new() },
@@ -73,26 +67,32 @@ fn judged(
     files: &Files<'_>,
     columns: &[Column],
     needs: &Needs,
-    masses: Option<usize>,
+    masses: &[usize],
 ) -> std::result::Result<Row, String> {
     let (core, assessed) = if !needs.sensors.is_empty() {
         let mut spec = draft.spec(files).map_err(|error| error.to_string())?;
         spec.spring.needs_axial(&spec.file, MOVES).map_err(|error| error.to_string())?;
-        spec.spring.masses_per_winding = spec.spring.masses_per_winding.or(masses);
+        spec.needs_one_spring("a sensor").map_err(|error| error.to_string())?;
+        spec.spring.masses_per_winding = spec.spring.masses_per_winding.or(masses.first().copied());
         spec.spring.look_up_surges(&spec.mount.ends);
         prepare(&mut spec.spring, &mut spec.mount, &spec.conditions).map_err(|error| error.to_string())?;
         let assessed = assess(&spec, &needs.sensors).map_err(|error| error.to_string())?;
         let (spring, mount, conditions, goal) = (spec.spring, spec.mount, spec.conditions, spec.goal);
-        (Core { spring, mount, conditions, goal }, assessed)
+        (Core { spring, mount, conditions, goal, beside: Vec::new() }, assessed)
     } else {
-        let mut core = draft.core(files).map_err(|error| error.to_string())?;
+        let core = draft.core(files).map_err(|error| error.to_string())?;
         if needs.motion() {
             core.spring.needs_axial("a design", MOVES).map_err(|error| error.to_string())?;
         }
-        core.spring.masses_per_winding = core.spring.masses_per_winding.or(masses);
-        prepare(&mut core.spring, &mut core.mount, &core.conditions).map_err(|error| error.to_string())?;
         (core, Vec::new())
     };
+    let nominal = core.nominal_force();
+    let mut springs = core.each();
+    for (number, (_, core)) in springs.iter_mut().enumerate().filter(|_| needs.sensors.is_empty()) {
+        core.spring.masses_per_winding = core.spring.masses_per_winding.or(masses.get(number).copied());
+        prepare(&mut core.spring, &mut core.mount, &core.conditions).map_err(|error| error.to_string())?;
+    }
+    let core = &springs[0].1;
     let coil = needs.forces[BY_INDUCTANCE].then(|| {
         let coil = MaxwellSum::new(&core.spring.spring, core.spring.self_distance);
         let theory = Theory::new(&core.spring.spring, &coil);
@@ -103,12 +103,12 @@ fn judged(
     let mut cases = Vec::with_capacity(core.conditions.len() * dampings);
     for condition in 0..core.conditions.len() {
         for damping in 0..dampings {
-            let case = forces::judge(&core, coil.as_ref(), (condition, damping), needs, &mut windows);
-            cases.push(case.map_err(|error| format!("{}: {error}", place(&core, condition, damping)))?);
+            let case = forces::judge(&springs, coil.as_ref(), (condition, damping), needs, &mut windows);
+            cases.push(case.map_err(|error| format!("{}: {error}", place(core, condition, damping)))?);
         }
     }
-    let reason = touching(&core, &cases);
-    let judged = Design { core: &core, cases: &cases, assessed: &assessed, needs };
+    let reason = touching(&springs, &cases);
+    let judged = Design { core, nominal, cases: &cases, assessed: &assessed, needs };
     Ok(Row {
         status: if reason.is_empty() { Status::Ok } else { Status::Clash },
         reason,
@@ -126,14 +126,20 @@ fn place(core: &Core, condition: usize, damping: usize) -> String {
 }
 
 /// Where windings first touch; empty where they do not.
-fn touching(core: &Core, cases: &[Judged]) -> String {
+fn touching(springs: &[(Side, Core)], cases: &[Judged]) -> String {
+    let core = &springs[0].1;
     let dampings = core.mount.cases.len();
     let contact = |(case, judged): (usize, &Judged)| {
-        let clash = judged.clash.as_ref()?;
-        let time = clash.first_contact?;
-        let winding = clash.winding;
-        let place = place(core, case / dampings, case % dampings);
-        Some(format!("windings touch in {place} at {time:.6} s; nearest are {winding} and {}", winding + 1))
+        let met = judged.clashes.iter().zip(springs);
+        met.filter_map(|(clash, (_, spring))| {
+            let clash = clash.as_ref()?;
+            let time = clash.first_contact?;
+            let winding = clash.winding;
+            let place = place(core, case / dampings, case % dampings);
+            let of = if springs.len() == 1 { String::new() } else { format!(" of {}", spring.spring.name) };
+            Some(format!("windings{of} touch in {place} at {time:.6} s; nearest are {winding} and {}", winding + 1))
+        })
+        .next()
     };
     cases.iter().enumerate().find_map(contact).unwrap_or_default()
 }
@@ -141,6 +147,8 @@ fn touching(core: &Core, cases: &[Judged]) -> String {
 /// A design with all that was found.
 struct Design<'a> {
     core: &'a Core,
+    /// F_nom, of several springs that of all \[N\].
+    nominal: f64,
     /// Condition by condition, each under every damping.
     cases: &'a [Judged],
     assessed: &'a [(usize, Assessed)],
@@ -149,7 +157,7 @@ struct Design<'a> {
 
 impl Design<'_> {
     fn result(&self, column: &Column) -> Result {
-        let nominal = self.core.spring.spring.nominal_force();
+        let nominal = self.nominal;
         match column {
             Column::Spring(number) => Result::Number((number.of)(self.core)),
             Column::Force { force, measure, condition } => {
@@ -168,7 +176,7 @@ impl Design<'_> {
                 of_cases.map(|case| case.bound).max_by(by_size).map_or(Result::None, Result::Number)
             }
             Column::Pitch { clearance } => {
-                let clashes = self.cases.iter().filter_map(|case| case.clash.as_ref());
+                let clashes = self.cases.iter().filter_map(|case| case.clashes.first()?.as_ref());
                 let smallest = clashes.map(|clash| clash.smallest_pitch).fold(f64::INFINITY, f64::min);
                 let spring = &self.core.spring;
                 let found = if *clearance { spring.gap(smallest) } else { spring.winding_pitch(smallest) };

@@ -9,7 +9,7 @@ use coilsense::signals::sampled_window;
 use coilsense::{Channel, Clash, Deviation, Error, Motion};
 
 use super::column::{BY_INDUCTANCE, Needs};
-use crate::spec::Core;
+use crate::spec::{Core, Side};
 use crate::study::{self, Coil, MEET, Meets, Method, Setup, Simulation};
 
 /// L is taken to second order where that is within this share of it.
@@ -30,8 +30,8 @@ pub(super) struct Judged {
     pub methods: [usize; 2],
     /// The largest stated bound of L, as a share of it.
     pub bound: f64,
-    /// How near windings come, where the positions had to be looked at.
-    pub clash: Option<Clash>,
+    /// How near windings of each spring come, where the positions had to be looked at.
+    pub clashes: Vec<Option<Clash>>,
 }
 
 /// Times of judged windows, which conditions mostly share.
@@ -53,37 +53,61 @@ impl Windows {
     }
 }
 
-/// Judges a condition under a damping.
+/// Judges a condition under a damping, of several springs what all of them do.
 pub(super) fn judge(
-    core: &Core,
+    springs: &[(Side, Core)],
     coil: Option<&(MaxwellSum, Theory)>,
     (condition, damping): (usize, usize),
     needs: &Needs,
     windows: &mut Windows,
 ) -> Result<Judged, Error> {
+    let core = &springs[0].1;
     let asked = &core.conditions[condition];
-    let spring = &core.spring.spring;
-    let way = &core.mount.cases[damping];
-    let (mount, excitation) = (&way.mount, &asked.excitation);
-    let contact = way.contact.as_ref().map(|way| &way.contact);
     if needs.forces == [false; 4] {
-        let motion = Motion::mounted(spring, mount, excitation)?;
-        return Ok(Judged { clash: clash(core, &motion, contact, condition, needs)?, ..Judged::default() });
+        let each = springs.iter().map(|(_, core)| {
+            let (way, asked) = (&core.mount.cases[damping], &core.conditions[condition]);
+            let motion = Motion::mounted(&core.spring.spring, &way.mount, &asked.excitation)?;
+            clash(core, &motion, way.contact.as_ref().map(|way| &way.contact), condition, needs)
+        });
+        return Ok(Judged { clashes: each.collect::<Result<_, _>>()?, ..Judged::default() });
     }
     let times = windows.of(asked.sample_rate, asked.window)?;
     let coil = match coil.filter(|_| needs.forces[BY_INDUCTANCE]) {
         // Of a single winding, whose inductance does not tell its length, there is no F_L.
-        Some((sum, theory)) => theory.calibration(sum, excitation.mean_length()).ok().map(|calibration| Coil {
+        Some((sum, theory)) => theory.calibration(sum, asked.excitation.mean_length()).ok().map(|calibration| Coil {
             sum,
             calibration,
             method: Method::Within(TOLERANCE),
         }),
         None => None,
     };
-    let contact_once = contact.map(|contact| Meets { contact, apart: None });
-    let setup = Setup { spring, mount, excitation, coil, positions: false, helix: None, contact: contact_once };
-    let Simulation { motion, signals, bounded, .. } = study::simulate(&setup, times)?;
-    let mut judged = Judged { clash: clash(core, &motion, contact, condition, needs)?, ..Judged::default() };
+    let (mut runs, mut clashes) = (Vec::with_capacity(springs.len()), Vec::with_capacity(springs.len()));
+    for (number, (_, core)) in springs.iter().enumerate() {
+        let way = &core.mount.cases[damping];
+        let contact = way.contact.as_ref().map(|way| &way.contact);
+        let setup = Setup {
+            spring: &core.spring.spring,
+            mount: &way.mount,
+            excitation: &core.conditions[condition].excitation,
+            coil: coil.filter(|_| number == 0),
+            positions: false,
+            helix: None,
+            contact: contact.map(|contact| Meets { contact, apart: None }),
+        };
+        let run = study::simulate(&setup, times)?;
+        clashes.push(clash(core, &run.motion, contact, condition, needs)?);
+        runs.push(run);
+    }
+    let all = match runs.as_slice() {
+        [_] => None,
+        _ => {
+            let each = springs.iter().zip(&runs).map(|((side, _), run)| (*side, &run.signals));
+            Some(study::together(&each.collect::<Vec<_>>())?)
+        }
+    };
+    let Simulation { signals, bounded, .. } = runs.swap_remove(0);
+    let signals = all.unwrap_or(signals);
+    let mut judged = Judged { clashes, ..Judged::default() };
     let truth = Channel::FORCES.iter().position(|force| *force == core.goal.force).unwrap_or(BY_DEFLECTION);
     let known = |index: &usize| needs.forces[*index] && signals.channel(Channel::FORCES[*index]).is_ok();
     for index in (0..Channel::FORCES.len()).filter(known) {

@@ -142,7 +142,7 @@ impl Plan {
         let columns = columns(&words, &names, &parameters.spec_file)?;
         let mut needs = Needs::default();
         columns.iter().for_each(|(_, column)| column.add_to(&mut needs));
-        if needs.motion() && !variables.iter().any(|variable| variable.target.key == "spring.model") {
+        if needs.motion() && !variables.iter().any(|variable| variable.target.place.is_of_spring("model")) {
             // Whatever else is wrong with the spring is said by its designs.
             if let Ok(spring) = SpringSpec::parse(&parameters.spec_file, &parameters.spec) {
                 let refused = spring.needs_axial(&parameters.spec_file, MOVES);
@@ -358,13 +358,13 @@ fn once_each(variables: &[Variable], catalogue: Option<&Ready>) -> Result<(), Sw
 fn names(draft: &Draft<'_>) -> Names {
     let table = |name| TABLES.into_iter().find(|table| table.name == name);
     let names = |name| table(name).map_or_else(Vec::new, |table| draft.names(table));
-    Names { conditions: names("condition"), sensors: names("sensor") }
+    Names { conditions: names("condition"), sensors: names("sensor"), springs: draft.springs() }
 }
 
 /// Words of the columns that are asked for, or of the usual ones.
 fn words(parameters: &PlanParameters, draft: &Draft<'_>, names: &Names) -> Vec<String> {
     match parameters.columns.is_empty() {
-        true => column::usual(draft.truth(), !names.conditions.is_empty()),
+        true => column::usual(draft.truth(), names),
         false => parameters.columns.iter().map(|word| word.trim().to_owned()).collect(),
     }
 }

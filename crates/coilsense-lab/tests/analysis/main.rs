@@ -8,6 +8,7 @@
 //! | what would fix a sensor | the same change written into the spec (`fixes`) |
 //! | a helix that moves | the chain of a long flat spring, its static curve, its own reactions (`helix`) |
 //! | windings that meet | two other programs, themselves without contact (`contact`) |
+//! | several springs | each alone, their sum (`springs`) |
 //! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
 //! | the whole run | itself on other threads, and when stopped (`runs`) |
 
@@ -23,6 +24,7 @@ mod runs;
 mod sections;
 mod small;
 mod specimens;
+mod springs;
 mod verdicts;
 mod warnings;
 

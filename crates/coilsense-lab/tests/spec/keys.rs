@@ -30,12 +30,16 @@ fn fixtures(table: &Table) -> Vec<(&'static str, String)> {
     match table.name {
         "spring" => {
             // Pulled, with room for some windings more; and pushed.
-            let both = [("by values", by_values), ("by geometry", spring(BY_GEOMETRY))];
+            let both = [("by values", by_values.clone()), ("by geometry", spring(BY_GEOMETRY))];
             let used = |(kind, text): &(&'static str, String)| {
                 let strengths = "endurance_shear_strength = \"300 MPa\"\nultimate_shear_strength = \"900 MPa\"";
                 ["110 mm", "270 mm"].map(|rest| (*kind, format!("{}\n{strengths}\n", text.replace("104 mm", rest))))
             };
-            both.iter().flat_map(used).collect()
+            let first = by_values.replace("[spring]", "[[spring]]");
+            let second = first.replace("\"S_T\"", "\"second\"");
+            let strengths = "endurance_shear_strength = \"300 MPa\"\nultimate_shear_strength = \"900 MPa\"";
+            let beside = ("beside the first", format!("{first}\n{second}\n{strengths}\n"));
+            both.iter().flat_map(used).chain([beside]).collect()
         }
         "spring.section" => {
             let by_pitch = BY_SECTIONS.to_owned();

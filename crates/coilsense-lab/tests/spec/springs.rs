@@ -26,8 +26,6 @@ fn a_spring_by_values_that_cannot_be_is_refused() {
             r#"S.toml:14: unknown key "zeta" in [mount]; did you mean "damping_ratio"? Allowed: end2, end_mass, follower_mass, ends_tilt, ends_turn, end1_tilt, end2_tilt, end1_turn, end2_turn, misalignment, damping_ratio, first_mode_damping_ratio, mass_damping, stiffness_damping"#],
         ["an unknown key of another table", "damping_ratio", "damping",
             r#"S.toml:14: unknown key "damping" in [mount]; did you mean "damping_ratio"? Allowed: end2, end_mass, follower_mass, ends_tilt, ends_turn, end1_tilt, end2_tilt, end1_turn, end2_turn, misalignment, damping_ratio, first_mode_damping_ratio, mass_damping, stiffness_damping"#],
-        ["[[spring]]", "[spring]", "[[spring]]",
-            "S.toml:1: spring must be a table [spring]"],
         ["[[mount]]", "[mount]", "[[mount]]",
             "S.toml:12: mount must be a table [mount]"],
         ["no mass", "mass = \"65 g\"\n", "",

@@ -7,6 +7,7 @@ mod dataset;
 mod refusals;
 mod rows;
 mod sensors;
+mod springs;
 mod wound;
 
 use std::path::Path;

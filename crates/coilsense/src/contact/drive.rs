@@ -60,21 +60,6 @@ impl Drive {
     }
 }
 
-/// An input that does all of what it does `factor` times as far.
-pub(super) fn scaled(input: &EndInput, factor: f64) -> EndInput {
-    let mut scaled = input.clone();
-    match &mut scaled {
-        EndInput::Held => {}
-        EndInput::Harmonics(harmonics) => harmonics.iter_mut().for_each(|harmonic| harmonic.amplitude *= factor),
-        EndInput::Chirp { amplitude, .. } => *amplitude *= factor,
-        EndInput::Step { height, .. } | EndInput::Ramp { height, .. } | EndInput::HalfSine { height, .. } => {
-            *height *= factor
-        }
-        EndInput::Sampled(sampled) => *sampled = sampled.scaled(factor),
-    }
-    scaled
-}
-
 /// a sin(angle + x τ): every derivative is the sine a quarter turn on.
 fn add_sine(amplitude: f64, angle: f64, x: f64, series: &mut Polynomial) {
     let (sine, cosine) = angle.sin_cos();

@@ -280,7 +280,7 @@ fn drives(motion: &Motion, contact: &Contact, larger: f64) -> Result<[Drive; 2],
         FarEnd::Position => mean - spring.rest_length(),
         FarEnd::Force | FarEnd::Mass(_) => spring.static_force(mean),
     };
-    let input = |end: End| super::drive::scaled(motion.excitation().input(end), larger);
+    let input = |end: End| motion.excitation().input(end).scaled(larger);
     let first = match (input(End::One), contact.follower()) {
         (EndInput::Sampled(samples), Some(_)) => Drive::Path(Path::spline(samples.times(), samples.values())?),
         (first, _) => Drive::Input(first, 0.0),

@@ -280,6 +280,19 @@ impl EndInput {
         }
     }
 
+    /// The same input, all of it `factor` times as far; the factor must be finite.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        match &mut scaled {
+            Self::Held => {}
+            Self::Harmonics(harmonics) => harmonics.iter_mut().for_each(|harmonic| harmonic.amplitude *= factor),
+            Self::Chirp { amplitude, .. } => *amplitude *= factor,
+            Self::Step { height, .. } | Self::Ramp { height, .. } | Self::HalfSine { height, .. } => *height *= factor,
+            Self::Sampled(sampled) => *sampled = sampled.scaled(factor),
+        }
+        scaled
+    }
+
     /// Lets through an input whose every value is what it must be.
     pub(super) fn checked(self) -> Result<Self, Error> {
         match &self {

@@ -135,6 +135,43 @@ impl Excitation {
         }
     }
 
+    /// The same about another mean length \[m\]: what a spring of another length undergoes between the same ends. A start by windings is kept as
+    /// it is.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a length that is not above zero.
+    pub fn about(&self, mean_length: f64) -> Result<Self, Error> {
+        above_zero("mean_length", mean_length, "m")?;
+        Ok(Self { mean_length, ..self.clone() })
+    }
+
+    /// Its mirror image: all that moves, moves as far and as fast the other way, so that the length is as far above its mean as it was below. What
+    /// a spring undergoes that gets shorter where another between the same ends gets longer.
+    ///
+    /// u1(t) → −u1(t), u2(t) → −u2(t), both from their means; velocities of a start likewise
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a start by windings: where they would be at rest is the spring's to say.
+    ///
+    /// ```
+    /// use coilsense::{End, EndInput, Excitation, Start};
+    /// let step = EndInput::Step { height: 2e-3, at: 0.1 };
+    /// let mirrored = Excitation::harmonic(0.2, End::Two, step, Start::Rest)?.mirrored()?;
+    /// assert_eq!(mirrored.input(End::Two).displacement(0.2), -2e-3);
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    pub fn mirrored(&self) -> Result<Self, Error> {
+        let start = match &self.start {
+            Start::Moving { velocity, profile } => Start::Moving { velocity: -velocity, profile: *profile },
+            Start::Windings { positions, .. } => {
+                check(false, "windings placed by a start that is mirrored", positions.len() as f64, "", "0")?;
+                self.start.clone()
+            }
+            Start::Rest | Start::Massless | Start::Steady => self.start.clone(),
+        };
+        Ok(Self { mean_length: self.mean_length, ends: [0, 1].map(|end| self.ends[end].scaled(-1.0)), start })
+    }
+
     /// Length about which the ends move \[m\].
     pub fn mean_length(&self) -> f64 {
         self.mean_length

@@ -93,6 +93,17 @@ impl Table {
         self.keys.iter().filter(|key| key.applies_to(kind)).map(|key| key.name).collect()
     }
 
+    /// Names of all keys that a table may hold, of whatever kind, with tables; those of springs beside the first only where it `also` is one.
+    pub(super) fn names_of_any(&self, also: Option<&str>) -> Vec<&'static str> {
+        let others = |name: &&str| {
+            let key = self.keys.iter().find(|key| key.name == *name);
+            key.is_some_and(|key| key.kinds == [springs::BESIDE])
+        };
+        let mut names = self.names_with_tables(None);
+        names.retain(|name| also == Some(springs::BESIDE) || !others(name));
+        names
+    }
+
     /// The same, and tables that it may hold.
     pub(super) fn names_with_tables(&self, kind: Option<&str>) -> Vec<&'static str> {
         let mut names = self.names(kind);
@@ -152,7 +163,7 @@ fn sections(introduction: &str, tables: &[&Table]) -> String {
 #[cfg(feature = "reference")]
 const INTRODUCTION: &str = "# The spec file
 
-A spec is a TOML file: one spring, how it is mounted, what is done to it, which sensors watch it, and what they should achieve.
+A spec is a TOML file: a spring (or several), how it is mounted, what is done to it, which sensors watch it, and what they should achieve.
 `coilsense init` writes a commented one. `coilsense spring`, `simulate`, `analyze` and `rig` all read it.
 
 Quantities are texts of a number and a unit, such as `\"760 N/m\"`; pure numbers carry no quotes, and decimals a point. Besides SI units with

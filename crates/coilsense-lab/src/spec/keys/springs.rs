@@ -10,8 +10,11 @@ pub(crate) const BY_GEOMETRY: &str = "by geometry";
 pub(crate) const BY_SECTIONS: &str = "by sections";
 /// The key under which these stand.
 pub(crate) const SECTIONS: &str = "section";
+/// Of several springs, all but the first.
+pub(crate) const BESIDE: &str = "beside the first";
 const TABLE_I: &[&str] = &[BY_VALUES];
 const GEOMETRY: &[&str] = &[BY_GEOMETRY];
+const OTHERS: &[&str] = &[BESIDE];
 /// Of a coil that is the same all along.
 const UNIFORM: &[&str] = &[BY_VALUES, BY_GEOMETRY];
 
@@ -32,10 +35,27 @@ pub(super) const SPRING: Table = Table {
     meaning: told(
         "The spring, either *by values* (stiffness, mass, radii, as in Table I of the paper) or *by geometry* (wire, coil and material); \
               the presence of `wire_diameter` or `coil_diameter` means the latter. A coil that is not the same all along is given *by sections*, \
-              tables `[[spring.section]]` below.",
+              tables `[[spring.section]]` below. Several springs between the same two ends (nested, side by side, pulling against one another) are tables \
+              `[[spring]]`, each with a name of its own: conditions are about the first, and what moves its ends moves those of all. For `simulate` and \
+              `sweep`; springs that rub against one another are not in the model.",
     ),
     keys: &[
         needed("name", "\"S_T\"", "what people call it"),
+        optional(
+            "side",
+            "\"same\"",
+            "of a spring beside the first: `same`, it gets longer where the first does and pulls the same way, or `opposite`, it gets as much shorter and \
+               pulls the other way",
+            "`same`",
+        )
+        .of(OTHERS),
+        optional(
+            "length_at_mid",
+            "\"230 mm\"",
+            "of a spring beside the first: its length where the first is at the middle of its range in use, by which it is pretensioned",
+            "`same`: as long as the first; `opposite`: the middle of its own range",
+        )
+        .of(OTHERS),
         needed(
             "rest_length",
             "\"104 mm\"",
