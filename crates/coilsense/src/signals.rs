@@ -92,8 +92,8 @@ impl Signals {
         count(called("values", channel.name()), values.len(), self.time.len())?;
         all_finite(called("values", channel.name()), &values, channel.unit())?;
         self.channels.retain(|(present, _)| *present != channel);
-        self.channels.push((channel, values));
-        self.channels.sort_by_key(|(present, _)| *present);
+        let at = self.channels.partition_point(|(present, _)| *present < channel);
+        self.channels.insert(at, (channel, values));
         Ok(())
     }
 

@@ -31,7 +31,7 @@ export class Wire {
   private inSight = false;
   private phase = 0;
   private before = 0;
-  private readonly canvas = make('canvas', { role: 'img' });
+  private readonly canvas = make('canvas', { role: 'img', 'aria-label': 'The wire, not computed yet' });
   private readonly turntable = make(
     'div',
     { class: 'turntable', tabindex: 0, role: 'group', 'aria-label': 'The wire in space; drag or arrows turn it' },

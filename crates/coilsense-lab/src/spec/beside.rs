@@ -6,7 +6,6 @@ use coilsense::{FarEnd, Spring};
 
 use super::SpecError;
 use super::condition::ConditionSpec;
-use super::draft::Alone;
 use super::mount::MountSpec;
 use super::section::Section;
 use super::spring::{SpringSpec, millimetres};
@@ -30,6 +29,12 @@ impl Side {
             Self::Opposite => -1.0,
         }
     }
+}
+
+/// A spring by itself and what it stands on.
+pub(super) struct Alone {
+    pub spring: SpringSpec,
+    pub mount: MountSpec,
 }
 
 /// A spring beside the first, on the same mount under the same conditions, as it undergoes them.

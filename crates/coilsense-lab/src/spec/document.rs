@@ -113,6 +113,11 @@ impl<'a> Document<'a> {
             return Ok(vec![self.section(SPRING)?]);
         }
         let each = self.sections(SPRING)?;
+        if let Some(second) = each.get(1).filter(|_| !cfg!(feature = "several-springs")) {
+            return Err(
+                second.together("are for `coilsense simulate` and `coilsense sweep`; this build takes one [spring]")
+            );
+        }
         if each.is_empty() { Err(SpecError(format!("{}: the table [spring] is missing", self.file))) } else { Ok(each) }
     }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use coilsense::Channel;
 use toml::de::DeValue;
 
-use super::beside::{Beside, Side, check_together};
+use super::beside::{Alone, Beside, Side, check_together};
 use super::cam::CamSpec;
 use super::condition::ConditionSpec;
 use super::contact::ContactCase;
@@ -66,12 +66,6 @@ pub(crate) struct Core {
     pub beside: Vec<Beside>,
 }
 
-/// A spring and what it stands on.
-pub(super) struct Alone {
-    pub spring: SpringSpec,
-    pub mount: MountSpec,
-}
-
 impl Core {
     /// F_nom \[N\], of several springs that of all.
     pub fn nominal_force(&self) -> f64 {
@@ -92,7 +86,7 @@ impl Core {
 
 /// F_nom of the only spring, and of several their largest static force in use together, eq. (14) \[N\].
 fn nominal_force(first: &SpringSpec, beside: &[Beside]) -> f64 {
-    if beside.is_empty() {
+    if beside.is_empty() || !cfg!(feature = "several-springs") {
         return first.spring.nominal_force();
     }
     let (shortest, longest) = first.spring.operating_range();
@@ -128,12 +122,12 @@ impl<'a> Draft<'a> {
     pub fn spec(&self, files: &Files<'_>) -> Result<Spec, SpecError> {
         let document = &self.document;
         let Core { spring, mount, conditions, goal, beside } = self.core(files)?;
-        let strengths = document.springs()?.iter().map(StrengthSpec::parse).collect::<Result<Vec<_>, _>>()?;
+        let strength = StrengthSpec::parse(&document.springs()?[0])?;
         let sensors = SensorSpec::parse_all(document, &spring)?;
         Ok(Spec {
             rig: RigSpec::parse(document, &sensors)?,
             uncertainty: UncertaintySpec::parse(document)?,
-            strength: strengths.first().copied().flatten(),
+            strength,
             cam: CamSpec::parse(document, &spring, files)?,
             control: ControlSpec::parse(document, &spring.spring, &mount)?,
             notes: document.notes().to_vec(),
@@ -155,19 +149,35 @@ impl<'a> Draft<'a> {
         let Alone { spring, mount } = self.alone(&sections[0])?;
         let setting = Setting { spring: &spring.spring, mount: &mount, files, recordings: &self.recordings };
         let conditions = ConditionSpec::parse_all(document, &setting)?;
-        let mut beside = Vec::new();
+        let beside = if cfg!(feature = "several-springs") {
+            self.beside(&sections, (&spring, &mount), &conditions)?
+        } else {
+            Vec::new()
+        };
+        let goal = Goal::parse(document, nominal_force(&spring, &beside))?;
+        Ok(Core { conditions, goal, spring, mount, beside })
+    }
+
+    /// The springs beside the first.
+    fn beside(
+        &self,
+        sections: &[Section<'_>],
+        (first, mount): (&SpringSpec, &MountSpec),
+        conditions: &[ConditionSpec],
+    ) -> Result<Vec<Beside>, SpecError> {
+        let mut beside: Vec<Beside> = Vec::new();
         for section in &sections[1..] {
             let alone = self.alone(section)?;
-            let each: Vec<&SpringSpec> =
-                [&spring].into_iter().chain(beside.iter().map(|it: &Beside| &it.spring)).collect();
-            check_together(&sections, &[each.as_slice(), &[&alone.spring]].concat(), mount.far_end())?;
-            beside.push(Beside::of(section, alone, &spring, &conditions)?);
+            let before = [first].into_iter().chain(beside.iter().map(|it| &it.spring));
+            let each: Vec<&SpringSpec> = before.chain([&alone.spring]).collect();
+            check_together(sections, &each, mount.far_end())?;
+            StrengthSpec::parse(section)?;
+            beside.push(Beside::of(section, alone, first, conditions)?);
         }
         if !beside.is_empty() {
             self.check_tables(&sections[1])?;
         }
-        let goal = Goal::parse(document, nominal_force(&spring, &beside))?;
-        Ok(Core { conditions, goal, spring, mount, beside })
+        Ok(beside)
     }
 
     /// What no several springs have.

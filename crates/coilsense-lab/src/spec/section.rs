@@ -81,7 +81,7 @@ impl Section<'_> {
     /// Rejects keys that do not apply to a kind; `whose` says in words what does not have them.
     pub(super) fn only_of(&self, kind: &str, whose: &str) -> Result<(), SpecError> {
         let mut known = self.documented.names_with_tables(Some(kind));
-        if let Some(also) = self.also {
+        if let Some(also) = self.also.filter(|_| cfg!(feature = "several-springs")) {
             let own = self.documented.names(Some(also)).into_iter().filter(|name| !known.contains(name));
             known.extend(own.collect::<Vec<_>>());
         }

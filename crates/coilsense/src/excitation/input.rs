@@ -235,6 +235,21 @@ impl EndInput {
         kicks
     }
 
+    /// Those of both ends in order of time, each with the number of its end; of two at once that of end 1 comes first.
+    pub(crate) fn kicks_of_both(ends: [&Self; 2]) -> Vec<(usize, Kick)> {
+        let [first, second] = ends.map(Self::kicks);
+        let mut both = Vec::with_capacity(first.len() + second.len());
+        let mut second = second.into_iter().peekable();
+        for kick in first {
+            while let Some(earlier) = second.next_if(|other| other.time < kick.time) {
+                both.push((1, earlier));
+            }
+            both.push((0, kick));
+        }
+        both.extend(second.map(|kick| (1, kick)));
+        both
+    }
+
     /// How far it can be from its mean, as a bound.
     pub(crate) fn reach(&self) -> f64 {
         match self {

@@ -81,20 +81,15 @@ impl Closed {
         if jumps > MOST_JUMPS || inputs.iter().any(|input| input.is_chirp()) {
             return None;
         }
-        let mut kicks: Vec<(usize, Kick)> = Vec::new();
-        for (end, input) in inputs.into_iter().enumerate() {
-            kicks.extend(input.kicks().into_iter().map(|kick| (end, kick)));
-        }
         let each = modes.frequencies().iter().zip(ratios);
         let oscillators: Vec<Oscillator> = each.map(|(&natural, &ratio)| Oscillator { natural, ratio }).collect();
         if oscillators.iter().any(Oscillator::is_nearly_critical) {
             return None;
         }
-        kicks.sort_by(|a, b| a.1.time.total_cmp(&b.1.time));
         let drives = Self::drives(&oscillators, modes, inputs, NEAR);
         let mut closed = Self { oscillators, segments: Vec::new(), drives };
         closed.begin(start);
-        for (end, kick) in kicks {
+        for (end, kick) in EndInput::kicks_of_both(inputs) {
             closed.jump(modes.participations()[end], kick);
         }
         Some(closed)

@@ -58,11 +58,8 @@ impl March {
     ) -> Self {
         let each = modes.frequencies().iter().zip(ratios);
         let oscillators: Vec<Oscillator> = each.map(|(&natural, &ratio)| Oscillator { natural, ratio }).collect();
-        let mut kicks: Vec<(usize, Kick)> = Vec::new();
-        for (end, input) in inputs.into_iter().enumerate() {
-            kicks.extend(input.kicks().into_iter().map(|kick| (end, kick)));
-        }
-        kicks.sort_by(|a, b| b.1.time.total_cmp(&a.1.time));
+        let mut kicks = EndInput::kicks_of_both(inputs);
+        kicks.reverse();
         let fastest_mode = oscillators.iter().fold(0.0, |fastest: f64, mode| fastest.max(mode.fastest()));
         let highest_drive = inputs.iter().fold(0.0, |a: f64, input| a.max(input.highest_angular()));
         Self {

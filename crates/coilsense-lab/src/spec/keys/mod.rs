@@ -95,13 +95,12 @@ impl Table {
 
     /// Names of all keys that a table may hold, of whatever kind, with tables; those of springs beside the first only where it `also` is one.
     pub(super) fn names_of_any(&self, also: Option<&str>) -> Vec<&'static str> {
-        let others = |name: &&str| {
-            let key = self.keys.iter().find(|key| key.name == *name);
-            key.is_some_and(|key| key.kinds == [springs::BESIDE])
-        };
-        let mut names = self.names_with_tables(None);
-        names.retain(|name| also == Some(springs::BESIDE) || !others(name));
-        names
+        let any = self.names_with_tables(None);
+        if also.is_some() {
+            return any;
+        }
+        let of_others = |name: &str| self.keys.iter().any(|key| key.name == name && key.kinds == [springs::BESIDE]);
+        any.into_iter().filter(|name| !of_others(name)).collect()
     }
 
     /// The same, and tables that it may hold.
