@@ -4,7 +4,7 @@
 
 use super::chain::Chain;
 use super::course::{Balance, Float, Lift, Touch};
-use super::polynomial::{ORDER, Polynomial, value};
+use super::polynomial::{ORDER, Polynomial, integral_of_product, value};
 use super::series::{Now, Series, System};
 
 /// What has happened so far.
@@ -105,8 +105,15 @@ impl Book {
         self.balance.damped += energy;
     }
 
-    /// A step has gone to τ; what the ends put in and damping took is counted where it is asked for.
-    pub fn stepped(&mut self, system: &System<'_>, now: &Now, series: &Series, tau: f64, with_energy: bool) {
+    /// A step has gone to τ; what the ends put in and damping took is counted where their `forces` are told.
+    pub fn stepped(
+        &mut self,
+        system: &System<'_>,
+        now: &Now,
+        series: &Series,
+        tau: f64,
+        forces: Option<&[Polynomial; 2]>,
+    ) {
         let chain = system.chain;
         for (number, touch) in self.going_on.iter().enumerate() {
             let Some(touch) = touch.map(|touch| &mut self.touches[touch]) else { continue };
@@ -120,21 +127,18 @@ impl Book {
                 self.balance.lost += lost;
             }
         }
-        if !with_energy {
-            return;
-        }
-        let [input, output] = end_forces(system, now, series);
-        let moved = |force: &Polynomial, place: &Polynomial| work(force, &rate_of(place, 1.0), tau);
+        let Some([input, output]) = forces else { return };
+        let moved = |force: &Polynomial, place: &Polynomial| integral_of_product(force, &rate_of(place, 1.0), tau);
         let lumps = chain.lumps();
         let first = match chain.cam() {
             Some(cam) if now.closed[cam] => moved(&series.push(cam), &series.place(0)),
             Some(_) => 0.0,
-            None => -moved(&input, &series.place(0)),
+            None => -moved(input, &series.place(0)),
         };
         let second = if chain.is_open() {
             moved(&series.force, &series.place(lumps))
         } else {
-            moved(&output, &series.place(lumps + 1))
+            moved(output, &series.place(lumps + 1))
         };
         self.balance.work += first + second;
         self.balance.moved += first.abs() + second.abs();
@@ -232,14 +236,6 @@ fn rate_of(p: &Polynomial, step: f64) -> Polynomial {
 /// ∫ p dτ from zero.
 fn integral(p: &Polynomial, tau: f64) -> f64 {
     p.iter().enumerate().rev().fold(0.0, |sum, (order, coefficient)| sum * tau + coefficient / (order + 1) as f64) * tau
-}
-
-/// ∫ p q dτ from zero, of a force and a rate; zero where the rate is.
-fn work(p: &Polynomial, q: &Polynomial, tau: f64) -> f64 {
-    if q.iter().all(|coefficient| *coefficient == 0.0) {
-        return 0.0;
-    }
-    integral_of(|at| value(p, at) * value(q, at), tau)
 }
 
 /// The same of what is no polynomial of this order.

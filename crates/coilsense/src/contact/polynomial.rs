@@ -26,10 +26,84 @@ pub(super) fn value(p: &Polynomial, tau: f64) -> f64 {
     p.iter().rev().fold(0.0, |sum, coefficient| sum * tau + coefficient)
 }
 
-/// dp/dτ.
-pub(super) fn rate(p: &Polynomial, tau: f64) -> f64 {
-    let terms = p.iter().enumerate().skip(1).rev();
-    terms.fold(0.0, |sum, (power, coefficient)| sum * tau + power as f64 * coefficient)
+/// Four polynomials, power by power: worked out together, they take the time of one.
+pub(super) type Four = [[f64; 4]; ORDER + 1];
+
+/// Several polynomials side by side.
+pub(super) fn side_by_side(each: [&Polynomial; 4]) -> Four {
+    let mut rows = [[0.0; 4]; ORDER + 1];
+    for (power, row) in rows.iter_mut().enumerate() {
+        *row = [each[0][power], each[1][power], each[2][power], each[3][power]];
+    }
+    rows
+}
+
+/// All of them at τ: even and odd powers apart, for neither then waits for the other.
+pub(super) fn values(each: &Four, tau: f64) -> [f64; 4] {
+    let square = tau * tau;
+    let (mut even, mut odd) = (each[ORDER], [0.0; 4]);
+    for pair in each[..ORDER].as_chunks::<2>().0.iter().rev() {
+        for lane in 0..4 {
+            even[lane] = even[lane] * square + pair[0][lane];
+            odd[lane] = odd[lane] * square + pair[1][lane];
+        }
+    }
+    for (even, odd) in even.iter_mut().zip(&odd) {
+        *even += odd * tau;
+    }
+    even
+}
+
+/// An even order has one coefficient more of even powers than of odd ones.
+const _: () = assert!(ORDER.is_multiple_of(2));
+
+/// 1/(n + 1).
+const PARTS: [f64; 2 * ORDER + 1] = parts();
+
+const fn parts() -> [f64; 2 * ORDER + 1] {
+    let mut parts = [1.0; 2 * ORDER + 1];
+    let mut n = 1;
+    while n < parts.len() {
+        parts[n] = 1.0 / (n + 1) as f64;
+        n += 1;
+    }
+    parts
+}
+
+/// ∫ p q dτ from zero: Σ p_i q_j τ^(i + j + 1)/(i + j + 1).
+pub(super) fn integral_of_product(p: &Polynomial, q: &Polynomial, tau: f64) -> f64 {
+    let Some(last) = q.iter().rposition(|coefficient| *coefficient != 0.0) else { return 0.0 };
+    let mut scaled = *p;
+    let mut power = 1.0;
+    for coefficient in &mut scaled {
+        *coefficient *= power;
+        power *= tau;
+    }
+    let mut sum = 0.0;
+    for order in (0..=last).rev() {
+        let with_it: f64 = dot(&scaled, &PARTS[order..]);
+        sum = sum * tau + q[order] * with_it;
+    }
+    sum * tau
+}
+
+/// Σ a b over the first, in four sums side by side.
+fn dot(a: &Polynomial, b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (a, a_rest) = a.as_chunks::<4>();
+    let (b, b_rest) = b[..ORDER + 1].as_chunks::<4>();
+    for (a, b) in a.iter().zip(b) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a * b;
+        }
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+/// p(τ) and dp/dτ.
+fn with_rate(p: &Polynomial, tau: f64) -> (f64, f64) {
+    p.iter().rev().fold((0.0, 0.0), |(sum, slope), coefficient| (sum * tau + coefficient, slope * tau + sum))
 }
 
 /// The first τ in \[0, `until`\] at which p falls through −`margin`, moved back to where it fell through zero just before; `None` where it does
@@ -38,7 +112,7 @@ pub(super) fn rate(p: &Polynomial, tau: f64) -> f64 {
 /// Bernstein's coefficients bound a polynomial from below, and their signs count its roots from above: halved until they say which.
 pub(super) fn first_fall(p: &Polynomial, margin: f64, until: f64) -> Option<f64> {
     // What is left if all that falls falls at once.
-    if p[1..].iter().fold(p[0], |least, coefficient| least + coefficient.min(0.0)) > -margin {
+    if p[0] + falling(p) > -margin {
         return None;
     }
     let mut raised = *p;
@@ -54,14 +128,24 @@ pub(super) fn first_fall(p: &Polynomial, margin: f64, until: f64) -> Option<f64>
     Some(back_to_zero(p, margin, fall))
 }
 
+/// The sum of all that is below zero but for the first.
+fn falling(p: &Polynomial) -> f64 {
+    let (chunks, rest) = p[1..].as_chunks::<2>();
+    debug_assert!(rest.is_empty(), "an even order");
+    let [even, odd] =
+        chunks.iter().fold([0.0; 2], |sums: [f64; 2], pair| [sums[0] + pair[0].min(0.0), sums[1] + pair[1].min(0.0)]);
+    even + odd
+}
+
 /// Power form to Bernstein's, on \[0, 1\].
 fn bernstein(mut p: Polynomial) -> Polynomial {
     for (coefficient, share) in p.iter_mut().zip(&SHARES) {
         *coefficient *= share;
     }
     for round in 1..=ORDER {
-        for index in (round..=ORDER).rev() {
-            p[index] += p[index - 1];
+        let before = p;
+        for (value, before) in p[round..].iter_mut().zip(&before[round - 1..]) {
+            *value += before;
         }
     }
     p
@@ -100,13 +184,13 @@ fn first_bracket(b: &Polynomial, from: f64, to: f64, halvings: usize) -> Option<
 fn root(p: &Polynomial, [mut above, mut below]: [f64; 2]) -> f64 {
     let mut tau = 0.5 * (above + below);
     for _ in 0..100 {
-        let here = value(p, tau);
+        let (here, slope) = with_rate(p, tau);
         if here >= 0.0 {
             above = tau;
         } else {
             below = tau;
         }
-        let newton = tau - here / rate(p, tau);
+        let newton = tau - here / slope;
         let next = if newton > above && newton < below { newton } else { 0.5 * (above + below) };
         if (next - tau).abs() <= 1e-16 || next <= above || next >= below {
             return next;
@@ -118,7 +202,7 @@ fn root(p: &Polynomial, [mut above, mut below]: [f64; 2]) -> f64 {
 
 /// From where p falls through −`margin` to where it fell through zero, if it did so on a straight way.
 fn back_to_zero(p: &Polynomial, margin: f64, fall: f64) -> f64 {
-    let slope = rate(p, fall);
+    let (_, slope) = with_rate(p, fall);
     let before = fall + 2.0 * margin / slope;
     if slope < 0.0 && before >= 0.0 && value(p, before) > 0.0 { root(p, [before, fall]) } else { fall }
 }
@@ -140,6 +224,40 @@ mod tests {
         let exact = of(&[0.3 * 0.4 * 0.9, -(0.12 + 0.27 + 0.36), 1.6, -1.0]);
         assert!((first_fall(&exact, 1e-12, 1.0).unwrap() - 0.3).abs() < 1e-14);
         assert!(first_fall(&p, 1e-12, 0.29).is_none());
+    }
+
+    #[test]
+    fn together_they_are_what_each_is_alone() {
+        let each = [0.3, -1.1, 0.7, 2.0].map(|x: f64| {
+            let mut p = [0.0; ORDER + 1];
+            p.iter_mut().enumerate().for_each(|(power, value)| *value = (x * (power + 1) as f64).sin());
+            p
+        });
+        let all = side_by_side([&each[0], &each[1], &each[2], &each[3]]);
+        for tau in [0.0, 1e-9, 0.4, 1.0] {
+            for (together, p) in values(&all, tau).iter().zip(&each) {
+                assert!((together - value(p, tau)).abs() < 1e-14, "{tau}: {together}");
+            }
+        }
+    }
+
+    #[test]
+    fn work_is_the_integral_of_force_and_rate() {
+        let force = of(&[2.0, -1.0, 0.5, 0.0, 3.0]);
+        let (all, none) = ([1.0; ORDER + 1], [0.0; ORDER + 1]);
+        // (2 − τ + τ²/2 + 3τ⁴)(1 − 4τ) by hand.
+        let by_hand =
+            |t: f64| 2.0 * t - 4.5 * t.powi(2) + 1.5 * t.powi(3) - 0.5 * t.powi(4) + 0.6 * t.powi(5) - 2.0 * t.powi(6);
+        for tau in [0.0, 0.25, 1.0] {
+            let work = integral_of_product(&force, &of(&[1.0, -4.0]), tau);
+            assert!((work - by_hand(tau)).abs() < 1e-15, "{work} at {tau}");
+            assert_eq!(integral_of_product(&force, &none, tau), 0.0);
+            // Which way round does not matter, and neither do all powers at once: Σ Σ over τ = 1 is the sum of 1/(i + j + 1).
+            let [one, other] = [(&all, &force), (&force, &all)].map(|(p, q)| integral_of_product(p, q, tau));
+            assert!((one - other).abs() < 1e-14, "{one}, {other}");
+        }
+        let by_quadrature = crate::quadrature::panel(0.0, 0.5, |at| value(&all, at) * value(&all, at));
+        assert!((integral_of_product(&all, &all, 0.5) - by_quadrature).abs() < 1e-12);
     }
 
     #[test]

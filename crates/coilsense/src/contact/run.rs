@@ -7,7 +7,7 @@ use super::course::{Course, GivenUp};
 use super::drive::Drive;
 use super::law::Contact;
 use super::meet::MARGIN;
-use super::polynomial::{ORDER, Polynomial, value};
+use super::polynomial::{ORDER, Polynomial, side_by_side, value, values};
 use super::series::{Now, Series, System};
 use super::start::{Start, Watch};
 use super::tridiagonal::{Runs, pushes};
@@ -150,8 +150,10 @@ impl<'a> Run<'a> {
             self.series.find(self.system, &self.now, step);
             let event = self.first_event();
             let tau = event.map_or(1.0, |(tau, _)| tau);
-            self.write_down(tau);
-            self.book.stepped(self.system, &self.now, &self.series, tau, self.watch.counts_energy());
+            let forces = end_forces(self.system, &self.now, &self.series);
+            self.write_down(tau, &forces);
+            let counted = self.watch.counts_energy().then_some(&forces);
+            self.book.stepped(self.system, &self.now, &self.series, tau, counted);
             self.series.advance(tau, &mut self.now);
             match event {
                 Some((_, event)) => self.happens(event)?,
@@ -173,7 +175,8 @@ impl<'a> Run<'a> {
         }
         // The last sample is told from its right, as all others are.
         self.series.find(self.system, &self.now, self.step);
-        self.write_down(f64::MIN_POSITIVE);
+        let forces = end_forces(self.system, &self.now, &self.series);
+        self.write_down(f64::MIN_POSITIVE, &forces);
         Ok(())
     }
 
@@ -236,7 +239,7 @@ impl<'a> Run<'a> {
     }
 
     /// Samples of the step before τ, and of all of it the one at which it begins.
-    pub(super) fn write_down(&mut self, tau: f64) {
+    pub(super) fn write_down(&mut self, tau: f64, [input, output]: &[Polynomial; 2]) {
         let (begin, step) = (self.now.time, self.series.step);
         let end = begin + tau * step;
         let from = self.input.len();
@@ -245,7 +248,6 @@ impl<'a> Run<'a> {
             return;
         }
         let chain = self.system.chain;
-        let [input, output] = end_forces(self.system, &self.now, &self.series);
         let lumps = chain.lumps();
         let (end2, beyond): (Polynomial, f64) = match chain.far_end() {
             FarEnd::Position => (self.series.place(lumps + 1), 0.0),
@@ -254,15 +256,19 @@ impl<'a> Run<'a> {
         };
         let end1 = self.series.place(chain.base());
         let cam = chain.cam().map(|cam| if self.now.closed[cam] { self.series.push(cam) } else { [0.0; ORDER + 1] });
-        let mut row = vec![0.0; lumps + 2];
+        let all = side_by_side([input, output, &end1, &end2]);
+        let places = matches!(self.watch, Watch::Places | Watch::Tensions);
+        let mut row = if places { vec![0.0; lumps + 2] } else { Vec::new() };
         for &time in &self.times[from..to] {
             let at = ((time - begin) / step).clamp(0.0, tau);
-            self.input.push(value(&input, at));
-            self.output.push(value(&output, at));
-            self.end1.push(value(&end1, at));
+            let [input, output, end1, end2] = values(&all, at);
+            self.input.push(input);
+            self.output.push(output);
+            self.end1.push(end1);
             self.cam_force.extend(cam.as_ref().map(|push| value(push, at)));
-            self.end2.push(value(&end2, at) + beyond * value(&self.series.force, at));
-            if matches!(self.watch, Watch::Places | Watch::Tensions) {
+            let farther = if beyond == 0.0 { 0.0 } else { beyond * value(&self.series.force, at) };
+            self.end2.push(end2 + farther);
+            if places {
                 self.series.places_at(at, &mut row);
             }
             match self.watch {

@@ -19,6 +19,12 @@ pub(super) struct System<'a> {
 }
 
 impl System<'_> {
+    /// Whether springs alone act on the lumps: nothing damps, pushes or is pulled, and no end is loose.
+    pub fn is_plain(&self, now: &Now) -> bool {
+        let pushed = !now.bonds.is_empty() || self.elastic.is_some() && now.closed.contains(&true);
+        self.damper.is_none() && !pushed && !self.chain.is_open() && now.attached == [true; 2]
+    }
+
     /// Subtracts from the forces on the lumps what damping takes; what dashpots in the first and the last segment pull at their ends with \[N\].
     pub fn brake(&self, attached: [bool; 2], relative: &[f64], forces: &mut [f64]) -> [f64; 2] {
         self.damper.brake(self.chain, relative, forces);
@@ -110,6 +116,10 @@ impl Series {
     /// Of a step of `step` \[s\] from now on.
     pub fn find(&mut self, system: &System<'_>, now: &Now, step: f64) {
         let line = self.begin(system, now, step);
+        if system.is_plain(now) {
+            self.follow_springs(system.chain);
+            return;
+        }
         self.accelerate(system, now, 0);
         for order in 1..=LAST {
             self.forces_of(system, now, order, &line);
@@ -118,6 +128,23 @@ impl Series {
         if !system.damper.is_none() {
             for order in LAST + 1..ORDER {
                 self.relative_of(system.chain, order, &line);
+            }
+        }
+    }
+
+    /// All orders of lumps on which nothing acts but their springs, each from the last but one.
+    fn follow_springs(&mut self, chain: &Chain) {
+        let points = self.points;
+        let inverse_masses = &chain.inverse_masses()[1..points - 1];
+        let (before, after) = (&chain.stiffnesses()[..points - 2], &chain.stiffnesses()[1..points - 1]);
+        for order in 0..=LAST {
+            let factor = self.step * self.step / ((order + 2) * (order + 1)) as f64;
+            let (found, next) = self.places.split_at_mut((order + 2) * points);
+            let row = &found[order * points..][..points];
+            let next = &mut next[1..points - 1];
+            for lump in 0..next.len() {
+                let force = after[lump] * (row[lump + 2] - row[lump + 1]) - before[lump] * (row[lump + 1] - row[lump]);
+                next[lump] = factor * force * inverse_masses[lump];
             }
         }
     }
@@ -267,6 +294,11 @@ impl Series {
             .collect()
     }
 
+    /// Coefficients of all points, order by order.
+    fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
+        self.places.chunks_exact(self.points)
+    }
+
     /// A pair's distance beside what it is where they meet \[m\].
     pub fn gap(&self, chain: &Chain, number: usize) -> Polynomial {
         let pair = chain.pairs()[number];
@@ -278,8 +310,9 @@ impl Series {
     /// How far one point is from another beside the unloaded spring \[m\].
     pub fn difference(&self, first: usize, second: usize) -> Polynomial {
         let mut difference = [0.0; ORDER + 1];
-        for (row, value) in self.places.chunks_exact(self.points).zip(&mut difference) {
-            *value = row[second] - row[first];
+        for (order, value) in difference.iter_mut().enumerate() {
+            let row = order * self.points;
+            *value = self.places[row + second] - self.places[row + first];
         }
         difference
     }
@@ -305,8 +338,8 @@ impl Series {
     /// A point's place \[m\].
     pub fn place(&self, point: usize) -> Polynomial {
         let mut place = [0.0; ORDER + 1];
-        for (row, value) in self.places.chunks_exact(self.points).zip(&mut place) {
-            *value = row[point];
+        for (order, value) in place.iter_mut().enumerate() {
+            *value = self.places[order * self.points + point];
         }
         place
     }
@@ -316,13 +349,11 @@ impl Series {
         for (least, pair) in least.iter_mut().zip(chain.pairs()) {
             *least = self.places[pair.second] - self.places[pair.first] + pair.gap;
         }
-        let rows = self.places.chunks_exact(self.points).skip(1);
-        if let Some([first, second]) = chain.neighbours() {
-            for row in rows {
-                for ((least, before), after) in least.iter_mut().zip(&row[first..]).zip(&row[second..]) {
-                    *least += (after - before).min(0.0);
-                }
-            }
+        let rows = self.rows().skip(1);
+        if let Some(ends) = chain.neighbours() {
+            let begun = nearing::<8>(&rows, ends, 0, least);
+            let begun = nearing::<4>(&rows, ends, begun, least);
+            nearing::<1>(&rows, ends, begun, least);
             return;
         }
         for row in rows {
@@ -334,21 +365,36 @@ impl Series {
 
     /// Places and speeds of all points at τ, written over those of `now`.
     pub fn advance(&self, tau: f64, now: &mut Now) {
-        now.places.fill(0.0);
-        now.speeds.fill(0.0);
-        for row in self.places.chunks_exact(self.points).rev() {
-            for ((place, speed), coefficient) in now.places.iter_mut().zip(&mut now.speeds).zip(row) {
-                *speed = *speed * tau + *place;
-                *place = *place * tau + coefficient;
-            }
-        }
+        let begun = self.with_rates::<8>(0, tau, now);
+        let begun = self.with_rates::<4>(begun, tau, now);
+        self.with_rates::<1>(begun, tau, now);
         now.speeds.iter_mut().for_each(|speed| *speed /= self.step);
         now.time += tau * self.step;
     }
 
+    /// Places of points from `first` on at τ and their rates, so many side by side as long as there are; the next point then.
+    fn with_rates<const MANY: usize>(&self, mut first: usize, tau: f64, now: &mut Now) -> usize {
+        let rows = self.rows();
+        while let Some((places, rates)) =
+            now.places[first..].first_chunk_mut::<MANY>().zip(now.speeds[first..].first_chunk_mut::<MANY>())
+        {
+            // Kept here, they need not go through memory from row to row.
+            let (mut sums, mut slopes) = ([0.0; MANY], [0.0; MANY]);
+            for row in rows.clone().rev() {
+                for ((sum, slope), coefficient) in sums.iter_mut().zip(&mut slopes).zip(&row[first..first + MANY]) {
+                    *slope = *slope * tau + *sum;
+                    *sum = *sum * tau + coefficient;
+                }
+            }
+            (*places, *rates) = (sums, slopes);
+            first += MANY;
+        }
+        first
+    }
+
     /// Places of all points at τ \[m\], shape `N + 2`.
     pub fn places_at(&self, tau: f64, places: &mut [f64]) {
-        horner(self.places.chunks_exact(self.points).rev(), tau, places);
+        horner(self.rows().rev(), tau, places);
     }
 
     /// All points' speeds beside the massless line at τ \[m/s\].
@@ -359,13 +405,35 @@ impl Series {
     /// All points' speeds at τ \[m/s\].
     pub fn speeds_at(&self, tau: f64, speeds: &mut [f64]) {
         speeds.fill(0.0);
-        for (order, row) in self.places.chunks_exact(self.points).enumerate().skip(1).rev() {
+        for (order, row) in self.rows().enumerate().skip(1).rev() {
             let per_time = order as f64 / self.step;
             for (speed, coefficient) in speeds.iter_mut().zip(row) {
                 *speed = *speed * tau + per_time * coefficient;
             }
         }
     }
+}
+
+/// Adds to bounds of pairs from `number` on all by which these can come nearer, so many side by side as long as there are; the next pair then. The
+/// first pair is of points `first` and `second`, the next of the next ones.
+fn nearing<'a, const MANY: usize>(
+    rows: &(impl Iterator<Item = &'a [f64]> + Clone),
+    [first, second]: [usize; 2],
+    mut number: usize,
+    least: &mut [f64],
+) -> usize {
+    while let Some(least) = least[number..].first_chunk_mut::<MANY>() {
+        let mut sums = *least;
+        for row in rows.clone() {
+            let both = row[first + number..][..MANY].iter().zip(&row[second + number..][..MANY]);
+            for (sum, (before, after)) in sums.iter_mut().zip(both) {
+                *sum += (after - before).min(0.0);
+            }
+        }
+        *least = sums;
+        number += MANY;
+    }
+    number
 }
 
 /// Polynomials of many points at τ, by rows of their coefficients from the highest power on.
