@@ -1,13 +1,15 @@
 //! `coilsense speed`.
 
 use std::io::Write;
+use std::path::{Path, PathBuf};
 
+use anyhow::Context;
 use coilsense_lab::output::Output;
-use coilsense_lab::report::verbs::{CAM_RATIO, SPEED_FROM, SPEED_STEP, SPEED_TO};
+use coilsense_lab::report::verbs::{CAM_RATIO, SPEED_FROM, SPEED_PART, SPEED_STEP, SPEED_TO};
 use coilsense_lab::report::{add_speed, speed_json, speed_text};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
-use coilsense_lab::speed::{Range, SpeedError, SpeedMap};
+use coilsense_lab::speed::{Part, Range, SpeedError, SpeedMap};
 
 use crate::date;
 use crate::progress::Watch;
@@ -22,10 +24,18 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         step: number(&SPEED_STEP),
         ratio: number(&CAM_RATIO),
     };
+    if let Some(text) = given.text(&SPEED_PART) {
+        return part(given, spec, range, Part::parse(&text)?);
+    }
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("running speeds")?;
     let mut output = given.file(&OUT).map(Output::begin).transpose()?;
-    let map = SpeedMap::of(spec, range, &|done, of| watch.tell(done, of))?;
+    let points = given.file(&OUT).map(points_of);
+    let progress = |done, of| watch.tell(done, of);
+    let map = match &points {
+        Some(folder) => SpeedMap::kept(spec, range, folder, &progress)?,
+        None => SpeedMap::of(spec, range, &progress)?,
+    };
     if let Some(output) = &mut output {
         add_speed(&map, &date::or_today(given), output)?;
     }
@@ -35,11 +45,42 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let text = if given.holds(&JSON) { speed_json(&map)? } else { speed_text(&map) };
     let files = output.map(Output::commit).transpose()?;
+    if let Some(folder) = points.filter(|folder| folder.exists()) {
+        let place = folder.display().to_string();
+        std::fs::remove_dir_all(folder)
+            .with_context(|| format!("{place}: cannot be removed; the map does not need it"))?;
+    }
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early has all it wants.
     let _ = write!(out, "{text}");
     if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
         let _ = writeln!(out, "\n{files} files in {}; open {}", folder.display(), folder.join("report.html").display());
     }
+    Ok(())
+}
+
+/// Where points are kept until a map is whole: beside its folder.
+fn points_of(out: &Path) -> PathBuf {
+    // Without a slash at its end, which would mean a file in it.
+    let mut name = out.components().collect::<PathBuf>().into_os_string();
+    name.push(".points");
+    name.into()
+}
+
+/// One part of the points.
+fn part(given: &Given, spec: Spec, range: Range, part: Part) -> anyhow::Result<()> {
+    let folder = points_of(given.needed(&OUT)?);
+    anyhow::ensure!(!given.holds(&JSON), "json: a part prints no map; the same command without --part does");
+    let watch = Watch::begin("running speeds")?;
+    let share = SpeedMap::part(spec, range, &folder, part, &|done, of| watch.tell(done, of))?;
+    watch.end();
+    let Part { number, of } = part;
+    let left = match share.of - share.there {
+        0 => "all are there: the same command without --part makes the map".to_owned(),
+        missing => format!("{missing} of {} are still missing", share.of),
+    };
+    let mut out = anstream::stdout().lock();
+    // A reader that closes the pipe early has all it wants.
+    let _ = writeln!(out, "part {number} of {of}: {} points in {}; {left}", share.points, folder.display());
     Ok(())
 }

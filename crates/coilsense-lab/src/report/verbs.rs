@@ -291,7 +291,14 @@ pub const CAM_RATIO: Row = Row {
     meaning: "Turns of the camshaft for one of the engine",
     ..Row::PLAIN
 };
-const SPEED: [Row; 8] = [
+/// Which share of a map's points is made.
+pub const SPEED_PART: Row = Row {
+    name: "part",
+    takes: Takes::Text("K/N"),
+    meaning: "Make only part K of N of the points, into DIR.points, as one of several machines that share it; then run without it for the map",
+    ..Row::PLAIN
+};
+const SPEED: [Row; 9] = [
     Row {
         meaning: "The spec; its table [cam] says what moves end 1, [contact] what windings do when they meet",
         ..SPEC
@@ -300,8 +307,9 @@ const SPEED: [Row; 8] = [
     SPEED_TO,
     SPEED_STEP,
     CAM_RATIO,
+    SPEED_PART,
     out(
-        "Folder for report.html, results.json, speed.csv and speed.parquet; its other files are left alone",
+        "Folder for report.html, results.json, speed.csv and speed.parquet; its other files are left alone. Points are kept in DIR.points until it is there",
         IfAbsent::Nothing,
     ),
     JSON,

@@ -5,7 +5,7 @@
 use crate::spec::{SpringSpec, StrengthSpec};
 
 /// Stress at the inside of the winding that is worst off, with Wahl's correction \[Pa\]; positive where the spring is pressed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Stress {
     /// The least over the turns that are looked at.
     pub least: f64,

@@ -16,7 +16,7 @@ use crate::study::GRAZES;
 pub const HARMONICS: usize = 40;
 
 /// What a spring does at one speed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct SpeedPoint {
     /// Of the engine \[Hz\].
     pub speed: f64,
@@ -51,6 +51,7 @@ pub struct SpeedPoint {
     /// Turns that were run.
     pub turns: usize,
     /// Why the run ended early.
+    #[serde(with = "super::kept::given_up")]
     pub given_up: Option<GivenUp>,
 }
 
@@ -63,7 +64,7 @@ impl SpeedPoint {
 }
 
 /// A follower off its cam.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Floating {
     /// The least force of the cam on it \[N\]; zero where it floats.
     pub least_cam_force: f64,

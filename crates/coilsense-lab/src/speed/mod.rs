@@ -11,6 +11,7 @@ mod answer;
 mod campbell;
 mod fatigue;
 mod judged;
+mod kept;
 mod point;
 mod speeds;
 
@@ -19,12 +20,15 @@ pub use answer::answer;
 pub use campbell::{Campbell, Crossing, Line};
 pub use fatigue::Stress;
 pub use judged::{Floating, HARMONICS, SpeedPoint};
+pub use kept::Part;
 
+use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use coilsense::Error;
 use rayon::prelude::*;
 
+use self::kept::Kept;
 use self::point::{Asked, Waves};
 use self::speeds::Speeds;
 use crate::spec::{CamSpec, Spec};
@@ -53,6 +57,9 @@ pub enum SpeedError {
     /// Somebody stopped it.
     #[error("interrupted; nothing was written")]
     Interrupted,
+    /// The same, and points are kept.
+    #[error("interrupted; the points so far are in {0}, the same command goes on from there")]
+    Paused(String),
 }
 
 /// From which speed to which.
@@ -85,6 +92,28 @@ pub struct SpeedMap {
     pub added: Vec<usize>,
     /// Masses for a winding of the chain.
     pub masses_per_winding: usize,
+}
+
+/// What a part of a map has done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Share {
+    /// Points of this part.
+    pub points: usize,
+    /// Points of the map.
+    pub of: usize,
+    /// Those of the map that are there now.
+    pub there: usize,
+}
+
+/// A spec that turns a camshaft, and which runs that takes.
+struct Planned {
+    spec: Spec,
+    cam: CamSpec,
+    range: Range,
+    campbell: Campbell,
+    added: Vec<usize>,
+    /// Speed and way of each run.
+    jobs: Vec<(f64, usize)>,
 }
 
 /// Most speeds of a map.
@@ -133,7 +162,52 @@ impl SpeedMap {
     ///
     /// # Errors
     /// [`SpeedError`] for a spec without `[cam]` or `[contact]`, a range that is none, what the science refuses, and where `progress` says stop.
-    pub fn of(mut spec: Spec, range: Range, progress: &Progress<'_>) -> Result<Self, SpeedError> {
+    pub fn of(spec: Spec, range: Range, progress: &Progress<'_>) -> Result<Self, SpeedError> {
+        let planned = Planned::of(spec, range)?;
+        let points = planned.run(&planned.jobs, None, progress)?;
+        Ok(planned.with(points))
+    }
+
+    /// The same, with points in a folder: those that are there are taken, the others are written there as they are made. They are the same bit by bit.
+    ///
+    /// # Errors
+    /// As [`Self::of`], and where the folder cannot be read or written.
+    pub fn kept(spec: Spec, range: Range, folder: &Path, progress: &Progress<'_>) -> Result<Self, SpeedError> {
+        let planned = Planned::of(spec, range)?;
+        let kept = planned.open(folder)?;
+        let points = planned.run(&planned.jobs, Some(&kept), progress)?;
+        Ok(planned.with(points))
+    }
+
+    /// Makes a part of the points into that folder, as one of several machines that share it.
+    ///
+    /// # Errors
+    /// As [`Self::kept`].
+    pub fn part(
+        spec: Spec,
+        range: Range,
+        folder: &Path,
+        part: Part,
+        progress: &Progress<'_>,
+    ) -> Result<Share, SpeedError> {
+        let planned = Planned::of(spec, range)?;
+        let kept = planned.open(folder)?;
+        let own = planned.jobs.iter().enumerate().filter(|(number, _)| part.holds(*number)).map(|(_, job)| *job);
+        let own: Vec<_> = own.collect();
+        planned.run(&own, Some(&kept), progress)?;
+        let now = planned.open(folder)?;
+        let there = planned.jobs.iter().filter(|(speed, way)| now.find(*speed, *way).is_some()).count();
+        Ok(Share { points: own.len(), of: planned.jobs.len(), there })
+    }
+
+    /// The points of one way, by rising speed.
+    pub fn of_way(&self, way: usize) -> impl Iterator<Item = &SpeedPoint> {
+        self.points.iter().filter(move |point| point.way == way)
+    }
+}
+
+impl Planned {
+    fn of(mut spec: Spec, range: Range) -> Result<Self, SpeedError> {
         range.check()?;
         spec.needs_one_spring("speed").map_err(|refused| SpeedError::Spec(refused.to_string()))?;
         let lacks = |what: &str| SpeedError::Spec(format!("{}: {what}", spec.file));
@@ -155,15 +229,27 @@ impl SpeedMap {
             .map(|way| Ok(Speeds::of(&range, &campbell, point::first_ratio(&spec, way)?)))
             .collect::<Result<_, Error>>()?;
         let added = ways.iter().map(|speeds| speeds.added).collect();
-        let asked = Asked { spec: &spec, cam: &cam, range: &range, waves: Waves::of(&cam) };
-        let points = run_all(&asked, &jobs(&ways), progress)?;
-        let masses_per_winding = spec.spring.spring.masses_per_winding();
-        Ok(Self { cam, range, points, campbell, added, masses_per_winding, spec })
+        Ok(Self { jobs: jobs(&ways), cam, range, campbell, added, spec })
     }
 
-    /// The points of one way, by rising speed.
-    pub fn of_way(&self, way: usize) -> impl Iterator<Item = &SpeedPoint> {
-        self.points.iter().filter(move |point| point.way == way)
+    fn open(&self, folder: &Path) -> Result<Kept, SpeedError> {
+        Kept::open(folder, &self.spec, &self.cam, &self.range)
+    }
+
+    fn run(
+        &self,
+        jobs: &[(f64, usize)],
+        kept: Option<&Kept>,
+        progress: &Progress<'_>,
+    ) -> Result<Vec<SpeedPoint>, SpeedError> {
+        let asked = Asked { spec: &self.spec, cam: &self.cam, range: &self.range, waves: Waves::of(&self.cam) };
+        run_all(&asked, jobs, kept, progress)
+    }
+
+    fn with(self, points: Vec<SpeedPoint>) -> SpeedMap {
+        let Self { spec, cam, range, campbell, added, .. } = self;
+        let masses_per_winding = spec.spring.spring.masses_per_winding();
+        SpeedMap { cam, range, points, campbell, added, masses_per_winding, spec }
     }
 }
 
@@ -176,25 +262,38 @@ fn jobs(ways: &[Speeds]) -> Vec<(f64, usize)> {
     jobs
 }
 
-/// Runs them on all cores.
-fn run_all(asked: &Asked<'_>, jobs: &[(f64, usize)], progress: &Progress<'_>) -> Result<Vec<SpeedPoint>, SpeedError> {
+/// Runs them on all cores, but for those that are kept.
+fn run_all(
+    asked: &Asked<'_>,
+    jobs: &[(f64, usize)],
+    kept: Option<&Kept>,
+    progress: &Progress<'_>,
+) -> Result<Vec<SpeedPoint>, SpeedError> {
     let spec = asked.spec;
     let done = AtomicUsize::new(0);
+    let go_on = |done: usize| match (progress(done, jobs.len()), kept) {
+        (true, _) => Ok(()),
+        (false, None) => Err(SpeedError::Interrupted),
+        (false, Some(kept)) => Err(SpeedError::Paused(kept.place())),
+    };
     let one = |&(speed, way): &(f64, usize)| {
-        if !progress(done.load(Ordering::Relaxed), jobs.len()) {
-            return Err(SpeedError::Interrupted);
-        }
-        let found = point::of(asked, speed, way);
-        let point = found.map_err(|reason| SpeedError::Point {
-            file: spec.file.clone(),
-            rpm: (600.0 * speed).round() / 10.0,
-            way: spec.mount.cases[way].label.clone(),
-            reason: Box::new(reason),
-        })?;
-        match progress(done.fetch_add(1, Ordering::Relaxed) + 1, jobs.len()) {
-            true => Ok(point),
-            false => Err(SpeedError::Interrupted),
-        }
+        go_on(done.load(Ordering::Relaxed))?;
+        let there = kept.and_then(|kept| kept.find(speed, way)).cloned();
+        let point = if let Some(point) = there {
+            point
+        } else {
+            let found = point::of(asked, speed, way);
+            let point = found.map_err(|reason| SpeedError::Point {
+                file: spec.file.clone(),
+                rpm: (600.0 * speed).round() / 10.0,
+                way: spec.mount.cases[way].label.clone(),
+                reason: Box::new(reason),
+            })?;
+            kept.map_or(Ok(()), |kept| kept.keep(&point))?;
+            point
+        };
+        go_on(done.fetch_add(1, Ordering::Relaxed) + 1)?;
+        Ok(point)
     };
     jobs.par_iter().with_max_len(1).map(one).collect()
 }
