@@ -1,0 +1,175 @@
+//! Direct current in a round wire that is wound: densest inside, where its way round is shortest.
+//!
+//! Next door: the field of a thin ring (`field`), what the wire's surface adds (`surface`).
+
+use std::f64::consts::{PI, TAU};
+
+use super::field::{Point, field, potential};
+use crate::quadrature::GAUSS_12;
+
+/// A turn of wire: a disc that is turned about the axis. Its own place along the axis is zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Disc {
+    /// From the axis to the wire's middle \[m\].
+    pub coil: f64,
+    /// \[m\].
+    pub wire: f64,
+    /// What a turn goes on by along the axis \[m\].
+    pitch: f64,
+    /// What makes the current one ampere.
+    scale: f64,
+}
+
+/// A point with the current about it.
+pub(super) type Part = (Point, f64);
+
+/// Directions about the middle.
+const ROUND: usize = 16;
+/// Directions about a point inside.
+const ABOUT: usize = 32;
+
+/// Gauss's points and weights on (0, 1), in panels.
+fn gauss(panels: usize) -> impl Iterator<Item = (f64, f64)> + Clone {
+    let width = 1.0 / panels as f64;
+    let both = GAUSS_12.iter().flat_map(|&(x, weight)| [(-x, weight), (x, weight)]);
+    (0..panels).flat_map(move |panel| {
+        let both = both.clone();
+        both.map(move |(x, weight)| (width * (panel as f64 + 0.5 + 0.5 * x), 0.5 * width * weight))
+    })
+}
+
+impl Disc {
+    pub fn new(coil: f64, wire: f64, pitch: f64) -> Self {
+        let bare = Self { coil, wire, pitch, scale: 1.0 };
+        let current: f64 = bare.parts().map(|(_, current)| current).sum();
+        Self { scale: 1.0 / current, ..bare }
+    }
+
+    /// Current density \[1/m²\] for one ampere: the same voltage a turn over a turn's way.
+    fn density(&self, r: f64) -> f64 {
+        self.scale / (TAU * r).hypot(self.pitch)
+    }
+
+    /// A point of it by its place from the middle.
+    fn point(&self, (sine, cosine): (f64, f64), from_middle: f64) -> Point {
+        Point { r: self.coil + from_middle * cosine, z: from_middle * sine }
+    }
+
+    /// All of it, fine enough for what is no wire's diameter away.
+    pub fn parts(&self) -> impl Iterator<Item = Part> {
+        gauss(1).flat_map(move |(place, weight)| {
+            let from_middle = place * self.wire;
+            (0..ROUND).map(move |direction| {
+                let point = self.point((TAU * direction as f64 / ROUND as f64).sin_cos(), from_middle);
+                let area = weight * self.wire * from_middle * TAU / ROUND as f64;
+                (point, area * self.density(point.r))
+            })
+        })
+    }
+
+    /// The same for what is several diameters away: exact for polynomials of degree 5, `[Abramowitz1964]` 25.4.61.
+    pub fn coarse_parts(&self) -> [Part; 7] {
+        let area = PI * self.wire * self.wire;
+        let around = (2.0_f64 / 3.0).sqrt() * self.wire;
+        let parts: [Part; 7] = std::array::from_fn(|number| match number {
+            0 => (self.point((0.0, 1.0), 0.0), 0.25 * area),
+            _ => (self.point((PI / 3.0 * number as f64).sin_cos(), around), 0.125 * area),
+        });
+        parts.map(|(point, area)| (point, area * self.density(point.r)))
+    }
+
+    /// A/μ₀ and B/μ₀ at a point on its edge or outside, by rays from there: along each the distance cancels what grows as its inverse.
+    pub fn seen_from(&self, at: Point, panels: usize) -> (f64, [f64; 2]) {
+        let (across, along) = (self.coil - at.r, -at.z);
+        let distance = across.hypot(along).max(self.wire);
+        let towards = along.atan2(across);
+        let share = self.wire / distance;
+        let (mut potentials, mut fields) = (0.0, [0.0; 2]);
+        for (place, weight) in gauss(panels) {
+            let (sine, cosine) = ((place - 0.5) * PI).sin_cos();
+            // On the edge the angle off the middle is that angle itself.
+            let off = (share * sine).asin();
+            let width = if share < 1.0 { share * cosine / (1.0 - (share * sine).powi(2)).sqrt() } else { 1.0 };
+            let (middle, half) = (distance * off.cos(), self.wire * cosine);
+            let (up, out) = (towards + off).sin_cos();
+            for (place, of_ray) in gauss(panels) {
+                let away = middle + half * (2.0 * place - 1.0);
+                let source = Point { r: at.r + away * out, z: at.z + away * up };
+                let current = PI * weight * width * 2.0 * half * of_ray * away * self.density(source.r);
+                potentials += current * potential(source, at);
+                let [r, z] = field(source, at);
+                fields = [fields[0] + current * r, fields[1] + current * z];
+            }
+        }
+        (potentials, fields)
+    }
+
+    /// The same of all of it but for A only, from a point inside.
+    fn potential_inside(&self, (sine, cosine): (f64, f64), from_middle: f64) -> f64 {
+        let at = self.point((sine, cosine), from_middle);
+        let mut sum = 0.0;
+        for direction in 0..ABOUT {
+            let (up, out) = (TAU * direction as f64 / ABOUT as f64).sin_cos();
+            let along = -from_middle * (out * cosine + up * sine);
+            let aside = from_middle * (out * sine - up * cosine);
+            let to_edge = along + (self.wire * self.wire - aside * aside).max(0.0).sqrt();
+            for (place, weight) in gauss(1) {
+                // Points gather at its begin, where the potential grows without bound.
+                let away = to_edge * place * place;
+                let source = Point { r: at.r + away * out, z: at.z + away * up };
+                let area = to_edge * 2.0 * place * weight * away * TAU / ABOUT as f64;
+                sum += area * self.density(source.r) * potential(source, at);
+            }
+        }
+        sum
+    }
+
+    /// ∬ j M j of its own current over μ₀ \[m\].
+    pub fn own_inductance(&self) -> f64 {
+        let mut sum = 0.0;
+        for (place, weight) in gauss(1) {
+            let from_middle = place * self.wire;
+            for direction in 0..ROUND {
+                // Half a step off the plane of symmetry, above which all is as below.
+                let turn = (TAU * (direction as f64 + 0.5) / ROUND as f64).sin_cos();
+                if turn.0 < 0.0 {
+                    continue;
+                }
+                let r = self.point(turn, from_middle).r;
+                let area = 2.0 * weight * self.wire * from_middle * TAU / ROUND as f64;
+                sum += TAU * r * area * self.density(r) * self.potential_inside(turn, from_middle);
+            }
+        }
+        sum
+    }
+
+    /// ∬ j M j of two of them, so far apart along the axis, over μ₀ \[m\].
+    pub fn mutual_inductance(&self, apart: f64) -> f64 {
+        let of = |(at, current): Part, sources: &mut dyn Iterator<Item = Part>| {
+            let seen: f64 = sources.map(|(source, own)| own * potential(source, at.moved(apart))).sum();
+            TAU * at.r * current * seen
+        };
+        if apart < FINE * 2.0 * self.wire {
+            self.parts().map(|part| of(part, &mut self.parts())).sum()
+        } else {
+            let parts = self.coarse_parts();
+            parts.into_iter().map(|part| of(part, &mut parts.into_iter())).sum()
+        }
+    }
+
+    /// A/μ₀ and B/μ₀ at points on the edge of a turn so far along the axis.
+    pub fn seen_along(&self, at: Point, apart: f64) -> (f64, [f64; 2]) {
+        let at = at.moved(apart);
+        match apart / (2.0 * self.wire) {
+            diameters if diameters < FINE => self.seen_from(at, 2),
+            diameters if diameters < 2.0 * FINE => self.seen_from(at, 1),
+            _ => self.coarse_parts().iter().fold((0.0, [0.0; 2]), |(sum, [r, z]), &(source, current)| {
+                let own = field(source, at);
+                (sum + current * potential(source, at), [r + current * own[0], z + current * own[1]])
+            }),
+        }
+    }
+}
+
+/// Diameters of the wire from which a turn is coarse.
+const FINE: f64 = 2.5;

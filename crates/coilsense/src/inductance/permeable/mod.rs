@@ -1,0 +1,95 @@
+//! Turns of magnetic wire: cold-drawn stainless steel has a permeability of 1 to 3, which adds a tenth to a spring's inductance.
+//!
+//! ```text
+//! current in the wires (disc) ──► its field on their surfaces ──► what flows there (surface) ──► inductance
+//! ```
+//!
+//! Next door: turns of wire that is not magnetic (`maxwell`).
+
+mod disc;
+mod field;
+mod surface;
+
+use self::disc::Disc;
+use self::surface::Row;
+use super::mutual::MU_0;
+use crate::error::{Error, above_zero, check};
+
+/// A row of equal turns of round wire of one permeability.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PermeableRings {
+    turns: usize,
+    coil_radius: f64,
+    wire_radius: f64,
+    permeability: f64,
+}
+
+/// Most turns: their matrix grows with the square of their number.
+const MOST_TURNS: usize = 150;
+/// The largest relative permeability for which the points on a wire's edge are dense enough.
+const MOST_PERMEABLE: f64 = 20.0;
+/// The shortest pitch in wire diameters for the same reason.
+const LEAST_PITCH: f64 = 1.04;
+
+impl PermeableRings {
+    /// Turns by their number, the radius to the wire's middle \[m\], the wire's radius \[m\] and its relative permeability \[1\].
+    ///
+    /// # Errors
+    /// [`Error::Value`] for no turn or more than 150, radii that are not above zero, a wire as thick as the coil, and a permeability below 1 or
+    /// above 20.
+    pub fn new(turns: usize, coil_radius: f64, wire_radius: f64, permeability: f64) -> Result<Self, Error> {
+        let allowed = format!("1 to {MOST_TURNS}");
+        check((1..=MOST_TURNS).contains(&turns), "turns", turns as f64, "", allowed)?;
+        above_zero("coil_radius", coil_radius, "m")?;
+        above_zero("wire_radius", wire_radius, "m")?;
+        let allowed = format!("below the coil's {coil_radius} m");
+        check(wire_radius < coil_radius, "wire_radius", wire_radius, "m", allowed)?;
+        let allowed = format!("1 to {MOST_PERMEABLE}");
+        check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)?;
+        Ok(Self { turns, coil_radius, wire_radius, permeability })
+    }
+
+    /// Inductance \[H\] at a pitch \[m\], for direct current that goes round in the turns.
+    ///
+    /// L I² = ∬ j M (μ_r j + K), j ∝ 1/√((2πr)² + p²); K = 2λ B_t/μ₀ on the surfaces, λ = (μ_r − 1)/(μ_r + 1)
+    ///
+    /// Source:   magnetised bodies as bound currents, `[Jackson1999]` 5.10; solved on 24 points of each wire's edge, with Kress's weights for the
+    ///           logarithm on the own edge.
+    /// Valid:    one linear, uniform permeability; no axial current, no eddy currents: for stainless steel up to some 10 kHz, not for carbon steel
+    ///           beyond a few hundred hertz. Pitch from 1.04 wire diameters on.
+    /// Accuracy: 5e-5 from 1.1 wire diameters on, against another author's finite elements, μ_r 1 to 20; at 1.05 diameters 1e-4 up to μ_r = 3 and
+    ///           2e-4 at 5, against his boundary integrals on twice the points (tests).
+    ///
+    /// ```
+    /// use coilsense::inductance::PermeableRings;
+    /// let of = |permeability: f64| PermeableRings::new(4, 8.47e-3, 1.41e-3, permeability)?.inductance(3.102e-3);
+    /// let magnetic = of(2.0)? / of(1.0)?;
+    /// assert!((magnetic - 1.109).abs() < 1e-3);
+    /// # Ok::<(), coilsense::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a pitch below 1.04 wire diameters, where the edges of neighbours are too near for these points.
+    pub fn inductance(&self, pitch: f64) -> Result<f64, Error> {
+        let least = LEAST_PITCH * 2.0 * self.wire_radius;
+        check(
+            pitch.is_finite() && pitch >= least,
+            "pitch",
+            pitch,
+            "m",
+            format!("at least {LEAST_PITCH} wire diameters, {least} m"),
+        )?;
+        let disc = Disc::new(self.coil_radius, self.wire_radius, pitch);
+        let row = Row::new(&disc, self.turns, pitch);
+        let of_currents = self.permeability * row.of_currents();
+        if self.permeability == 1.0 {
+            return Ok(MU_0 * of_currents);
+        }
+        let allowed = "one at which the wires' surfaces can be solved for";
+        let Some(currents) = row.surface_currents(self.permeability) else {
+            check(false, "permeability", self.permeability, "", allowed)?;
+            return Ok(f64::NAN);
+        };
+        Ok(MU_0 * (of_currents + row.with_surface(&currents)))
+    }
+}

@@ -1,0 +1,210 @@
+//! What flows on the surface of magnetised wires: each turn's by the field of all.
+//!
+//! Next door: the field of thin rings (`field`), the current in the wires (`disc`).
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::disc::Disc;
+use super::field::{Point, field, logarithmic_part};
+
+/// Points on the edge of a turn's wire.
+pub(super) const NODES: usize = 24;
+/// Half of them.
+const HALF: usize = NODES / 2;
+/// How finely the edges of the next two turns are cut, and of those after them.
+const REFINED: [usize; 2] = [8, 2];
+/// How far aside \[rad\] a smooth part is looked at where its own point would be divided by zero.
+const ASIDE: f64 = 2e-3;
+
+/// Angle of a point on the edge.
+fn angle(node: usize, of: usize) -> f64 {
+    TAU * node as f64 / of as f64
+}
+
+/// A point on the edge of a turn at zero.
+fn on_edge(disc: &Disc, angle: f64) -> Point {
+    let (sine, cosine) = angle.sin_cos();
+    Point { r: disc.coil + disc.wire * cosine, z: disc.wire * sine }
+}
+
+/// Along the edge, anticlockwise with r to the right and z up.
+fn along_edge(angle: f64, [r, z]: [f64; 2]) -> f64 {
+    let (sine, cosine) = angle.sin_cos();
+    cosine * z - sine * r
+}
+
+/// The node that a mirror between both ends shows in place of one.
+fn mirrored(node: usize) -> usize {
+    (NODES - node) % NODES
+}
+
+/// Weights of ∫ ln(4 sin²((t − t_j)/2)) f(t_j) by the distance of nodes: exact for trigonometric polynomials, `[Kress2014]` 12.3.
+fn logarithmic_weights() -> [f64; NODES] {
+    std::array::from_fn(|node| {
+        let angle = angle(node, NODES);
+        let waves: f64 = (1..HALF).map(|wave| (wave as f64 * angle).cos() / wave as f64).sum();
+        -TAU / HALF as f64 * waves - 0.5 * TAU / (HALF * HALF) as f64 * (HALF as f64 * angle).cos()
+    })
+}
+
+/// Turns side by side that are all alike.
+pub(super) struct Row<'a> {
+    pub disc: &'a Disc,
+    pub turns: usize,
+    pub pitch: f64,
+    /// Of what each node of a turn feels of the edge of one so many turns before it: B along the edge over μ₀, by nodes of that edge.
+    blocks: Vec<DMatrix<f64>>,
+    /// The same of the current of one ampere in that turn, and its A/μ₀.
+    fields: Vec<[f64; NODES]>,
+    potentials: Vec<[f64; NODES]>,
+}
+
+impl<'a> Row<'a> {
+    pub fn new(disc: &'a Disc, turns: usize, pitch: f64) -> Self {
+        let blocks = (0..turns).map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag, pitch) }).collect();
+        let (mut fields, mut potentials) = (Vec::new(), Vec::new());
+        for lag in 0..turns {
+            let (mut along, mut potential) = ([0.0; NODES], [0.0; NODES]);
+            for node in 0..NODES {
+                let angle = angle(node, NODES);
+                let (seen, field) = disc.seen_along(on_edge(disc, angle), lag as f64 * pitch);
+                (along[node], potential[node]) = (along_edge(angle, field), seen);
+            }
+            fields.push(along);
+            potentials.push(potential);
+        }
+        Self { disc, turns, pitch, blocks, fields, potentials }
+    }
+
+    /// What all turns' currents do at a node of one.
+    fn sum(&self, each: &[[f64; NODES]], turn: usize, node: usize) -> f64 {
+        let of = |other: usize| {
+            if other <= turn { each[turn - other][node] } else { each[other - turn][mirrored(node)] }
+        };
+        (0..self.turns).map(of).sum()
+    }
+
+    /// ∬ j M j of the currents in the wires over μ₀ \[m\].
+    pub fn of_currents(&self) -> f64 {
+        let own = self.turns as f64 * self.disc.own_inductance();
+        let pairs = (1..self.turns)
+            .map(|lag| 2.0 * (self.turns - lag) as f64 * self.disc.mutual_inductance(lag as f64 * self.pitch));
+        own + pairs.sum::<f64>()
+    }
+
+    /// Currents on the surfaces \[A/m\] for one ampere in the wires, by turns of the first half and their nodes; the other half is their mirror.
+    ///
+    /// K − 2λ B(K)/μ₀ = 2λ μ_r B(j)/μ₀ along the edge, λ = (μ_r − 1)/(μ_r + 1); `None` where no solution is found.
+    pub fn surface_currents(&self, permeability: f64) -> Option<DVector<f64>> {
+        let twice = 2.0 * (permeability - 1.0) / (permeability + 1.0);
+        let half = self.turns.div_ceil(2);
+        let mut matrix = DMatrix::identity(half * NODES, half * NODES);
+        for turn in 0..half {
+            for other in 0..self.turns {
+                // Whose unknowns they are: its own, or those of its mirror.
+                let (of, is_mirrored) = if other < half { (other, false) } else { (self.turns - 1 - other, true) };
+                let lag = turn.abs_diff(other);
+                for node in 0..NODES {
+                    for source in 0..NODES {
+                        let [at, from] =
+                            if other <= turn { [node, source] } else { [mirrored(node), mirrored(source)] };
+                        let column = of * NODES + if is_mirrored { mirrored(source) } else { source };
+                        matrix[(turn * NODES + node, column)] -= twice * self.blocks[lag][(at, from)];
+                    }
+                }
+            }
+        }
+        let right = DVector::from_fn(half * NODES, |row, _| {
+            twice * permeability * self.sum(&self.fields, row / NODES, row % NODES)
+        });
+        matrix.lu().solve(&right)
+    }
+
+    /// ∬ j M K of the wires' currents with those on the surfaces over μ₀ \[m\].
+    pub fn with_surface(&self, currents: &DVector<f64>) -> f64 {
+        let half = self.turns.div_ceil(2);
+        let step = self.disc.wire * TAU / NODES as f64;
+        let of_turn = |turn: usize| -> f64 {
+            let nodes = (0..NODES).map(|node| {
+                let round = TAU * on_edge(self.disc, angle(node, NODES)).r;
+                step * round * currents[turn * NODES + node] * self.sum(&self.potentials, turn, node)
+            });
+            nodes.sum()
+        };
+        // The middle turn of an odd number is its own mirror.
+        (0..half).map(|turn| if 2 * turn + 1 == self.turns { 1.0 } else { 2.0 } * of_turn(turn)).sum()
+    }
+}
+
+/// Of the edge that the nodes themselves are on.
+fn own_block(disc: &Disc) -> DMatrix<f64> {
+    let weights = logarithmic_weights();
+    let by_log = |at: f64, from: f64| along_edge(at, logarithmic_part(on_edge(disc, from), on_edge(disc, at)));
+    let smooth = |at: f64, from: f64| {
+        let whole = along_edge(at, field(on_edge(disc, from), on_edge(disc, at)));
+        whole - by_log(at, from) * (4.0 * (0.5 * (at - from)).sin().powi(2)).ln()
+    };
+    DMatrix::from_fn(NODES, NODES, |node, source| {
+        let [at, from] = [node, source].map(|node| angle(node, NODES));
+        let rest = if node == source {
+            // From both sides at two distances, of which the first power left out is the fourth.
+            let about = |aside: f64| 0.5 * (smooth(at, from + aside) + smooth(at, from - aside));
+            (4.0 * about(ASIDE) - about(2.0 * ASIDE)) / 3.0
+        } else {
+            smooth(at, from)
+        };
+        disc.wire * (weights[node.abs_diff(source)] * by_log(at, from) + TAU / NODES as f64 * rest)
+    })
+}
+
+/// Of an edge so many turns before.
+fn block(disc: &Disc, lag: usize, pitch: f64) -> DMatrix<f64> {
+    let times = match lag {
+        1 | 2 => REFINED[0],
+        3 | 4 => REFINED[1],
+        _ => 1,
+    };
+    let fine = times * NODES;
+    let step = disc.wire * TAU / fine as f64;
+    let felt = DMatrix::from_fn(NODES, fine, |node, source| {
+        let at = angle(node, NODES);
+        let here = on_edge(disc, at).moved(lag as f64 * pitch);
+        step * along_edge(at, field(on_edge(disc, angle(source, fine)), here))
+    });
+    if times == 1 {
+        return felt;
+    }
+    // Between the nodes by the trigonometric polynomial through them.
+    let between = DMatrix::from_fn(fine, NODES, |source, node| {
+        let apart = angle(source, fine) - angle(node, NODES);
+        let waves: f64 = (1..HALF).map(|wave| 2.0 * (wave as f64 * apart).cos()).sum();
+        (1.0 + waves + (HALF as f64 * apart).cos()) / NODES as f64
+    });
+    felt * between
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_surface_takes_back_what_magnetised_wire_adds() {
+        // ∮K = −(μ_r − 1) I: seen from far away a wire carries its own current.
+        let disc = Disc::new(8.47e-3, 1.41e-3, 1.3 * 2.82e-3);
+        let row = Row::new(&disc, 5, 1.3 * 2.82e-3);
+        for permeability in [1.5, 2.5, 10.0] {
+            let currents = row.surface_currents(permeability).unwrap();
+            for turn in 0..3 {
+                let round: f64 = currents.rows(turn * NODES, NODES).sum() * disc.wire * TAU / NODES as f64;
+                assert!((round / (1.0 - permeability) - 1.0).abs() < 1e-6, "{turn}: {round} at {permeability}");
+            }
+            // The middle turn is its own mirror.
+            for node in 1..HALF {
+                let [one, other] = [node, mirrored(node)].map(|node| currents[2 * NODES + node]);
+                assert!((one / other - 1.0).abs() < 1e-9, "{one}, {other}");
+            }
+        }
+    }
+}
