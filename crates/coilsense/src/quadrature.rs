@@ -12,6 +12,16 @@ pub(crate) const GAUSS_12: [(f64, f64); 6] = [
     (0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
 ];
 
+/// Points and weights on (0, 1), in panels of [`GAUSS_12`].
+pub(crate) fn unit_points(panels: usize) -> impl Iterator<Item = (f64, f64)> {
+    let width = 1.0 / panels as f64;
+    let both = || GAUSS_12.iter().flat_map(|&(x, weight)| [(-x, weight), (x, weight)]);
+    let of_panel = move |panel: usize| {
+        both().map(move |(x, weight)| (width * (panel as f64 + 0.5 + 0.5 * x), 0.5 * width * weight))
+    };
+    (0..panels).flat_map(of_panel)
+}
+
 /// ∫ f from `from` to `to` by one panel of [`GAUSS_12`].
 pub(crate) fn panel(from: f64, to: f64, mut function: impl FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));

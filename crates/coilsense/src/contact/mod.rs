@@ -21,6 +21,7 @@ mod at_rest;
 mod begin;
 mod book;
 mod chain;
+mod coefficients;
 mod course;
 mod damper;
 mod drive;

@@ -3,6 +3,7 @@
 //! Next door: how the ends move (`drive`), where a series falls through zero (`polynomial`), what happens then (`follow`).
 
 use super::chain::Chain;
+use super::coefficients::Coefficients;
 use super::damper::Damper;
 use super::drive::Drive;
 use super::polynomial::{ORDER, Polynomial};
@@ -81,13 +82,11 @@ pub(super) struct Series {
     /// h \[s\].
     pub step: f64,
     points: usize,
-    pairs: usize,
-    /// Coefficients of all points, order by order: shape `ORDER + 1, N + 2`.
-    places: Vec<f64>,
-    /// Of speeds beside the massless line \[m/s\], as far as something is damped: shape `ORDER + 1, N + 2`.
-    relative: Vec<f64>,
-    /// Coefficients of what closed pairs push \[N\], order by order.
-    pushes: Vec<f64>,
+    places: Coefficients,
+    /// Speeds beside the massless line \[m/s\], as far as something is damped.
+    relative: Coefficients,
+    /// What closed pairs push \[N\].
+    pushes: Coefficients,
     forces: Vec<f64>,
     free: Vec<f64>,
     /// The force on end 2 \[N\], where that is what is prescribed.
@@ -103,10 +102,9 @@ impl Series {
         Self {
             step: 0.0,
             points,
-            pairs,
-            places: vec![0.0; (ORDER + 1) * points],
-            relative: vec![0.0; (ORDER + 1) * points],
-            pushes: vec![0.0; (ORDER + 1) * pairs],
+            places: Coefficients::new(points),
+            relative: Coefficients::new(points),
+            pushes: Coefficients::new(pairs),
             forces: vec![0.0; points - 2],
             free: vec![0.0; pairs],
             force: [0.0; ORDER + 1],
@@ -120,8 +118,7 @@ impl Series {
             self.follow_springs(system.chain);
             return;
         }
-        self.accelerate(system, now, 0);
-        for order in 1..=LAST {
+        for order in 0..=LAST {
             self.forces_of(system, now, order, &line);
             self.accelerate(system, now, order);
         }
@@ -139,8 +136,7 @@ impl Series {
         let (before, after) = (&chain.stiffnesses()[..points - 2], &chain.stiffnesses()[1..points - 1]);
         for order in 0..=LAST {
             let factor = self.step * self.step / ((order + 2) * (order + 1)) as f64;
-            let (found, next) = self.places.split_at_mut((order + 2) * points);
-            let row = &found[order * points..][..points];
+            let (row, next) = self.places.row_and_next_but_one(order);
             let next = &mut next[1..points - 1];
             for lump in 0..next.len() {
                 let force = after[lump] * (row[lump + 2] - row[lump + 1]) - before[lump] * (row[lump + 1] - row[lump]);
@@ -149,17 +145,14 @@ impl Series {
         }
     }
 
-    /// Orders zero and one, and the forces at order zero.
+    /// Orders zero and one; what the ends of the massless line do.
     fn begin(&mut self, system: &System<'_>, now: &Now, step: f64) -> [Polynomial; 2] {
         self.step = step;
-        let points = self.points;
-        self.places[..points].copy_from_slice(&now.places);
-        for (coefficient, speed) in self.places[points..2 * points].iter_mut().zip(&now.speeds) {
+        self.places.row_mut(0).copy_from_slice(&now.places);
+        for (coefficient, speed) in self.places.row_mut(1).iter_mut().zip(&now.speeds) {
             *coefficient = speed * step;
         }
-        let line = self.drive(system, now.time, step);
-        self.forces_of(system, now, 0, &line);
-        line
+        self.drive(system, now.time, step)
     }
 
     /// Sets the ends' series; what the ends of the massless line do.
@@ -169,14 +162,15 @@ impl Series {
         let last = self.points - 1;
         let mut line = [first, second];
         for order in 0..=ORDER {
-            self.places[order * self.points] = first[order];
+            let row = self.places.row_mut(order);
+            row[0] = first[order];
             if system.chain.is_open() {
                 line[1][order] = first[order] + second[order] / system.chain.stiffness();
                 self.force[order] = second[order];
                 // Point of no consequence: it goes with the last lump.
-                self.places[order * self.points + last] = 0.0;
+                row[last] = 0.0;
             } else {
-                self.places[order * self.points + last] = second[order];
+                row[last] = second[order];
             }
         }
         line
@@ -185,7 +179,7 @@ impl Series {
     /// Forces on the lumps at an order but for those of hard contact.
     fn forces_of(&mut self, system: &System<'_>, now: &Now, order: usize, line: &[Polynomial; 2]) {
         let chain = system.chain;
-        let row = &self.places[order * self.points..(order + 1) * self.points];
+        let row = self.places.row(order);
         let segments = chain.stiffnesses();
         let around = segments.windows(2).zip(row.windows(3));
         for (force, (stiffness, place)) in self.forces.iter_mut().zip(around) {
@@ -214,16 +208,15 @@ impl Series {
         }
         if !system.damper.is_none() {
             self.relative_of(chain, order, line);
-            let relative = &self.relative[order * self.points..(order + 1) * self.points];
-            system.brake(now.attached, relative, &mut self.forces);
+            system.brake(now.attached, self.relative.row(order), &mut self.forces);
         }
         if let Some((stiffness, dashpots)) = &system.elastic {
-            let (here, next) = self.places[order * self.points..].split_at(self.points);
+            let (here, next) = (self.places.row(order), self.places.row(order + 1));
             for (number, pair) in chain.pairs().iter().enumerate().filter(|(number, _)| now.closed[*number]) {
                 let gap = here[pair.second] - here[pair.first] + if order == 0 { pair.gap } else { 0.0 };
                 let rate = (order + 1) as f64 * (next[pair.second] - next[pair.first]) / self.step;
                 let push = -stiffness * gap - dashpots[number] * rate;
-                self.pushes[order * self.pairs + number] = push;
+                self.pushes.row_mut(order)[number] = push;
                 add_push(&mut self.forces, [pair.first, pair.second], push);
             }
         }
@@ -231,12 +224,12 @@ impl Series {
 
     /// Speeds beside the massless line at an order.
     fn relative_of(&mut self, chain: &Chain, order: usize, line: &[Polynomial; 2]) {
-        let (begin, next) = (order * self.points, (order + 1) * self.points);
+        let (relative, next) = (self.relative.row_mut(order), self.places.row(order + 1));
         let per_time = (order + 1) as f64 / self.step;
         let [mut first, mut second] = [line[0][order + 1], line[1][order + 1]];
         if chain.base() > 0 {
             // The spring stands on the follower, wherever the cam is.
-            let follower = self.places[next + 1];
+            let follower = next[1];
             if chain.is_open() {
                 second += follower - first;
             }
@@ -244,10 +237,10 @@ impl Series {
         }
         for (point, share) in chain.shares().iter().enumerate() {
             let straight = first + share * (second - first);
-            self.relative[begin + point] = per_time * (self.places[next + point] - straight);
+            relative[point] = per_time * (next[point] - straight);
         }
         let last = self.points - 1;
-        (self.relative[begin], self.relative[begin + last]) = (0.0, 0.0);
+        (relative[0], relative[last]) = (0.0, 0.0);
     }
 
     /// The next but one order of the lumps' places, and what hard contact pushes to hold pairs together.
@@ -263,11 +256,11 @@ impl Series {
             now.bonds.solve(&mut self.free);
             for number in now.bonds.numbers() {
                 let pair = chain.pairs()[number];
-                self.pushes[order * self.pairs + number] = self.free[number];
+                self.pushes.row_mut(order)[number] = self.free[number];
                 add_push(&mut self.forces, [pair.first, pair.second], self.free[number]);
             }
         }
-        let next = &mut self.places[(order + 2) * self.points..(order + 3) * self.points];
+        let next = self.places.row_mut(order + 2);
         let lumps = self.forces.len();
         for ((place, force), inverse) in next[1..].iter_mut().zip(&self.forces).zip(&chain.inverse_masses()[1..=lumps])
         {
@@ -278,7 +271,7 @@ impl Series {
     /// Acceleration of a point without what holds pairs together; of a prescribed end that of its drive.
     fn free_acceleration(&self, chain: &Chain, order: usize, point: usize) -> f64 {
         if point == 0 || point == self.points - 1 {
-            let place = self.places[(order + 2) * self.points + point];
+            let place = self.places.row(order + 2)[point];
             return place * ((order + 2) * (order + 1)) as f64 / (self.step * self.step);
         }
         self.forces[point - 1] * chain.inverse_masses()[point]
@@ -286,17 +279,13 @@ impl Series {
 
     /// How the pairs would open if nothing held them together \[m/s²\], shape `pairs`.
     pub fn opening(&mut self, system: &System<'_>, now: &Now, step: f64) -> Vec<f64> {
-        self.begin(system, now, step);
+        let line = self.begin(system, now, step);
+        self.forces_of(system, now, 0, &line);
         let chain = system.chain;
         let pairs = chain.pairs().iter();
         pairs
             .map(|pair| self.free_acceleration(chain, 0, pair.second) - self.free_acceleration(chain, 0, pair.first))
             .collect()
-    }
-
-    /// Coefficients of all points, order by order.
-    fn rows(&self) -> std::slice::ChunksExact<'_, f64> {
-        self.places.chunks_exact(self.points)
     }
 
     /// A pair's distance beside what it is where they meet \[m\].
@@ -309,140 +298,56 @@ impl Series {
 
     /// How far one point is from another beside the unloaded spring \[m\].
     pub fn difference(&self, first: usize, second: usize) -> Polynomial {
-        let mut difference = [0.0; ORDER + 1];
-        for (order, value) in difference.iter_mut().enumerate() {
-            let row = order * self.points;
-            *value = self.places[row + second] - self.places[row + first];
-        }
-        difference
+        self.places.difference(first, second)
     }
 
     /// What a closed pair pushes \[N\].
     pub fn push(&self, number: usize) -> Polynomial {
-        let mut push = [0.0; ORDER + 1];
-        for (order, value) in push.iter_mut().enumerate().take(LAST + 1) {
-            *value = self.pushes[order * self.pairs + number];
-        }
-        push
+        self.pushes.of(number)
     }
 
     /// Of a point's speed beside the massless line \[m/s\].
     pub fn relative(&self, point: usize) -> Polynomial {
-        let mut relative = [0.0; ORDER + 1];
-        for (order, value) in relative.iter_mut().enumerate().take(ORDER) {
-            *value = self.relative[order * self.points + point];
-        }
-        relative
+        self.relative.of(point)
     }
 
     /// A point's place \[m\].
     pub fn place(&self, point: usize) -> Polynomial {
-        let mut place = [0.0; ORDER + 1];
-        for (order, value) in place.iter_mut().enumerate() {
-            *value = self.places[order * self.points + point];
-        }
-        place
+        self.places.of(point)
     }
 
     /// Bounds of every pair's distance from below over the whole step, shape `pairs`: the first term less all that is below zero.
     pub fn least_gaps(&self, chain: &Chain, least: &mut [f64]) {
+        let here = self.places.row(0);
         for (least, pair) in least.iter_mut().zip(chain.pairs()) {
-            *least = self.places[pair.second] - self.places[pair.first] + pair.gap;
+            *least = here[pair.second] - here[pair.first] + pair.gap;
         }
-        let rows = self.rows().skip(1);
-        if let Some(ends) = chain.neighbours() {
-            let begun = nearing::<8>(&rows, ends, 0, least);
-            let begun = nearing::<4>(&rows, ends, begun, least);
-            nearing::<1>(&rows, ends, begun, least);
-            return;
-        }
-        for row in rows {
-            for (least, pair) in least.iter_mut().zip(chain.pairs()) {
-                *least += (row[pair.second] - row[pair.first]).min(0.0);
-            }
+        match chain.neighbours() {
+            Some(ends) => self.places.add_falls(ends, least),
+            None => self.places.add_falls_between(chain.pairs().iter().map(|pair| [pair.first, pair.second]), least),
         }
     }
 
     /// Places and speeds of all points at τ, written over those of `now`.
     pub fn advance(&self, tau: f64, now: &mut Now) {
-        let begun = self.with_rates::<8>(0, tau, now);
-        let begun = self.with_rates::<4>(begun, tau, now);
-        self.with_rates::<1>(begun, tau, now);
+        self.places.with_rates(tau, &mut now.places, &mut now.speeds);
         now.speeds.iter_mut().for_each(|speed| *speed /= self.step);
         now.time += tau * self.step;
     }
 
-    /// Places of points from `first` on at τ and their rates, so many side by side as long as there are; the next point then.
-    fn with_rates<const MANY: usize>(&self, mut first: usize, tau: f64, now: &mut Now) -> usize {
-        let rows = self.rows();
-        while let Some((places, rates)) =
-            now.places[first..].first_chunk_mut::<MANY>().zip(now.speeds[first..].first_chunk_mut::<MANY>())
-        {
-            // Kept here, they need not go through memory from row to row.
-            let (mut sums, mut slopes) = ([0.0; MANY], [0.0; MANY]);
-            for row in rows.clone().rev() {
-                for ((sum, slope), coefficient) in sums.iter_mut().zip(&mut slopes).zip(&row[first..first + MANY]) {
-                    *slope = *slope * tau + *sum;
-                    *sum = *sum * tau + coefficient;
-                }
-            }
-            (*places, *rates) = (sums, slopes);
-            first += MANY;
-        }
-        first
-    }
-
     /// Places of all points at τ \[m\], shape `N + 2`.
     pub fn places_at(&self, tau: f64, places: &mut [f64]) {
-        horner(self.rows().rev(), tau, places);
+        self.places.at(tau, places);
     }
 
     /// All points' speeds beside the massless line at τ \[m/s\].
     pub fn relative_at(&self, tau: f64, relative: &mut [f64]) {
-        horner(self.relative.chunks_exact(self.points).take(ORDER).rev(), tau, relative);
+        self.relative.at(tau, relative);
     }
 
     /// All points' speeds at τ \[m/s\].
     pub fn speeds_at(&self, tau: f64, speeds: &mut [f64]) {
-        speeds.fill(0.0);
-        for (order, row) in self.rows().enumerate().skip(1).rev() {
-            let per_time = order as f64 / self.step;
-            for (speed, coefficient) in speeds.iter_mut().zip(row) {
-                *speed = *speed * tau + per_time * coefficient;
-            }
-        }
-    }
-}
-
-/// Adds to bounds of pairs from `number` on all by which these can come nearer, so many side by side as long as there are; the next pair then. The
-/// first pair is of points `first` and `second`, the next of the next ones.
-fn nearing<'a, const MANY: usize>(
-    rows: &(impl Iterator<Item = &'a [f64]> + Clone),
-    [first, second]: [usize; 2],
-    mut number: usize,
-    least: &mut [f64],
-) -> usize {
-    while let Some(least) = least[number..].first_chunk_mut::<MANY>() {
-        let mut sums = *least;
-        for row in rows.clone() {
-            let both = row[first + number..][..MANY].iter().zip(&row[second + number..][..MANY]);
-            for (sum, (before, after)) in sums.iter_mut().zip(both) {
-                *sum += (after - before).min(0.0);
-            }
-        }
-        *least = sums;
-        number += MANY;
-    }
-    number
-}
-
-/// Polynomials of many points at τ, by rows of their coefficients from the highest power on.
-fn horner<'a>(rows: impl Iterator<Item = &'a [f64]>, tau: f64, values: &mut [f64]) {
-    values.fill(0.0);
-    for row in rows {
-        for (value, coefficient) in values.iter_mut().zip(row) {
-            *value = *value * tau + coefficient;
-        }
+        self.places.rates_at(tau, self.step, speeds);
     }
 }
 

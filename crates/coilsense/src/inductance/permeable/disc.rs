@@ -5,7 +5,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::field::{Point, field, potential};
-use crate::quadrature::GAUSS_12;
+use crate::quadrature::unit_points;
 
 /// A turn of wire: a disc that is turned about the axis. Its own place along the axis is zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub(super) struct Disc {
     /// \[m\].
     pub wire: f64,
     /// What a turn goes on by along the axis \[m\].
-    pitch: f64,
+    pub pitch: f64,
     /// What makes the current one ampere.
     scale: f64,
 }
@@ -28,15 +28,8 @@ const ROUND: usize = 16;
 /// Directions about a point inside.
 const ABOUT: usize = 32;
 
-/// Gauss's points and weights on (0, 1), in panels.
-fn gauss(panels: usize) -> impl Iterator<Item = (f64, f64)> + Clone {
-    let width = 1.0 / panels as f64;
-    let both = GAUSS_12.iter().flat_map(|&(x, weight)| [(-x, weight), (x, weight)]);
-    (0..panels).flat_map(move |panel| {
-        let both = both.clone();
-        both.map(move |(x, weight)| (width * (panel as f64 + 0.5 + 0.5 * x), 0.5 * width * weight))
-    })
-}
+/// Diameters of the wire from which a turn is coarse.
+const FINE: f64 = 2.5;
 
 impl Disc {
     pub fn new(coil: f64, wire: f64, pitch: f64) -> Self {
@@ -51,13 +44,13 @@ impl Disc {
     }
 
     /// A point of it by its place from the middle.
-    fn point(&self, (sine, cosine): (f64, f64), from_middle: f64) -> Point {
+    pub fn point(&self, (sine, cosine): (f64, f64), from_middle: f64) -> Point {
         Point { r: self.coil + from_middle * cosine, z: from_middle * sine }
     }
 
     /// All of it, fine enough for what is no wire's diameter away.
-    pub fn parts(&self) -> impl Iterator<Item = Part> {
-        gauss(1).flat_map(move |(place, weight)| {
+    fn parts(&self) -> impl Iterator<Item = Part> {
+        unit_points(1).flat_map(move |(place, weight)| {
             let from_middle = place * self.wire;
             (0..ROUND).map(move |direction| {
                 let point = self.point((TAU * direction as f64 / ROUND as f64).sin_cos(), from_middle);
@@ -68,7 +61,7 @@ impl Disc {
     }
 
     /// The same for what is several diameters away: exact for polynomials of degree 5, `[Abramowitz1964]` 25.4.61.
-    pub fn coarse_parts(&self) -> [Part; 7] {
+    fn coarse_parts(&self) -> [Part; 7] {
         let area = PI * self.wire * self.wire;
         let around = (2.0_f64 / 3.0).sqrt() * self.wire;
         let parts: [Part; 7] = std::array::from_fn(|number| match number {
@@ -79,20 +72,20 @@ impl Disc {
     }
 
     /// A/μ₀ and B/μ₀ at a point on its edge or outside, by rays from there: along each the distance cancels what grows as its inverse.
-    pub fn seen_from(&self, at: Point, panels: usize) -> (f64, [f64; 2]) {
+    fn seen_from(&self, at: Point, panels: usize) -> (f64, [f64; 2]) {
         let (across, along) = (self.coil - at.r, -at.z);
         let distance = across.hypot(along).max(self.wire);
         let towards = along.atan2(across);
         let share = self.wire / distance;
         let (mut potentials, mut fields) = (0.0, [0.0; 2]);
-        for (place, weight) in gauss(panels) {
+        for (place, weight) in unit_points(panels) {
             let (sine, cosine) = ((place - 0.5) * PI).sin_cos();
             // On the edge the angle off the middle is that angle itself.
             let off = (share * sine).asin();
             let width = if share < 1.0 { share * cosine / (1.0 - (share * sine).powi(2)).sqrt() } else { 1.0 };
             let (middle, half) = (distance * off.cos(), self.wire * cosine);
             let (up, out) = (towards + off).sin_cos();
-            for (place, of_ray) in gauss(panels) {
+            for (place, of_ray) in unit_points(panels) {
                 let away = middle + half * (2.0 * place - 1.0);
                 let source = Point { r: at.r + away * out, z: at.z + away * up };
                 let current = PI * weight * width * 2.0 * half * of_ray * away * self.density(source.r);
@@ -113,7 +106,7 @@ impl Disc {
             let along = -from_middle * (out * cosine + up * sine);
             let aside = from_middle * (out * sine - up * cosine);
             let to_edge = along + (self.wire * self.wire - aside * aside).max(0.0).sqrt();
-            for (place, weight) in gauss(1) {
+            for (place, weight) in unit_points(1) {
                 // Points gather at its begin, where the potential grows without bound.
                 let away = to_edge * place * place;
                 let source = Point { r: at.r + away * out, z: at.z + away * up };
@@ -125,9 +118,9 @@ impl Disc {
     }
 
     /// ∬ j M j of its own current over μ₀ \[m\].
-    pub fn own_inductance(&self) -> f64 {
+    fn own_inductance(&self) -> f64 {
         let mut sum = 0.0;
-        for (place, weight) in gauss(1) {
+        for (place, weight) in unit_points(1) {
             let from_middle = place * self.wire;
             for direction in 0..ROUND {
                 // Half a step off the plane of symmetry, above which all is as below.
@@ -144,17 +137,20 @@ impl Disc {
     }
 
     /// ∬ j M j of two of them, so far apart along the axis, over μ₀ \[m\].
-    pub fn mutual_inductance(&self, apart: f64) -> f64 {
-        let of = |(at, current): Part, sources: &mut dyn Iterator<Item = Part>| {
-            let seen: f64 = sources.map(|(source, own)| own * potential(source, at.moved(apart))).sum();
-            TAU * at.r * current * seen
+    fn mutual_inductance(&self, apart: f64) -> f64 {
+        let is_near = apart < FINE * 2.0 * self.wire;
+        let parts: Vec<Part> = if is_near { self.parts().collect() } else { self.coarse_parts().into() };
+        let linked = |&(at, current): &Part| {
+            let at_all = parts.iter().map(|&(source, own)| own * potential(source, at.moved(apart)));
+            TAU * at.r * current * at_all.sum::<f64>()
         };
-        if apart < FINE * 2.0 * self.wire {
-            self.parts().map(|part| of(part, &mut self.parts())).sum()
-        } else {
-            let parts = self.coarse_parts();
-            parts.into_iter().map(|part| of(part, &mut parts.into_iter())).sum()
-        }
+        parts.iter().map(linked).sum()
+    }
+
+    /// ∬ j M j of so many turns over μ₀ \[m\].
+    pub fn inductance_of(&self, turns: usize) -> f64 {
+        let of_lag = |lag: usize| 2.0 * (turns - lag) as f64 * self.mutual_inductance(lag as f64 * self.pitch);
+        turns as f64 * self.own_inductance() + (1..turns).map(of_lag).sum::<f64>()
     }
 
     /// A/μ₀ and B/μ₀ at points on the edge of a turn so far along the axis.
@@ -170,6 +166,3 @@ impl Disc {
         }
     }
 }
-
-/// Diameters of the wire from which a turn is coarse.
-const FINE: f64 = 2.5;

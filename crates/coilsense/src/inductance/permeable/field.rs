@@ -1,10 +1,12 @@
 //! Vector potential and field of a thin ring, over μ₀ and for a current of one ampere.
 //!
-//! Next door: complete elliptic integrals (`super::super::elliptic`), the rings of wire that are made of it (`disc`, `surface`).
+//! Next door: complete elliptic integrals (`inductance::elliptic`), what rings link (`inductance::rings`), the rings of wire that are made of it (`disc`, `surface`).
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use crate::inductance::elliptic::{complete_d, complete_e, complete_k};
+use crate::inductance::mutual::MU_0;
+use crate::inductance::rings::mutual_inductance_of_rings;
 
 /// A point of the half-plane beside the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,12 +53,9 @@ impl Pair {
     }
 }
 
-/// A of a ring at a point \[A\]: A_φ/μ₀ = κ/π √(r'/r) (D − K/2).
+/// A/μ₀ of a ring at a point \[A\]: of what a ring there links with it, so much for each metre round.
 pub(super) fn potential(source: Point, at: Point) -> f64 {
-    let pair = Pair::new(source, at);
-    let complement = (pair.near / pair.far).sqrt();
-    let modulus = 2.0 * (source.r * at.r / pair.far).sqrt();
-    modulus / PI * (source.r / at.r).sqrt() * (complete_d(complement) - 0.5 * complete_k(complement))
+    mutual_inductance_of_rings([source.r, at.r], at.z - source.z) / (MU_0 * TAU * at.r)
 }
 
 /// B/μ₀ of a ring at a point, along r and along z \[A/m\].

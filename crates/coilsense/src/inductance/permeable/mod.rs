@@ -80,16 +80,12 @@ impl PermeableRings {
             format!("at least {LEAST_PITCH} wire diameters, {least} m"),
         )?;
         let disc = Disc::new(self.coil_radius, self.wire_radius, pitch);
-        let row = Row::new(&disc, self.turns, pitch);
-        let of_currents = self.permeability * row.of_currents();
+        let of_currents = self.permeability * disc.inductance_of(self.turns);
         if self.permeability == 1.0 {
             return Ok(MU_0 * of_currents);
         }
-        let allowed = "one at which the wires' surfaces can be solved for";
-        let Some(currents) = row.surface_currents(self.permeability) else {
-            check(false, "permeability", self.permeability, "", allowed)?;
-            return Ok(f64::NAN);
-        };
+        let row = Row::new(&disc, self.turns);
+        let currents = row.surface_currents(self.permeability)?;
         Ok(MU_0 * (of_currents + row.with_surface(&currents)))
     }
 }

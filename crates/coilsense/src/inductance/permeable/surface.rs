@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::disc::Disc;
 use super::field::{Point, field, logarithmic_part};
+use crate::error::Error;
 
 /// Points on the edge of a turn's wire.
 pub(super) const NODES: usize = 24;
@@ -25,8 +26,7 @@ fn angle(node: usize, of: usize) -> f64 {
 
 /// A point on the edge of a turn at zero.
 fn on_edge(disc: &Disc, angle: f64) -> Point {
-    let (sine, cosine) = angle.sin_cos();
-    Point { r: disc.coil + disc.wire * cosine, z: disc.wire * sine }
+    disc.point(angle.sin_cos(), disc.wire)
 }
 
 /// Along the edge, anticlockwise with r to the right and z up.
@@ -51,9 +51,8 @@ fn logarithmic_weights() -> [f64; NODES] {
 
 /// Turns side by side that are all alike.
 pub(super) struct Row<'a> {
-    pub disc: &'a Disc,
-    pub turns: usize,
-    pub pitch: f64,
+    disc: &'a Disc,
+    turns: usize,
     /// Of what each node of a turn feels of the edge of one so many turns before it: B along the edge over μ₀, by nodes of that edge.
     blocks: Vec<DMatrix<f64>>,
     /// The same of the current of one ampere in that turn, and its A/μ₀.
@@ -62,20 +61,20 @@ pub(super) struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    pub fn new(disc: &'a Disc, turns: usize, pitch: f64) -> Self {
-        let blocks = (0..turns).map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag, pitch) }).collect();
+    pub fn new(disc: &'a Disc, turns: usize) -> Self {
+        let blocks = (0..turns).map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag) }).collect();
         let (mut fields, mut potentials) = (Vec::new(), Vec::new());
         for lag in 0..turns {
             let (mut along, mut potential) = ([0.0; NODES], [0.0; NODES]);
             for node in 0..NODES {
                 let angle = angle(node, NODES);
-                let (seen, field) = disc.seen_along(on_edge(disc, angle), lag as f64 * pitch);
+                let (seen, field) = disc.seen_along(on_edge(disc, angle), lag as f64 * disc.pitch);
                 (along[node], potential[node]) = (along_edge(angle, field), seen);
             }
             fields.push(along);
             potentials.push(potential);
         }
-        Self { disc, turns, pitch, blocks, fields, potentials }
+        Self { disc, turns, blocks, fields, potentials }
     }
 
     /// What all turns' currents do at a node of one.
@@ -86,18 +85,13 @@ impl<'a> Row<'a> {
         (0..self.turns).map(of).sum()
     }
 
-    /// ∬ j M j of the currents in the wires over μ₀ \[m\].
-    pub fn of_currents(&self) -> f64 {
-        let own = self.turns as f64 * self.disc.own_inductance();
-        let pairs = (1..self.turns)
-            .map(|lag| 2.0 * (self.turns - lag) as f64 * self.disc.mutual_inductance(lag as f64 * self.pitch));
-        own + pairs.sum::<f64>()
-    }
-
     /// Currents on the surfaces \[A/m\] for one ampere in the wires, by turns of the first half and their nodes; the other half is their mirror.
     ///
-    /// K − 2λ B(K)/μ₀ = 2λ μ_r B(j)/μ₀ along the edge, λ = (μ_r − 1)/(μ_r + 1); `None` where no solution is found.
-    pub fn surface_currents(&self, permeability: f64) -> Option<DVector<f64>> {
+    /// K − 2λ B(K)/μ₀ = 2λ μ_r B(j)/μ₀ along the edge, λ = (μ_r − 1)/(μ_r + 1).
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a permeability at which there is no solution.
+    pub fn surface_currents(&self, permeability: f64) -> Result<DVector<f64>, Error> {
         let twice = 2.0 * (permeability - 1.0) / (permeability + 1.0);
         let half = self.turns.div_ceil(2);
         let mut matrix = DMatrix::identity(half * NODES, half * NODES);
@@ -119,7 +113,13 @@ impl<'a> Row<'a> {
         let right = DVector::from_fn(half * NODES, |row, _| {
             twice * permeability * self.sum(&self.fields, row / NODES, row % NODES)
         });
-        matrix.lu().solve(&right)
+        matrix.lu().solve(&right).ok_or_else(|| Error::Value {
+            field: Some("permeability"),
+            quantity: "permeability".into(),
+            value: permeability,
+            unit: "",
+            allowed: "one at which the wires' surfaces can be solved for".into(),
+        })
     }
 
     /// ∬ j M K of the wires' currents with those on the surfaces over μ₀ \[m\].
@@ -160,7 +160,7 @@ fn own_block(disc: &Disc) -> DMatrix<f64> {
 }
 
 /// Of an edge so many turns before.
-fn block(disc: &Disc, lag: usize, pitch: f64) -> DMatrix<f64> {
+fn block(disc: &Disc, lag: usize) -> DMatrix<f64> {
     let times = match lag {
         1 | 2 => REFINED[0],
         3 | 4 => REFINED[1],
@@ -170,7 +170,7 @@ fn block(disc: &Disc, lag: usize, pitch: f64) -> DMatrix<f64> {
     let step = disc.wire * TAU / fine as f64;
     let felt = DMatrix::from_fn(NODES, fine, |node, source| {
         let at = angle(node, NODES);
-        let here = on_edge(disc, at).moved(lag as f64 * pitch);
+        let here = on_edge(disc, at).moved(lag as f64 * disc.pitch);
         step * along_edge(at, field(on_edge(disc, angle(source, fine)), here))
     });
     if times == 1 {
@@ -193,7 +193,7 @@ mod tests {
     fn the_surface_takes_back_what_magnetised_wire_adds() {
         // ∮K = −(μ_r − 1) I: seen from far away a wire carries its own current.
         let disc = Disc::new(8.47e-3, 1.41e-3, 1.3 * 2.82e-3);
-        let row = Row::new(&disc, 5, 1.3 * 2.82e-3);
+        let row = Row::new(&disc, 5);
         for permeability in [1.5, 2.5, 10.0] {
             let currents = row.surface_currents(permeability).unwrap();
             for turn in 0..3 {
