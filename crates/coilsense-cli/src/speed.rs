@@ -3,12 +3,11 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
 use coilsense_lab::output::Output;
-use coilsense_lab::report::verbs::{CAM_RATIO, SPEED_FROM, SPEED_PART, SPEED_STEP, SPEED_TO};
 use coilsense_lab::report::{add_speed, speed_json, speed_text};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
+use coilsense_lab::speed::request::{CAM_RATIO, FROM, PART, STEP, TO};
 use coilsense_lab::speed::{Part, Range, SpeedError, SpeedMap};
 
 use crate::date;
@@ -18,13 +17,8 @@ use crate::progress::Watch;
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let spec = Spec::read(given.needed(&SPEC)?)?;
     let number = |row| given.number(row).unwrap_or_default();
-    let range = Range {
-        from: number(&SPEED_FROM),
-        to: number(&SPEED_TO),
-        step: number(&SPEED_STEP),
-        ratio: number(&CAM_RATIO),
-    };
-    if let Some(text) = given.text(&SPEED_PART) {
+    let range = Range { from: number(&FROM), to: number(&TO), step: number(&STEP), ratio: number(&CAM_RATIO) };
+    if let Some(text) = given.text(&PART) {
         return part(given, spec, range, Part::parse(&text)?);
     }
     // Before anything is on disk, so that nothing is left there.
@@ -41,15 +35,12 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     watch.end();
     if watch.is_stopped() {
-        return Err(SpeedError::Interrupted.into());
+        let kept = points.map(|folder| SpeedError::Paused(folder.display().to_string()));
+        return Err(kept.unwrap_or(SpeedError::Interrupted).into());
     }
     let text = if given.holds(&JSON) { speed_json(&map)? } else { speed_text(&map) };
     let files = output.map(Output::commit).transpose()?;
-    if let Some(folder) = points.filter(|folder| folder.exists()) {
-        let place = folder.display().to_string();
-        std::fs::remove_dir_all(folder)
-            .with_context(|| format!("{place}: cannot be removed; the map does not need it"))?;
-    }
+    points.iter().try_for_each(|folder| map.forget(folder))?;
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early has all it wants.
     let _ = write!(out, "{text}");
@@ -70,17 +61,17 @@ fn points_of(out: &Path) -> PathBuf {
 /// One part of the points.
 fn part(given: &Given, spec: Spec, range: Range, part: Part) -> anyhow::Result<()> {
     let folder = points_of(given.needed(&OUT)?);
-    anyhow::ensure!(!given.holds(&JSON), "json: a part prints no map; the same command without --part does");
+    anyhow::ensure!(!given.holds(&JSON), "json: a share prints no map; the same command without --part does");
     let watch = Watch::begin("running speeds")?;
     let share = SpeedMap::part(spec, range, &folder, part, &|done, of| watch.tell(done, of))?;
     watch.end();
     let Part { number, of } = part;
     let left = match share.of - share.there {
-        0 => "all are there: the same command without --part makes the map".to_owned(),
+        0 => "all are there: the same command without --part writes the map".to_owned(),
         missing => format!("{missing} of {} are still missing", share.of),
     };
     let mut out = anstream::stdout().lock();
     // A reader that closes the pipe early has all it wants.
-    let _ = writeln!(out, "part {number} of {of}: {} points in {}; {left}", share.points, folder.display());
+    let _ = writeln!(out, "share {number} of {of}: {} runs are in {}; {left}", share.points, folder.display());
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! `coilsense speed` as a person meets it: killed at any time, in parts on several machines.
 //!
-//! Next door: the map as a library (`coilsense-lab/tests/speed.rs`).
+//! Next door: the map as a library (`coilsense-lab/tests/speed`).
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -77,12 +77,16 @@ fn parts_say_what_is_missing_and_make_the_same_map() {
     let part = |number: &str| text(&place.run("parts", &["--part", number]).stdout);
     assert!(part("2/2").contains("are still missing"));
     assert!(!place.path("parts").exists());
-    assert!(part("1/2").contains("all are there: the same command without --part makes the map"));
+    // Somebody's own file there is none of ours.
+    fs::write(place.path("parts.points/notes.txt"), "mine").expect("written");
+    assert!(part("1/2").contains("all are there: the same command without --part writes the map"));
     assert!(place.run("parts", &[]).status.success() && place.run("whole", &[]).status.success());
     assert!(place.files("parts") == place.files("whole"), "files differ");
+    let left: Vec<_> = fs::read_dir(place.path("parts.points")).expect("there").flatten().collect();
+    assert!(left.len() == 1 && left[0].file_name() == "notes.txt", "{left:?}");
     for (more, message) in [
-        (["--part", "3/2"].as_slice(), "error: part must be a number and of how many, 1/5 to 5/5, got \"3/2\""),
-        (&["--part", "1/2", "--json"], "error: json: a part prints no map"),
+        (["--part", "3/2"].as_slice(), "error: part must be K/N with K from 1 to N, such as 2/5, got \"3/2\""),
+        (&["--part", "1/2", "--json"], "error: json: a share prints no map"),
     ] {
         let output = place.run("refused", more);
         let error = text(&output.stderr);

@@ -1,11 +1,10 @@
 //! All verbs and what may be asked of each: of it are made the command's arguments and `book/src/reference/options.md`.
 //!
 //! Next door: the tables of those verbs that Python or the page ask, too (`recording::request`, `identification::request`,
-//! `calibration::request`, `mitigation::request`, `sweep::request`), what a row says (`crate::request`), the page of the book (`reference`).
+//! `calibration::request`, `mitigation::request`, `sweep::request`, `speed::request`), what a row says (`crate::request`), the page of the book (`reference`).
 
-use crate::quantity::Dimension;
 use crate::request::{Allowed, DATE, Door, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
-use crate::{calibration, identification, mitigation, recording, sweep};
+use crate::{calibration, identification, mitigation, recording, speed, sweep};
 
 /// The verbs, in the order of the command's help.
 pub const VERBS: [Verb; 17] = [
@@ -94,7 +93,7 @@ pub const VERBS: [Verb; 17] = [
     Verb {
         name: "speed",
         about: "A spring under a cam from speed to speed: forces, surge, windings that meet, a follower that floats",
-        groups: &[&SPEED],
+        groups: &[&[TURNED], &speed::request::OPTIONS, &SPEED],
         more: "",
     },
     Verb {
@@ -259,57 +258,13 @@ const PLACEMENT: [Row; 4] = [
     JSON,
     DATE_OF_OUT,
 ];
-/// Speeds of an engine.
-const OF_ENGINE: Row = Row {
-    takes: Takes::Quantity(Dimension::Frequency),
-    allowed: Allowed::AboveZero,
-    if_absent: IfAbsent::Refused,
-    ..Row::PLAIN
+const TURNED: Row = Row {
+    meaning: "The spec; its table [cam] says what moves end 1, [contact] what windings do when they meet",
+    ..SPEC
 };
-/// The lowest speed.
-pub const SPEED_FROM: Row = Row {
-    name: "from",
-    meaning: "Lowest speed of the engine, such as 1000rpm",
-    elsewhere: &[(Door::Python, "from_")],
-    ..OF_ENGINE
-};
-/// The highest speed.
-pub const SPEED_TO: Row = Row { name: "to", meaning: "Highest speed of the engine, such as 8000rpm", ..OF_ENGINE };
-/// From speed to speed.
-pub const SPEED_STEP: Row = Row {
-    name: "step",
-    if_absent: IfAbsent::Value("100rpm"),
-    meaning: "From speed to speed; more are added about those at which a harmonic of the cam has the first surge frequency",
-    ..OF_ENGINE
-};
-/// Turns of the camshaft for one of the engine.
-pub const CAM_RATIO: Row = Row {
-    name: "cam_ratio",
-    takes: Takes::Number,
-    allowed: Allowed::Within(1e-3, 100.0),
-    if_absent: IfAbsent::Value("0.5"),
-    meaning: "Turns of the camshaft for one of the engine",
-    ..Row::PLAIN
-};
-/// Which share of a map's points is made.
-pub const SPEED_PART: Row = Row {
-    name: "part",
-    takes: Takes::Text("K/N"),
-    meaning: "Make only part K of N of the points, into DIR.points, as one of several machines that share it; then run without it for the map",
-    ..Row::PLAIN
-};
-const SPEED: [Row; 9] = [
-    Row {
-        meaning: "The spec; its table [cam] says what moves end 1, [contact] what windings do when they meet",
-        ..SPEC
-    },
-    SPEED_FROM,
-    SPEED_TO,
-    SPEED_STEP,
-    CAM_RATIO,
-    SPEED_PART,
+const SPEED: [Row; 3] = [
     out(
-        "Folder for report.html, results.json, speed.csv and speed.parquet; its other files are left alone. Points are kept in DIR.points until it is there",
+        "Folder for report.html, results.json, speed.csv and speed.parquet; its other files are left alone. Until the map is whole, results are kept in DIR.points",
         IfAbsent::Nothing,
     ),
     JSON,

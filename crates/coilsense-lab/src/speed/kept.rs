@@ -31,7 +31,7 @@ impl Part {
         let numbers = text.split_once('/').map(|(number, of)| (number.trim().parse(), of.trim().parse()));
         match numbers {
             Some((Ok(number), Ok(of))) if (1..=of).contains(&number) && of <= MOST_PARTS => Ok(Self { number, of }),
-            _ => Err(SpeedError::Spec(format!("part must be a number and of how many, 1/5 to 5/5, got {text:?}"))),
+            _ => Err(SpeedError::Spec(format!("part must be K/N with K from 1 to N, such as 2/5, got {text:?}"))),
         }
     }
 
@@ -55,26 +55,52 @@ pub(super) struct Kept {
 }
 
 impl Kept {
-    /// Reads what is there.
-    pub fn open(folder: &Path, spec: &Spec, cam: &CamSpec, range: &Range) -> Result<Self, SpeedError> {
-        let asked = format!("{} {} {cam:?} {range:?}", env!("CARGO_PKG_VERSION"), spec.text);
+    /// Points of what these ask; none are read yet.
+    pub fn new(folder: &Path, spec: &Spec, cam: &CamSpec, range: &Range) -> Self {
+        // What forces follow from as it is now, be it from a file or not: names, words and comments make no other map.
+        let Spec { spring, mount, strength, .. } = spec;
+        let version = env!("CARGO_PKG_VERSION");
+        let asked = format!("{version} {spring:?} {mount:?} {strength:?} {cam:?} {range:?}");
         let name: String = Sha256::digest(asked).iter().map(|byte| format!("{byte:02x}")).collect();
-        let name = name[..DIGITS].to_owned();
-        let mut kept = Self { folder: folder.to_owned(), name, found: HashMap::new(), file: Mutex::new(None) };
-        let files = match fs::read_dir(folder) {
-            Ok(files) => files,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(kept),
-            Err(error) => return Err(kept.fault(&error)),
-        };
-        for file in files {
-            let path = file.map_err(|error| kept.fault(&error))?.path();
-            let is_of_it = path.file_name().is_some_and(|file| file.to_string_lossy().starts_with(&kept.name));
-            if is_of_it {
-                let bytes = fs::read(&path).map_err(|error| kept.fault(&error))?;
-                kept.take(&bytes);
-            }
+        Self {
+            folder: folder.to_owned(),
+            name: name[..DIGITS].to_owned(),
+            found: HashMap::new(),
+            file: Mutex::new(None),
         }
-        Ok(kept)
+    }
+
+    /// With the points that are there.
+    pub fn open(mut self) -> Result<Self, SpeedError> {
+        for path in self.files()? {
+            let bytes = fs::read(&path).map_err(|error| self.fault(&error))?;
+            self.take(&bytes);
+        }
+        Ok(self)
+    }
+
+    /// Its files, of which each run has made one.
+    fn files(&self) -> Result<Vec<PathBuf>, SpeedError> {
+        let files = match fs::read_dir(&self.folder) {
+            Ok(files) => files,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+            Err(error) => return Err(self.fault(&error)),
+        };
+        let paths = files.map(|file| file.map(|file| file.path())).collect::<Result<Vec<_>, _>>();
+        let mut paths = paths.map_err(|error| self.fault(&error))?;
+        let own = format!("{}-", self.name);
+        paths.retain(|path| path.file_name().is_some_and(|file| file.to_string_lossy().starts_with(&own)));
+        Ok(paths)
+    }
+
+    /// Removes them, and the folder if nothing else is in it.
+    pub fn remove(&self) -> Result<(), SpeedError> {
+        for path in self.files()? {
+            fs::remove_file(&path).map_err(|error| self.fault(&error))?;
+        }
+        // What is not empty, or not there, stays as it is.
+        let _ = fs::remove_dir(&self.folder);
+        Ok(())
     }
 
     /// Points one after another, up to one that a killed run wrote a part of.

@@ -13,6 +13,7 @@ mod fatigue;
 mod judged;
 mod kept;
 mod point;
+pub mod request;
 mod speeds;
 
 pub(crate) use answer::SETTLED;
@@ -58,7 +59,7 @@ pub enum SpeedError {
     #[error("interrupted; nothing was written")]
     Interrupted,
     /// The same, and points are kept.
-    #[error("interrupted; the points so far are in {0}, the same command goes on from there")]
+    #[error("interrupted; what was computed is in {0}, the same command goes on from there")]
     Paused(String),
 }
 
@@ -169,6 +170,7 @@ impl SpeedMap {
     }
 
     /// The same, with points in a folder: those that are there are taken, the others are written there as they are made. They are the same bit by bit.
+    /// [`Self::forget`] removes them.
     ///
     /// # Errors
     /// As [`Self::of`], and where the folder cannot be read or written.
@@ -198,6 +200,14 @@ impl SpeedMap {
         let now = planned.open(folder)?;
         let there = planned.jobs.iter().filter(|(speed, way)| now.find(*speed, *way).is_some()).count();
         Ok(Share { points: own.len(), of: planned.jobs.len(), there })
+    }
+
+    /// Removes the points of this map from a folder, and the folder if nothing else is in it.
+    ///
+    /// # Errors
+    /// [`SpeedError::Spec`] for a file that cannot be removed.
+    pub fn forget(&self, folder: &Path) -> Result<(), SpeedError> {
+        Kept::new(folder, &self.spec, &self.cam, &self.range).remove()
     }
 
     /// The points of one way, by rising speed.
@@ -233,7 +243,7 @@ impl Planned {
     }
 
     fn open(&self, folder: &Path) -> Result<Kept, SpeedError> {
-        Kept::open(folder, &self.spec, &self.cam, &self.range)
+        Kept::new(folder, &self.spec, &self.cam, &self.range).open()
     }
 
     fn run(
