@@ -3,6 +3,7 @@
 //! Next door: the theories (`inductance::theories`), the sensor that uses a fit (`sensors`).
 
 mod calibration;
+mod cubic;
 mod inductance;
 mod inverse_length;
 mod inversion;
@@ -10,9 +11,11 @@ mod line;
 mod misfit;
 mod points;
 mod reading;
+mod steel;
 mod stiffness;
 
 pub use calibration::{CALIBRATION_LENGTHS, Calibration, Theory};
+pub use cubic::CubicFit;
 pub use inductance::InductanceFit;
 pub use inverse_length::InverseLengthFit;
 pub use inversion::Inversion;
@@ -20,4 +23,5 @@ pub use line::FitMethod;
 pub use misfit::Misfit;
 pub use points::CalibrationPoints;
 pub use reading::ReadingUncertainty;
+pub use steel::{Permeability, SteelDoubts, SteelFit};
 pub use stiffness::StiffnessFit;

@@ -25,11 +25,15 @@ pub(super) type Part = (Point, f64);
 
 /// Directions about the middle.
 const ROUND: usize = 16;
+/// Directions above the plane of symmetry.
+const ABOVE: usize = 4;
 /// Directions about a point inside.
 const ABOUT: usize = 32;
 
 /// Diameters of the wire from which a turn is coarse.
 const FINE: f64 = 2.5;
+/// Diameters up to which it takes two panels of rays and of points along each.
+const NEXT: f64 = 2.0;
 
 impl Disc {
     pub fn new(coil: f64, wire: f64, pitch: f64) -> Self {
@@ -122,14 +126,11 @@ impl Disc {
         let mut sum = 0.0;
         for (place, weight) in unit_points(1) {
             let from_middle = place * self.wire;
-            for direction in 0..ROUND {
+            for direction in 0..ABOVE {
                 // Half a step off the plane of symmetry, above which all is as below.
-                let turn = (TAU * (direction as f64 + 0.5) / ROUND as f64).sin_cos();
-                if turn.0 < 0.0 {
-                    continue;
-                }
+                let turn = (PI * (direction as f64 + 0.5) / ABOVE as f64).sin_cos();
                 let r = self.point(turn, from_middle).r;
-                let area = 2.0 * weight * self.wire * from_middle * TAU / ROUND as f64;
+                let area = 2.0 * weight * self.wire * from_middle * PI / ABOVE as f64;
                 sum += TAU * r * area * self.density(r) * self.potential_inside(turn, from_middle);
             }
         }
@@ -138,26 +139,35 @@ impl Disc {
 
     /// ∬ j M j of two of them, so far apart along the axis, over μ₀ \[m\].
     fn mutual_inductance(&self, apart: f64) -> f64 {
-        let is_near = apart < FINE * 2.0 * self.wire;
-        let parts: Vec<Part> = if is_near { self.parts().collect() } else { self.coarse_parts().into() };
-        let linked = |&(at, current): &Part| {
-            let at_all = parts.iter().map(|&(source, own)| own * potential(source, at.moved(apart)));
-            TAU * at.r * current * at_all.sum::<f64>()
-        };
-        parts.iter().map(linked).sum()
+        let linked =
+            |(at, current): Part, (source, own): Part| TAU * at.r * current * own * potential(source, at.moved(apart));
+        if apart >= FINE * 2.0 * self.wire {
+            let parts = self.coarse_parts();
+            return parts.iter().flat_map(|&at| parts.map(|source| linked(at, source))).sum();
+        }
+        let parts: Vec<Part> = self.parts().collect();
+        let mirrored = |part: usize| part / ROUND * ROUND + (ROUND - part % ROUND) % ROUND;
+        let mut sum = 0.0;
+        for (number, &at) in parts.iter().enumerate() {
+            // A mirror between the turns shows each pair once more.
+            for (other, &source) in parts.iter().enumerate().filter(|(other, _)| mirrored(*other) >= number) {
+                let times = if mirrored(other) == number { 1.0 } else { 2.0 };
+                sum += times * linked(at, source);
+            }
+        }
+        sum
     }
 
-    /// ∬ j M j of so many turns over μ₀ \[m\].
-    pub fn inductance_of(&self, turns: usize) -> f64 {
-        let of_lag = |lag: usize| 2.0 * (turns - lag) as f64 * self.mutual_inductance(lag as f64 * self.pitch);
-        turns as f64 * self.own_inductance() + (1..turns).map(of_lag).sum::<f64>()
+    /// ∬ j M j of a turn and one so many turns after it, or of itself, over μ₀ \[m\].
+    pub fn linked(&self, lag: usize) -> f64 {
+        if lag == 0 { self.own_inductance() } else { self.mutual_inductance(lag as f64 * self.pitch) }
     }
 
     /// A/μ₀ and B/μ₀ at points on the edge of a turn so far along the axis.
     pub fn seen_along(&self, at: Point, apart: f64) -> (f64, [f64; 2]) {
         let at = at.moved(apart);
         match apart / (2.0 * self.wire) {
-            diameters if diameters < FINE => self.seen_from(at, 2),
+            diameters if diameters < NEXT => self.seen_from(at, 2),
             diameters if diameters < 2.0 * FINE => self.seen_from(at, 1),
             _ => self.coarse_parts().iter().fold((0.0, [0.0; 2]), |(sum, [r, z]), &(source, current)| {
                 let own = field(source, at);

@@ -8,7 +8,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::disc::Disc;
 use super::field::{Point, field, logarithmic_part};
-use crate::error::Error;
 
 /// Points on the edge of a turn's wire.
 pub(super) const NODES: usize = 24;
@@ -49,10 +48,11 @@ fn logarithmic_weights() -> [f64; NODES] {
     })
 }
 
-/// Turns side by side that are all alike.
+/// Turns side by side that are all alike: what they do to each other by how many turns they are apart.
 pub(super) struct Row<'a> {
     disc: &'a Disc,
-    turns: usize,
+    /// ∬ j M j over μ₀ of a turn with itself and with those after it \[m\].
+    links: Vec<f64>,
     /// Of what each node of a turn feels of the edge of one so many turns before it: B along the edge over μ₀, by nodes of that edge.
     blocks: Vec<DMatrix<f64>>,
     /// The same of the current of one ampere in that turn, and its A/μ₀.
@@ -62,11 +62,17 @@ pub(super) struct Row<'a> {
 
 impl<'a> Row<'a> {
     pub fn new(disc: &'a Disc, turns: usize) -> Self {
+        let links = (0..turns).map(|lag| disc.linked(lag)).collect();
         let blocks = (0..turns).map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag) }).collect();
         let (mut fields, mut potentials) = (Vec::new(), Vec::new());
         for lag in 0..turns {
             let (mut along, mut potential) = ([0.0; NODES], [0.0; NODES]);
             for node in 0..NODES {
+                // A turn's own field is above its plane as below.
+                if lag == 0 && node > HALF {
+                    (along[node], potential[node]) = (along[mirrored(node)], potential[mirrored(node)]);
+                    continue;
+                }
                 let angle = angle(node, NODES);
                 let (seen, field) = disc.seen_along(on_edge(disc, angle), lag as f64 * disc.pitch);
                 (along[node], potential[node]) = (along_edge(angle, field), seen);
@@ -74,67 +80,64 @@ impl<'a> Row<'a> {
             fields.push(along);
             potentials.push(potential);
         }
-        Self { disc, turns, blocks, fields, potentials }
+        Self { disc, links, blocks, fields, potentials }
     }
 
-    /// What all turns' currents do at a node of one.
-    fn sum(&self, each: &[[f64; NODES]], turn: usize, node: usize) -> f64 {
+    /// ∬ j M j of so many of the turns over μ₀ \[m\].
+    pub fn of_currents(&self, turns: usize) -> f64 {
+        let of_lag = |lag: usize| if lag == 0 { turns as f64 } else { 2.0 * (turns - lag) as f64 };
+        (0..turns).map(|lag| of_lag(lag) * self.links[lag]).sum()
+    }
+
+    /// What the currents of so many turns do at a node of one.
+    fn sum(&self, each: &[[f64; NODES]], turns: usize, turn: usize, node: usize) -> f64 {
         let of = |other: usize| {
             if other <= turn { each[turn - other][node] } else { each[other - turn][mirrored(node)] }
         };
-        (0..self.turns).map(of).sum()
+        (0..turns).map(of).sum()
     }
 
-    /// Currents on the surfaces \[A/m\] for one ampere in the wires, by turns of the first half and their nodes; the other half is their mirror.
-    ///
-    /// K − 2λ B(K)/μ₀ = 2λ μ_r B(j)/μ₀ along the edge, λ = (μ_r − 1)/(μ_r + 1).
-    ///
-    /// # Errors
-    /// [`Error::Value`] for a permeability at which there is no solution.
-    pub fn surface_currents(&self, permeability: f64) -> Result<DVector<f64>, Error> {
-        let twice = 2.0 * (permeability - 1.0) / (permeability + 1.0);
-        let half = self.turns.div_ceil(2);
-        let mut matrix = DMatrix::identity(half * NODES, half * NODES);
+    /// B(K)/μ₀ along the edges of the first half of the turns, of so many of them, by currents there \[1/m\]; those of the other half are their mirror.
+    pub fn felt(&self, turns: usize) -> DMatrix<f64> {
+        let half = turns.div_ceil(2);
+        let mut matrix = DMatrix::zeros(half * NODES, half * NODES);
         for turn in 0..half {
-            for other in 0..self.turns {
+            for other in 0..turns {
                 // Whose unknowns they are: its own, or those of its mirror.
-                let (of, is_mirrored) = if other < half { (other, false) } else { (self.turns - 1 - other, true) };
-                let lag = turn.abs_diff(other);
-                for node in 0..NODES {
-                    for source in 0..NODES {
-                        let [at, from] =
-                            if other <= turn { [node, source] } else { [mirrored(node), mirrored(source)] };
-                        let column = of * NODES + if is_mirrored { mirrored(source) } else { source };
-                        matrix[(turn * NODES + node, column)] -= twice * self.blocks[lag][(at, from)];
+                let (of, is_mirrored) = if other < half { (other, false) } else { (turns - 1 - other, true) };
+                let block = &self.blocks[turn.abs_diff(other)];
+                for source in 0..NODES {
+                    let column = of * NODES + if is_mirrored { mirrored(source) } else { source };
+                    for node in 0..NODES {
+                        let at = if other <= turn { (node, source) } else { (mirrored(node), mirrored(source)) };
+                        matrix[(turn * NODES + node, column)] += block[at];
                     }
                 }
             }
         }
-        let right = DVector::from_fn(half * NODES, |row, _| {
-            twice * permeability * self.sum(&self.fields, row / NODES, row % NODES)
-        });
-        matrix.lu().solve(&right).ok_or_else(|| Error::Value {
-            field: Some("permeability"),
-            quantity: "permeability".into(),
-            value: permeability,
-            unit: "",
-            allowed: "one at which the wires' surfaces can be solved for".into(),
-        })
+        matrix
     }
 
-    /// ∬ j M K of the wires' currents with those on the surfaces over μ₀ \[m\].
-    pub fn with_surface(&self, currents: &DVector<f64>) -> f64 {
-        let half = self.turns.div_ceil(2);
+    /// B(j)/μ₀ along the same edges for one ampere in the wires \[A/m\].
+    pub fn field(&self, turns: usize) -> DVector<f64> {
+        let half = turns.div_ceil(2);
+        DVector::from_fn(half * NODES, |row, _| self.sum(&self.fields, turns, row / NODES, row % NODES))
+    }
+
+    /// What currents there \[A/m\] make of ∬ j M K of the wires' currents with those on all surfaces over μ₀ \[m\].
+    pub fn seen(&self, turns: usize) -> DVector<f64> {
+        let half = turns.div_ceil(2);
         let step = self.disc.wire * TAU / NODES as f64;
-        let of_turn = |turn: usize| -> f64 {
-            let nodes = (0..NODES).map(|node| {
-                let round = TAU * on_edge(self.disc, angle(node, NODES)).r;
-                step * round * currents[turn * NODES + node] * self.sum(&self.potentials, turn, node)
-            });
-            nodes.sum()
-        };
-        // The middle turn of an odd number is its own mirror.
-        (0..half).map(|turn| if 2 * turn + 1 == self.turns { 1.0 } else { 2.0 } * of_turn(turn)).sum()
+        DVector::from_fn(half * NODES, |row, _| {
+            let (turn, node) = (row / NODES, row % NODES);
+            // The middle turn of an odd number is its own mirror.
+            let times = if 2 * turn + 1 == turns { 1.0 } else { 2.0 };
+            times
+                * step
+                * TAU
+                * on_edge(self.disc, angle(node, NODES)).r
+                * self.sum(&self.potentials, turns, turn, node)
+        })
     }
 }
 
@@ -195,7 +198,9 @@ mod tests {
         let disc = Disc::new(8.47e-3, 1.41e-3, 1.3 * 2.82e-3);
         let row = Row::new(&disc, 5);
         for permeability in [1.5, 2.5, 10.0] {
-            let currents = row.surface_currents(permeability).unwrap();
+            let twice = 2.0 * (permeability - 1.0) / (permeability + 1.0);
+            let matrix = DMatrix::identity(3 * NODES, 3 * NODES) - twice * row.felt(5);
+            let currents = matrix.lu().solve(&(twice * permeability * row.field(5))).unwrap();
             for turn in 0..3 {
                 let round: f64 = currents.rows(turn * NODES, NODES).sum() * disc.wire * TAU / NODES as f64;
                 assert!((round / (1.0 - permeability) - 1.0).abs() < 1e-6, "{turn}: {round} at {permeability}");

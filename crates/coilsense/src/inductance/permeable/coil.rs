@@ -1,0 +1,300 @@
+//! A coil of magnetic wire over a range of lengths: rings, the current along it, a radius that shrinks as it is stretched.
+//!
+//! Next door: the rings at one length (`susceptible`), the current along (`leads`), permeability and a constant from measured points (`crate::calibrate`).
+
+use std::f64::consts::{PI, TAU};
+
+use super::leads::Leads;
+use super::surface::Row;
+use super::susceptible::Susceptible;
+use super::{LEAST_PITCH, MOST_PERMEABLE, MOST_TURNS, disc::Disc};
+use crate::error::{Error, above_zero, check};
+use crate::inductance::coil::Coil;
+
+/// A coil of magnetic wire at every length of a range and for every permeability, at hand.
+///
+/// L = (1 − f) L_n + f L_(n+1) + L_along
+///
+/// with n = ⌊N⌋, f = N − n, L_n of [`super::PermeableRings`] with the pitch l/N and the radius r that leaves the wire its length:
+/// 2πNr = √((2πNr₀)² + l₀² − l²). L_along is [`super::inductance_along`]'s.
+///
+/// The rings are solved at seven lengths (Chebyshev's points in 1/l), between which L is the polynomial in 1/l through them.
+///
+/// Source:   bound currents as [`super::PermeableRings`]; the rest as `[Grover1946]` and, of turns between whole numbers, `[Vlasblom2015]`.
+/// Valid:    as [`super::PermeableRings`]: stainless wire to some 10 kHz, pitch from 1.04 wire diameters on; ends that do not turn.
+/// Accuracy: from 1.05 to 1.6 wire diameters the polynomial is off by 1e-6 for μ_r up to 2, 3e-5 at 5, 3e-4 at 20 (tests); the rings as
+///           [`super::PermeableRings`].
+///
+/// ```
+/// use coilsense::inductance::theories::Coil;
+/// use coilsense::inductance::{Leads, SteelCoil};
+/// let coil = Coil::new(41.904, 8.47e-3, 1.41e-3)?; // measured where it is 118.17 mm long
+/// let steel = SteelCoil::new(&coil, 0.11817, Leads::Open, [0.125, 0.178])?;
+/// let microhenry = 1e6 * steel.of(2.08)?.inductance(0.1434);
+/// assert!((3.3..3.6).contains(&microhenry), "{microhenry}");
+/// # Ok::<(), coilsense::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteelCoil {
+    coil: Coil,
+    measured_at: f64,
+    shape: Shape,
+    leads: Leads,
+    /// Shortest and longest \[m\].
+    range: [f64; 2],
+    /// 1/l \[1/m\], barycentric weight, the rings there.
+    nodes: Vec<(f64, f64, Turns)>,
+}
+
+/// The same for one permeability.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteelCurve {
+    shape: Shape,
+    leads: Leads,
+    range: [f64; 2],
+    /// 1/l \[1/m\], barycentric weight, L of the rings \[H\].
+    nodes: Vec<[f64; 3]>,
+}
+
+/// Lengths at which the rings are solved.
+const NODES: usize = 7;
+/// The same where a hundredth of the difference between two coils matters.
+const FEW_NODES: usize = 3;
+/// Shares of a length and of a radius by which two coils differ whose difference is taken for a derivative.
+const STEP: f64 = 1e-4;
+const WIDER: f64 = 2e-3;
+/// The least permeability that a fit may go to: below 1 nothing is, but noise about 1 has two sides.
+pub(crate) const LEAST_FITTED: f64 = 0.5;
+
+/// A coil that keeps its windings and the length of its wire.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Shape {
+    windings: f64,
+    wire_radius: f64,
+    /// Of the length of the wire \[m²\].
+    wire_squared: f64,
+}
+
+impl Shape {
+    fn new(coil: &Coil, measured_at: f64) -> Result<Self, Error> {
+        above_zero("measured_at", measured_at, "m")?;
+        let round = TAU * coil.windings() * coil.coil_radius();
+        let wire_squared = round * round + measured_at * measured_at;
+        Ok(Self { windings: coil.windings(), wire_radius: coil.wire_radius(), wire_squared })
+    }
+
+    fn coil_radius(&self, length: f64) -> f64 {
+        (self.wire_squared - length * length).sqrt() / (TAU * self.windings)
+    }
+
+    /// Refuses what the rings do not hold for.
+    fn holds_at(&self, length: f64) -> Result<(), Error> {
+        // Rounding of a length that was itself computed from the pitch.
+        let least = LEAST_PITCH * 2.0 * self.wire_radius * self.windings * (1.0 - 1e-12);
+        let allowed =
+            format!("at least {least:.6} m, {LEAST_PITCH} wire diameters a winding (nearer turns touch and short)");
+        check(length.is_finite() && length >= least, "length", length, "m", allowed)?;
+        let open = self.coil_radius(length) > self.wire_radius;
+        check(open, "length", length, "m", "below that at which the wire is stretched straight").map(|_| ())
+    }
+}
+
+/// The rings of one length.
+#[derive(Debug, Clone, PartialEq)]
+struct Turns {
+    whole: Susceptible,
+    /// One more.
+    more: Susceptible,
+}
+
+impl Turns {
+    fn new(shape: &Shape, length: f64) -> Self {
+        let disc = Disc::new(shape.coil_radius(length), shape.wire_radius, length / shape.windings);
+        let whole = shape.windings as usize;
+        let row = Row::new(&disc, whole + 1);
+        Self { whole: Susceptible::new(&row, whole), more: Susceptible::new(&row, whole + 1) }
+    }
+
+    /// L of the whole turns, and how much more it is with one more \[H\].
+    fn inductances(&self, permeability: f64) -> [f64; 2] {
+        let whole = self.whole.inductance(permeability);
+        [whole, self.more.inductance(permeability) - whole]
+    }
+}
+
+/// By how much L of the rings changes with what is taken for granted.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Changes {
+    /// 1/l \[1/m\], barycentric weight, and L \[H\] for each change of 1 of ln N, ln r and ln a.
+    nodes: Vec<(f64, f64, [f64; 3])>,
+}
+
+impl Changes {
+    /// \[H\] at a length \[m\].
+    pub fn at(&self, length: f64) -> [f64; 3] {
+        [0, 1, 2].map(|which| {
+            between(self.nodes.iter().map(|(inverse, weight, values)| [*inverse, *weight, values[which]]), length)
+        })
+    }
+}
+
+/// Barycentric interpolation in 1/l of places, weights and values.
+fn between(nodes: impl Iterator<Item = [f64; 3]>, length: f64) -> f64 {
+    let (mut above, mut below) = (0.0, 0.0);
+    for [node, weight, value] in nodes {
+        let apart = 1.0 / length - node;
+        if apart == 0.0 {
+            return value;
+        }
+        above += weight / apart * value;
+        below += weight / apart;
+    }
+    above / below
+}
+
+/// Chebyshev's points in 1/l and their barycentric weights.
+fn places([shortest, longest]: [f64; 2], count: usize) -> impl Iterator<Item = (f64, f64)> {
+    let (middle, half) = (0.5 * (1.0 / shortest + 1.0 / longest), 0.5 * (1.0 / shortest - 1.0 / longest));
+    (0..count).map(move |index| {
+        let (sine, cosine) = (PI * (index as f64 + 0.5) / count as f64).sin_cos();
+        (middle + half * cosine, if index % 2 == 0 { sine } else { -sine })
+    })
+}
+
+impl SteelCoil {
+    /// - `coil`: of at most 149 windings, its radius as it is at the length `measured_at` \[m\]
+    /// - `range`: the shortest and the longest length in use \[m\]
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a length at which windings are nearer than 1.04 wire diameters or the wire is straight, a range that is none, too
+    /// many windings, and leads inside the coil.
+    pub fn new(coil: &Coil, measured_at: f64, leads: Leads, range: [f64; 2]) -> Result<Self, Error> {
+        let allowed = format!("from 1 to {}", MOST_TURNS - 1);
+        check(coil.windings() <= (MOST_TURNS - 1) as f64, "windings", coil.windings(), "", allowed)?;
+        leads.outside(coil.coil_radius())?;
+        let shape = Shape::new(coil, measured_at)?;
+        let [shortest, longest] = range;
+        shape.holds_at(shortest)?;
+        shape.holds_at(longest)?;
+        check(longest > shortest, "longest length", longest, "m", format!("above the shortest, {shortest} m"))?;
+        let nodes = places(range, NODES).map(|(inverse, weight)| (inverse, weight, Turns::new(&shape, 1.0 / inverse)));
+        Ok(Self { coil: *coil, measured_at, shape, leads, range, nodes: nodes.collect() })
+    }
+
+    /// The coil.
+    pub fn coil(&self) -> &Coil {
+        &self.coil
+    }
+
+    /// The length at which its radius was measured \[m\].
+    pub fn measured_at(&self) -> f64 {
+        self.measured_at
+    }
+
+    /// Radius of the coil \[m\] at a length \[m\], which leaves its wire as long as it is.
+    pub fn coil_radius(&self, length: f64) -> f64 {
+        self.shape.coil_radius(length)
+    }
+
+    /// The shortest and the longest length \[m\].
+    pub fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// L over length for one permeability of the wire, 1 to 20.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for another.
+    pub fn of(&self, permeability: f64) -> Result<SteelCurve, Error> {
+        let allowed = format!("1 to {MOST_PERMEABLE}");
+        check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)?;
+        Ok(self.fitted(permeability))
+    }
+
+    /// The same for what a fit may come by.
+    pub(crate) fn fitted(&self, permeability: f64) -> SteelCurve {
+        let share = self.shape.windings.fract();
+        let node = |(inverse, weight, turns): &(f64, f64, Turns)| {
+            let [whole, more] = turns.inductances(permeability);
+            [*inverse, *weight, whole + share * more]
+        };
+        let nodes = self.nodes.iter().map(node).collect();
+        SteelCurve { shape: self.shape, leads: self.leads, range: self.range, nodes }
+    }
+
+    /// How its rings depend on windings, radius and wire.
+    ///
+    /// By windings from one more turn at the same pitch; by radius from another row; by the wire's, as L of a coil that is larger in all grows with it:
+    /// L = r ∂L/∂r + a ∂L/∂a + l ∂L/∂l.
+    pub(crate) fn changes(&self, permeability: f64) -> Changes {
+        let Shape { windings, wire_radius, .. } = self.shape;
+        let solved =
+            self.nodes.iter().map(|(inverse, weight, turns)| (*inverse, *weight, turns.inductances(permeability)));
+        let solved: Vec<(f64, f64, [f64; 2])> = solved.collect();
+        let [of_whole, of_more] = [0, 1].map(|which| {
+            let nodes = solved.iter().map(move |(inverse, weight, values)| [*inverse, *weight, values[which]]);
+            move |length: f64| between(nodes.clone(), length)
+        });
+        let curve = self.fitted(permeability);
+        let node = |(inverse, weight): (f64, f64)| {
+            let length = 1.0 / inverse;
+            let ringed = curve.rings(length);
+            let [before, after] = [1.0 - STEP, 1.0 + STEP].map(|times| curve.rings(times * length));
+            let by_length = (after - before) / (2.0 * STEP);
+            let by_windings = windings * of_more(length) - by_length;
+            let whole = windings as usize;
+            let disc = Disc::new((1.0 + WIDER) * self.shape.coil_radius(length), wire_radius, length / windings);
+            let wider = Susceptible::new(&Row::new(&disc, whole), whole).inductance(permeability);
+            let by_radius = (wider / of_whole(length)).ln() / WIDER * ringed;
+            (inverse, weight, [by_windings, by_radius, ringed - by_radius - by_length])
+        };
+        Changes { nodes: places(self.range, FEW_NODES).map(node).collect() }
+    }
+
+    /// L \[H\] at one length \[m\] and one permeability, solved there.
+    ///
+    /// # Errors
+    /// As [`Self::new`] and [`Self::of`].
+    pub fn at_length(
+        coil: &Coil,
+        measured_at: f64,
+        leads: Leads,
+        permeability: f64,
+        length: f64,
+    ) -> Result<f64, Error> {
+        let allowed = format!("1 to {MOST_PERMEABLE}");
+        check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)?;
+        leads.outside(coil.coil_radius())?;
+        let shape = Shape::new(coil, measured_at)?;
+        shape.holds_at(length)?;
+        let [whole, more] = Turns::new(&shape, length).inductances(permeability);
+        Ok(whole + shape.windings.fract() * more + leads.along(length, shape.coil_radius(length)))
+    }
+}
+
+impl SteelCurve {
+    /// The shortest and the longest length \[m\].
+    pub fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// How much more L is at a length with other leads \[H\].
+    pub(crate) fn by_leads(&self, length: f64, other: Leads) -> f64 {
+        let radius = self.shape.coil_radius(length);
+        other.along(length, radius) - self.leads.along(length, radius)
+    }
+
+    /// L \[H\] at a length \[m\]; NaN outside of the range.
+    pub fn inductance(&self, length: f64) -> f64 {
+        let [shortest, longest] = self.range;
+        if !(shortest..=longest).contains(&length) {
+            return f64::NAN;
+        }
+        self.rings(length) + self.leads.along(length, self.shape.coil_radius(length))
+    }
+
+    /// Of the rings.
+    fn rings(&self, length: f64) -> f64 {
+        between(self.nodes.iter().copied(), length)
+    }
+}
