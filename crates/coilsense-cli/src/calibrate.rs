@@ -53,7 +53,7 @@ fn measured(given: &Given) -> anyhow::Result<Measured> {
 fn plan(given: &Given, spec: Option<&SpringSpec>) -> anyhow::Result<Plan> {
     let plan = Plan::of(given, None).map_err(options::wrong)?;
     if let Some(spec) = spec {
-        return Ok(Plan { coil: Some(Coil::of(&spec.spring)?), force: Some(ForceLaw::of(spec)), ..plan });
+        return Ok(plan.of_spring(&spec.spring, Some(ForceLaw::of(spec)))?);
     }
     let coil = coil(given, None).map(|coil| Coil::new(coil.windings, coil.coil_radius, coil.wire_radius));
     Ok(Plan { coil: coil.transpose()?, force: ForceLaw::given(given), ..plan })

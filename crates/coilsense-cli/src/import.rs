@@ -6,12 +6,14 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
+use coilsense_lab::calibration::request::{CALIBRATION, RE_ZERO, parse_pair};
+use coilsense_lab::calibration::{Applied, StoredCalibration};
 use coilsense_lab::output::Output;
 use coilsense_lab::recording::request::{LOG, WITH};
-use coilsense_lab::recording::{Account, Cleaning, ImportError, import, write_recording};
+use coilsense_lab::recording::{Account, Cleaning, ImportError, import, write_recording, write_recording_with};
 use coilsense_lab::report::{ImportOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT};
-use coilsense_lab::series::Format;
+use coilsense_lab::series::{Column, Format};
 
 use crate::log;
 use crate::progress::Watch;
@@ -31,8 +33,24 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let watch = Watch::begin("reading")?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut output = Output::begin(folder)?;
+    let stored = given.file(&CALIBRATION).map(StoredCalibration::read).transpose()?;
+    let stored = match (stored, given.text(&RE_ZERO)) {
+        (Some(stored), Some(text)) => {
+            let (length, inductance) = parse_pair(&text).map_err(|reason| anyhow::anyhow!("--re-zero: {reason}"))?;
+            Some(stored.re_zeroed(length, inductance)?)
+        }
+        (stored, _) => stored,
+    };
+    let mut told = Vec::new();
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
-    let imported = match given.holds(&WITH) {
+    let imported = match given.holds(&WITH) || stored.is_some() {
+        true if stored.is_some() => {
+            let recording = log::recording(given)?;
+            let stored = stored.context("a calibration")?;
+            let applied = Applied::new(&stored, recording.signals(), &recording.account().file.display().to_string())?;
+            told.clone_from(&applied.told);
+            write_recording_with(&recording, &columns(&applied), format, name, &mut output)
+        }
         true => write_recording(&log::recording(given)?, format, name, &mut output),
         false => import(given.needed(&LOG)?, &mapping, &cleaning, &tell, format, name, &mut output),
     };
@@ -45,15 +63,32 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     // A reader that closes the pipe early has all it wants: the file is written.
     let mut out = anstream::stdout().lock();
     if given.holds(&JSON) {
-        let _ = write!(out, "{}", to_json(outcome(&account, path))?);
+        let _ = write!(out, "{}", to_json(outcome(&account, path, told))?);
         return Ok(());
     }
     let _ = writeln!(out, "{account}");
+    for line in told {
+        let _ = writeln!(out, "{line}");
+    }
     let _ = writeln!(out, "wrote {} in {:.2} s", path.display(), begun.elapsed().as_secs_f64());
     Ok(())
 }
 
-fn outcome<'a>(account: &'a Account, out: &'a Path) -> ImportOutcome<'a> {
+/// Length and force with their uncertainties, as columns.
+fn columns(applied: &Applied) -> Vec<Column<'_>> {
+    let of = |name: &'static str, unit, values: Option<&'_ Vec<f64>>| {
+        values.map(|values| Column { name: name.into(), unit, values: values.clone().into() })
+    };
+    let all = [
+        of("length", "m", Some(&applied.lengths)),
+        of("u_length", "m", applied.lengths_u.as_ref()),
+        of("F_L", "N", applied.forces.as_ref()),
+        of("u_F_L", "N", applied.forces_u.as_ref()),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+fn outcome<'a>(account: &'a Account, out: &'a Path, calibration: Vec<String>) -> ImportOutcome<'a> {
     ImportOutcome {
         file: &account.file,
         out,
@@ -63,5 +98,6 @@ fn outcome<'a>(account: &'a Account, out: &'a Path) -> ImportOutcome<'a> {
         left_out: account.left_out(),
         span_s: account.span,
         account: account.lines(),
+        calibration,
     }
 }

@@ -4,11 +4,11 @@
 
 use std::sync::Arc;
 
-use coilsense::inductance::theories::Coil;
 use coilsense_lab::calibration::request::{
-    INVERSION, LENGTH_AT_ZERO, LENGTH_AT_ZERO_FORCE, METHOD, STIFFNESS, STIFFNESS_UNCERTAINTY,
+    FORM, FREQUENCY, INVERSION, KNOWN_PERMEABILITY, LEADS, LENGTH_AT_ZERO, LENGTH_AT_ZERO_FORCE, METER_NOISE, METHOD,
+    POINTS, RE_ZERO, STIFFNESS, STIFFNESS_UNCERTAINTY, THEORY,
 };
-use coilsense_lab::calibration::{Assessment, Outcome, Plan, Preload};
+use coilsense_lab::calibration::{Assessment, Curve, Outcome, Plan, Preload, StoredCalibration};
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::PRESET;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
@@ -60,6 +60,18 @@ getters! {
     lengths<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.measured.points.lengths());
     /// Measured inductances [H], shape (points,).
     inductances<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.measured.points.inductances());
+    /// The calibration that was asked for: "inverse-length" (1/l = αL + β), "cubic" or "steel".
+    relation: &'static str = self.0.plan.relation.name();
+    /// Rms of lengths read less lengths measured over the points that it was not fitted to, or over all where there are none [% of the range].
+    length_rms_percent_of_range: f64 = 100.0 * self.0.taken.rms_share;
+    /// Relative permeability of the wire [1]; None but by the theory "steel".
+    permeability: Option<f64> = self.steel().map(|fit| fit.permeability);
+    /// Its standard uncertainty [1]; None where it was told.
+    permeability_u: Option<f64> = self.steel().and_then(|fit| fit.permeability_u);
+    /// L0, what hooks, leads and errors of windings and radius add [H]; None but by the theory "steel".
+    offset: Option<f64> = self.steel().map(|fit| fit.offset + self.0.taken.shift);
+    /// Its standard uncertainty [H].
+    offset_u: Option<f64> = self.steel().map(|fit| fit.offset_u);
     /// The theories beside the points, in their order: name, r2, rmse [m], rmse_share_of_range; or why one cannot be judged.
     theories<'py>(py): PyResult<Vec<Bound<'py, PyDict>>> =
         self.0.theories.iter().map(|judged| theory(py, judged)).collect();
@@ -83,7 +95,7 @@ study_result! {
 
 #[pymethods]
 impl PyCalibration {
-    /// The length at an inductance, by 1/l = αL + β.
+    /// The length at an inductance, by the calibration that was asked for; nan where it has none.
     ///
     /// Parameters
     /// ----------
@@ -95,11 +107,43 @@ impl PyCalibration {
     /// numpy.ndarray, shape (samples,)
     ///     [m].
     fn length<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Bound<'py, PyArray1<f64>> {
-        let calibration = self.0.inverse_length.calibration();
-        inductance.values().iter().map(|henry| calibration.length(*henry)).collect::<Vec<_>>().into_pyarray(py)
+        let taken = &self.0.taken;
+        let length = |henry: &f64| taken.length(*henry).unwrap_or(f64::NAN);
+        inductance.values().iter().map(length).collect::<Vec<_>>().into_pyarray(py)
     }
 
-    /// The inductance at a length, by 1/l = αL + β.
+    /// The standard uncertainty of the length at an inductance; nan where it cannot be told.
+    ///
+    /// Parameters
+    /// ----------
+    /// inductance : array_like of float, shape (samples,)
+    ///     [H].
+    ///
+    /// Returns
+    /// -------
+    /// numpy.ndarray, shape (samples,)
+    ///     [m].
+    fn length_u<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Bound<'py, PyArray1<f64>> {
+        let taken = &self.0.taken;
+        let length_u = |henry: &f64| taken.length_u(*henry).unwrap_or(f64::NAN);
+        inductance.values().iter().map(length_u).collect::<Vec<_>>().into_pyarray(py)
+    }
+
+    /// The calibration as a file's text, which `open_calibration` and ``coilsense import --calibration`` read.
+    ///
+    /// Parameters
+    /// ----------
+    /// date : str
+    ///     The date that it carries, such as 2026-11-21.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    fn stored(&self, date: &str) -> PyResult<String> {
+        Ok(StoredCalibration::of(&self.0).python()?.to_text(date))
+    }
+
+    /// The inductance at a length, by the calibration that was asked for; nan where it does not reach.
     ///
     /// Parameters
     /// ----------
@@ -111,14 +155,141 @@ impl PyCalibration {
     /// numpy.ndarray, shape (samples,)
     ///     [H].
     fn inductance<'py>(&self, py: Python<'py>, length: Series<'_>) -> Bound<'py, PyArray1<f64>> {
-        let calibration = self.0.inverse_length.calibration();
-        length.values().iter().map(|metre| calibration.inductance(*metre)).collect::<Vec<_>>().into_pyarray(py)
+        let taken = &self.0.taken;
+        length.values().iter().map(|metre| taken.inductance(*metre)).collect::<Vec<_>>().into_pyarray(py)
     }
 
     fn __repr__(&self) -> String {
         let (points, fit) = (self.0.measured.points.lengths().len(), &self.0.inverse_length);
         format!("<Calibration of {points} points: alpha={}, beta={}, rmse={}>", fit.alpha, fit.beta, fit.misfit.rmse)
     }
+}
+
+impl PyCalibration {
+    /// The magnetic wire, where it was asked for.
+    fn steel(&self) -> Option<&coilsense::calibrate::SteelFit> {
+        match &self.0.taken.curve {
+            Curve::Steel(fit) => Some(fit),
+            _ => None,
+        }
+    }
+}
+
+/// A calibration that was stored: length, force and their standard uncertainties from an inductance; read by `open_calibration`.
+///
+/// Notes
+/// -----
+/// Of windings at rest: while a coil rings, its inductance is that of other lengths.
+#[pyclass(name = "StoredCalibration", module = "coilsense", frozen, eq)]
+#[derive(PartialEq)]
+pub struct PyStoredCalibration(StoredCalibration);
+
+getters! {
+    PyStoredCalibration, self;
+    /// The relation it was made by: "inverse-length", "cubic" or "steel".
+    relation: String = self.0.relation.clone();
+    /// What it says of itself.
+    about: String = self.0.about.clone();
+    /// Lengths between which it reads [m].
+    lengths: (f64, f64) = self.0.lengths().into();
+    /// Inductances between which it reads [H].
+    inductances: (f64, f64) = self.0.inductances().into();
+    /// Standard uncertainty of L of a spring mounted anew, as a share [1]; 0 where it was zeroed since.
+    remounting: f64 = self.0.remounting;
+}
+
+#[pymethods]
+impl PyStoredCalibration {
+    /// The length at an inductance and its standard uncertainty; nan where it is not told.
+    ///
+    /// Parameters
+    /// ----------
+    /// inductance : array_like of float, shape (samples,)
+    ///     [H].
+    ///
+    /// Returns
+    /// -------
+    /// (numpy.ndarray, numpy.ndarray), each of shape (samples,)
+    ///     [m].
+    fn length<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Pair<'py> {
+        let of = |henry: &f64| {
+            self.0.at(*henry).map_or([f64::NAN; 2], |read| [read.length, read.length_u.unwrap_or(f64::NAN)])
+        };
+        pair(py, inductance.values().iter().map(of))
+    }
+
+    /// The force at an inductance and its standard uncertainty; nan where it is not told.
+    ///
+    /// Parameters
+    /// ----------
+    /// inductance : array_like of float, shape (samples,)
+    ///     [H].
+    ///
+    /// Returns
+    /// -------
+    /// (numpy.ndarray, numpy.ndarray), each of shape (samples,)
+    ///     [N].
+    fn force<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Pair<'py> {
+        let of = |henry: &f64| {
+            let force = self.0.at(*henry).and_then(|read| self.0.force_of(read));
+            force.map_or([f64::NAN; 2], |(force, force_u)| [force, force_u.unwrap_or(f64::NAN)])
+        };
+        pair(py, inductance.values().iter().map(of))
+    }
+
+    /// The same of a spring that was mounted anew and has this inductance at this length.
+    ///
+    /// Parameters
+    /// ----------
+    /// length : float
+    ///     [m].
+    /// inductance : float
+    ///     [H].
+    ///
+    /// Returns
+    /// -------
+    /// StoredCalibration
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For a length outside of the calibration.
+    fn re_zeroed(&self, length: f64, inductance: f64) -> PyResult<Self> {
+        Ok(Self(self.0.clone().re_zeroed(length, inductance).python()?))
+    }
+
+    fn __repr__(&self) -> String {
+        let [shortest, longest] = self.0.lengths();
+        format!("<StoredCalibration by {} from {shortest} to {longest} m>", self.0.relation)
+    }
+}
+
+/// Values and their standard uncertainties.
+type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+fn pair(py: Python<'_>, values: impl Iterator<Item = [f64; 2]>) -> Pair<'_> {
+    let (values, uncertainties): (Vec<f64>, Vec<f64>) = values.map(<(f64, f64)>::from).unzip();
+    (values.into_pyarray(py), uncertainties.into_pyarray(py))
+}
+
+/// Reads a calibration that was stored: ``calibration.toml`` of ``coilsense calibrate --out``, or what `Calibration.stored` gives.
+///
+/// Parameters
+/// ----------
+/// path : str or os.PathLike
+///     The file.
+///
+/// Returns
+/// -------
+/// StoredCalibration
+///
+/// Raises
+/// ------
+/// Error
+///     For what is no such file.
+#[pyfunction]
+pub fn open_calibration(path: std::path::PathBuf) -> PyResult<PyStoredCalibration> {
+    Ok(PyStoredCalibration(StoredCalibration::read(&path).python()?))
 }
 
 fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDict>> {
@@ -149,6 +320,22 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 ///     else all.
 /// preload : float, or (float, float), optional
 ///     Length at the preload [m], and its inductance [H] where there is no point.
+/// theory : {"steel"}, optional
+///     Fit the theory of a coil of magnetic wire, by its permeability and one constant; two points are enough. Needs `spring`.
+/// known_permeability : float, optional
+///     Relative permeability of the wire where it is known [1].
+/// leads : str, optional
+///     Where the meter's current goes back: "open" (far away), or the lead's distance from the axis, such as "50 mm".
+/// meter_noise : float or str, optional
+///     Standard uncertainty of a reading of L [H]; without it what readings of one point scatter by, else 0.05 % of L.
+/// frequency : float or str, optional
+///     Frequency at which the meter works [Hz].
+/// form : {"inverse-length", "cubic"}, optional
+///     Fit 1/l = αL + β, which is usual, or L = α/l + β + γ/l².
+/// fit_points : int, optional
+///     Fit so many of the points, spread from the shortest to the longest, and judge on the others.
+/// re_zero : (float, float) or str, optional
+///     A length [m] and an inductance [H] that the fitted curve is moved to, of a spring mounted anew.
 /// inversion : {"exact", "25-lengths"}, optional
 ///     How a length is read from a theory; without it 25-lengths with the preset lab-data, else exact.
 /// spring : Spring, Spec, str or os.PathLike, optional
@@ -187,8 +374,9 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 /// >>> round(fit.alpha), round(fit.beta, 6)
 /// (1500000, 0.4)
 #[pyfunction]
-#[pyo3(signature = (points, *, length_at_zero=None, method=None, preload=None, inversion=None, spring=None, stiffness=None,
-                    stiffness_uncertainty=0.0, length_at_zero_force=None, preset=None, columns=None, units=None))]
+#[pyo3(signature = (points, *, length_at_zero=None, method=None, preload=None, theory=None, known_permeability=None,
+                    leads=None, meter_noise=None, frequency=None, form=None, fit_points=None, re_zero=None,
+                    inversion=None, spring=None, stiffness=None, stiffness_uncertainty=0.0, length_at_zero_force=None, preset=None, columns=None, units=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn calibrate(
     py: Python<'_>,
@@ -196,6 +384,14 @@ pub fn calibrate(
     length_at_zero: Option<Quantity>,
     method: Option<&str>,
     preload: Option<PreloadArgument>,
+    theory: Option<&str>,
+    known_permeability: Option<f64>,
+    leads: Option<&str>,
+    meter_noise: Option<Quantity>,
+    frequency: Option<Quantity>,
+    form: Option<&str>,
+    fit_points: Option<u64>,
+    re_zero: Option<ReZeroArgument>,
     inversion: Option<&str>,
     spring: Option<SpringArgument<'_>>,
     stiffness: Option<Quantity>,
@@ -210,6 +406,14 @@ pub fn calibrate(
     let given = given([
         (&LENGTH_AT_ZERO, length_at_zero.into()),
         (&METHOD, method.into()),
+        (&THEORY, theory.into()),
+        (&KNOWN_PERMEABILITY, known_permeability.into()),
+        (&LEADS, leads.into()),
+        (&METER_NOISE, meter_noise.into()),
+        (&FREQUENCY, frequency.into()),
+        (&FORM, form.into()),
+        (&POINTS, fit_points.into()),
+        (&RE_ZERO, re_zero.as_ref().and_then(ReZeroArgument::text).into()),
         (&INVERSION, inversion.into()),
         (&PRESET, preset.as_deref().into()),
         (&STIFFNESS, stiffness.into()),
@@ -217,14 +421,36 @@ pub fn calibrate(
         (&LENGTH_AT_ZERO_FORCE, length_at_zero_force.into()),
     ])?;
     let zero = given.number(&LENGTH_AT_ZERO);
-    let plan = Plan {
-        coil: spring.as_ref().map(|spec| Coil::of(&spec.spring)).transpose().map_err(refused)?,
-        force: points::force(&given, spring.as_ref())?,
-        ..Plan::of(&given, preload).map_err(wrong)?
-    };
+    let force = points::force(&given, spring.as_ref())?;
+    let mut plan = Plan { force, ..Plan::of(&given, preload).map_err(wrong)? };
+    if let Some(known) = &spring {
+        plan = plan.of_spring(&known.spring, force).map_err(refused)?;
+    }
+    if let Some(ReZeroArgument::Pair(length, inductance)) = re_zero {
+        plan.re_zero = Some((
+            length.positive("re_zero[0]", Dimension::Length)?,
+            inductance.positive("re_zero[1]", Dimension::Inductance)?,
+        ));
+    }
     let measured = points::measured(py, points, zero, preset, columns, units)?;
     let outcome = interruptible(py, move || Outcome::new(measured, plan))?.python()?;
     Ok(PyCalibration(Arc::new(outcome)))
+}
+
+/// A length and an inductance, as numbers or as the command has them.
+#[derive(FromPyObject)]
+pub enum ReZeroArgument {
+    Text(String),
+    Pair(Quantity, Quantity),
+}
+
+impl ReZeroArgument {
+    fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            Self::Pair(..) => None,
+        }
+    }
 }
 
 /// A preload's length, or its length and inductance.

@@ -61,7 +61,7 @@ mod _coilsense {
     #[pymodule_export]
     use crate::{
         analysis::{PyAnalysis, PyCase, PyTogether, py_analyze, py_simulate, py_simulate_together},
-        calibration::{PyCalibration, calibrate},
+        calibration::{PyCalibration, PyStoredCalibration, calibrate, open_calibration},
         errors::{AnalysisError, Error, LogError, OutputError, SpecError, SweepError},
         estimate::PyEstimate,
         excitation::{PyEndInput, PyExcitation, PyStart, py_traverse_velocity},

@@ -22,11 +22,13 @@ pub enum Channel {
     InductanceForce,
     /// `L`: inductance \[H\].
     Inductance,
+    /// `R`: resistance of the coil by the same meter \[Ohm\].
+    Resistance,
 }
 
 impl Channel {
     /// All channels, in the order in which files hold them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::U1,
         Self::U2,
         Self::InputForce,
@@ -34,6 +36,7 @@ impl Channel {
         Self::DeflectionForce,
         Self::InductanceForce,
         Self::Inductance,
+        Self::Resistance,
     ];
 
     /// The four forces of the paper: F_i, F_o, F_x, F_L.
@@ -49,6 +52,7 @@ impl Channel {
             Self::DeflectionForce => "F_x",
             Self::InductanceForce => "F_L",
             Self::Inductance => "L",
+            Self::Resistance => "R",
         }
     }
 
@@ -62,6 +66,7 @@ impl Channel {
         match self {
             Self::U1 | Self::U2 => "m",
             Self::Inductance => "H",
+            Self::Resistance => "Ohm",
             Self::InputForce | Self::OutputForce | Self::DeflectionForce | Self::InductanceForce => "N",
         }
     }

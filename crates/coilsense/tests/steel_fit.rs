@@ -39,6 +39,8 @@ fn what_a_coil_has_comes_back_from_two_points_on() {
             let fit = fit(&points(&lengths, &inductances)).unwrap();
             assert!((fit.permeability / permeability - 1.0).abs() < 1e-9, "{permeability}: {}", fit.permeability);
             assert!((fit.offset + 4e-8).abs() < 1e-15 && fit.rms < 1e-15);
+            let more = fit.inductance(0.03) - fit.not_magnetic(0.03);
+            assert!((more > 0.0) == (permeability > 1.0) || more.abs() < 1e-14, "{more}");
             for length in [0.0262, 0.03, 0.0415] {
                 let read = fit.length(fit.inductance(length)).unwrap();
                 assert!((read - length).abs() < 1e-12, "{read}");

@@ -166,6 +166,52 @@ export const GROUPS: readonly Group[] = [
         hint: 'Where positions read zero. Needs columns L and u1 or u2.',
       },
       {
+        name: 'theory',
+        label: 'Fit the theory',
+        words: [
+          ['', 'none, but a form'],
+          ['steel', 'of magnetic wire'],
+        ],
+        hint: 'Permeability and a constant: two points are enough. Needs the coil.',
+      },
+      {
+        name: 'known-permeability',
+        label: 'Permeability, if known',
+        example: '2.1',
+        only: ['theory', ['steel']],
+      },
+      {
+        name: 'leads',
+        label: 'Current goes back',
+        example: 'open',
+        hint: 'open (far away), or the lead’s distance from the axis.',
+        only: ['theory', ['steel']],
+      },
+      { name: 'meter-noise', label: 'Noise of the meter', example: '2 nH', only: ['theory', ['steel']] },
+      { name: 'frequency', label: 'The meter works at', example: '1 kHz', only: ['theory', ['steel']] },
+      {
+        name: 'form',
+        label: 'Fit the form',
+        words: [
+          ['', 'as is usual'],
+          ['inverse-length', '1/l = αL + β'],
+          ['cubic', 'L = α/l + β + γ/l²'],
+        ],
+        only: ['theory', ['']],
+      },
+      {
+        name: 'points',
+        label: 'Points fitted',
+        example: '2',
+        hint: 'So many, spread over the lengths; the others judge.',
+      },
+      {
+        name: 're-zero',
+        label: 'Zero anew at',
+        example: '141.8 mm, 3.35 uH',
+        hint: 'Of a spring that was mounted anew: a length and its L.',
+      },
+      {
         name: 'method',
         label: 'The curve goes',
         words: [

@@ -52,7 +52,11 @@ fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
             *step *= sensor.range;
             format!("a resolution of {text} of full scale")
         }
-        cause::MEASURED_FORM => {
+        cause::REMOUNTING => {
+            *sensor.quantity.remounting_mut()? = 0.0;
+            "a spring that is zeroed at one known length after each mounting".to_owned()
+        }
+        cause::MEASURED_FORM | cause::MAGNETIC_FORM => {
             let text = percent(sensor.quantity.form_mut()?, share)?;
             format!("a calibration that fits within {text} of the travel")
         }

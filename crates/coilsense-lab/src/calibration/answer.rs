@@ -2,13 +2,27 @@
 //!
 //! Next door: the numbers (`outcome`).
 
-use super::Outcome;
+use coilsense::calibrate::{Permeability, SteelFit};
+use coilsense::inductance::Leads;
+
+use super::{Curve, Outcome, Relation};
 use crate::quantity::digits;
 
 /// Sentences, the first of which says which curve it is and how far to trust it.
 pub fn answer(outcome: &Outcome) -> Vec<String> {
-    let mut lines = vec![curve(outcome), trust(outcome)];
-    lines.extend(comparison(outcome));
+    let first = [advice(outcome), Some(curve(outcome))].into_iter().flatten().collect::<Vec<_>>().join(" ");
+    let mut lines = vec![first];
+    match &outcome.taken.curve {
+        Curve::InverseLength(..) => {
+            lines.push(trust(outcome));
+            lines.extend(comparison(outcome));
+        }
+        Curve::Cubic(_) => lines.push(
+            "Between its points only: beyond them L = α/l + β + γ/l² is off by percents of the range.".to_owned(),
+        ),
+        Curve::Steel(fit) => lines.extend(steel(outcome, fit)),
+    }
+    lines.extend(moved(outcome));
     lines.extend(theories(outcome));
     lines.extend(force(outcome));
     if outcome.measured.simulated {
@@ -17,11 +31,204 @@ pub fn answer(outcome: &Outcome) -> Vec<String> {
     lines
 }
 
+/// Which calibration to take, by points that it was not fitted to.
+fn advice(outcome: &Outcome) -> Option<String> {
+    let own = outcome.plan.relation;
+    let percent = |share: f64| digits(100.0 * share);
+    let on = match outcome.taken.has_others() {
+        true => format!("the {} points that were left over", outcome.taken.judged.len()),
+        false => "points that were left out in turn".to_owned(),
+    };
+    let Some((best, least)) = outcome.best() else {
+        // Two points and no other: what measured springs have said.
+        let known = outcome.contest.rivals.iter().any(|rival| rival.relation == Relation::Steel && rival.share.is_ok())
+            || (outcome.plan.coil.is_some() && outcome.contest.rivals.is_empty());
+        return (known && own == Relation::InverseLength && is_exact(outcome)).then(|| {
+            "Take --theory steel with two points: on four measured springs it read length to 0.1 to 0.4 % of the range, 1/l = αL + β to 0.3 to 2.2 %."
+                .to_owned()
+        });
+    };
+    let share =
+        |relation| outcome.contest.rivals.iter().find(|rival| rival.relation == relation)?.share.as_ref().ok().copied();
+    let mine = share(own)?;
+    // Less than a tenth is not worth another calibration, nor is what rounding leaves.
+    if best.relation != own && least < 0.9 * mine && mine > 1e-6 {
+        return Some(format!(
+            "Take {} ({}): it reads {on} to {} % of the range, this one to {} %.",
+            best.relation.words(),
+            best.relation.option(),
+            percent(least),
+            percent(mine)
+        ));
+    }
+    let next = outcome.contest.rivals.iter().filter(|rival| rival.relation != own);
+    let next = next.filter_map(|rival| Some((rival.relation, *rival.share.as_ref().ok()?)));
+    let (next, further) = next.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(format!(
+        "Take this one, {}: it reads {on} to {} % of the range; {} would to {} %.",
+        own.words(),
+        percent(mine),
+        next.words(),
+        percent(further)
+    ))
+}
+
 fn curve(outcome: &Outcome) -> String {
+    match &outcome.taken.curve {
+        Curve::InverseLength(..) => inverse_length(outcome),
+        Curve::Cubic(fit) => {
+            let of = |which: usize| fit.standard_errors.map(|errors| errors[which]);
+            format!(
+                "L = α/l + β + γ/l² {}: α = {} µH m, β = {} µH, γ = {} µH m²{}",
+                spread(outcome),
+                with_error(1e6 * fit.alpha, of(0).map(|error| 1e6 * error)),
+                with_error(1e6 * fit.beta, of(1).map(|error| 1e6 * error)),
+                with_error(1e6 * fit.gamma, of(2).map(|error| 1e6 * error)),
+                judged(outcome)
+            )
+        }
+        Curve::Steel(fit) => format!(
+            "Relative permeability {}{} and a constant of {} nH {}, {}{}",
+            with_error(fit.permeability, fit.permeability_u),
+            if fit.permeability_u.is_none() { " (told)" } else { "" },
+            with_error(1e9 * fit.offset, Some(1e9 * fit.offset_u)),
+            spread(outcome),
+            match outcome.plan.steel.leads {
+                Leads::Open => "leads open".to_owned(),
+                Leads::Beside(distance) => format!("the lead {} mm off", digits(1e3 * distance)),
+                Leads::LeftOut => "leads left out".to_owned(),
+            },
+            judged(outcome)
+        ),
+    }
+}
+
+/// To which points it was fitted.
+fn spread(outcome: &Outcome) -> String {
+    let (fitted, all) = (outcome.taken.fitted.len(), outcome.taken.read.len());
+    if fitted == all { format!("by least squares over {all} points") } else { format!("from {fitted} of {all} points") }
+}
+
+/// How far it is from those on which it is judged.
+fn judged(outcome: &Outcome) -> String {
+    let taken = &outcome.taken;
+    if !taken.has_others() && taken.fitted.len() <= outcome.plan.relation.fewest() {
+        return ", through all of them.".to_owned();
+    }
+    let range = outcome.measured.points.range();
+    let place = outcome.measured.place_name();
+    let on = if taken.has_others() { format!(" on the other {}", taken.judged.len()) } else { String::new() };
+    let half =
+        median(taken.judged.iter().filter_map(|&index| taken.length_u(outcome.measured.points.inductances()[index])));
+    let half = half.map(|half| format!("; 95 % interval of a {place} read: ± {} mm", digits(1.96e3 * half)));
+    format!(
+        ": {} mm RMS of {place}{on} ({} % of the range of {} mm){}.",
+        digits(1e3 * taken.rms_share * range),
+        digits(100.0 * taken.rms_share),
+        digits(1e3 * range),
+        half.unwrap_or_default()
+    )
+}
+
+/// The middle one; none of none.
+pub(crate) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
+/// What the permeability says, and what is taken as known.
+fn steel(outcome: &Outcome, fit: &SteelFit) -> Vec<String> {
+    let mut lines = Vec::new();
+    if let Some(uncertainty) = fit.permeability_u {
+        let times = (fit.permeability - 1.0) / uncertainty;
+        lines.push(match times {
+            _ if fit.is_magnetic() => format!("The wire is magnetic: its permeability is {} standard uncertainties above 1.", digits(times)),
+            _ if times < -3.0 => format!(
+                "No wire has a permeability below 1, by {} standard uncertainties: windings, radius, wire or leads are not what was told.",
+                digits(-times)
+            ),
+            _ => "The wire is not told from wire that is not magnetic: 1 is within three standard uncertainties.".to_owned(),
+        });
+    }
+    if fit.permeability > LARGE {
+        lines.push(format!(
+            "A permeability of {} is that of carbon steel, whose inductance depends on the meter's frequency and drive level: calibrate and read at the same ones.",
+            digits(fit.permeability)
+        ));
+    }
+    lines.extend(frequency(outcome, fit));
+    if let Some(doubts) = outcome.taken.doubts {
+        lines.push(format!(
+            "Standard uncertainties are those of a meter of {} nH, windings ± {} %, radius ± {} %, wire ± {} mm, a lead that may go back {}, and {} % of L that the theory left on measured springs; not of the points' lengths, nor of mounting anew (some ± 0.25 % of L; zero it by --re-zero).",
+            digits(1e9 * doubts.meter),
+            digits(100.0 * doubts.windings),
+            digits(100.0 * doubts.coil_radius),
+            digits(1e3 * doubts.wire_diameter),
+            match doubts.leads {
+                Leads::Beside(distance) => format!("{} mm off", digits(1e3 * distance)),
+                _ => "far away".to_owned(),
+            },
+            digits(100.0 * doubts.theory),
+        ));
+    }
+    if let (Permeability::Known(known), true) = (outcome.plan.steel.permeability, outcome.taken.fitted.len() > 1) {
+        let share = outcome.taken.rms_share;
+        if share > FAR {
+            lines.push(format!(
+                "A permeability of {} leaves {} % of the range: fit it (without --known-permeability), or check windings, radius and wire.",
+                digits(known),
+                digits(100.0 * share)
+            ));
+        }
+    }
+    lines
+}
+
+/// From here on wire is taken for carbon steel: stainless spring wire was found between 1 and 3.
+const LARGE: f64 = 6.0;
+/// What a known permeability may leave before that is said, as a share of the range.
+const FAR: f64 = 0.02;
+/// Of stainless spring wire \[Ω m\], as four measured springs have it (7.2e-7 to 8.1e-7).
+const STAINLESS: f64 = 7.5e-7;
+/// A wire's radius in skin depths up to which direct current's theory holds to 0.1 % of L.
+const SKIN: f64 = 0.5;
+
+/// Whether the meter's frequency is too high for a theory of direct current.
+fn frequency(outcome: &Outcome, fit: &SteelFit) -> Option<String> {
+    let frequency = outcome.plan.steel.frequency?;
+    let wire = outcome.plan.coil?.wire_radius();
+    let angular = std::f64::consts::TAU * frequency;
+    let depth = (2.0 * STAINLESS / (angular * coilsense::inductance::MU_0 * fit.permeability.max(1.0))).sqrt();
+    (wire > SKIN * depth).then(|| {
+        let limit = frequency * (SKIN * depth / wire).powi(2);
+        format!(
+            "At {} Hz current crowds to the wire's surface, which this theory leaves out: for stainless wire of this thickness it holds to {} Hz.",
+            digits(frequency),
+            digits(limit)
+        )
+    })
+}
+
+/// What was zeroed anew.
+fn moved(outcome: &Outcome) -> Option<String> {
+    let (length, inductance) = outcome.plan.re_zero?;
+    Some(format!(
+        "Zeroed at {} mm, {} µH: the curve is moved by {} nH.",
+        digits(1e3 * length),
+        digits(1e6 * inductance),
+        digits(1e9 * outcome.taken.shift)
+    ))
+}
+
+fn inverse_length(outcome: &Outcome) -> String {
     let (fit, points) = (&outcome.inverse_length, &outcome.measured.points);
     let found = format!(
         "1/l = αL + β {}: α = {} 1/(H m), β = {} 1/m",
-        outcome.plan.method.words(points.lengths().len()),
+        match outcome.plan.points {
+            Some(_) => spread(outcome),
+            None => outcome.plan.method.words(points.lengths().len()),
+        },
         with_error(fit.alpha, fit.alpha_se),
         with_error(fit.beta, fit.beta_se),
     );

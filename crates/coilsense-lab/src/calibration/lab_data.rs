@@ -6,7 +6,7 @@
 
 use std::path::Path;
 
-use super::{CalibrationError, Measured};
+use super::{CalibrationError, Measured, Unused};
 use crate::recording::{Format, Mapping, Table};
 
 /// Columns of such a file.
@@ -15,6 +15,8 @@ const COLUMNS: usize = 24;
 const DISPLACEMENT: usize = 4;
 /// Where the first inductance stands; each second column after it is another.
 const INDUCTANCE: usize = 6;
+/// Where the first resistance stands; likewise.
+const RESISTANCE: usize = 5;
 
 /// Reads such a file.
 ///
@@ -53,30 +55,45 @@ fn of_table(file: String, table: &Table, zero_length: f64) -> Result<Measured, C
         .map_err(CalibrationError::new)?;
     let left_out = usize::try_from(format()?.skip).unwrap_or(usize::MAX);
     let (mut lengths, mut inductances, mut standard_errors) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut resistances, mut unused) = (Vec::new(), Vec::new());
     for (row, line) in table.lines().iter().enumerate() {
         let values: Vec<f64> = columns.iter().map(|column| column[row]).collect();
         if let Some(column) = values.iter().position(|value| !value.is_finite()) {
             return Err(CalibrationError::of(&file, format!("row {line}: column {}: must be a number", column + 1)));
         }
         // Seen, but not used: at zero displacement windings may still touch.
+        let length = zero_length + 1e-3 * values[DISPLACEMENT - 1];
+        let (resistance, _) = mean(values.iter().skip(RESISTANCE - 1).step_by(2));
         if row < left_out {
+            unused.push(Unused { row: *line as usize, length, resistance: Some(resistance) });
             continue;
         }
         let (mean, standard_error) = mean(values.iter().skip(INDUCTANCE - 1).step_by(2));
-        lengths.push(zero_length + 1e-3 * values[DISPLACEMENT - 1]);
+        lengths.push(length);
+        resistances.push(resistance);
         inductances.push(mean);
         standard_errors.push(standard_error);
     }
     let points = Measured::pairs(&file, &lengths, &inductances)?;
     let account = vec![
         "The first row, at zero displacement, is left out, as the runs' authors do.".to_owned(),
-        "L is the mean of a row's ten readings; its resistances are not used.".to_owned(),
+        "L and R are the means of a row's ten readings.".to_owned(),
         "Two theories differ from what the runs' authors print, and why is known: their Rosa takes K = π/2 in Nagaoka's coefficient, a loop that \
          never runs (0.4 to 1 % of L); their Neumann helix runs beside a second filament, which is nearer to the turns on one side (3 % of L)."
             .to_owned(),
     ];
     let rows = table.lines().iter().skip(left_out).map(|&line| line as usize).collect();
-    Ok(Measured { file, points, standard_errors, rows, zero_length: Some(zero_length), account, simulated: false })
+    Ok(Measured {
+        file,
+        points,
+        standard_errors,
+        resistances,
+        unused,
+        rows,
+        zero_length: Some(zero_length),
+        account,
+        simulated: false,
+    })
 }
 
 /// Mean and its standard error, σ/√n.

@@ -40,6 +40,16 @@ impl Measured {
         }
         let rows = log.lines().iter().map(|&line| line as usize).collect();
         let simulated = log.simulated().is_some();
-        Ok(Self { file, points, standard_errors: Vec::new(), rows, zero_length, account, simulated })
+        Ok(Self {
+            file,
+            points,
+            standard_errors: Vec::new(),
+            resistances: log.channel(Channel::Resistance).map(<[f64]>::to_vec).unwrap_or_default(),
+            unused: Vec::new(),
+            rows,
+            zero_length,
+            account,
+            simulated,
+        })
     }
 }

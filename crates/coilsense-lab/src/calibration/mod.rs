@@ -1,9 +1,11 @@
 //! A calibration: measured pairs of length and inductance, the curve through them, and the theories beside it.
 //!
 //! `measured` holds the pairs and where they come from, `log` takes them from a log and `lab_data` from one rig's files, `plan` says what is wanted, `outcome` works it
-//! off, `force` goes on to newtons, `answer` puts it into words. Next door: the formulas (`coilsense::calibrate`), how it looks (`report`).
+//! off, `curve` is a relation that was fitted and `taken` what it makes of the points, beside its rivals; `force` goes on to newtons, `answer` puts it into words. Next door: the formulas (`coilsense::calibrate`), how it looks (`report`).
 
 mod answer;
+mod applied;
+mod curve;
 mod force;
 mod lab_data;
 mod log;
@@ -11,14 +13,21 @@ mod measured;
 mod outcome;
 mod plan;
 pub mod request;
+mod steel;
+mod stored;
+mod taken;
 
 pub use answer::answer;
-pub(crate) use answer::with_error;
+pub(crate) use answer::{median, with_error};
+pub use applied::Applied;
+pub use curve::Curve;
 pub use force::ForceLaw;
 pub use lab_data::{lab_data_of_text, read_lab_data};
-pub use measured::Measured;
+pub use measured::{Measured, Unused};
 pub use outcome::{Assessment, Outcome, THEORY_POINTS};
-pub use plan::{Method, Plan, Preload};
+pub use plan::{Method, Plan, Preload, Relation, SteelPlan};
+pub use stored::{Reading, StoredCalibration};
+pub use taken::{ByNumber, Contest, Rival, Taken};
 
 use crate::message::Message;
 

@@ -2,10 +2,12 @@
 //!
 //! Next door: what was asked (`plan`), what the science does (`coilsense::calibrate`), the words (`answer`).
 
-use coilsense::calibrate::{FitMethod, InductanceFit, InverseLengthFit, Misfit, ReadingUncertainty};
+use coilsense::calibrate::{
+    Calibration, CalibrationPoints, FitMethod, InductanceFit, InverseLengthFit, Misfit, ReadingUncertainty,
+};
 use coilsense::inductance::theories::Theory;
 
-use super::{CalibrationError, Measured, Method, Plan};
+use super::{CalibrationError, Contest, Measured, Method, Plan, Rival, Taken};
 use crate::quantity::digits;
 
 /// Most points on which theories are judged: turning a helix round takes a millisecond a point.
@@ -18,6 +20,10 @@ pub struct Outcome {
     pub measured: Measured,
     /// What was asked.
     pub plan: Plan,
+    /// The calibration that was asked for.
+    pub taken: Taken,
+    /// It and others on points that they were not fitted to.
+    pub contest: Contest,
     /// Eq. (13), squares of 1/l.
     pub inverse_length: InverseLengthFit,
     /// L = α/l + β, squares of L.
@@ -46,10 +52,16 @@ impl Outcome {
     /// [`CalibrationError`] for points that no curve can be put through, an inductance that does not fall with length, or a preload that is
     /// not there.
     pub fn new(measured: Measured, plan: Plan) -> Result<Self, CalibrationError> {
+        let measured = measured.without_touching()?;
         let points = &measured.points;
         let refuse = |error: coilsense::Error| CalibrationError::of(&measured.file, error);
         let method = plan.method.fit(points, plan.preload)?;
-        let inverse_length = InverseLengthFit::new(points, method).map_err(refuse)?;
+        let fitted = match plan.points {
+            Some(count) => measured.pick(&measured.some(count.min(points.lengths().len())))?,
+            None => points.clone(),
+        };
+        let method = if plan.points.is_some() { FitMethod::AllPoints } else { method };
+        let mut inverse_length = InverseLengthFit::new(&fitted, method).map_err(refuse)?;
         if inverse_length.alpha <= 0.0 {
             let (length, henry) = (points.lengths(), points.inductances());
             let order = |a: &usize, b: &usize| length[*a].total_cmp(&length[*b]);
@@ -64,8 +76,12 @@ impl Outcome {
                 ),
             ));
         }
-        let inductance = InductanceFit::new(points, method).map_err(refuse)?;
-        let reading = ReadingUncertainty::new(points, method).map_err(refuse)?;
+        let mut inductance = InductanceFit::new(&fitted, method).map_err(refuse)?;
+        let reading = ReadingUncertainty::new(&fitted, method).map_err(refuse)?;
+        if plan.points.is_some() {
+            inverse_length.misfit = on_all(points, &inverse_length.calibration()).map_err(refuse)?;
+            inductance.misfit = on_all(points, &inductance.calibration()).map_err(refuse)?;
+        }
         let others = Method::ALL.into_iter().filter(|(_, other)| *other != plan.method).filter_map(|(_, other)| {
             let fit = other.fit(points, plan.preload).ok()?;
             Some((other, InverseLengthFit::new(points, fit).ok()?.misfit))
@@ -81,7 +97,8 @@ impl Outcome {
             Assessment { theory, misfit }
         };
         let theories = theories.map(judge).collect();
-        Ok(Self { measured, plan, inverse_length, inductance, reading, others, theories })
+        let (taken, contest) = Taken::new(&measured, &plan)?;
+        Ok(Self { measured, plan, taken, contest, inverse_length, inductance, reading, others, theories })
     }
 
     /// What the fit goes by.
@@ -119,15 +136,25 @@ impl Outcome {
         judged.min_by(|a, b| a.1.rmse.total_cmp(&b.1.rmse))
     }
 
-    /// Each point's force by eq. (13) and its standard uncertainty \[N\], where a stiffness is given.
+    /// The rival that does best on points that it was not fitted to.
+    pub fn best(&self) -> Option<(&Rival, f64)> {
+        let judged = self.contest.rivals.iter().filter_map(|rival| Some((rival, *rival.share.as_ref().ok()?)));
+        judged.min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Each point's force by the calibration and its standard uncertainty \[N\], where a stiffness is given.
     pub fn forces(&self) -> Option<Vec<(f64, Option<f64>)>> {
         let law = self.plan.force?;
-        let calibration = self.inverse_length.calibration();
-        let force = |&henry: &f64| {
-            let length = calibration.length(henry);
-            let uncertainty = self.reading.map(|reading| law.uncertainty(length, reading.length(henry)));
-            (law.force(length), uncertainty)
+        let force = |(&henry, &length): (&f64, &f64)| {
+            (law.force(length), self.taken.length_u(henry).map(|length_u| law.uncertainty(length, length_u)))
         };
-        Some(self.measured.points.inductances().iter().map(force).collect())
+        Some(self.measured.points.inductances().iter().zip(&self.taken.read).map(force).collect())
     }
+}
+
+/// How eq. (13) does on points, of which it may have been fitted to some.
+fn on_all(points: &CalibrationPoints, calibration: &Calibration) -> Result<Misfit, coilsense::Error> {
+    let predicted: Vec<f64> = points.lengths().iter().map(|&length| calibration.inductance(length)).collect();
+    let read: Vec<f64> = points.inductances().iter().map(|&henry| calibration.length(henry)).collect();
+    Misfit::of(points, &predicted, &read)
 }

@@ -2,22 +2,31 @@
 //!
 //! Next door: what a row says (`crate::request`), the options of the log (`crate::recording::request`), what comes of them (`plan`).
 
-use coilsense::calibrate::Inversion;
+use coilsense::calibrate::{Inversion, Permeability};
+use coilsense::inductance::Leads;
 
-use super::{ForceLaw, Method, Plan, Preload};
+use super::{ForceLaw, Method, Plan, Preload, Relation, SteelPlan};
 use crate::quantity::Dimension;
 use crate::recording::request::is_lab_data;
 use crate::request::{self, Allowed, Door, Given, IfAbsent, KNOWN_SPRING, LENGTH, Row, Takes, Wrong};
 
 /// The options, in the order in which they are told.
-pub const OPTIONS: [Row; 11] = [
+pub const OPTIONS: [Row; 19] = [
     LENGTH_AT_ZERO,
     WIRE,
     RADIUS,
     WINDINGS,
     SPEC,
+    THEORY,
+    KNOWN_PERMEABILITY,
+    LEADS,
+    METER_NOISE,
+    FREQUENCY,
+    FORM,
+    POINTS,
     METHOD,
     PRELOAD,
+    RE_ZERO,
     INVERSION,
     STIFFNESS,
     STIFFNESS_UNCERTAINTY,
@@ -59,6 +68,87 @@ pub const SPEC: Row = Row {
     meaning: "Take coil, stiffness and length at zero force from the [spring] of a spec",
     conflicts: &["wire", "stiffness"],
     ..KNOWN_SPRING
+};
+/// The theory that is fitted.
+pub const THEORY: Row = Row {
+    name: "theory",
+    takes: Takes::Word(&["steel"]),
+    meaning: "Fit the theory of a coil of magnetic wire, by its permeability and one constant: two points are enough",
+    conflicts: &["form"],
+    ..Row::PLAIN
+};
+/// μ_r.
+pub const KNOWN_PERMEABILITY: Row = Row {
+    name: "known_permeability",
+    takes: Takes::Number,
+    allowed: Allowed::Within(1.0, 20.0),
+    if_absent: IfAbsent::Found("fitted"),
+    meaning: "Relative permeability of the wire where it is known, such as 2.1 from another spring of the same wire",
+    requires: &["theory"],
+    ..Row::PLAIN
+};
+/// Where the current goes back.
+pub const LEADS: Row = Row {
+    name: "leads",
+    takes: Takes::Form("open|DISTANCE", |text| parse_leads(text).map(|_| ())),
+    if_absent: IfAbsent::Value("open"),
+    meaning: "Where the meter's current goes back: open (far away), or the lead's distance from the coil's axis, as in \"50 mm\"",
+    requires: &["theory"],
+    ..Row::PLAIN
+};
+/// u(L).
+pub const METER_NOISE: Row = Row {
+    name: "meter_noise",
+    takes: Takes::Quantity(Dimension::Inductance),
+    allowed: Allowed::AboveZero,
+    if_absent: IfAbsent::Found("what readings of one point scatter by, else 0.05 % of L"),
+    meaning: "Standard uncertainty of a reading of L, as in \"2 nH\"",
+    requires: &["theory"],
+    ..Row::PLAIN
+};
+/// Of the meter.
+pub const FREQUENCY: Row = Row {
+    name: "frequency",
+    takes: Takes::Quantity(Dimension::Frequency),
+    allowed: Allowed::AboveZero,
+    if_absent: IfAbsent::Found("low enough for the wire"),
+    meaning: "Frequency at which the meter works, as in \"1 kHz\": the theory is one of direct current, and its limit is told",
+    requires: &["theory"],
+    ..Row::PLAIN
+};
+/// The form that is fitted.
+pub const FORM: Row = Row {
+    name: "form",
+    takes: Takes::Word(&["inverse-length", "cubic"]),
+    if_absent: IfAbsent::Value("inverse-length"),
+    meaning: "Fit 1/l = αL + β (inverse-length), or L = α/l + β + γ/l² from three points on (cubic)",
+    conflicts: &["theory"],
+    ..Row::PLAIN
+};
+/// How many points are fitted.
+pub const POINTS: Row = Row {
+    name: "points",
+    takes: Takes::Count,
+    allowed: Allowed::Within(2.0, 1e6),
+    if_absent: IfAbsent::Found("all, but as --method says"),
+    meaning: "Fit so many of the points, spread from the first to the last, and judge on the others",
+    conflicts: &["method", "preload"],
+    elsewhere: &[(Door::Python, "fit_points")],
+    ..Row::PLAIN
+};
+/// A calibration that was made before.
+pub const CALIBRATION: Row = Row {
+    name: "calibration",
+    takes: Takes::File("FILE"),
+    meaning: "A stored calibration (calibration.toml of coilsense calibrate --out): adds length and F_L by the log's L, with their standard uncertainties",
+    ..Row::PLAIN
+};
+/// A spring that was mounted anew.
+pub const RE_ZERO: Row = Row {
+    name: "re_zero",
+    takes: Takes::Form("LENGTH, L", |text| parse_pair(text).map(|_| ())),
+    meaning: "Move the fitted curve by a constant of L so that it passes this point, of a spring mounted anew, as in \"141.8 mm, 3.35 uH\"",
+    ..Row::PLAIN
 };
 /// How the curve is found.
 pub const METHOD: Row = Row {
@@ -128,6 +218,30 @@ impl Preload {
     }
 }
 
+/// A length and an inductance: `141.8 mm, 3.35 uH`.
+///
+/// # Errors
+/// What is allowed.
+pub fn parse_pair(text: &str) -> Result<(f64, f64), String> {
+    let Preload { length, inductance } = Preload::parse(text)?;
+    let needed = || "must be a length and an inductance, as in \"141.8 mm, 3.35 uH\"".to_owned();
+    Ok((length, inductance.ok_or_else(needed)?))
+}
+
+/// `open`, or a distance.
+///
+/// # Errors
+/// What is allowed.
+pub fn parse_leads(text: &str) -> Result<Leads, String> {
+    if text.trim() == "open" {
+        return Ok(Leads::Open);
+    }
+    let distance = Row { takes: Takes::Quantity(Dimension::Length), ..PRELOAD_PART }.number(text);
+    distance
+        .map(Leads::Beside)
+        .map_err(|_| "must be open or a distance above zero with its unit, as in \"50 mm\"".to_owned())
+}
+
 /// A length or an inductance of the preload.
 const PRELOAD_PART: Row = Row { name: "preload", allowed: Allowed::AboveZero, ..Row::PLAIN };
 
@@ -155,7 +269,30 @@ impl Plan {
             (true, Some(zero_length)) => Inversion::TwentyFiveLengths { zero_length },
             (true, None) => return Err(LENGTH_AT_ZERO.wrong("is needed, from which the 25 lengths start")),
         };
-        Ok(Self { method, preload, inversion, coil: None, force: None })
+        let relation = match (given.text(&THEORY), given.text(&FORM).as_deref()) {
+            (Some(_), _) => Relation::Steel,
+            (None, Some("cubic")) => Relation::Cubic,
+            (None, _) => Relation::InverseLength,
+        };
+        if relation != Relation::InverseLength && method == Method::ThroughPreload {
+            return Err(PRELOAD.wrong("goes with 1/l = αL + β only; another relation passes a point by --re-zero"));
+        }
+        let known = given.number(&KNOWN_PERMEABILITY);
+        let steel = SteelPlan {
+            permeability: known.map_or(Permeability::Fitted, Permeability::Known),
+            leads: given.text(&LEADS).and_then(|text| parse_leads(&text).ok()).unwrap_or_default(),
+            meter_noise: given.number(&METER_NOISE),
+            frequency: given.number(&FREQUENCY),
+            measured_at: given.number(&LENGTH_AT_ZERO_FORCE).or(given.number(&LENGTH_AT_ZERO)),
+        };
+        // Told by name; what a preset does without being told is eq. (13)'s way alone.
+        let by_ends = told.as_deref() == Some(Method::ALL[0].0);
+        let points = given
+            .count(&POINTS)
+            .map(|count| count as usize)
+            .or((by_ends && relation != Relation::InverseLength).then_some(2));
+        let re_zero = given.text(&RE_ZERO).and_then(|text| parse_pair(&text).ok());
+        Ok(Self { relation, points, re_zero, steel, method, preload, inversion, coil: None, force: None })
     }
 }
 

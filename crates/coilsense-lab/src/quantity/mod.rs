@@ -42,6 +42,8 @@ pub enum Dimension {
     Modulus,
     /// Kilograms per cubic metre.
     Density,
+    /// Ohms.
+    Resistance,
     /// Ohm metres.
     Resistivity,
     /// Metres per newton.
@@ -56,7 +58,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions; no two share a unit.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::Length,
         Self::Mass,
         Self::Stiffness,
@@ -71,6 +73,7 @@ impl Dimension {
         Self::Share,
         Self::Modulus,
         Self::Density,
+        Self::Resistance,
         Self::Resistivity,
         Self::Compliance,
         Self::PerKelvin,
@@ -95,6 +98,7 @@ impl Dimension {
             Self::Share => "a share",
             Self::Modulus => "a modulus",
             Self::Density => "a density",
+            Self::Resistance => "a resistance",
             Self::Resistivity => "a resistivity",
             Self::Compliance => "a compliance",
             Self::PerKelvin => "a temperature coefficient",

@@ -79,6 +79,9 @@ impl Dimension {
             Self::Share => &[("%", Ten(-2)), ("ppm", Ten(-6))],
             Self::Modulus => &[("Pa", Ten(0)), ("MPa", Ten(6)), ("GPa", Ten(9))],
             Self::Density => &[("kg/m3", Ten(0)), ("kg/m³", Ten(0)), ("g/cm3", Ten(3))],
+            Self::Resistance => {
+                &[("Ohm", Ten(0)), ("Ω", Ten(0)), ("mOhm", Ten(-3)), ("mΩ", Ten(-3)), ("kOhm", Ten(3)), ("kΩ", Ten(3))]
+            }
             Self::Resistivity => &[("Ohm m", Ten(0)), ("Ω m", Ten(0)), ("uOhm m", Ten(-6))],
             Self::Compliance => &[("m/N", Ten(0)), ("mm/N", Ten(-3)), ("um/N", Ten(-6)), ("µm/N", Ten(-6))],
             Self::PerKelvin => &[("1/K", Ten(0)), ("%/K", Ten(-2)), ("ppm/K", Ten(-6))],

@@ -13,7 +13,7 @@ use super::mapping::Mapping;
 use super::pipeline::{Rows, Watch};
 use super::{Recording, open};
 use crate::output::{Output, OutputError};
-use crate::series::{self, Format, Run, Stream};
+use crate::series::{self, Column, Format, Run, Stream};
 
 /// Why a log was not imported.
 #[derive(Debug, thiserror::Error)]
@@ -100,20 +100,40 @@ pub fn write_recording(
     name: &str,
     output: &mut Output,
 ) -> Result<Account, ImportError> {
+    write_recording_with(recording, &[], format, name, output)
+}
+
+/// The same with more columns behind the channels, each of one value a sample; a channel of such a column's name is left out for it.
+///
+/// # Errors
+/// [`ImportError`]; then nothing is written.
+pub fn write_recording_with(
+    recording: &Recording,
+    more: &[Column<'_>],
+    format: Format,
+    name: &str,
+    output: &mut Output,
+) -> Result<Account, ImportError> {
     let signals = &recording.signals;
-    let channels: Vec<_> = signals.channels().collect();
+    let is_kept = |channel: &coilsense::Channel| more.iter().all(|column| column.name != channel.name());
+    let channels: Vec<_> = signals.channels().filter(|(channel, _)| is_kept(channel)).collect();
     let units = channels.iter().map(|(channel, _)| (channel.name(), channel.unit()));
-    let columns: Vec<(&str, &'static str)> = std::iter::once(("time", "s")).chain(units).collect();
+    let others = more.iter().map(|column| (column.name.as_ref(), column.unit));
+    let columns: Vec<(&str, &'static str)> = std::iter::once(("time", "s")).chain(units).chain(others).collect();
     output.write(name, |file| {
         if format == Format::Json {
             // JSON has no comments: what says that it is simulated stands in the place of the condition.
-            return series::write(&[Run::of(recording.simulated().unwrap_or("log"), "unknown", signals)], format, file);
+            let mut run = Run::of(recording.simulated().unwrap_or("log"), "unknown", signals);
+            run.columns.retain(|column| more.iter().all(|other| other.name != column.name));
+            run.columns.extend(more.iter().cloned());
+            return series::write(&[run], format, file);
         }
         let mut stream = Stream::begin(&columns, &recording.remarks, format, file.by_ref())?;
         let mut row = Vec::with_capacity(channels.len());
         for (index, &time) in signals.time().iter().enumerate() {
             row.clear();
             row.extend(channels.iter().map(|(_, values)| values[index]));
+            row.extend(more.iter().map(|column| column.values[index]));
             stream.row(time, &row)?;
         }
         stream.end()

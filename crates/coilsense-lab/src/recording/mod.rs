@@ -44,7 +44,7 @@ mod whole;
 
 pub use account::{Account, Gaps, Joined, Reason, Tally};
 pub use cleaning::Cleaning;
-pub use convert::{ImportError, import, write_recording};
+pub use convert::{ImportError, import, write_recording, write_recording_with};
 pub use error::RecordingError;
 pub use join::Clock;
 pub use mapping::{Format, Mapping, PRESETS};

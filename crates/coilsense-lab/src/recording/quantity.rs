@@ -7,7 +7,8 @@ use coilsense::Channel;
 use crate::quantity::Dimension;
 
 /// Dimensions of a log's columns.
-pub(super) const LOGGED: [Dimension; 4] = [Dimension::Time, Dimension::Length, Dimension::Force, Dimension::Inductance];
+pub(super) const LOGGED: [Dimension; 5] =
+    [Dimension::Time, Dimension::Length, Dimension::Force, Dimension::Inductance, Dimension::Resistance];
 
 /// What a column means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -44,6 +45,7 @@ impl Quantity {
             Self::Time => Dimension::Time,
             Self::Channel(Channel::U1 | Channel::U2) => Dimension::Length,
             Self::Channel(Channel::Inductance) => Dimension::Inductance,
+            Self::Channel(Channel::Resistance) => Dimension::Resistance,
             Self::Channel(_) => Dimension::Force,
         }
     }
@@ -65,6 +67,6 @@ mod tests {
     #[test]
     fn every_quantity_is_of_a_dimension_that_titles_know() {
         assert!(Quantity::all().all(|quantity| LOGGED.contains(&quantity.dimension())));
-        assert!(Quantity::named("F_0").unwrap_err().ends_with("time, u1, u2, F_i, F_o, F_x, F_L, L"));
+        assert!(Quantity::named("F_0").unwrap_err().ends_with("time, u1, u2, F_i, F_o, F_x, F_L, L, R"));
     }
 }

@@ -39,7 +39,7 @@ pub const LOG: Row = Row {
 pub const COLUMN: Row = Row {
     name: "column",
     takes: Takes::Text("NAME=\"TITLE [UNIT]\""),
-    meaning: "Which column is which channel (time, u1, u2, F_i, F_o, F_x, F_L, L), by its title or, as in #3, its number; columns that carry a channel's name need none",
+    meaning: "Which column is which channel (time, u1, u2, F_i, F_o, F_x, F_L, L, R), by its title or, as in #3, its number; columns that carry a channel's name need none",
     repeated: true,
     elsewhere: &[(Door::Python, "columns"), (Door::Page, "the table of columns")],
     ..IN_LOG

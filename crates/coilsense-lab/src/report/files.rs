@@ -46,6 +46,8 @@ pub struct ImportOutcome<'a> {
     pub span_s: Option<[f64; 2]>,
     /// What became of the log's rows, line by line.
     pub account: Vec<String>,
+    /// What a stored calibration made of the log's inductance, a sentence each; empty without one.
+    pub calibration: Vec<String>,
 }
 
 impl Outcome for ImportOutcome<'_> {

@@ -209,7 +209,9 @@ const ANALYZE: [Row; 4] = [
     Row { meaning: "Print JSON, as it stands in results.json", ..JSON },
     DATE,
 ];
-const IMPORT: [Row; 2] = [
+const IMPORT: [Row; 4] = [
+    calibration::request::CALIBRATION,
+    Row { requires: &["calibration"], ..calibration::request::RE_ZERO },
     Row {
         takes: Takes::File("FILE"),
         ..out(

@@ -80,7 +80,7 @@ impl SensorSpec {
         let word = word.map_or_else(|| section.word("kind", &KINDS), Ok)?;
         section.only_of(word, &format!("kind \"{word}\""))?;
         let kind = Kind::named(word).ok_or_else(|| section.refuse("kind", "is no kind of sensor".to_owned()))?;
-        let quantity = measurand(section, kind, spec.geometry.material())?;
+        let quantity = measurand(section, kind, spec)?;
         let natural = kind.natural_range(spring, coil);
         if kind.watches(Channel::Inductance) && natural == 0.0 {
             return Err(section.refuse("kind", single_winding(section, spring)?));

@@ -24,6 +24,8 @@ pub struct Tolerances {
     pub rest_length: f64,
     /// Of the initial tension, as a share.
     pub initial_tension: f64,
+    /// Of the wire's relative permeability, as a share of it.
+    pub permeability: f64,
 }
 
 /// How a real spring differs from its spec.
@@ -69,6 +71,7 @@ impl Tolerances {
             mass: share("mass_tolerance")?,
             rest_length: rest_length_tolerance(section, rest_length)?,
             initial_tension: share("initial_tension_tolerance")?.unwrap_or(0.0),
+            permeability: share("relative_permeability_tolerance")?.unwrap_or(0.0),
             ..Self::default()
         };
         if by_geometry {

@@ -69,7 +69,7 @@ fn a_sensor_that_cannot_be_is_refused() {
         ["a compliance as a stiffness", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"two-encoder\"\ncompliance = \"1 N/m\"",
             r#"S.toml:33: compliance = "1 N/m": must be a compliance with its unit (m/N, mm/N, um/N, µm/N)"#],
         ["an unknown calibration", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"inductance\"\ncalibration = \"none\"",
-            r#"S.toml:33: calibration = "none": must be one of "fitted", "theory""#],
+            r#"S.toml:33: calibration = "none": must be one of "fitted", "two-point", "steel", "theory""#],
         ["a form that is off by more than all", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"inductance\"\ncalibration_form = \"140 %\"",
             r#"S.toml:33: calibration_form = "140 %": must be from 0 to 100 %"#],
         ["two of a name", r#"resolution = "10 um""#, "resolution = \"10 um\"\n[[sensor]]\nkind = \"load-cell\"\nname = \"Laser\"",
@@ -155,11 +155,25 @@ fn an_uncalibrated_coil_is_trusted_less_where_its_wire_may_be_magnetic() {
         }
     };
     // Steel, which is assumed; drawn stainless wire; a wire of unknown making.
-    for magnetic in ["", "material = \"stainless 1.4310\"", "relative_permeability = 1.2"] {
+    for magnetic in ["", "material = \"stainless 1.4310\""] {
         assert_eq!((form(magnetic, "theory"), form(magnetic, "fitted")), (0.30, 0.013), "{magnetic}");
     }
     for name in ["CuSn6", "CuBe2", "CuZn36", "Inconel X-750", "Ti-6Al-4V"] {
         assert_eq!(form(&format!("material = {name:?}"), "theory"), 0.14, "{name}");
     }
     assert_eq!(form("relative_permeability = 1.0005", "theory"), 0.14);
+    // Where it is told, what eq. (13) leaves is computed: more through two ends, more of a permeability that may be larger.
+    let told = "relative_permeability = 2.5";
+    let [fitted, ends] = ["fitted", "two-point"].map(|way| form(told, way));
+    assert!(0.0 < fitted && fitted < 0.02 && (1.5..3.5).contains(&(ends / fitted)), "{fitted}, {ends}");
+    let wider = form(&format!("{told}\nrelative_permeability_tolerance = \"40 %\""), "fitted");
+    assert!(wider > 1.05 * fitted, "{wider}, {fitted}");
+    assert_eq!((form(told, "theory"), form(told, "steel"), form("", "two-point")), (0.30, 0.003, 0.014));
+    let sensor = "kind = \"inductance\"";
+    let text = BY_VALUES.replace("[mount]", "relative_permeability = 100\n[mount]");
+    let refused = read(&text.replace("kind = \"deflection\"\nresolution = \"10 um\"", sensor)).unwrap_err().to_string();
+    assert!(
+        refused.contains("needs calibration_form") && refused.contains("permeability must be 1 to 20"),
+        "{refused}"
+    );
 }

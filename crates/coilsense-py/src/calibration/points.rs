@@ -68,6 +68,8 @@ fn of_arrays(lengths: &[f64], inductances: &[f64], zero: Option<f64>) -> PyResul
         file: "points".to_owned(),
         points,
         standard_errors: Vec::new(),
+        resistances: Vec::new(),
+        unused: Vec::new(),
         rows: (1..=lengths.len()).collect(),
         zero_length: zero,
         account: Vec::new(),

@@ -65,6 +65,8 @@ pub struct SteelFit {
     /// Root mean square of the measured less the fitted L \[H\] of the points of the fit.
     pub rms: f64,
     curve: SteelCurve,
+    /// The same coil of wire that is not magnetic.
+    air: SteelCurve,
     /// What the doubts make of L over 1/l, and how far the fit follows: see [`Self::length_u`].
     doubts: Doubted,
 }
@@ -100,8 +102,8 @@ const CAUSES: usize = 4;
 impl Causes {
     /// \[H\] at a length.
     fn at(&self, length: f64) -> [f64; CAUSES] {
-        let [windings, radius, wire] = self.changes.at(length);
         let [n, r, a] = self.shares;
+        let [windings, radius, wire] = self.changes.at(length);
         [n * windings, r * radius, a * wire, self.own.by_leads(length, self.other)]
     }
 }
@@ -169,6 +171,7 @@ impl SteelFit {
             offset_u: meter_offset.hypot(of_causes(1)),
             rms,
             curve: coil.fitted(found),
+            air: coil.fitted(1.0),
             doubts: doubted,
         })
     }
@@ -189,6 +192,11 @@ impl SteelFit {
     /// L \[H\] at a length \[m\]; NaN outside of the coil's range.
     pub fn inductance(&self, length: f64) -> f64 {
         self.curve.inductance(length) + self.offset
+    }
+
+    /// L \[H\] at a length \[m\] if the wire were not magnetic and all else the same; NaN outside of the coil's range.
+    pub fn not_magnetic(&self, length: f64) -> f64 {
+        self.air.inductance(length) + self.offset
     }
 
     /// The length \[m\] at which the coil has an inductance \[H\].
@@ -341,10 +349,12 @@ impl Doubted {
         } else {
             [1.0 / square, -average / square, 1.0 / count + average * average / square]
         };
-        let own = *coil.coil();
+        let shares = [stated.windings, stated.coil_radius, 0.5 * stated.wire_diameter / coil.coil().wire_radius()];
+        // A row has to be solved for each of its lengths.
+        let is_asked = shares.iter().any(|share| *share > 0.0);
         let causes = Causes {
-            changes: coil.changes(permeability),
-            shares: [stated.windings, stated.coil_radius, 0.5 * stated.wire_diameter / own.wire_radius()],
+            changes: if is_asked { coil.changes(permeability) } else { Changes::default() },
+            shares,
             own: coil.fitted(permeability),
             other: stated.leads,
         };

@@ -16,6 +16,10 @@ pub const OF_READING: &str = "sensor: accuracy of reading";
 pub const CALIBRATION: &str = "calibration";
 /// Measured springs depart from the form of eq. (13).
 pub const MEASURED_FORM: &str = "calibration form: measured springs";
+/// Eq. (13) departs from a coil of magnetic wire.
+pub const MAGNETIC_FORM: &str = "calibration form: magnetic wire";
+/// A spring that was mounted anew since it was calibrated has another constant.
+pub const REMOUNTING: &str = "calibration: mounted anew";
 /// The coil's own theory departs from it.
 pub const THEORY_FORM: &str = "calibration form: eq. (13) itself";
 /// Gain and modulus drift.

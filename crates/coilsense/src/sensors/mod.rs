@@ -22,7 +22,7 @@ mod two_encoder;
 
 pub use cause::{Cause, Place};
 pub use deflection::deflection_force;
-pub use inductance::{InductanceSensor, usual_form};
+pub use inductance::{InductanceSensor, magnetic_form, usual_form};
 pub use instrument::Instrument;
 pub use measurement::{Limits, Measurement, SpringDoubt};
 pub use readout::{MAX_ORDER, Readout, ReadoutParameters};
@@ -73,6 +73,10 @@ pub enum Quantity {
         uncalibrated: bool,
         /// Standard deviation of the departure from eq. (13)'s form, as a share of the travel \[1\].
         form: f64,
+        /// Whether that was computed of magnetic wire: [`magnetic_form`].
+        magnetic: bool,
+        /// Standard deviation of what mounting the spring anew adds, as a share of the travel \[1\].
+        remounting: f64,
     },
 }
 
@@ -152,7 +156,9 @@ impl Quantity {
             Self::TwoEncoder { compliance, compliance_tolerance, backlash } => {
                 two_encoder::on(site, compliance, compliance_tolerance, backlash)
             }
-            Self::Inductance { uncalibrated: _, form } => inductance::on(site, form),
+            Self::Inductance { uncalibrated: _, form, magnetic, remounting } => {
+                inductance::on(site, [form, remounting], magnetic)
+            }
         }
     }
 
@@ -164,6 +170,14 @@ impl Quantity {
                 two_encoder::alternatives(compliance, compliance_tolerance)
             }
             Self::Deflection | Self::Inductance { .. } => Vec::new(),
+        }
+    }
+
+    /// What mounting the spring anew adds to that, as a share of the travel \[1\]; `None` of kinds without such a form.
+    pub fn remounting_mut(&mut self) -> Option<&mut f64> {
+        match self {
+            Self::Inductance { remounting, .. } => Some(remounting),
+            Self::Force(_) | Self::Deflection | Self::TwoEncoder { .. } => None,
         }
     }
 

@@ -5,7 +5,7 @@
 use coilsense::inductance::theories::Theory;
 use coilsense_figure::{Axis, Bar, Bars, Colour, Curve, Dash, Figure, HorizontalMark, Panel, Points, Stroke};
 
-use crate::calibration::{Outcome, THEORY_POINTS};
+use crate::calibration::{Curve as Fitted, Outcome, Relation, THEORY_POINTS};
 use crate::quantity::digits;
 
 /// Width of a figure \[px\].
@@ -28,6 +28,13 @@ pub(super) fn all(outcome: &Outcome) -> Vec<(String, String, Figure)> {
         ("curve".to_owned(), format!("{}{said}", curve_caption(outcome)), curve(outcome)),
         ("residuals".to_owned(), format!("{}{said}", residual_caption(outcome)), residuals(outcome)),
     ];
+    if outcome.contest.by_number.len() > 1 {
+        let caption = format!(
+            "How many points are enough: {} read at points that a relation was not fitted to, over how many it was, spread from the shortest to the longest.",
+            outcome.measured.place_name()
+        );
+        figures.push(("number".to_owned(), format!("{caption}{said}"), number(outcome)));
+    }
     if !outcome.theories.is_empty() {
         let caption = "How far the displacement is off that each theory makes of the measured inductances: without a measured point for the \
                        theories, with two or more for the fit.";
@@ -72,8 +79,7 @@ fn curve(outcome: &Outcome) -> Figure {
         y: lengths.iter().map(|&length| 1e6 * relation(length)).collect(),
         stroke: Stroke { colour, dash, width },
     };
-    let calibration = outcome.inverse_length.calibration();
-    let fit = |length: f64| calibration.inductance(length);
+    let fit = |length: f64| outcome.taken.inductance(length);
     let mut curves: Vec<Curve> = outcome
         .plan
         .coil
@@ -81,7 +87,11 @@ fn curve(outcome: &Outcome) -> Figure {
         .flat_map(|coil| DRAWN.map(|drawn| (coil, drawn)))
         .map(|(coil, (theory, colour, dash))| smooth(theory.name(), colour, dash, 1.4, &|l| theory.inductance(coil, l)))
         .collect();
-    curves.push(smooth("1/l = αL + β", Colour::Ink, Dash::Solid, 1.5, &fit));
+    if let Fitted::Steel(steel) = &outcome.taken.curve {
+        let air = |length: f64| steel.not_magnetic(length) + outcome.taken.shift;
+        curves.push(smooth("the same, wire not magnetic", Colour::Green, Dash::DashDot, 1.4, &air));
+    }
+    curves.push(smooth(outcome.plan.relation.words(), Colour::Ink, Dash::Solid, 1.5, &fit));
     let micro = |values: &[f64]| shown(outcome, values).iter().map(|henry| 1e6 * henry).collect::<Vec<f64>>();
     let measured = Points {
         label: "measured".into(),
@@ -103,10 +113,13 @@ fn curve(outcome: &Outcome) -> Figure {
 }
 
 fn curve_caption(outcome: &Outcome) -> String {
-    let own = format!(
-        "Measured inductance and the curve {}.",
-        outcome.plan.method.words(outcome.measured.points.lengths().len())
-    );
+    let (fitted, all) = (outcome.taken.fitted.len(), outcome.taken.read.len());
+    let own = match outcome.plan.relation {
+        Relation::InverseLength if outcome.plan.points.is_none() => {
+            format!("Measured inductance and the curve {}.", outcome.plan.method.words(all))
+        }
+        relation => format!("Measured inductance and {}, fitted to {fitted} of {all} points.", relation.words()),
+    };
     if outcome.theories.is_empty() {
         return own;
     }
@@ -114,18 +127,19 @@ fn curve_caption(outcome: &Outcome) -> String {
 }
 
 fn residuals(outcome: &Outcome) -> Figure {
-    let misfit = &outcome.inverse_length.misfit;
-    let rmse = 1e3 * misfit.rmse;
+    let left = outcome.taken.residuals(&outcome.measured);
+    let rmse = 1e3 * (left.iter().map(|rest| rest * rest).sum::<f64>() / left.len() as f64).sqrt();
     let lengths = outcome.measured.points.lengths();
     let alpha = outcome.inverse_length.alpha;
     let errors: Vec<f64> =
         outcome.measured.standard_errors.iter().zip(lengths).map(|(henry, l)| (henry * alpha * l * l).abs()).collect();
     let points = Points {
         x: millimetres(&shown(outcome, &outcome.measured.places())),
-        y: millimetres(&shown(outcome, &misfit.residuals)),
+        y: millimetres(&shown(outcome, &left)),
         errors: millimetres(&shown(outcome, &errors)),
         ..Points::default()
     };
+    let rmse = if rmse.is_finite() { rmse } else { 0.0 };
     let limits = if rmse > 0.0 { vec![(rmse, "+RMSE"), (0.0, ""), (-rmse, "−RMSE")] } else { vec![(0.0, "")] };
     let panel = Panel {
         title: title(outcome),
@@ -148,6 +162,32 @@ fn residual_caption(outcome: &Outcome) -> String {
     format!("Residuals of {name}: what the curve reads from each inductance, less what the file gives.{bars}")
 }
 
+fn number(outcome: &Outcome) -> Figure {
+    let drawn = [
+        (Relation::InverseLength, Colour::Ink, Dash::Solid),
+        (Relation::Cubic, Colour::Green, Dash::Dashed),
+        (Relation::Steel, Colour::Blue, Dash::Solid),
+    ];
+    let curves = drawn.map(|(relation, colour, dash)| {
+        let found = outcome.contest.by_number.iter().filter_map(|number| {
+            let share = number.shares.iter().find(|(of, _)| *of == relation)?.1;
+            Some((number.fitted as f64, 100.0 * share))
+        });
+        let (x, y) = found.unzip();
+        Curve { label: relation.words().into(), x, y, stroke: Stroke { colour, dash, width: 1.6 } }
+    });
+    let curves = curves.into_iter().filter(|curve| !curve.x.is_empty()).collect();
+    let most = outcome.contest.by_number.last().map_or(2.0, |number| number.fitted as f64);
+    let panel = Panel {
+        title: title(outcome),
+        x: Axis { label: "Points fitted".into(), range: Some((2.0, most)), ..Axis::default() },
+        y: Axis { label: "RMS on the others [% of range]".into(), ..Axis::default() },
+        curves,
+        ..Panel::default()
+    };
+    Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: 260.0 }
+}
+
 fn theories(outcome: &Outcome) -> Figure {
     let bar = |name: &str, share: f64, colour| {
         let percent = 100.0 * share;
@@ -157,7 +197,11 @@ fn theories(outcome: &Outcome) -> Figure {
     let mut bars: Vec<Bar> =
         judged.map(|(theory, misfit)| bar(theory.name(), misfit.rmse_share_of_range, Colour::Blue)).collect();
     bars.sort_by(|a, b| a.value.total_cmp(&b.value));
-    bars.insert(0, bar("the fit, 1/l = αL + β", outcome.inverse_length.misfit.rmse_share_of_range, Colour::Ink));
+    let own = match outcome.plan.relation {
+        Relation::InverseLength => outcome.inverse_length.misfit.rmse_share_of_range,
+        _ => outcome.taken.rms_share,
+    };
+    bars.insert(0, bar(&format!("the fit, {}", outcome.plan.relation.words()), own, Colour::Ink));
     let bars = Bars { bars, second: String::new() };
     let panel_height = bars.panel_height(WIDTH);
     let label = format!("RMSE of {} [% of the range]", outcome.measured.place_name());

@@ -6,7 +6,7 @@ use coilsense::calibrate::{Inversion, Misfit};
 use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::text::{thinned, windings};
-use crate::calibration::{Outcome, THEORY_POINTS, answer, with_error};
+use crate::calibration::{Outcome, Relation, THEORY_POINTS, answer, with_error};
 use crate::quantity::{digits, plainly};
 use crate::report::prose::{file_name, signed, unbroken};
 use crate::report::{Drawn, ReportError};
@@ -29,6 +29,9 @@ pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<Str
         answer => answer(outcome).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
         figures => drawn.iter().map(figure).collect::<Vec<_>>(),
         curves => curves(outcome),
+        relation => outcome.plan.relation.words(),
+        rivals => rivals(outcome),
+        others => outcome.taken.has_others().then_some(outcome.taken.judged.len()),
         theories => theories(outcome),
         windings => outcome.plan.coil.map(|coil| windings(coil.windings())),
         coil => outcome.plan.coil.map(|coil| context! {
@@ -38,6 +41,7 @@ pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<Str
         place => measured.place_name(),
         zero_length => measured.zero_length.map(|length| plainly_long(1e3 * length)),
         force => force(outcome),
+        steel => outcome.plan.relation == Relation::Steel,
         degrees => outcome.reading.map(|reading| reading.degrees_of_freedom()),
         points => points(outcome),
         account => thinned(outcome).into_iter().chain(measured.account.clone()).collect::<Vec<_>>(),
@@ -77,6 +81,17 @@ fn curves(outcome: &Outcome) -> [Value; 2] {
     ]
 }
 
+fn rivals(outcome: &Outcome) -> Vec<Value> {
+    let one = |rival: &crate::calibration::Rival| {
+        context! {
+            name => rival.relation.words(), option => rival.relation.option(),
+            percent => rival.share.as_ref().ok().map(|share| format!("{:.3}", 100.0 * share)),
+            refused => rival.share.as_ref().err(),
+        }
+    };
+    outcome.contest.rivals.iter().map(one).collect()
+}
+
 fn theories(outcome: &Outcome) -> Vec<Value> {
     let one = |judged: &crate::calibration::Assessment| {
         context! {
@@ -99,7 +114,6 @@ fn force(outcome: &Outcome) -> Option<Value> {
 
 fn points(outcome: &Outcome) -> Vec<Value> {
     let measured = &outcome.measured;
-    let calibration = outcome.inverse_length.calibration();
     let zero = measured.zero_length.unwrap_or(0.0);
     let forces = outcome.forces();
     let places = measured.places();
@@ -112,9 +126,10 @@ fn points(outcome: &Outcome) -> Vec<Value> {
             place => format!("{:.3}", 1e3 * place),
             henry => format!("{:.4}", 1e6 * henry),
             henry_se => measured.standard_errors.get(index).map(|error| format!("{:.4}", 1e6 * error)),
-            read => format!("{:.3}", 1e3 * (calibration.length(henry) - zero)),
-            read_u => outcome.reading.map(|reading| format!("{:.3}", 1e3 * reading.length(henry))),
-            residual => signed(&format!("{:+.3}", 1e3 * outcome.inverse_length.misfit.residuals[index])),
+            read => format!("{:.3}", 1e3 * (outcome.taken.read[index] - zero)),
+            read_u => outcome.taken.length_u(henry).map(|length_u| format!("{:.3}", 1e3 * length_u)),
+            residual => signed(&format!("{:+.3}", 1e3 * (outcome.taken.read[index] - measured.points.lengths()[index]))),
+            fitted => outcome.taken.fitted.contains(&index) && outcome.taken.has_others(),
             force => force.map(|(force, _)| signed(&format!("{force:.3}"))),
             force_u => force.and_then(|(_, uncertainty)| uncertainty).map(digits),
         }

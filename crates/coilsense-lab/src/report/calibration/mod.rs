@@ -13,10 +13,10 @@ pub use text::calibration_text;
 use rayon::prelude::*;
 
 use super::{Drawn, ReportError, draw};
-use crate::calibration::Outcome;
+use crate::calibration::{Outcome, StoredCalibration};
 use crate::output::Output;
 
-/// Adds all files of a calibration to `output`: `report.html`, `results.json`, `figures/*`.
+/// Adds all files of a calibration to `output`: `report.html`, `results.json`, `figures/*`, and `calibration.toml`, which reads lengths from other logs.
 ///
 /// # Errors
 /// [`ReportError`] for the first part that fails.
@@ -30,6 +30,9 @@ pub fn add_calibration(outcome: &Outcome, date: &str, output: &mut Output) -> Re
         output.add(&format!("figures/{}.png", figure.name), &figure.png)?;
     }
     output.add("report.html", html::page(outcome, date, &drawn)?.as_bytes())?;
+    if let Ok(stored) = StoredCalibration::of(outcome) {
+        output.add("calibration.toml", stored.to_text(date).as_bytes())?;
+    }
     output.add("results.json", calibration_json(outcome, Some(date))?.as_bytes())?;
     Ok(())
 }

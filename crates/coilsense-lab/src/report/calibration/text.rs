@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::{AnsiColor, Style};
 use coilsense::calibrate::Misfit;
 
-use crate::calibration::{Outcome, THEORY_POINTS, answer, with_error};
+use crate::calibration::{Curve, Outcome, Rival, THEORY_POINTS, answer, with_error};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -24,6 +24,15 @@ pub fn calibration_text(outcome: &Outcome) -> String {
     let _ = writeln!(text, "\n{BOLD}{:46}{:>9}{:>12}{:>14}{BOLD:#}", "curve", "R²", "RMSE [mm]", "[% of range]");
     row(&mut text, "1/l = αL + β (squares of 1/l)", &inverse.misfit);
     row(&mut text, "L = α/l + β (squares of L)", &direct.misfit);
+    match &outcome.taken.curve {
+        Curve::InverseLength(..) => (),
+        curve => {
+            let words = format!("{} ({})", curve.relation().words(), curve.relation().option());
+            let share = outcome.taken.rms_share;
+            let rmse = digits(1e3 * share * outcome.measured.points.range());
+            let _ = writeln!(text, "{words:46}{:>9}{rmse:>12}{:>14}", "", format!("{:.3}", 100.0 * share));
+        }
+    }
     for judged in &outcome.theories {
         match &judged.misfit {
             Ok(misfit) => row(&mut text, judged.theory.name(), misfit),
@@ -40,6 +49,9 @@ pub fn calibration_text(outcome: &Outcome) -> String {
         with_error(1e6 * direct.alpha, direct.alpha_se.map(|error| 1e6 * error)),
         with_error(1e6 * direct.beta, direct.beta_se.map(|error| 1e6 * error)),
     );
+    for line in rivals(outcome) {
+        let _ = writeln!(text, "{line}");
+    }
     if let Some(coil) = outcome.plan.coil.filter(|_| !outcome.theories.is_empty()) {
         let _ = writeln!(text, "{}", windings(coil.windings()));
     }
@@ -57,6 +69,19 @@ fn row(text: &mut String, name: &str, misfit: &Misfit) {
         digits(1e3 * misfit.rmse),
         format!("{:.3}", 100.0 * misfit.rmse_share_of_range)
     );
+}
+
+/// Each calibration on points that it was not fitted to.
+pub(super) fn rivals(outcome: &Outcome) -> Vec<String> {
+    let on = if outcome.taken.has_others() { "On points not fitted" } else { "On points left out in turn" };
+    let one = |rival: &Rival| {
+        let what = format!("{} ({})", rival.relation.words(), rival.relation.option());
+        match &rival.share {
+            Ok(share) => format!("{on}, {what}: {:.3} % of the range RMS.", 100.0 * share),
+            Err(reason) => format!("{what}: {reason}."),
+        }
+    };
+    outcome.contest.rivals.iter().map(one).collect()
 }
 
 /// What is not of all points, where there are many.

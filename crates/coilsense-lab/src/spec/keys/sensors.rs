@@ -75,15 +75,17 @@ pub(super) const SENSOR: Table = Table {
         optional(
             "calibration",
             "\"fitted\"",
-            "of eq. (13): `fitted` to measured lengths, or `theory` (an uncalibrated Maxwell sum)",
+            "of L over length: eq. (13) `fitted` to measured lengths, or `two-point` (the ends of the range); `steel` (the theory of magnetic wire, from two points on); or \
+             `theory` (an uncalibrated Maxwell sum)",
             "`fitted`",
         )
         .of(COIL),
         optional(
             "calibration_form",
             "\"1.3 %\"",
-            "how far a measured spring departs from the form of eq. (13), as standard deviation, a share of the travel",
-            "`\"1.3 %\"`; of `theory` `\"30 %\"`, and `\"14 %\"` of a wire whose `relative_permeability` is known to be 1 within 1 %",
+            "how far a measured spring departs from that, as standard deviation, a share of the travel",
+            "`\"1.3 %\"`, and `\"1.4 %\"` of `two-point`, or what eq. (13) leaves of a coil of magnetic wire where `relative_permeability` (with its tolerance) is above 1.01; \
+             `\"0.3 %\"` of `steel`; but for 1.3 % with 0.7 % for mounting anew; of `theory` `\"30 %\"`, and `\"14 %\"` of a wire whose `relative_permeability` is known to be 1 within 1 %",
         )
         .of(COIL),
     ],

@@ -87,12 +87,11 @@ impl Shape {
         (self.wire_squared - length * length).sqrt() / (TAU * self.windings)
     }
 
-    /// Refuses what the rings do not hold for.
-    fn holds_at(&self, length: f64) -> Result<(), Error> {
+    /// Refuses what the rings do not hold for; `pitch`: the least, in wire diameters.
+    fn holds_at(&self, length: f64, pitch: f64) -> Result<(), Error> {
         // Rounding of a length that was itself computed from the pitch.
-        let least = LEAST_PITCH * 2.0 * self.wire_radius * self.windings * (1.0 - 1e-12);
-        let allowed =
-            format!("at least {least:.6} m, {LEAST_PITCH} wire diameters a winding (nearer turns touch and short)");
+        let least = pitch * 2.0 * self.wire_radius * self.windings * (1.0 - 1e-12);
+        let allowed = format!("at least {least:.6} m, {pitch} wire diameters a winding (nearer turns touch and short)");
         check(length.is_finite() && length >= least, "length", length, "m", allowed)?;
         let open = self.coil_radius(length) > self.wire_radius;
         check(open, "length", length, "m", "below that at which the wire is stretched straight").map(|_| ())
@@ -123,7 +122,7 @@ impl Turns {
 }
 
 /// By how much L of the rings changes with what is taken for granted.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Changes {
     /// 1/l \[1/m\], barycentric weight, and L \[H\] for each change of 1 of ln N, ln r and ln a.
     nodes: Vec<(f64, f64, [f64; 3])>,
@@ -132,6 +131,9 @@ pub(crate) struct Changes {
 impl Changes {
     /// \[H\] at a length \[m\].
     pub fn at(&self, length: f64) -> [f64; 3] {
+        if self.nodes.is_empty() {
+            return [0.0; 3];
+        }
         [0, 1, 2].map(|which| {
             between(self.nodes.iter().map(|(inverse, weight, values)| [*inverse, *weight, values[which]]), length)
         })
@@ -169,13 +171,24 @@ impl SteelCoil {
     /// [`Error::Value`] for a length at which windings are nearer than 1.04 wire diameters or the wire is straight, a range that is none, too
     /// many windings, and leads inside the coil.
     pub fn new(coil: &Coil, measured_at: f64, leads: Leads, range: [f64; 2]) -> Result<Self, Error> {
+        Self::from_pitch(coil, measured_at, leads, range, LEAST_PITCH)
+    }
+
+    /// The same from another pitch on, in wire diameters: at 1.02 L is 1e-3 off where [`Self::new`] has 1e-4, enough for how far a form departs from it.
+    pub(crate) fn from_pitch(
+        coil: &Coil,
+        measured_at: f64,
+        leads: Leads,
+        range: [f64; 2],
+        pitch: f64,
+    ) -> Result<Self, Error> {
         let allowed = format!("from 1 to {}", MOST_TURNS - 1);
         check(coil.windings() <= (MOST_TURNS - 1) as f64, "windings", coil.windings(), "", allowed)?;
         leads.outside(coil.coil_radius())?;
         let shape = Shape::new(coil, measured_at)?;
         let [shortest, longest] = range;
-        shape.holds_at(shortest)?;
-        shape.holds_at(longest)?;
+        shape.holds_at(shortest, pitch)?;
+        shape.holds_at(longest, pitch)?;
         check(longest > shortest, "longest length", longest, "m", format!("above the shortest, {shortest} m"))?;
         let nodes = places(range, NODES).map(|(inverse, weight)| (inverse, weight, Turns::new(&shape, 1.0 / inverse)));
         Ok(Self { coil: *coil, measured_at, shape, leads, range, nodes: nodes.collect() })
@@ -266,7 +279,7 @@ impl SteelCoil {
         check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)?;
         leads.outside(coil.coil_radius())?;
         let shape = Shape::new(coil, measured_at)?;
-        shape.holds_at(length)?;
+        shape.holds_at(length, LEAST_PITCH)?;
         let [whole, more] = Turns::new(&shape, length).inductances(permeability);
         Ok(whole + shape.windings.fract() * more + leads.along(length, shape.coil_radius(length)))
     }

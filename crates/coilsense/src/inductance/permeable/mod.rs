@@ -36,8 +36,8 @@ pub struct PermeableRings {
 const MOST_TURNS: usize = 150;
 /// The largest relative permeability for which the points on a wire's edge are dense enough.
 pub(crate) const MOST_PERMEABLE: f64 = 20.0;
-/// The shortest pitch in wire diameters for the same reason.
-const LEAST_PITCH: f64 = 1.04;
+/// The shortest pitch in wire diameters for which magnetic wire is solved: nearer edges need more points, and real turns touch.
+pub const LEAST_PITCH: f64 = 1.04;
 
 impl PermeableRings {
     /// Turns by their number, the radius to the wire's middle \[m\], the wire's radius \[m\] and its relative permeability \[1\].
