@@ -180,6 +180,37 @@ def test_a_calibration_gives_back_the_curve_that_made_its_points(tmp_path: pathl
     assert through.inductance([0.23])[0] == pytest.approx(inductances[6], rel=1e-12)
 
 
+def test_a_calibration_by_the_theory_of_magnetic_wire_is_stored_and_read(tmp_path: pathlib.Path) -> None:
+    lengths = numpy.linspace(0.2, 0.26, 13)
+    # A sum of rings of air: what is left of a coil's own is in the constant.
+    inductances = coilsense.MaxwellSum(SPRING).at_lengths(lengths) + 5e-8
+    fit = coilsense.calibrate((lengths, inductances), spring=SPRING, theory="steel", fit_points=2, leads="50 mm")
+    assert fit.relation == "steel" and fit.permeability is not None and fit.permeability_u is not None
+    assert abs(fit.permeability - 1) < 3 * fit.permeability_u and fit.offset is not None
+    assert fit.length_rms_percent_of_range < 0.2
+    assert numpy.all(numpy.abs(fit.length(inductances) - lengths) < 2 * fit.length_u(inductances))
+    path = tmp_path / "calibration.toml"
+    path.write_text(fit.stored("2026-11-27"), encoding="utf-8")
+    stored = coilsense.open_calibration(path)
+    length, uncertainty = stored.length(inductances)
+    assert length == pytest.approx(fit.length(inductances), abs=1e-8)  # a cubic between rows of a table
+    assert numpy.all(uncertainty > fit.length_u(inductances)) and stored.remounting > 0
+    force, force_u = stored.force(inductances)
+    assert force == pytest.approx(SPRING.stiffness * (length - SPRING.rest_length)) and numpy.all(force_u > 0)
+    again = stored.re_zeroed(0.23, inductances[6] + 2e-9)
+    assert again.remounting == 0 and again.length(inductances + 2e-9)[0] == pytest.approx(lengths, abs=1e-4)
+    assert numpy.isnan(stored.length([1.0])[0][0])
+    with pytest.raises(coilsense.Error, match="re_zero: length must be from"):
+        stored.re_zeroed(1.0, 3e-6)
+    with pytest.raises(coilsense.Error, match="no stored calibration"):
+        path.write_text("schema = 3", encoding="utf-8")
+        coilsense.open_calibration(path)
+    with pytest.raises(coilsense.Error, match="theory: needs the coil"):
+        coilsense.calibrate((lengths, inductances), theory="steel")
+    cubic = coilsense.calibrate((lengths, inductances), form="cubic", re_zero=(0.23, inductances[6]))
+    assert cubic.relation == "cubic" and cubic.permeability is None
+
+
 def test_a_calibration_that_cannot_be_is_refused() -> None:
     lengths, inductances = [0.2, 0.21, 0.22], [3e-6, 2.9e-6, 2.8e-6]
     with pytest.raises(coilsense.Error, match="method must be one of two-point, all, through-preload, got \"some\""):

@@ -22,6 +22,7 @@ mod keys;
 mod material;
 mod measurand;
 mod mount;
+mod on_coil;
 mod recorded;
 mod recordings;
 mod replaced;

@@ -9,6 +9,7 @@ use coilsense::{Channel, Error, Spring};
 use super::catalogue;
 use super::document::Document;
 use super::measurand::{KINDS, dimension, measurand};
+use super::on_coil::on_coil;
 use super::section::Section;
 use super::spring::SpringSpec;
 use super::{SpecError, plain};
@@ -80,7 +81,7 @@ impl SensorSpec {
         let word = word.map_or_else(|| section.word("kind", &KINDS), Ok)?;
         section.only_of(word, &format!("kind \"{word}\""))?;
         let kind = Kind::named(word).ok_or_else(|| section.refuse("kind", "is no kind of sensor".to_owned()))?;
-        let quantity = measurand(section, kind, spec)?;
+        let quantity = measurand(section, kind, || on_coil(section, spec))?;
         let natural = kind.natural_range(spring, coil);
         if kind.watches(Channel::Inductance) && natural == 0.0 {
             return Err(section.refuse("kind", single_winding(section, spring)?));
