@@ -5,10 +5,12 @@ mod paper_springs;
 
 use std::hint::black_box;
 
+use coilsense::calibrate::{CalibrationPoints, Permeability, SteelDoubts, SteelFit};
 use coilsense::contact::{Contact, Touching};
 use coilsense::geometry::{EndType, Geometry, Material, MaterialParameters};
 use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, StiffnessAt, Surge, Turning};
-use coilsense::inductance::{MaxwellSum, SelfDistance, mutual_inductances};
+use coilsense::inductance::theories::Coil;
+use coilsense::inductance::{Leads, MaxwellSum, SelfDistance, SteelCoil, SteelWindings, mutual_inductances};
 use coilsense::signals::sampled_window;
 use coilsense::{EndInput, Excitation, Motion, Mount, Start};
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -37,6 +39,26 @@ fn inductance(criterion: &mut Criterion) {
     let coil = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
     criterion
         .bench_function("L of 52 windings, 1001 samples", |bencher| bencher.iter(|| coil.series(black_box(&windings))));
+    // Of magnetic wire: what it costs beside the same turns of air, and a fit of ten points with all of its doubts.
+    let long = motion.windings(&sampled_window(10_000.0, 0.0, 0.9999).expect("valid")).expect("valid");
+    let air = MaxwellSum::new(&spring, SelfDistance::GeometricMean);
+    criterion.bench_function("L of 52 windings, 10 000 samples", |bencher| {
+        bencher.iter(|| air.series(black_box(&long)));
+    });
+    let steel = SteelWindings::about(52, spring.coil_radius(), spring.wire_radius(), 2.5, 0.23 / 52.0).expect("valid");
+    criterion.bench_function("L of 52 windings of magnetic wire, 10 000 samples", |bencher| {
+        bencher.iter(|| steel.series(black_box(&long)));
+    });
+    // S1 of the measured runs.
+    let s1 = Coil::new(41.904, 8.47e-3, 1.41e-3).expect("valid");
+    let lengths: Vec<f64> = (0..10).map(|point| 0.124 + 0.0059 * f64::from(point)).collect();
+    let coil = || SteelCoil::new(&s1, 0.11817, Leads::Open, [0.1229, 0.180]).expect("valid");
+    let wire = coil().of(2.08).expect("valid");
+    let inductances: Vec<f64> = lengths.iter().map(|length| wire.inductance(*length) - 1e-7).collect();
+    let points = CalibrationPoints::new(&lengths, &inductances).expect("valid");
+    criterion.bench_function("a coil of magnetic wire fitted to ten points", |bencher| {
+        bencher.iter(|| SteelFit::new(&coil(), black_box(&points), Permeability::Fitted, &SteelDoubts::default()));
+    });
     let distances: Vec<f64> = (0..10_000).map(|k| 1e-4 * f64::from(k + 1)).collect();
     let mut out = vec![0.0; distances.len()];
     criterion.bench_function("M at 10 000 distances", |bencher| {

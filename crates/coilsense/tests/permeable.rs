@@ -12,7 +12,8 @@ use std::f64::consts::TAU;
 
 use coilsense::inductance::theories::{Coil, HelixSelf, ReturnPath, helix};
 use coilsense::inductance::{
-    Leads, MU_0, MaxwellSum, PermeableRings, SelfDistance, SteelCoil, inductance_along, mutual_inductance,
+    Leads, MU_0, MaxwellSum, PermeableRings, SelfDistance, SteelCoil, SteelWindings, inductance_along,
+    mutual_inductance,
 };
 
 #[test]
@@ -206,5 +207,38 @@ fn coils_that_touch_or_are_none_are_refused_in_a_line() {
     for permeability in [0.9, 21.0, f64::NAN] {
         let message = steel.of(permeability).unwrap_err().to_string();
         assert!(message.contains("permeability must be 1 to 20"), "{message}");
+    }
+}
+
+#[test]
+fn the_bias_of_a_ringing_spring_hardly_depends_on_its_wire() {
+    // S_T at 230 mm, its first mode of 4 mm: what the mean of L over a cycle makes of the force, in percent of F_nom.
+    let spring = coilsense::paper::s_t();
+    let (turns, length) = (52, 0.23);
+    let pitch = length / turns as f64;
+    let even: Vec<f64> = (0..turns).map(|turn| (turn as f64 + 0.5) * pitch).collect();
+    let moved = |amplitude: f64| -> Vec<f64> {
+        even.iter().map(|place| place + amplitude * (std::f64::consts::PI * place / length).sin()).collect()
+    };
+    let bias = |permeability: f64| {
+        let steel =
+            SteelWindings::about(turns, spring.coil_radius(), spring.wire_radius(), permeability, pitch).unwrap();
+        let at = |positions: &[f64]| steel.at_positions(positions).unwrap();
+        let phases = 32;
+        let cycle = (0..phases).map(|phase| at(&moved(4e-3 * (TAU * phase as f64 / phases as f64).cos())));
+        let (mut mean, mut bound) = (0.0, 0.0_f64);
+        for found in cycle {
+            mean += found.inductance / phases as f64;
+            bound = bound.max(found.bound);
+        }
+        let stretched = |by: f64| at(&even.iter().map(|place| place * (1.0 + by)).collect::<Vec<f64>>()).inductance;
+        let slope = (stretched(1e-3) - stretched(-1e-3)) / (2e-3 * length);
+        let percent = |henry: f64| 100.0 * spring.stiffness() * henry / slope / spring.nominal_force();
+        (percent(mean - at(&even).inductance), percent(bound).abs())
+    };
+    for (permeability, expected) in [(1.0, -0.105), (2.5, -0.109)] {
+        let (found, bound) = bias(permeability);
+        println!("{permeability}: {found} % of F_nom, within {bound}");
+        assert!((found - expected).abs() < 2e-3 && bound < 0.01, "{permeability}: {found}, {bound}");
     }
 }

@@ -35,7 +35,7 @@ pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};
 pub use maxwell::MaxwellSum;
 pub use mutual::{MU_0, mutual_inductance, mutual_inductances};
 pub(crate) use permeable::{Changes, LEAST_FITTED, MOST_PERMEABLE};
-pub use permeable::{LEAST_PITCH, Leads, PermeableRings, SteelCoil, SteelCurve, inductance_along};
+pub use permeable::{LEAST_PITCH, Leads, PermeableRings, SteelCoil, SteelCurve, SteelWindings, inductance_along};
 pub use rings::mutual_inductance_of_rings;
 pub use second_order::{BoundedInductance, SecondOrder};
 pub use self_term::SelfDistance;

@@ -138,10 +138,10 @@ impl Disc {
     }
 
     /// ∬ j M j of two of them, so far apart along the axis, over μ₀ \[m\].
-    fn mutual_inductance(&self, apart: f64) -> f64 {
+    fn mutual_inductance(&self, apart: f64, near: bool) -> f64 {
         let linked =
             |(at, current): Part, (source, own): Part| TAU * at.r * current * own * potential(source, at.moved(apart));
-        if apart >= FINE * 2.0 * self.wire {
+        if !near {
             let parts = self.coarse_parts();
             return parts.iter().flat_map(|&at| parts.map(|source| linked(at, source))).sum();
         }
@@ -160,13 +160,19 @@ impl Disc {
 
     /// ∬ j M j of a turn and one so many turns after it, or of itself, over μ₀ \[m\].
     pub fn linked(&self, lag: usize) -> f64 {
-        if lag == 0 { self.own_inductance() } else { self.mutual_inductance(lag as f64 * self.pitch) }
+        if lag == 0 { self.own_inductance() } else { self.linked_at(lag, lag as f64 * self.pitch) }
     }
 
-    /// A/μ₀ and B/μ₀ at points on the edge of a turn so far along the axis.
-    pub fn seen_along(&self, at: Point, apart: f64) -> (f64, [f64; 2]) {
+    /// The same of a turn so many turns after it that stands so far along the axis \[m\].
+    pub fn linked_at(&self, lag: usize, apart: f64) -> f64 {
+        self.mutual_inductance(apart, lag as f64 * self.pitch < FINE * 2.0 * self.wire)
+    }
+
+    /// A/μ₀ and B/μ₀ at points on the edge of a turn so many turns after it that stands so far along the axis \[m\]. How finely that is taken goes by the turns,
+    /// so that it does not change where one moves.
+    pub fn seen_along(&self, at: Point, lag: usize, apart: f64) -> (f64, [f64; 2]) {
         let at = at.moved(apart);
-        match apart / (2.0 * self.wire) {
+        match lag as f64 * self.pitch / (2.0 * self.wire) {
             diameters if diameters < NEXT => self.seen_from(at, 2),
             diameters if diameters < 2.0 * FINE => self.seen_from(at, 1),
             _ => self.coarse_parts().iter().fold((0.0, [0.0; 2]), |(sum, [r, z]), &(source, current)| {

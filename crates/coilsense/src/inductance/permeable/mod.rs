@@ -10,6 +10,8 @@ mod coil;
 mod disc;
 mod field;
 mod leads;
+mod moving;
+mod pairs;
 mod surface;
 mod susceptible;
 
@@ -17,6 +19,7 @@ pub(crate) use self::coil::{Changes, LEAST_FITTED};
 pub use self::coil::{SteelCoil, SteelCurve};
 use self::disc::Disc;
 pub use self::leads::{Leads, inductance_along};
+pub use self::moving::SteelWindings;
 use self::surface::Row;
 use self::susceptible::Susceptible;
 use crate::error::{Error, above_zero, check};
@@ -80,16 +83,16 @@ impl PermeableRings {
     /// # Errors
     /// [`Error::Value`] for a pitch below 1.04 wire diameters, where the edges of neighbours are too near for these points.
     pub fn inductance(&self, pitch: f64) -> Result<f64, Error> {
-        let least = LEAST_PITCH * 2.0 * self.wire_radius;
-        check(
-            pitch.is_finite() && pitch >= least,
-            "pitch",
-            pitch,
-            "m",
-            format!("at least {LEAST_PITCH} wire diameters, {least} m"),
-        )?;
+        check_pitch(pitch, self.wire_radius)?;
         let disc = Disc::new(self.coil_radius, self.wire_radius, pitch);
         let row = Row::new(&disc, self.turns);
         Ok(Susceptible::new(&row, self.turns).inductance(self.permeability))
     }
+}
+
+/// Refuses a pitch at which wires are too near to one another.
+fn check_pitch(pitch: f64, wire_radius: f64) -> Result<f64, Error> {
+    let least = LEAST_PITCH * 2.0 * wire_radius;
+    let allowed = format!("at least {LEAST_PITCH} wire diameters, {least} m");
+    check(pitch.is_finite() && pitch >= least, "pitch", pitch, "m", allowed)
 }

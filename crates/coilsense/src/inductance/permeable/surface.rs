@@ -63,7 +63,9 @@ pub(super) struct Row<'a> {
 impl<'a> Row<'a> {
     pub fn new(disc: &'a Disc, turns: usize) -> Self {
         let links = (0..turns).map(|lag| disc.linked(lag)).collect();
-        let blocks = (0..turns).map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag) }).collect();
+        let blocks = (0..turns)
+            .map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag, lag as f64 * disc.pitch) })
+            .collect();
         let (mut fields, mut potentials) = (Vec::new(), Vec::new());
         for lag in 0..turns {
             let (mut along, mut potential) = ([0.0; NODES], [0.0; NODES]);
@@ -74,7 +76,7 @@ impl<'a> Row<'a> {
                     continue;
                 }
                 let angle = angle(node, NODES);
-                let (seen, field) = disc.seen_along(on_edge(disc, angle), lag as f64 * disc.pitch);
+                let (seen, field) = disc.seen_along(on_edge(disc, angle), lag, lag as f64 * disc.pitch);
                 (along[node], potential[node]) = (along_edge(angle, field), seen);
             }
             fields.push(along);
@@ -141,6 +143,68 @@ impl<'a> Row<'a> {
     }
 }
 
+/// What a turn feels of another: along its edge of a current there and of the other's own, what it sees of the other's own, and how they are linked.
+#[derive(Debug, Clone)]
+pub(super) struct Felt {
+    /// B along the edge over μ₀ by nodes of the other's edge.
+    pub block: DMatrix<f64>,
+    /// B along the edge over μ₀ of one ampere in the other \[A/m\].
+    pub field: DVector<f64>,
+    /// What a current along the edge links with that ampere, by nodes.
+    pub seen: DVector<f64>,
+    /// ∬ j M j over μ₀ \[m\].
+    pub link: f64,
+}
+
+impl Felt {
+    /// Of a turn before it, so many turns back, so far along the axis \[m\].
+    pub fn of(disc: &Disc, lag: usize, apart: f64) -> Self {
+        let edges = block(disc, lag, apart);
+        Self::with(disc, edges, disc.linked_at(lag, apart), |point| disc.seen_along(point, lag, apart))
+    }
+
+    /// Of itself.
+    pub fn own(disc: &Disc) -> Self {
+        Self::with(disc, own_block(disc), disc.linked(0), |point| disc.seen_along(point, 0, 0.0))
+    }
+
+    fn with(disc: &Disc, block: DMatrix<f64>, link: f64, seen_at: impl Fn(Point) -> (f64, [f64; 2])) -> Self {
+        let step = disc.wire * TAU / NODES as f64;
+        let (mut field, mut seen) = (DVector::zeros(NODES), DVector::zeros(NODES));
+        for node in 0..NODES {
+            let angle = angle(node, NODES);
+            let point = on_edge(disc, angle);
+            let (potential, along) = seen_at(point);
+            (field[node], seen[node]) = (along_edge(angle, along), step * TAU * point.r * potential);
+        }
+        Self { block, field, seen, link }
+    }
+
+    /// The same of a turn behind it.
+    pub fn mirrored(&self) -> Self {
+        let of = |values: &DVector<f64>| DVector::from_fn(NODES, |node, _| values[mirrored(node)]);
+        let block = DMatrix::from_fn(NODES, NODES, |node, source| self.block[(mirrored(node), mirrored(source))]);
+        Self { block, field: of(&self.field), seen: of(&self.seen), link: self.link }
+    }
+
+    /// Each times a number.
+    pub fn scaled(&self, times: f64) -> Self {
+        let (block, field, seen) = (times * &self.block, times * &self.field, times * &self.seen);
+        Self { block, field, seen, link: times * self.link }
+    }
+
+    /// The sum of two.
+    pub fn plus(&self, other: &Self) -> Self {
+        let (block, field) = (&self.block + &other.block, &self.field + &other.field);
+        Self { block, field, seen: &self.seen + &other.seen, link: self.link + other.link }
+    }
+
+    /// The difference of two.
+    pub fn minus(&self, other: &Self) -> Self {
+        self.plus(&other.scaled(-1.0))
+    }
+}
+
 /// Of the edge that the nodes themselves are on.
 fn own_block(disc: &Disc) -> DMatrix<f64> {
     let weights = logarithmic_weights();
@@ -162,8 +226,8 @@ fn own_block(disc: &Disc) -> DMatrix<f64> {
     })
 }
 
-/// Of an edge so many turns before.
-fn block(disc: &Disc, lag: usize) -> DMatrix<f64> {
+/// Of an edge so many turns before, so far along the axis.
+fn block(disc: &Disc, lag: usize, apart: f64) -> DMatrix<f64> {
     let times = match lag {
         1 | 2 => REFINED[0],
         3 | 4 => REFINED[1],
@@ -173,7 +237,7 @@ fn block(disc: &Disc, lag: usize) -> DMatrix<f64> {
     let step = disc.wire * TAU / fine as f64;
     let felt = DMatrix::from_fn(NODES, fine, |node, source| {
         let at = angle(node, NODES);
-        let here = on_edge(disc, at).moved(lag as f64 * disc.pitch);
+        let here = on_edge(disc, at).moved(apart);
         step * along_edge(at, field(on_edge(disc, angle(source, fine)), here))
     });
     if times == 1 {
