@@ -25,10 +25,12 @@ pub fn calibrate((name, text): Named, asked: &Request) -> Result<Answer, String>
     let given = asked.given(OPTIONS.iter().chain(&LAYOUT))?;
     let zero_length = given.number(&LENGTH_AT_ZERO);
     let mut plan = Plan::of(&given, None).map_err(|wrong| wrong.to_string())?;
-    let known = asked.coil(spec.as_ref().map(|spec| &spec.spring))?;
-    let coil = known.map(|coil| Coil::new(coil.windings, coil.coil_radius, coil.wire_radius));
-    plan.coil = coil.transpose().map_err(|error| error.to_string())?;
-    plan.force = spec.as_ref().map(ForceLaw::of);
+    if let Some(spec) = &spec {
+        plan = plan.of_spring(&spec.spring, Some(ForceLaw::of(spec))).map_err(|error| error.to_string())?;
+    } else {
+        let coil = asked.coil(None)?.map(|coil| Coil::new(coil.windings, coil.coil_radius, coil.wire_radius));
+        plan.coil = coil.transpose().map_err(|error| error.to_string())?;
+    }
     let measured = match (is_lab_data(&given), zero_length) {
         (true, Some(zero)) => lab_data_of_text(&name, text, zero),
         (true, None) => {
@@ -52,12 +54,11 @@ fn curves(outcome: &Outcome) -> Vec<(String, Vec<f64>)> {
     let ends = points.lengths().iter().fold([f64::INFINITY, 0.0], |[a, b]: [f64; 2], l| [a.min(*l), b.max(*l)]);
     let lengths: Vec<f64> =
         (0..DRAWN).map(|step| ends[0] + (ends[1] - ends[0]) * step as f64 / (DRAWN - 1) as f64).collect();
-    let fit = outcome.inverse_length.calibration();
     let along = |relation: &dyn Fn(f64) -> f64| lengths.iter().map(|length| relation(*length)).collect::<Vec<f64>>();
     let mut series = vec![
         ("length".to_owned(), thinned(points.lengths())),
         ("inductance".to_owned(), thinned(points.inductances())),
-        ("fit".to_owned(), along(&|length| fit.inductance(length))),
+        ("fit".to_owned(), along(&|length| outcome.taken.inductance(length))),
     ];
     let theories = outcome.plan.coil.iter().flat_map(|coil| Theory::ALL.map(|theory| (coil, theory)));
     for (number, (coil, theory)) in theories.enumerate() {
