@@ -18,7 +18,7 @@ def test_they_are_a_mapping() -> None:
     assert SIGNALS.get("F_L") is None and SIGNALS.get("F_L", 3) == 3
     with pytest.raises(KeyError, match="signal F_L is missing"):
         SIGNALS["F_L"]
-    with pytest.raises(KeyError, match="channel must be one of u1, u2, F_i, F_o, F_x, F_L, L, got .*F_y"):
+    with pytest.raises(KeyError, match="channel must be one of u1, u2, F_i, F_o, F_x, F_L, L, R, got .*F_y"):
         SIGNALS["F_y"]
 
 
