@@ -30,7 +30,7 @@ pub(super) struct Susceptible {
 const MOST: usize = 80;
 /// The largest permeability that they must serve; what the next direction may still change of L there.
 const SERVED: f64 = 20.0;
-const ENOUGH: f64 = 1e-11;
+const ENOUGH: f64 = 1e-9;
 
 impl Susceptible {
     /// Of so many of a row's turns.
