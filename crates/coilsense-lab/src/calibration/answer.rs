@@ -5,6 +5,7 @@
 use coilsense::calibrate::{Permeability, SteelFit};
 use coilsense::inductance::Leads;
 
+use super::median::median;
 use super::{Curve, Outcome, Relation};
 use crate::quantity::digits;
 
@@ -118,8 +119,9 @@ fn judged(outcome: &Outcome) -> String {
     let range = outcome.measured.points.range();
     let place = outcome.measured.place_name();
     let on = if taken.has_others() { format!(" on the other {}", taken.judged.len()) } else { String::new() };
-    let half =
-        median(taken.judged.iter().filter_map(|&index| taken.length_u(outcome.measured.points.inductances()[index])));
+    let half = median(
+        taken.judged.iter().filter_map(|&index| taken.curve.length_u(outcome.measured.points.inductances()[index])),
+    );
     let half = half.map(|half| format!("; 95 % interval of a {place} read: ± {} mm", digits(1.96e3 * half)));
     format!(
         ": {} mm RMS of {place}{on} ({} % of the range of {} mm){}.",
@@ -128,13 +130,6 @@ fn judged(outcome: &Outcome) -> String {
         digits(1e3 * range),
         half.unwrap_or_default()
     )
-}
-
-/// The middle one; none of none.
-pub(crate) fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
 }
 
 /// What the permeability says, and what is taken as known.

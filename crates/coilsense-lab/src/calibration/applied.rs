@@ -4,6 +4,7 @@
 
 use coilsense::{Channel, Signals};
 
+use super::median::median;
 use super::{CalibrationError, StoredCalibration};
 use crate::quantity::digits;
 
@@ -94,6 +95,9 @@ impl Applied {
         told.push(
             "It is that of windings at rest: while the coil rings, F_L is off by what coilsense analyze says of its sensor.".to_owned(),
         );
+        if self.forces.is_some() && signals.channel(Channel::InductanceForce).is_ok() {
+            told.push("The log's own F_L is replaced.".to_owned());
+        }
         told.extend(resistance(stored, signals));
         told
     }
@@ -102,14 +106,13 @@ impl Applied {
 /// What the resistance says of turns and clips.
 fn resistance(stored: &StoredCalibration, signals: &Signals) -> Vec<String> {
     let Ok(resistances) = signals.channel(Channel::Resistance) else { return Vec::new() };
-    let mut sorted = resistances.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let usual = sorted[sorted.len() / 2];
+    let Some(usual) = median(resistances.iter().copied()) else { return Vec::new() };
     let mut told = Vec::new();
     let low: Vec<usize> = (0..resistances.len()).filter(|&row| resistances[row] < (1.0 - RESISTANCE) * usual).collect();
     if let Some(&first) = low.first() {
         told.push(format!(
-            "Turns touch in {} of {} rows, first at {} s: R is more than {} % below its median there, and length and force are not to be trusted.",
+            "Turns touch in {} of {} rows, first at {} s, unless a clip moved there or the wire was colder by some 2 K: R is more than {} % below its median. Do not \
+             trust length and force of these rows.",
             low.len(),
             resistances.len(),
             signals.time()[first],

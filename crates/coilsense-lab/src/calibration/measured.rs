@@ -5,6 +5,7 @@
 use coilsense::calibrate::CalibrationPoints;
 
 use super::CalibrationError;
+use super::median::median;
 
 /// The pairs of a calibration, in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,22 +43,37 @@ pub struct Unused {
 
 /// By how much R must fall below that of most rows for turns to be called shorted: twenty times what ten readings of the measured runs scatter by.
 const SHORTED: f64 = 2e-3;
+/// Most rows that are told one by one.
+const NAMED: usize = 5;
 
 impl Measured {
-    /// How far a resistance is below that of most points, where that is more than what scatters.
-    pub fn shorted(&self, resistance: f64) -> Option<f64> {
-        // The median, which a few rows do not move.
-        let mut sorted = self.resistances.clone();
-        sorted.sort_by(f64::total_cmp);
-        let usual = 0.5 * (sorted.get(sorted.len() / 2)? + sorted.get((sorted.len() - 1) / 2)?);
-        let share = 1.0 - resistance / usual;
-        (share > SHORTED).then_some(share)
+    /// Points at the short end whose R says that turns touch, with the share by which it is below that of most, and others whose R is as low.
+    ///
+    /// A drift of R along the run is none: R has to jump by as much to the next longer point.
+    fn low(&self) -> (Vec<(usize, f64)>, Vec<(usize, f64)>) {
+        let Some(usual) = median(self.resistances.iter().copied()) else { return (Vec::new(), Vec::new()) };
+        let share = |index: usize| 1.0 - self.resistances[index] / usual;
+        let lengths = self.points.lengths();
+        let mut order: Vec<usize> = (0..self.resistances.len()).collect();
+        order.sort_by(|&a, &b| lengths[a].total_cmp(&lengths[b]));
+        let clear = order.iter().position(|&index| share(index) <= SHORTED).unwrap_or(0);
+        let jumps = clear > 0 && self.resistances[order[clear - 1]] < (1.0 - SHORTED) * self.resistances[order[clear]];
+        let touching = if jumps { clear } else { 0 };
+        let told = |indices: &[usize]| indices.iter().map(|&index| (index, share(index))).collect::<Vec<_>>();
+        let (short, rest) = order.split_at(touching);
+        (told(short), told(rest).into_iter().filter(|(_, share)| *share > SHORTED).collect())
     }
 
-    /// Points whose R says that turns touch, with the share by which it is low.
-    pub fn touching(&self) -> Vec<(usize, f64)> {
-        let low = self.resistances.iter().enumerate();
-        low.filter_map(|(index, &resistance)| Some((index, self.shorted(resistance)?))).collect()
+    /// Rows of some points: the first few by their numbers.
+    fn named(&self, points: &[(usize, f64)]) -> String {
+        let mut rows: Vec<usize> = points.iter().map(|(index, _)| self.rows[*index]).collect();
+        rows.sort_unstable();
+        let first: Vec<String> = rows.iter().take(NAMED).map(usize::to_string).collect();
+        match (rows.len(), rows.len().saturating_sub(NAMED)) {
+            (1, _) => format!("Row {}", first[0]),
+            (_, 0) => format!("Rows {}", first.join(", ")),
+            (_, more) => format!("Rows {} and {more} more", first.join(", ")),
+        }
     }
 
     /// The same without points whose resistance says that turns touch, which is told.
@@ -65,7 +81,7 @@ impl Measured {
     /// # Errors
     /// [`CalibrationError`] where fewer than two are left.
     pub(super) fn without_touching(self) -> Result<Self, CalibrationError> {
-        let touching = self.touching();
+        let (touching, low) = self.low();
         let mut account = self.account.clone();
         for unused in &self.unused {
             // Against its neighbour, as R drifts along a run by what temperature and strain do to it.
@@ -80,25 +96,34 @@ impl Measured {
                 ));
             }
         }
+        let most = |points: &[(usize, f64)]| 100.0 * points.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+        if !low.is_empty() {
+            account.push(format!(
+                "{}: R is up to {:.2} % below the others'; a clip may have moved there, or the wire cooled. Kept.",
+                self.named(&low),
+                most(&low)
+            ));
+        }
         if touching.is_empty() {
             return Ok(Self { account, ..self });
         }
-        let is_kept = |index: usize| touching.iter().all(|(touches, _)| *touches != index);
-        let kept: Vec<usize> = (0..self.rows.len()).filter(|&index| is_kept(index)).collect();
+        let (verb, its) = if touching.len() == 1 { ("is", "its R is") } else { ("are", "their R is up to") };
+        account.push(format!(
+            "{} {verb} left out: {its} {:.2} % below the others', so turns touch and short there.",
+            self.named(&touching),
+            most(&touching)
+        ));
+        let mut is_kept = vec![true; self.rows.len()];
+        touching.iter().for_each(|(index, _)| is_kept[*index] = false);
+        let kept: Vec<usize> = (0..self.rows.len()).filter(|&index| is_kept[index]).collect();
         let of = |values: &[f64]| kept.iter().filter_map(|&index| values.get(index).copied()).collect::<Vec<f64>>();
         let points = self.pick(&kept)?;
-        let mut unused = self.unused.clone();
-        for (index, share) in touching {
-            let (row, percent) = (self.rows[index], 100.0 * share);
-            account.push(format!(
-                "Row {row} is left out: its R is {percent:.2} % below the others', so turns touch and short, or a clip moved."
-            ));
-            unused.push(Unused {
-                row,
-                length: self.points.lengths()[index],
-                resistance: self.resistances.get(index).copied(),
-            });
-        }
+        let unused = touching.iter().map(|&(index, _)| Unused {
+            row: self.rows[index],
+            length: self.points.lengths()[index],
+            resistance: self.resistances.get(index).copied(),
+        });
+        let unused = self.unused.iter().copied().chain(unused).collect();
         Ok(Self {
             standard_errors: of(&self.standard_errors),
             resistances: of(&self.resistances),

@@ -146,7 +146,7 @@ impl Outcome {
     pub fn forces(&self) -> Option<Vec<(f64, Option<f64>)>> {
         let law = self.plan.force?;
         let force = |(&henry, &length): (&f64, &f64)| {
-            (law.force(length), self.taken.length_u(henry).map(|length_u| law.uncertainty(length, length_u)))
+            (law.force(length), self.taken.curve.length_u(henry).map(|length_u| law.uncertainty(length, length_u)))
         };
         Some(self.measured.points.inductances().iter().zip(&self.taken.read).map(force).collect())
     }

@@ -8,6 +8,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 
+use super::median::median;
 use super::{CalibrationError, ForceLaw, Outcome, answer};
 
 /// Length over inductance with its uncertainty, over the lengths of the points.
@@ -78,19 +79,18 @@ impl StoredCalibration {
         let row = |index: usize| {
             let length = shortest + (longest - shortest) * index as f64 / (ROWS - 1) as f64;
             let inductance = taken.inductance(length);
-            let length_u = taken.length_u(inductance).or_else(|| edge_u(outcome, length)).or(seen);
+            let length_u = taken.length_u(inductance).or(seen);
             Row { inductance, length, length_u }
         };
-        let mut resistances = measured.resistances.clone();
-        resistances.sort_by(f64::total_cmp);
         let told = answer(outcome);
         let stored = Self {
             name: measured.file.clone(),
             relation: outcome.plan.relation.name().to_owned(),
             about: told.first().cloned().unwrap_or_default(),
-            remounting: REMOUNTING,
+            // Zeroed since at a point that was told.
+            remounting: if outcome.plan.re_zero.is_some() { 0.0 } else { REMOUNTING },
             shift: 0.0,
-            resistance: resistances.get(resistances.len() / 2).copied(),
+            resistance: median(measured.resistances.iter().copied()),
             force: outcome.plan.force,
             rows: (0..ROWS).map(row).collect(),
         };
@@ -267,12 +267,6 @@ impl StoredCalibration {
         let law = self.force?;
         Some((law.force(reading.length), reading.length_u.map(|length_u| law.uncertainty(reading.length, length_u))))
     }
-}
-
-/// u(l) just inside of the lengths that a relation reads, where rounding put an end outside.
-fn edge_u(outcome: &Outcome, length: f64) -> Option<f64> {
-    let inside = [1.0 - 1e-9, 1.0 + 1e-9].map(|times| outcome.taken.inductance(times * length));
-    inside.into_iter().find_map(|inductance| outcome.taken.length_u(inductance))
 }
 
 /// Through four pairs.

@@ -18,7 +18,7 @@ pub struct Taken {
     pub fitted: Vec<usize>,
     /// Indices of those on which it is judged.
     pub judged: Vec<usize>,
-    /// What it reads from each point's inductance \[m\]; NaN where nothing.
+    /// What it reads from each point's inductance \[m\], before the spring was mounted anew; NaN where nothing.
     pub read: Vec<f64>,
     /// Root mean square of read less given lengths over the judged points, as a share of the range of all.
     pub rms_share: f64,
@@ -156,7 +156,9 @@ impl Taken {
             None => 0.0,
         };
         // Where all points were fitted there is none that was not.
-        let others: Vec<usize> = (0..all).filter(|index| !fitted.contains(index)).collect();
+        let mut is_other = vec![true; all];
+        fitted.iter().for_each(|&index| is_other[index] = false);
+        let others: Vec<usize> = (0..all).filter(|&index| is_other[index]).collect();
         let by_ends = matches!(plan.method.fit(&measured.points, plan.preload)?, FitMethod::TwoPoints { .. });
         let (fitted, judged) = match (plan.relation, plan.points, others.is_empty()) {
             (Relation::InverseLength, None, _) if by_ends && all > 2 => (vec![0, all - 1], (1..all - 1).collect()),
@@ -165,7 +167,7 @@ impl Taken {
         };
         let mut taken = Self { curve, shift, fitted, judged, read: Vec::new(), rms_share: 0.0, doubts: None };
         taken.read =
-            measured.points.inductances().iter().map(|&henry| taken.length(henry).unwrap_or(f64::NAN)).collect();
+            measured.points.inductances().iter().map(|&henry| taken.curve.length(henry).unwrap_or(f64::NAN)).collect();
         taken.rms_share = share(measured, taken.judged.iter().map(|&index| (index, taken.read[index])));
         taken.doubts = of_steel.filter(|_| plan.relation == Relation::Steel).map(|(_, doubts)| *doubts);
         let coil = coil.as_ref().map(|(coil, _)| coil.as_ref());

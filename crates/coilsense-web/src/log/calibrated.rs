@@ -58,7 +58,7 @@ fn curves(outcome: &Outcome) -> Vec<(String, Vec<f64>)> {
     let mut series = vec![
         ("length".to_owned(), thinned(points.lengths())),
         ("inductance".to_owned(), thinned(points.inductances())),
-        ("fit".to_owned(), along(&|length| outcome.taken.inductance(length))),
+        ("fit".to_owned(), along(&|length| outcome.taken.curve.inductance(length))),
     ];
     let theories = outcome.plan.coil.iter().flat_map(|coil| Theory::ALL.map(|theory| (coil, theory)));
     for (number, (coil, theory)) in theories.enumerate() {

@@ -110,7 +110,7 @@ impl Causes {
 
 /// Permeabilities at which the search begins.
 const STARTS: usize = 25;
-/// From here on 1/10 of the meter's noise is lost in what the polynomials between lengths leave out.
+/// Most steps of the search, which takes some five.
 const STEPS: usize = 60;
 
 impl SteelFit {
@@ -119,7 +119,7 @@ impl SteelFit {
     /// Standard uncertainties come from what is stated, as two points leave no residual to tell: with J = (∂L/∂μ_r, 1) of the points, noise of σ gives the
     /// covariance σ² (JᵀJ)⁻¹, and a cause that changes the coil's L by δ(l) moves the fit by −(JᵀJ)⁻¹ Jᵀδ.
     ///
-    /// - `coil`: at every length of the points and of those to be read; `points`: at least one for a known permeability, else two
+    /// - `coil`: at every length of the points and of those to be read; `points`: two at least
     ///
     /// Source:   `[JCGM100]` 5.1.2, and of the linear least squares H.3; L of [`SteelCoil`].
     /// Valid:    as [`SteelCoil`]. μ_r and a common factor of L can hardly be told apart: 1 % of L is some 0.1 of μ_r.
@@ -127,7 +127,7 @@ impl SteelFit {
     ///
     /// # Errors
     /// [`Error::Value`] for points that no permeability from 0.5 to 20 explains, points outside of the coil's range, a known permeability that is not 1 to
-    /// 20, or doubts that are not zero or above.
+    /// 20, doubts that are not zero or above, or a lead inside the coil.
     ///
     /// ```
     /// use coilsense::calibrate::{CalibrationPoints, Permeability, SteelDoubts, SteelFit};
@@ -149,6 +149,7 @@ impl SteelFit {
         doubts: &SteelDoubts,
     ) -> Result<Self, Error> {
         doubts.check()?;
+        doubts.leads.outside(coil.coil().coil_radius())?;
         let search = Search::new(coil, points)?;
         let found = match permeability {
             Permeability::Fitted => search.best()?,

@@ -79,7 +79,7 @@ fn curve(outcome: &Outcome) -> Figure {
         y: lengths.iter().map(|&length| 1e6 * relation(length)).collect(),
         stroke: Stroke { colour, dash, width },
     };
-    let fit = |length: f64| outcome.taken.inductance(length);
+    let fit = |length: f64| outcome.taken.curve.inductance(length);
     let mut curves: Vec<Curve> = outcome
         .plan
         .coil
@@ -88,7 +88,7 @@ fn curve(outcome: &Outcome) -> Figure {
         .map(|(coil, (theory, colour, dash))| smooth(theory.name(), colour, dash, 1.4, &|l| theory.inductance(coil, l)))
         .collect();
     if let Fitted::Steel(steel) = &outcome.taken.curve {
-        let air = |length: f64| steel.not_magnetic(length) + outcome.taken.shift;
+        let air = |length: f64| steel.not_magnetic(length);
         curves.push(smooth("the same, wire not magnetic", Colour::Green, Dash::DashDot, 1.4, &air));
     }
     curves.push(smooth(outcome.plan.relation.words(), Colour::Ink, Dash::Solid, 1.5, &fit));

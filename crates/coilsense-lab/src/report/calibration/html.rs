@@ -127,7 +127,7 @@ fn points(outcome: &Outcome) -> Vec<Value> {
             henry => format!("{:.4}", 1e6 * henry),
             henry_se => measured.standard_errors.get(index).map(|error| format!("{:.4}", 1e6 * error)),
             read => format!("{:.3}", 1e3 * (outcome.taken.read[index] - zero)),
-            read_u => outcome.taken.length_u(henry).map(|length_u| format!("{:.3}", 1e3 * length_u)),
+            read_u => outcome.taken.curve.length_u(henry).map(|length_u| format!("{:.3}", 1e3 * length_u)),
             residual => signed(&format!("{:+.3}", 1e3 * (outcome.taken.read[index] - measured.points.lengths()[index]))),
             fitted => outcome.taken.fitted.contains(&index) && outcome.taken.has_others(),
             force => force.map(|(force, _)| signed(&format!("{force:.3}"))),

@@ -243,7 +243,7 @@ impl SteelPart {
     fn of(outcome: &Calibrated) -> Option<Self> {
         let Curve::Steel(fit) = &outcome.taken.curve else { return None };
         let (taken, points) = (&outcome.taken, &outcome.measured.points);
-        let half = median(taken.judged.iter().filter_map(|&index| taken.length_u(points.inductances()[index])));
+        let half = median(taken.judged.iter().filter_map(|&index| taken.curve.length_u(points.inductances()[index])));
         Some(Self {
             relative_permeability: fit.permeability,
             relative_permeability_u: fit.permeability_u,
@@ -374,7 +374,7 @@ fn points(outcome: &Calibrated) -> Vec<PointRow> {
             inductance_h: henry,
             inductance_h_se: measured.standard_errors.get(index).copied(),
             length_read_m: Some(outcome.taken.read[index]).filter(|length| length.is_finite()),
-            length_read_m_u: outcome.taken.length_u(henry),
+            length_read_m_u: outcome.taken.curve.length_u(henry),
             residual_m: Some(outcome.taken.read[index] - measured.points.lengths()[index])
                 .filter(|rest| rest.is_finite()),
             force_n: force.map(|(force, _)| force).filter(|force| force.is_finite()),

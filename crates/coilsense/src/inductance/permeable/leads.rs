@@ -49,7 +49,7 @@ pub fn inductance_along(length: f64, coil_radius: f64, leads: Leads) -> Result<f
 
 impl Leads {
     /// Refuses leads inside a coil.
-    pub(super) fn outside(self, coil_radius: f64) -> Result<(), Error> {
+    pub(crate) fn outside(self, coil_radius: f64) -> Result<(), Error> {
         let Self::Beside(distance) = self else { return Ok(()) };
         let allowed = format!("above the coil radius of {coil_radius} m");
         check(distance.is_finite() && distance > coil_radius, "leads", distance, "m", allowed).map(|_| ())
