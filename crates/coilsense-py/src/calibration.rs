@@ -50,12 +50,12 @@ getters! {
     beta_se: Option<f64> = self.0.inverse_length.beta_se;
     /// Points less what was fitted.
     degrees_of_freedom: usize = self.0.inverse_length.degrees_of_freedom;
-    /// R² of the lengths read [1].
+    /// R² of L by 1/l = αL + β [1].
     r2: f64 = self.0.inverse_length.misfit.r2;
-    /// Rms of lengths read less lengths measured [m].
-    rmse: f64 = self.0.inverse_length.misfit.rmse;
-    /// Lengths read less lengths measured [m], shape (points,).
-    residuals<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, &self.0.inverse_length.misfit.residuals);
+    /// Rms of lengths read less lengths measured, by the calibration that was asked for [m].
+    rmse: f64 = self.0.taken.rmse(&self.0.measured);
+    /// Lengths read less lengths measured, by the calibration that was asked for [m], shape (points,).
+    residuals<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_vec(py, self.0.taken.residuals(&self.0.measured));
     /// Measured lengths [m], shape (points,).
     lengths<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.measured.points.lengths());
     /// Measured inductances [H], shape (points,).
@@ -160,8 +160,19 @@ impl PyCalibration {
     }
 
     fn __repr__(&self) -> String {
-        let (points, fit) = (self.0.measured.points.lengths().len(), &self.0.inverse_length);
-        format!("<Calibration of {points} points: alpha={}, beta={}, rmse={}>", fit.alpha, fit.beta, fit.misfit.rmse)
+        let (points, fit, rmse) = (self.0.measured.points.lengths().len(), &self.0.inverse_length, self.rmse());
+        match self.steel() {
+            Some(steel) => {
+                format!(
+                    "<Calibration of {points} points: permeability={}, offset={}, rmse={rmse}>",
+                    steel.permeability, steel.offset
+                )
+            }
+            None if self.0.plan.relation.fewest() == 2 => {
+                format!("<Calibration of {points} points: alpha={}, beta={}, rmse={rmse}>", fit.alpha, fit.beta)
+            }
+            None => format!("<Calibration of {points} points: {}, rmse={rmse}>", self.0.plan.relation.name()),
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use coilsense::inductance::Leads;
 
 use super::median::median;
 use super::{Curve, Outcome, Relation};
-use crate::quantity::digits;
+use crate::quantity::{digits, plainly};
 
 /// Sentences, the first of which says which curve it is and how far to trust it.
 pub fn answer(outcome: &Outcome) -> Vec<String> {
@@ -19,7 +19,7 @@ pub fn answer(outcome: &Outcome) -> Vec<String> {
             lines.extend(comparison(outcome));
         }
         Curve::Cubic(_) => lines.push(
-            "Between its points only: beyond them L = α/l + β + γ/l² is off by percents of the range.".to_owned(),
+            "Use it between its points only: beyond them it is soon off by several percent of the range.".to_owned(),
         ),
         Curve::Steel(fit) => lines.extend(steel(outcome, fit)),
     }
@@ -37,15 +37,15 @@ fn advice(outcome: &Outcome) -> Option<String> {
     let own = outcome.plan.relation;
     let percent = |share: f64| digits(100.0 * share);
     let on = match outcome.taken.has_others() {
-        true => format!("the {} points that were left over", outcome.taken.judged.len()),
-        false => "points that were left out in turn".to_owned(),
+        true => format!("on the {} points left over", outcome.taken.judged.len()),
+        false => "on points left out one at a time".to_owned(),
     };
     let Some((best, least)) = outcome.best() else {
         // Two points and no other: what measured springs have said.
         let known = outcome.contest.rivals.iter().any(|rival| rival.relation == Relation::Steel && rival.share.is_ok())
             || (outcome.plan.coil.is_some() && outcome.contest.rivals.is_empty());
         return (known && own == Relation::InverseLength && is_exact(outcome)).then(|| {
-            "Take --theory steel with two points: on four measured springs it read length to 0.1 to 0.4 % of the range, 1/l = αL + β to 0.3 to 2.2 %."
+            "Take --theory steel with two points: on four measured springs it was off by 0.1 to 0.4 % of the range, 1/l = αL + β by 0.3 to 2.2 %."
                 .to_owned()
         });
     };
@@ -55,7 +55,7 @@ fn advice(outcome: &Outcome) -> Option<String> {
     // Less than a tenth is not worth another calibration, nor is what rounding leaves.
     if best.relation != own && least < 0.9 * mine && mine > 1e-6 {
         return Some(format!(
-            "Take {} ({}): it reads {on} to {} % of the range, this one to {} %.",
+            "Take {} ({}): {on} it is off by {} % of the range RMS, this one by {} %.",
             best.relation.words(),
             best.relation.option(),
             percent(least),
@@ -66,7 +66,7 @@ fn advice(outcome: &Outcome) -> Option<String> {
     let next = next.filter_map(|rival| Some((rival.relation, *rival.share.as_ref().ok()?)));
     let (next, further) = next.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(format!(
-        "Take this one, {}: it reads {on} to {} % of the range; {} would to {} %.",
+        "Take this one, {}: {on} it is off by {} % of the range RMS, {} by {} %.",
         own.words(),
         percent(mine),
         next.words(),
@@ -96,7 +96,7 @@ fn curve(outcome: &Outcome) -> String {
             spread(outcome),
             match outcome.plan.steel.leads {
                 Leads::Open => "leads open".to_owned(),
-                Leads::Beside(distance) => format!("the lead {} mm off", digits(1e3 * distance)),
+                Leads::Beside(distance) => format!("return lead {} mm off", plainly(1e3 * distance)),
                 Leads::LeftOut => "leads left out".to_owned(),
             },
             judged(outcome)
@@ -116,13 +116,16 @@ fn judged(outcome: &Outcome) -> String {
     if !taken.has_others() && taken.fitted.len() <= outcome.plan.relation.fewest() {
         return ", through all of them.".to_owned();
     }
+    if !taken.rms_share.is_finite() {
+        return ": some of the points have no length on this curve at all.".to_owned();
+    }
     let range = outcome.measured.points.range();
     let place = outcome.measured.place_name();
     let on = if taken.has_others() { format!(" on the other {}", taken.judged.len()) } else { String::new() };
     let half = median(
         taken.judged.iter().filter_map(|&index| taken.curve.length_u(outcome.measured.points.inductances()[index])),
     );
-    let half = half.map(|half| format!("; 95 % interval of a {place} read: ± {} mm", digits(1.96e3 * half)));
+    let half = half.map(|half| format!("; 95 % interval of a single reading ±{} mm", digits(1.96e3 * half)));
     format!(
         ": {} mm RMS of {place}{on} ({} % of the range of {} mm){}.",
         digits(1e3 * taken.rms_share * range),
@@ -140,38 +143,43 @@ fn steel(outcome: &Outcome, fit: &SteelFit) -> Vec<String> {
         lines.push(match times {
             _ if fit.is_magnetic() => format!("The wire is magnetic: its permeability is {} standard uncertainties above 1.", digits(times)),
             _ if times < -3.0 => format!(
-                "No wire has a permeability below 1, by {} standard uncertainties: windings, radius, wire or leads are not what was told.",
+                "The permeability is {} standard uncertainties below 1, which no wire has: check windings, radius, wire and leads.",
                 digits(-times)
             ),
-            _ => "The wire is not told from wire that is not magnetic: 1 is within three standard uncertainties.".to_owned(),
+            _ => "The wire need not be magnetic: a permeability of 1 is within three standard uncertainties.".to_owned(),
         });
     }
     if fit.permeability > LARGE {
         lines.push(format!(
-            "A permeability of {} is that of carbon steel, whose inductance depends on the meter's frequency and drive level: calibrate and read at the same ones.",
+            "A permeability of {} is that of carbon steel, whose inductance depends on the meter's frequency and test current: calibrate and measure with the same settings.",
             digits(fit.permeability)
         ));
     }
     lines.extend(frequency(outcome, fit));
     if let Some(doubts) = outcome.taken.doubts {
+        let told = match outcome.plan.steel.permeability {
+            Permeability::Known(_) => format!(", permeability {} %", plainly(100.0 * doubts.permeability)),
+            Permeability::Fitted => String::new(),
+        };
+        let lead = match doubts.leads {
+            Leads::Beside(distance) => format!("{} mm off", plainly(1e3 * distance)),
+            Leads::Open | Leads::LeftOut => "far away".to_owned(),
+        };
         lines.push(format!(
-            "Standard uncertainties are those of a meter of {} nH, windings ± {} %, radius ± {} %, wire ± {} mm, a lead that may go back {}, and {} % of L that the theory left on measured springs; not of the points' lengths, nor of mounting anew (some ± 0.25 % of L; zero it by --re-zero).",
+            "Standard uncertainties assumed: meter {} nH, windings {} %, coil radius {} %, wire diameter {} mm{told}, a return lead {lead}, theory {} % of L. Not in them: \
+             errors of the points' lengths, and remounting (about 0.25 % of L, which --re-zero removes).",
             digits(1e9 * doubts.meter),
-            digits(100.0 * doubts.windings),
-            digits(100.0 * doubts.coil_radius),
-            digits(1e3 * doubts.wire_diameter),
-            match doubts.leads {
-                Leads::Beside(distance) => format!("{} mm off", digits(1e3 * distance)),
-                _ => "far away".to_owned(),
-            },
-            digits(100.0 * doubts.theory),
+            plainly(100.0 * doubts.windings),
+            plainly(100.0 * doubts.coil_radius),
+            plainly(1e3 * doubts.wire_diameter),
+            plainly(100.0 * doubts.theory),
         ));
     }
     if let (Permeability::Known(known), true) = (outcome.plan.steel.permeability, outcome.taken.fitted.len() > 1) {
         let share = outcome.taken.rms_share;
         if share > FAR {
             lines.push(format!(
-                "A permeability of {} leaves {} % of the range: fit it (without --known-permeability), or check windings, radius and wire.",
+                "With a permeability of {} the points are off by {} % of the range: fit it (without --known-permeability), or check windings, radius and wire.",
                 digits(known),
                 digits(100.0 * share)
             ));
@@ -198,9 +206,9 @@ fn frequency(outcome: &Outcome, fit: &SteelFit) -> Option<String> {
     (wire > SKIN * depth).then(|| {
         let limit = frequency * (SKIN * depth / wire).powi(2);
         format!(
-            "At {} Hz current crowds to the wire's surface, which this theory leaves out: for stainless wire of this thickness it holds to {} Hz.",
-            digits(frequency),
-            digits(limit)
+            "At {} kHz the skin effect matters, which this theory leaves out: for stainless wire of this thickness it holds up to {} kHz.",
+            digits(1e-3 * frequency),
+            digits(1e-3 * limit)
         )
     })
 }

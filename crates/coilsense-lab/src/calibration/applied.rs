@@ -69,10 +69,10 @@ impl Applied {
         let (from, to) = span(&self.lengths);
         let doubt = |found: Option<f64>, scale: f64, unit: &str| match found {
             Some(found) => format!("standard uncertainty at most {} {unit}", digits(scale * found)),
-            None => "an uncertainty that the calibration does not tell".to_owned(),
+            None => "its uncertainty unknown, as the calibration does not give one".to_owned(),
         };
         let mut told = vec![format!(
-            "Length by L and {}: {} to {} mm, {}.",
+            "Length by {}: {} to {} mm, {}.",
             stored.name,
             digits(1e3 * from),
             digits(1e3 * to),
@@ -83,18 +83,16 @@ impl Applied {
                 let (from, to) = span(forces);
                 format!("Force by it (F_L): {} to {} N, {}.", digits(from), digits(to), doubt(most(&self.forces_u), 1.0, "N"))
             }
-            None => "No force: the calibration holds no stiffness (calibrate with --stiffness and --length-at-zero-force, or --spec).".to_owned(),
+            None => "No force: the calibration has no stiffness (calibrate with --stiffness and --length-at-zero-force, or with --spec).".to_owned(),
         });
         told.push(match stored.remounting {
             share if share > 0.0 => format!(
-                "The uncertainty has {} % of L for a spring mounted anew; --re-zero \"LENGTH, L\" takes it away.",
+                "The uncertainty includes {} % of L for remounting the spring; --re-zero \"LENGTH, L\" removes it.",
                 digits(100.0 * share)
             ),
-            _ => format!("Zeroed anew: L is moved by {} nH.", digits(1e9 * stored.shift)),
+            _ => format!("Re-zeroed: L is moved by {} nH.", digits(1e9 * stored.shift)),
         });
-        told.push(
-            "It is that of windings at rest: while the coil rings, F_L is off by what coilsense analyze says of its sensor.".to_owned(),
-        );
+        told.push("Both hold for windings at rest: what ringing adds is told by coilsense analyze.".to_owned());
         if self.forces.is_some() && signals.channel(Channel::InductanceForce).is_ok() {
             told.push("The log's own F_L is replaced.".to_owned());
         }
@@ -123,7 +121,7 @@ fn resistance(stored: &StoredCalibration, signals: &Signals) -> Vec<String> {
         let off = usual / own - 1.0;
         if off.abs() > RESISTANCE {
             told.push(format!(
-                "R is {} % off that of the calibration: clips or leads moved (zero anew by --re-zero), or the wire is some {} K {}.",
+                "R is {} % off that of the calibration: clips or leads moved (use --re-zero), or the wire is some {} K {}.",
                 digits(100.0 * off.abs()),
                 digits(off.abs() / PER_KELVIN),
                 if off > 0.0 { "warmer" } else { "colder" }

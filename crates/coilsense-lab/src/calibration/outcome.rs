@@ -2,12 +2,10 @@
 //!
 //! Next door: what was asked (`plan`), what the science does (`coilsense::calibrate`), the words (`answer`).
 
-use coilsense::calibrate::{
-    Calibration, CalibrationPoints, FitMethod, InductanceFit, InverseLengthFit, Misfit, ReadingUncertainty,
-};
+use coilsense::calibrate::{FitMethod, InductanceFit, InverseLengthFit, Misfit, ReadingUncertainty};
 use coilsense::inductance::theories::Theory;
 
-use super::{CalibrationError, Contest, Measured, Method, Plan, Rival, Taken};
+use super::{CalibrationError, Contest, Curve, Measured, Method, Plan, Rival, Taken};
 use crate::quantity::digits;
 
 /// Most points on which theories are judged: turning a helix round takes a millisecond a point.
@@ -79,8 +77,9 @@ impl Outcome {
         let mut inductance = InductanceFit::new(&fitted, method).map_err(refuse)?;
         let reading = ReadingUncertainty::new(&fitted, method).map_err(refuse)?;
         if plan.points.is_some() {
-            inverse_length.misfit = on_all(points, &inverse_length.calibration()).map_err(refuse)?;
-            inductance.misfit = on_all(points, &inductance.calibration()).map_err(refuse)?;
+            // On all points, whichever it was fitted to.
+            inverse_length.misfit = inverse_length.calibration().misfit(points).map_err(refuse)?;
+            inductance.misfit = inductance.calibration().misfit(points).map_err(refuse)?;
         }
         let others = Method::ALL.into_iter().filter(|(_, other)| *other != plan.method).filter_map(|(_, other)| {
             let fit = other.fit(points, plan.preload).ok()?;
@@ -88,8 +87,7 @@ impl Outcome {
         });
         let others = others.collect();
         let some = measured.some(THEORY_POINTS);
-        let pick = |values: &[f64]| some.iter().map(|&index| values[index]).collect::<Vec<f64>>();
-        let some = Measured::pairs(&measured.file, &pick(points.lengths()), &pick(points.inductances()))?;
+        let some = measured.pick(&some)?;
         let theories = plan.coil.iter().flat_map(|coil| Theory::ALL.map(|theory| (coil, theory)));
         let judge = |(coil, theory): (&_, Theory)| {
             let relation = |length: f64| theory.inductance(coil, length);
@@ -97,7 +95,7 @@ impl Outcome {
             Assessment { theory, misfit }
         };
         let theories = theories.map(judge).collect();
-        let (taken, contest) = Taken::new(&measured, &plan)?;
+        let (taken, contest) = Taken::new(&measured, &plan, Curve::InverseLength(inverse_length.clone(), reading))?;
         Ok(Self { measured, plan, taken, contest, inverse_length, inductance, reading, others, theories })
     }
 
@@ -150,11 +148,4 @@ impl Outcome {
         };
         Some(self.measured.points.inductances().iter().zip(&self.taken.read).map(force).collect())
     }
-}
-
-/// How eq. (13) does on points, of which it may have been fitted to some.
-fn on_all(points: &CalibrationPoints, calibration: &Calibration) -> Result<Misfit, coilsense::Error> {
-    let predicted: Vec<f64> = points.lengths().iter().map(|&length| calibration.inductance(length)).collect();
-    let read: Vec<f64> = points.inductances().iter().map(|&henry| calibration.length(henry)).collect();
-    Misfit::of(points, &predicted, &read)
 }

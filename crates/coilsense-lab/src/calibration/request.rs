@@ -92,7 +92,7 @@ pub const LEADS: Row = Row {
     name: "leads",
     takes: Takes::Form("open|DISTANCE", |text| parse_leads(text).map(|_| ())),
     if_absent: IfAbsent::Value("open"),
-    meaning: "Where the meter's current goes back: open (far away), or the lead's distance from the coil's axis, as in \"50 mm\"",
+    meaning: "Return lead of the meter: open (far away), or its distance from the coil's axis, as in \"50 mm\"",
     requires: &["theory"],
     ..Row::PLAIN
 };
@@ -112,7 +112,7 @@ pub const FREQUENCY: Row = Row {
     takes: Takes::Quantity(Dimension::Frequency),
     allowed: Allowed::AboveZero,
     if_absent: IfAbsent::Found("low enough for the wire"),
-    meaning: "Frequency at which the meter works, as in \"1 kHz\": the theory is one of direct current, and its limit is told",
+    meaning: "Frequency of the meter, as in \"1 kHz\": the theory is for direct current, and a frequency too high for it is warned of",
     requires: &["theory"],
     ..Row::PLAIN
 };
@@ -131,7 +131,7 @@ pub const POINTS: Row = Row {
     takes: Takes::Count,
     allowed: Allowed::Within(2.0, 1e6),
     if_absent: IfAbsent::Found("all, but as --method says"),
-    meaning: "Fit so many of the points, spread from the first to the last, and judge on the others",
+    meaning: "Fit this many of the points, spread from the shortest to the longest, and check on the others",
     conflicts: &["method", "preload"],
     elsewhere: &[(Door::Python, "fit_points")],
     ..Row::PLAIN
@@ -147,7 +147,7 @@ pub const CALIBRATION: Row = Row {
 pub const RE_ZERO: Row = Row {
     name: "re_zero",
     takes: Takes::Form("LENGTH, L", |text| parse_pair(text).map(|_| ())),
-    meaning: "Move the fitted curve by a constant of L so that it passes this point, of a spring mounted anew, as in \"141.8 mm, 3.35 uH\"",
+    meaning: "Shift the fitted curve in L so that it passes this point, for a spring that was remounted, as in \"141.8 mm, 3.35 uH\"",
     ..Row::PLAIN
 };
 /// How the curve is found.

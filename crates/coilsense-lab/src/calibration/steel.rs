@@ -19,8 +19,7 @@ const OF_DISTANCE: f64 = 0.2;
 
 /// The length at which the coil's radius is what it is \[m\].
 pub(super) fn measured_at(measured: &Measured, plan: &SteelPlan) -> f64 {
-    let shortest = measured.points.lengths().iter().copied().fold(f64::INFINITY, f64::min);
-    plan.measured_at.or(measured.zero_length).unwrap_or(shortest)
+    plan.measured_at.or(measured.zero_length).unwrap_or(measured.points.ends()[0])
 }
 
 /// The coil over the lengths of the points and a margin.
@@ -42,8 +41,7 @@ pub(super) fn coil(measured: &Measured, coil: &Coil, plan: &SteelPlan) -> Result
             ),
         ));
     }
-    let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
-    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let [shortest, longest] = measured.points.ends();
     let margin = MARGIN * (longest - shortest);
     let range = [(shortest - margin).max(least), longest + margin];
     SteelCoil::new(coil, measured_at(measured, plan), plan.leads, range)
@@ -67,5 +65,13 @@ pub(super) fn doubts(measured: &Measured, coil: &Coil, plan: &SteelPlan) -> Stee
 
 /// Doubts that move no figure: for a fit of which only the curve is wanted.
 pub(super) fn without(leads: Leads) -> SteelDoubts {
-    SteelDoubts { meter: 0.0, windings: 0.0, coil_radius: 0.0, wire_diameter: 0.0, leads, theory: 0.0 }
+    SteelDoubts {
+        meter: 0.0,
+        windings: 0.0,
+        coil_radius: 0.0,
+        wire_diameter: 0.0,
+        permeability: 0.0,
+        leads,
+        theory: 0.0,
+    }
 }

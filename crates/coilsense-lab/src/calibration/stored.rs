@@ -65,14 +65,12 @@ impl StoredCalibration {
     /// [`CalibrationError`] where L does not fall with length from row to row, or a length is not read back.
     pub fn of(outcome: &Outcome) -> Result<Self, CalibrationError> {
         let (measured, taken) = (&outcome.measured, &outcome.taken);
-        let lengths = measured.points.lengths();
         let margin = MARGIN * measured.points.range();
         let reaches = |length: f64, otherwise: f64| match taken.inductance(length).is_finite() && length > 0.0 {
             true => length,
             false => otherwise,
         };
-        let least = lengths.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = lengths.iter().copied().fold(0.0, f64::max);
+        let [least, most] = measured.points.ends();
         let (shortest, longest) = (reaches(least - margin, least), reaches(most + margin, most));
         // Of a curve that does not tell its own, what it was found off by where points are left.
         let seen = taken.has_others().then_some(taken.rms_share * measured.points.range());

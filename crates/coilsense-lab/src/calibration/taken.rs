@@ -2,7 +2,7 @@
 //!
 //! Next door: a relation (`curve`), the words (`answer`).
 
-use coilsense::calibrate::{FitMethod, InverseLengthFit, ReadingUncertainty, SteelDoubts};
+use coilsense::calibrate::{FitMethod, SteelDoubts};
 use coilsense::inductance::SteelCoil;
 
 use super::{CalibrationError, Curve, Measured, Plan, Relation, steel};
@@ -88,92 +88,105 @@ impl Taken {
         self.read.iter().zip(measured.points.lengths()).map(|(read, given)| read - given).collect()
     }
 
-    /// Works a plan off.
+    /// Root mean square of that over all points \[m\].
+    pub fn rmse(&self, measured: &Measured) -> f64 {
+        share(measured, self.read.iter().copied().enumerate()) * measured.points.range()
+    }
+
+    /// Works a plan off; `line` is eq. (13) as the plan has it.
     ///
     /// # Errors
     /// [`CalibrationError`] for too few points, windings that touch, or what the fit refuses.
-    pub(super) fn new(measured: &Measured, plan: &Plan) -> Result<(Self, Contest), CalibrationError> {
-        let all = measured.points.lengths().len();
-        let fitted: Vec<usize> = match plan.points {
-            Some(count) if count > all => {
-                let message = format!("holds {all} points that can be used, fewer than --points {count}");
-                return Err(CalibrationError::of(&measured.file, message));
+    pub(super) fn new(measured: &Measured, plan: &Plan, line: Curve) -> Result<(Self, Contest), CalibrationError> {
+        let fitted = fitted(measured, plan)?;
+        let coil = plan.coil.map(|coil| steel::coil(measured, &coil, &plan.steel));
+        let (curve, doubts) = match (plan.relation, &coil, plan.coil) {
+            (Relation::InverseLength, ..) => (line, None),
+            (Relation::Steel, Some(steel), Some(coil)) => {
+                let doubts = steel::doubts(measured, &coil, &plan.steel);
+                let steel = steel.as_ref().map_err(CalibrationError::clone)?;
+                (fit(measured, &fitted, plan, Some(steel), &doubts)?, Some(doubts))
             }
-            Some(count) => measured.some(count),
-            None => (0..all).collect(),
-        };
-        if fitted.len() < plan.relation.fewest() {
-            let message = format!(
-                "{} points are fewer than the {} that {} needs ({})",
-                fitted.len(),
-                plan.relation.fewest(),
-                plan.relation.words(),
-                plan.relation.option()
-            );
-            return Err(CalibrationError::of(&measured.file, message));
-        }
-        let refuse = |error: coilsense::Error| CalibrationError::of(&measured.file, error);
-        let coil = match (plan.relation, plan.coil) {
-            (Relation::Steel, None) => {
+            (Relation::Steel, ..) => {
                 return Err(CalibrationError::new(
                     "theory: needs the coil: --wire, --radius and --windings, or --spec",
                 ));
             }
-            (_, None) => None,
-            (_, Some(coil)) => {
-                Some((steel::coil(measured, &coil, &plan.steel), steel::doubts(measured, &coil, &plan.steel)))
-            }
+            (Relation::Cubic, ..) => (fit(measured, &fitted, plan, None, &SteelDoubts::default())?, None),
         };
-        let coil = match (plan.relation, coil) {
-            (Relation::Steel, Some((coil, doubts))) => Some((Ok(coil?), doubts)),
-            (_, coil) => coil,
-        };
-        let of_steel = coil.as_ref().and_then(|(coil, doubts)| Some((coil.as_ref().ok()?, doubts)));
-        let points = measured.pick(&fitted)?;
-        let curve = match (plan.relation, plan.points) {
-            // As told by the method, which may pass some points exactly.
-            (Relation::InverseLength, None) => {
-                let method = plan.method.fit(&measured.points, plan.preload)?;
-                Curve::InverseLength(
-                    InverseLengthFit::new(&points, method).map_err(refuse)?,
-                    ReadingUncertainty::new(&points, method).map_err(refuse)?,
-                )
-            }
-            (relation, _) => {
-                let doubts = of_steel.map_or_else(SteelDoubts::default, |(_, doubts)| *doubts);
-                Curve::fit(relation, &points, of_steel.map(|(coil, _)| coil), plan, &doubts).map_err(refuse)?
-            }
-        };
-        let shift = match plan.re_zero {
-            Some((length, inductance)) => {
-                let now = curve.inductance(length);
-                if !now.is_finite() {
-                    let message = format!("re_zero: {} mm is no length of the calibration", 1e3 * length);
-                    return Err(CalibrationError::of(&measured.file, message));
-                }
-                inductance - now
-            }
-            None => 0.0,
-        };
-        // Where all points were fitted there is none that was not.
-        let mut is_other = vec![true; all];
-        fitted.iter().for_each(|&index| is_other[index] = false);
-        let others: Vec<usize> = (0..all).filter(|&index| is_other[index]).collect();
-        let by_ends = matches!(plan.method.fit(&measured.points, plan.preload)?, FitMethod::TwoPoints { .. });
-        let (fitted, judged) = match (plan.relation, plan.points, others.is_empty()) {
-            (Relation::InverseLength, None, _) if by_ends && all > 2 => (vec![0, all - 1], (1..all - 1).collect()),
-            (_, _, true) => (fitted, (0..all).collect()),
-            _ => (fitted, others),
-        };
-        let mut taken = Self { curve, shift, fitted, judged, read: Vec::new(), rms_share: 0.0, doubts: None };
-        taken.read =
-            measured.points.inductances().iter().map(|&henry| taken.curve.length(henry).unwrap_or(f64::NAN)).collect();
-        taken.rms_share = share(measured, taken.judged.iter().map(|&index| (index, taken.read[index])));
-        taken.doubts = of_steel.filter(|_| plan.relation == Relation::Steel).map(|(_, doubts)| *doubts);
-        let coil = coil.as_ref().map(|(coil, _)| coil.as_ref());
-        let judge = Judge { measured, plan, coil };
-        Ok((taken.clone(), Contest { rivals: judge.rivals(&taken), by_number: judge.by_number() }))
+        let shift = shift(measured, plan, &curve)?;
+        let (fitted, judged) = judged(measured, plan, fitted)?;
+        let read = |&henry: &f64| curve.length(henry).unwrap_or(f64::NAN);
+        let read: Vec<f64> = measured.points.inductances().iter().map(read).collect();
+        let rms_share = share(measured, judged.iter().map(|&index| (index, read[index])));
+        let taken = Self { curve, shift, fitted, judged, read, rms_share, doubts };
+        let judge = Judge { measured, plan, coil: coil.as_ref().map(Result::as_ref) };
+        let contest = Contest { rivals: judge.rivals(&taken), by_number: judge.by_number() };
+        Ok((taken, contest))
     }
+}
+
+/// Which points a plan fits.
+fn fitted(measured: &Measured, plan: &Plan) -> Result<Vec<usize>, CalibrationError> {
+    let all = measured.points.lengths().len();
+    let fitted = match plan.points {
+        Some(count) if count > all => {
+            let message = format!("holds {all} points that can be used, fewer than --points {count}");
+            return Err(CalibrationError::of(&measured.file, message));
+        }
+        Some(count) => measured.some(count),
+        None => (0..all).collect(),
+    };
+    let relation = plan.relation;
+    if fitted.len() < relation.fewest() {
+        let (count, fewest) = (fitted.len(), relation.fewest());
+        let message = format!(
+            "{count} points are fewer than the {fewest} that {} needs ({})",
+            relation.words(),
+            relation.option()
+        );
+        return Err(CalibrationError::of(&measured.file, message));
+    }
+    Ok(fitted)
+}
+
+fn fit(
+    measured: &Measured,
+    fitted: &[usize],
+    plan: &Plan,
+    coil: Option<&SteelCoil>,
+    doubts: &SteelDoubts,
+) -> Result<Curve, CalibrationError> {
+    let curve = Curve::fit(plan.relation, &measured.pick(fitted)?, coil, plan, doubts);
+    curve.map_err(|error| CalibrationError::of(&measured.file, error))
+}
+
+/// By how much a spring that was mounted anew has more L than the curve \[H\].
+fn shift(measured: &Measured, plan: &Plan, curve: &Curve) -> Result<f64, CalibrationError> {
+    let Some((length, inductance)) = plan.re_zero else { return Ok(0.0) };
+    let now = curve.inductance(length);
+    if !now.is_finite() {
+        let message = format!("re_zero: {} mm is no length of the calibration", 1e3 * length);
+        return Err(CalibrationError::of(&measured.file, message));
+    }
+    Ok(inductance - now)
+}
+
+/// The points that a plan fits in the end, and those on which it is judged: where all are fitted, all.
+fn judged(measured: &Measured, plan: &Plan, fitted: Vec<usize>) -> Result<(Vec<usize>, Vec<usize>), CalibrationError> {
+    let all = measured.points.lengths().len();
+    let method = plan.method.fit(&measured.points, plan.preload)?;
+    let fitted = match method {
+        FitMethod::TwoPoints { first, last } if plan.relation == Relation::InverseLength && plan.points.is_none() => {
+            vec![first, last]
+        }
+        _ => fitted,
+    };
+    let mut is_other = vec![true; all];
+    fitted.iter().for_each(|&index| is_other[index] = false);
+    let others: Vec<usize> = (0..all).filter(|&index| is_other[index]).collect();
+    let judged = if others.is_empty() { (0..all).collect() } else { others };
+    Ok((fitted, judged))
 }
 
 /// Root mean square of read less given lengths over the range of all points.

@@ -51,12 +51,20 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec) -> Result<Quanti
         // Of wire whose permeability is told, what eq. (13) leaves is computed.
         Calibrated::Fitted | Calibrated::TwoPoint if largest > 1.0 + MAGNETIC => {
             let through_ends = way == Calibrated::TwoPoint;
-            let needs = "needs calibration_form of a wire whose relative_permeability is told as magnetic";
+            let needs = "needs calibration_form: relative_permeability says that the wire is magnetic";
             if !cfg!(feature = "steel") {
-                return Err(section.refuse("kind", format!("{needs}: this build does not compute it")));
+                return Err(section
+                    .refuse("kind", format!("{needs}, and this build does not compute what eq. (13) then leaves")));
             }
             let found = magnetic_form(&spec.spring, largest, through_ends);
-            (found.map_err(|error| section.refuse("kind", format!("{needs}: {error}")))?, true, REMOUNTING)
+            (
+                found.map_err(|error| {
+                    section
+                        .refuse("kind", format!("{needs}, and what eq. (13) then leaves cannot be computed: {error}"))
+                })?,
+                true,
+                REMOUNTING,
+            )
         }
         Calibrated::Fitted => (usual, false, 0.0),
         Calibrated::TwoPoint => (THROUGH_ENDS, false, REMOUNTING),

@@ -4,6 +4,8 @@
 //! points (`crate::inductance`), the sensor that uses the relation (`crate::sensors`).
 
 use super::line::slope_about;
+use super::misfit::Misfit;
+use super::points::CalibrationPoints;
 use crate::error::{Error, all_finite, called, check, count, finite};
 use crate::inductance::MaxwellSum;
 use crate::spring::Spring;
@@ -89,6 +91,16 @@ impl Calibration {
     /// Length \[m\] that the fit reads from an inductance L \[H\]: 1 / (αL + β).
     pub fn length(&self, inductance: f64) -> f64 {
         1.0 / (self.alpha * inductance + self.beta)
+    }
+
+    /// How it does on points, those of its fit or others.
+    ///
+    /// # Errors
+    /// As [`Misfit::of`].
+    pub fn misfit(&self, points: &CalibrationPoints) -> Result<Misfit, Error> {
+        let predicted: Vec<f64> = points.lengths().iter().map(|&length| self.inductance(length)).collect();
+        let read: Vec<f64> = points.inductances().iter().map(|&henry| self.length(henry)).collect();
+        Misfit::of(points, &predicted, &read)
     }
 
     /// Inductance \[H\] at which the relation reads a length l \[m\]: (1/l − β) / α.

@@ -55,8 +55,7 @@ impl CubicFit {
         if lengths.len() < 3 {
             return Err(number_of("calibration points of the form cubic", lengths.len(), "at least 3"));
         }
-        let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
-        let longest = lengths.iter().copied().fold(0.0, f64::max);
+        let [shortest, longest] = points.ends();
         // From −1 to 1, so that three columns stay apart.
         let (middle, half) = (0.5 * (1.0 / shortest + 1.0 / longest), 0.5 * (1.0 / shortest - 1.0 / longest));
         let row = |length: f64| {

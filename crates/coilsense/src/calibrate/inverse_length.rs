@@ -66,15 +66,13 @@ impl InverseLengthFit {
         };
         let line = line.usable("alpha of the fit", "1/(H m)")?;
         let calibration = Calibration::of(line.slope, line.intercept);
-        let predicted: Vec<f64> = points.lengths().iter().map(|&l| calibration.inductance(l)).collect();
-        let read: Vec<f64> = x.iter().map(|&henry| calibration.length(henry)).collect();
         Ok(Self {
             alpha: line.slope,
             alpha_se: line.slope_se,
             beta: line.intercept,
             beta_se: line.intercept_se,
             degrees_of_freedom: line.degrees_of_freedom,
-            misfit: Misfit::of(points, &predicted, &read)?,
+            misfit: calibration.misfit(points)?,
         })
     }
 

@@ -52,6 +52,11 @@ impl CalibrationPoints {
         &self.inductances
     }
 
+    /// Shortest and longest length \[m\].
+    pub fn ends(&self) -> [f64; 2] {
+        self.lengths.iter().fold([f64::INFINITY, 0.0], |[least, most], length| [least.min(*length), most.max(*length)])
+    }
+
     /// Longest less shortest length \[m\].
     pub fn range(&self) -> f64 {
         spread(&self.lengths)

@@ -19,6 +19,8 @@ pub struct SteelDoubts {
     pub coil_radius: f64,
     /// Of the wire's diameter \[m\].
     pub wire_diameter: f64,
+    /// Of a permeability that was told, as a share of it; one that is fitted needs none.
+    pub permeability: f64,
     /// Another way on which the current may go back, as far from the one taken as one standard uncertainty.
     pub leads: Leads,
     /// What the theory leaves of L, as a share of it.
@@ -26,7 +28,8 @@ pub struct SteelDoubts {
 }
 
 impl Default for SteelDoubts {
-    /// A meter of 2 nH, windings counted to half a percent, a radius to 0.2 %, a wire to 10 µm; a lead 5 cm off; 0.06 % of L, the most that was left on the four
+    /// A meter of 2 nH, windings counted to half a percent, a radius to 0.2 %, a wire to 10 µm; a permeability of
+    /// another spring to 15 %, as a common factor of L and it can hardly be told apart; a lead 5 cm off; 0.06 % of L, the most that was left on the four
     /// springs of `[Vlasblom2015]`.
     fn default() -> Self {
         Self {
@@ -34,6 +37,7 @@ impl Default for SteelDoubts {
             windings: 5e-3,
             coil_radius: 2e-3,
             wire_diameter: 1e-5,
+            permeability: 0.15,
             leads: Leads::Beside(0.05),
             theory: 6e-4,
         }
@@ -83,6 +87,8 @@ struct Doubted {
     causes: Causes,
     /// By how much the fit gives way to each of them in μ_r and L_0.
     gives_way: [[f64; 2]; CAUSES],
+    /// u(μ_r) of a permeability that was told, else zero; and the mean of ∂L/∂μ_r over the points, by which L_0 follows it.
+    told: [f64; 2],
 }
 
 /// One standard uncertainty each of windings, radius, wire and leads as changes of L over length.
@@ -169,7 +175,7 @@ impl SteelFit {
             permeability_u: (!is_known).then(|| noise.hypot(of_causes(0))),
             permeability_noise: (!is_known).then_some(noise),
             offset,
-            offset_u: meter_offset.hypot(of_causes(1)),
+            offset_u: meter_offset.hypot(of_causes(1)).hypot(doubted.told[0] * doubted.told[1]),
             rms,
             curve: coil.fitted(found),
             air: coil.fitted(1.0),
@@ -221,7 +227,8 @@ impl SteelFit {
 
     /// Standard uncertainty \[m\] of the length that is read from an inductance; NaN where none is read.
     ///
-    /// u(l)² = (σ² (1 + j Σ j) + (θ L)² + Σ (δ(l) + j·m)²)/(∂L/∂l)²
+    /// u(l)² = (σ² (1 + j Σ j) + (θ L)² + Σ (δ(l) + j·m)²)/(∂L/∂l)²; of a permeability that was told, Σ is that of the constant alone, and
+    /// u(μ_r)² (∂L/∂μ_r − its mean over the points)² stands beside it
     ///
     /// with j = (∂L/∂μ_r, 1), Σ = (JᵀJ)⁻¹, θ what the theory leaves, δ each cause of error and m how far the fit gives way to it.
     pub fn length_u(&self, inductance: f64) -> f64 {
@@ -234,6 +241,7 @@ impl SteelFit {
         let causes = causes.map(|(error, [by, offset])| error + by * by_permeability + offset);
         let squares = of.stated.meter.powi(2) * (1.0 + fitted)
             + (of.stated.theory * inductance).powi(2)
+            + (of.told[0] * (by_permeability - of.told[1])).powi(2)
             + causes.map(|error| error * error).sum::<f64>();
         squares.sqrt() / self.slope(length).abs()
     }
@@ -269,6 +277,7 @@ impl SteelDoubts {
             (called("windings", "uncertainty of the windings"), self.windings, ""),
             (called("coil_radius", "uncertainty of the coil radius"), self.coil_radius, ""),
             (called("wire_diameter", "uncertainty of the wire diameter"), self.wire_diameter, "m"),
+            (called("permeability", "uncertainty of the permeability"), self.permeability, ""),
             (called("theory", "uncertainty of the theory"), self.theory, ""),
         ] {
             check(value.is_finite() && value >= 0.0, what, value, unit, "zero or above")?;
@@ -370,7 +379,8 @@ impl Doubted {
             let by = -centred / square;
             [by, -average_error - by * average]
         });
-        Self { stated: *stated, either, step, covariance, causes, gives_way }
+        let told = [if is_known { stated.permeability * permeability } else { 0.0 }, average];
+        Self { stated: *stated, either, step, covariance, causes, gives_way, told }
     }
 
     /// ∂L/∂μ_r \[H\] at a length.

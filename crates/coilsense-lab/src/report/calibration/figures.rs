@@ -128,7 +128,7 @@ fn curve_caption(outcome: &Outcome) -> String {
 
 fn residuals(outcome: &Outcome) -> Figure {
     let left = outcome.taken.residuals(&outcome.measured);
-    let rmse = 1e3 * (left.iter().map(|rest| rest * rest).sum::<f64>() / left.len() as f64).sqrt();
+    let rmse = 1e3 * outcome.taken.rmse(&outcome.measured);
     let lengths = outcome.measured.points.lengths();
     let alpha = outcome.inverse_length.alpha;
     let errors: Vec<f64> =

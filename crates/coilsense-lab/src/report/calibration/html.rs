@@ -41,6 +41,7 @@ pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<Str
         place => measured.place_name(),
         zero_length => measured.zero_length.map(|length| plainly_long(1e3 * length)),
         force => force(outcome),
+        line => outcome.plan.relation == Relation::InverseLength,
         steel => outcome.plan.relation == Relation::Steel,
         degrees => outcome.reading.map(|reading| reading.degrees_of_freedom()),
         points => points(outcome),
@@ -129,7 +130,6 @@ fn points(outcome: &Outcome) -> Vec<Value> {
             read => format!("{:.3}", 1e3 * (outcome.taken.read[index] - zero)),
             read_u => outcome.taken.curve.length_u(henry).map(|length_u| format!("{:.3}", 1e3 * length_u)),
             residual => signed(&format!("{:+.3}", 1e3 * (outcome.taken.read[index] - measured.points.lengths()[index]))),
-            fitted => outcome.taken.fitted.contains(&index) && outcome.taken.has_others(),
             force => force.map(|(force, _)| signed(&format!("{force:.3}"))),
             force_u => force.and_then(|(_, uncertainty)| uncertainty).map(digits),
         }

@@ -73,7 +73,7 @@ fn row(text: &mut String, name: &str, misfit: &Misfit) {
 
 /// Each calibration on points that it was not fitted to.
 pub(super) fn rivals(outcome: &Outcome) -> Vec<String> {
-    let on = if outcome.taken.has_others() { "On points not fitted" } else { "On points left out in turn" };
+    let on = if outcome.taken.has_others() { "On points not fitted" } else { "On points left out one at a time" };
     let one = |rival: &Rival| {
         let what = format!("{} ({})", rival.relation.words(), rival.relation.option());
         match &rival.share {

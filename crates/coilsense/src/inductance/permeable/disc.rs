@@ -122,7 +122,7 @@ impl Disc {
     }
 
     /// ∬ j M j of its own current over μ₀ \[m\].
-    fn own_inductance(&self) -> f64 {
+    pub fn own_inductance(&self) -> f64 {
         let mut sum = 0.0;
         for (place, weight) in unit_points(1) {
             let from_middle = place * self.wire;
@@ -158,12 +158,7 @@ impl Disc {
         sum
     }
 
-    /// ∬ j M j of a turn and one so many turns after it, or of itself, over μ₀ \[m\].
-    pub fn linked(&self, lag: usize) -> f64 {
-        if lag == 0 { self.own_inductance() } else { self.linked_at(lag, lag as f64 * self.pitch) }
-    }
-
-    /// The same of a turn so many turns after it that stands so far along the axis \[m\].
+    /// ∬ j M j of a turn and one so many turns after it that stands so far along the axis \[m\], over μ₀ \[m\].
     pub fn linked_at(&self, lag: usize, apart: f64) -> f64 {
         self.mutual_inductance(apart, lag as f64 * self.pitch < FINE * 2.0 * self.wire)
     }

@@ -55,8 +55,7 @@ impl PermeableRings {
         above_zero("wire_radius", wire_radius, "m")?;
         let allowed = format!("below the coil's {coil_radius} m");
         check(wire_radius < coil_radius, "wire_radius", wire_radius, "m", allowed)?;
-        let allowed = format!("1 to {MOST_PERMEABLE}");
-        check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)?;
+        check_permeability(permeability)?;
         Ok(Self { turns, coil_radius, wire_radius, permeability })
     }
 
@@ -88,6 +87,12 @@ impl PermeableRings {
         let row = Row::new(&disc, self.turns);
         Ok(Susceptible::new(&row, self.turns).inductance(self.permeability))
     }
+}
+
+/// Refuses a permeability for which the points on a wire's edge are too few, and one that no wire has.
+fn check_permeability(permeability: f64) -> Result<f64, Error> {
+    let allowed = format!("1 to {MOST_PERMEABLE}");
+    check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)
 }
 
 /// Refuses a pitch at which wires are too near to one another.

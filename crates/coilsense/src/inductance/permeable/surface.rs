@@ -49,52 +49,25 @@ fn logarithmic_weights() -> [f64; NODES] {
 }
 
 /// Turns side by side that are all alike: what they do to each other by how many turns they are apart.
-pub(super) struct Row<'a> {
-    disc: &'a Disc,
-    /// ∬ j M j over μ₀ of a turn with itself and with those after it \[m\].
-    links: Vec<f64>,
-    /// Of what each node of a turn feels of the edge of one so many turns before it: B along the edge over μ₀, by nodes of that edge.
-    blocks: Vec<DMatrix<f64>>,
-    /// The same of the current of one ampere in that turn, and its A/μ₀.
-    fields: Vec<[f64; NODES]>,
-    potentials: Vec<[f64; NODES]>,
-}
+pub(super) struct Row(Vec<Felt>);
 
-impl<'a> Row<'a> {
-    pub fn new(disc: &'a Disc, turns: usize) -> Self {
-        let links = (0..turns).map(|lag| disc.linked(lag)).collect();
-        let blocks = (0..turns)
-            .map(|lag| if lag == 0 { own_block(disc) } else { block(disc, lag, lag as f64 * disc.pitch) })
-            .collect();
-        let (mut fields, mut potentials) = (Vec::new(), Vec::new());
-        for lag in 0..turns {
-            let (mut along, mut potential) = ([0.0; NODES], [0.0; NODES]);
-            for node in 0..NODES {
-                // A turn's own field is above its plane as below.
-                if lag == 0 && node > HALF {
-                    (along[node], potential[node]) = (along[mirrored(node)], potential[mirrored(node)]);
-                    continue;
-                }
-                let angle = angle(node, NODES);
-                let (seen, field) = disc.seen_along(on_edge(disc, angle), lag, lag as f64 * disc.pitch);
-                (along[node], potential[node]) = (along_edge(angle, field), seen);
-            }
-            fields.push(along);
-            potentials.push(potential);
-        }
-        Self { disc, links, blocks, fields, potentials }
+impl Row {
+    pub fn new(disc: &Disc, turns: usize) -> Self {
+        let of = |lag: usize| if lag == 0 { Felt::own(disc) } else { Felt::of(disc, lag, lag as f64 * disc.pitch) };
+        Self((0..turns).map(of).collect())
     }
 
     /// ∬ j M j of so many of the turns over μ₀ \[m\].
     pub fn of_currents(&self, turns: usize) -> f64 {
         let of_lag = |lag: usize| if lag == 0 { turns as f64 } else { 2.0 * (turns - lag) as f64 };
-        (0..turns).map(|lag| of_lag(lag) * self.links[lag]).sum()
+        (0..turns).map(|lag| of_lag(lag) * self.0[lag].link).sum()
     }
 
     /// What the currents of so many turns do at a node of one.
-    fn sum(&self, each: &[[f64; NODES]], turns: usize, turn: usize, node: usize) -> f64 {
+    fn sum(&self, each: impl Fn(&Felt) -> &DVector<f64>, turns: usize, turn: usize, node: usize) -> f64 {
         let of = |other: usize| {
-            if other <= turn { each[turn - other][node] } else { each[other - turn][mirrored(node)] }
+            let values = each(&self.0[other.abs_diff(turn)]);
+            if other <= turn { values[node] } else { values[mirrored(node)] }
         };
         (0..turns).map(of).sum()
     }
@@ -107,7 +80,7 @@ impl<'a> Row<'a> {
             for other in 0..turns {
                 // Whose unknowns they are: its own, or those of its mirror.
                 let (of, is_mirrored) = if other < half { (other, false) } else { (turns - 1 - other, true) };
-                let block = &self.blocks[turn.abs_diff(other)];
+                let block = &self.0[turn.abs_diff(other)].block;
                 for source in 0..NODES {
                     let column = of * NODES + if is_mirrored { mirrored(source) } else { source };
                     for node in 0..NODES {
@@ -123,22 +96,17 @@ impl<'a> Row<'a> {
     /// B(j)/μ₀ along the same edges for one ampere in the wires \[A/m\].
     pub fn field(&self, turns: usize) -> DVector<f64> {
         let half = turns.div_ceil(2);
-        DVector::from_fn(half * NODES, |row, _| self.sum(&self.fields, turns, row / NODES, row % NODES))
+        DVector::from_fn(half * NODES, |row, _| self.sum(|felt| &felt.field, turns, row / NODES, row % NODES))
     }
 
     /// What currents there \[A/m\] make of ∬ j M K of the wires' currents with those on all surfaces over μ₀ \[m\].
     pub fn seen(&self, turns: usize) -> DVector<f64> {
         let half = turns.div_ceil(2);
-        let step = self.disc.wire * TAU / NODES as f64;
         DVector::from_fn(half * NODES, |row, _| {
             let (turn, node) = (row / NODES, row % NODES);
             // The middle turn of an odd number is its own mirror.
             let times = if 2 * turn + 1 == turns { 1.0 } else { 2.0 };
-            times
-                * step
-                * TAU
-                * on_edge(self.disc, angle(node, NODES)).r
-                * self.sum(&self.potentials, turns, turn, node)
+            times * self.sum(|felt| &felt.seen, turns, turn, node)
         })
     }
 }
@@ -160,18 +128,29 @@ impl Felt {
     /// Of a turn before it, so many turns back, so far along the axis \[m\].
     pub fn of(disc: &Disc, lag: usize, apart: f64) -> Self {
         let edges = block(disc, lag, apart);
-        Self::with(disc, edges, disc.linked_at(lag, apart), |point| disc.seen_along(point, lag, apart))
+        Self::with(disc, edges, disc.linked_at(lag, apart), NODES, |point| disc.seen_along(point, lag, apart))
     }
 
     /// Of itself.
     pub fn own(disc: &Disc) -> Self {
-        Self::with(disc, own_block(disc), disc.linked(0), |point| disc.seen_along(point, 0, 0.0))
+        let half =
+            Self::with(disc, own_block(disc), disc.own_inductance(), HALF + 1, |point| disc.seen_along(point, 0, 0.0));
+        // Its own field is above its plane as below.
+        let whole = |values: &DVector<f64>| DVector::from_fn(NODES, |node, _| values[node.min(mirrored(node))]);
+        Self { field: whole(&half.field), seen: whole(&half.seen), ..half }
     }
 
-    fn with(disc: &Disc, block: DMatrix<f64>, link: f64, seen_at: impl Fn(Point) -> (f64, [f64; 2])) -> Self {
+    /// With what its first so many nodes see.
+    fn with(
+        disc: &Disc,
+        block: DMatrix<f64>,
+        link: f64,
+        nodes: usize,
+        seen_at: impl Fn(Point) -> (f64, [f64; 2]),
+    ) -> Self {
         let step = disc.wire * TAU / NODES as f64;
         let (mut field, mut seen) = (DVector::zeros(NODES), DVector::zeros(NODES));
-        for node in 0..NODES {
+        for node in 0..nodes {
             let angle = angle(node, NODES);
             let point = on_edge(disc, angle);
             let (potential, along) = seen_at(point);
