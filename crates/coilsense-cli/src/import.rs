@@ -33,26 +33,19 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let watch = Watch::begin("reading")?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut output = Output::begin(folder)?;
-    let stored = given.file(&CALIBRATION).map(StoredCalibration::read).transpose()?;
-    let stored = match (stored, given.text(&RE_ZERO)) {
-        (Some(stored), Some(text)) => {
-            let (length, inductance) = parse_pair(&text).map_err(|reason| anyhow::anyhow!("--re-zero: {reason}"))?;
-            Some(stored.re_zeroed(length, inductance)?)
-        }
-        (stored, _) => stored,
-    };
-    let mut told = Vec::new();
+    let stored = stored(given)?;
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
-    let imported = match given.holds(&WITH) || stored.is_some() {
-        true if stored.is_some() => {
-            let recording = log::recording(given)?;
-            let stored = stored.context("a calibration")?;
-            let applied = Applied::new(&stored, recording.signals(), &recording.account().file.display().to_string())?;
-            told.clone_from(&applied.told);
-            write_recording_with(&recording, &columns(&applied), format, name, &mut output)
-        }
-        true => write_recording(&log::recording(given)?, format, name, &mut output),
-        false => import(given.needed(&LOG)?, &mapping, &cleaning, &tell, format, name, &mut output),
+    let mut told = Vec::new();
+    let imported = if let Some(stored) = stored {
+        let recording = log::recording(given)?;
+        let applied = Applied::new(&stored, recording.signals(), &recording.account().file.display().to_string())?;
+        let written = write_recording_with(&recording, &columns(&applied), format, name, &mut output);
+        told = applied.told;
+        written
+    } else if given.holds(&WITH) {
+        write_recording(&log::recording(given)?, format, name, &mut output)
+    } else {
+        import(given.needed(&LOG)?, &mapping, &cleaning, &tell, format, name, &mut output)
     };
     watch.end();
     let account = imported.map_err(|error| match error {
@@ -74,18 +67,23 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// The calibration that is applied, re-zeroed where that is asked for.
+fn stored(given: &Given) -> anyhow::Result<Option<StoredCalibration>> {
+    let Some(stored) = given.file(&CALIBRATION).map(StoredCalibration::read).transpose()? else { return Ok(None) };
+    let Some(text) = given.text(&RE_ZERO) else { return Ok(Some(stored)) };
+    let (length, inductance) = parse_pair(&text).map_err(|reason| anyhow::anyhow!("--re-zero: {reason}"))?;
+    Ok(Some(stored.re_zeroed(length, inductance)?))
+}
+
 /// Length and force with their uncertainties, as columns.
 fn columns(applied: &Applied) -> Vec<Column<'_>> {
-    let of = |name: &'static str, unit, values: Option<&'_ Vec<f64>>| {
-        values.map(|values| Column { name: name.into(), unit, values: values.clone().into() })
-    };
     let all = [
-        of("length", "m", Some(&applied.lengths)),
-        of("u_length", "m", applied.lengths_u.as_ref()),
-        of("F_L", "N", applied.forces.as_ref()),
-        of("u_F_L", "N", applied.forces_u.as_ref()),
+        ("length", "m", Some(&applied.lengths)),
+        ("u_length", "m", applied.lengths_u.as_ref()),
+        ("F_L", "N", applied.forces.as_ref()),
+        ("u_F_L", "N", applied.forces_u.as_ref()),
     ];
-    all.into_iter().flatten().collect()
+    all.into_iter().filter_map(|(name, unit, values)| Some(Column::new(name, unit, values?))).collect()
 }
 
 fn outcome<'a>(account: &'a Account, out: &'a Path, calibration: Vec<String>) -> ImportOutcome<'a> {

@@ -26,6 +26,9 @@ use crate::spring_argument::SpringArgument;
 use crate::value::getters;
 
 mod points;
+mod stored;
+
+pub use stored::{PyStoredCalibration, open_calibration};
 
 /// A curve between length and inductance, what it is worth, and the theories beside it; made by `calibrate`.
 ///
@@ -184,123 +187,6 @@ impl PyCalibration {
             _ => None,
         }
     }
-}
-
-/// A calibration that was stored: length, force and their standard uncertainties from an inductance; read by `open_calibration`.
-///
-/// Notes
-/// -----
-/// Of windings at rest: while a coil rings, its inductance is that of other lengths.
-#[pyclass(name = "StoredCalibration", module = "coilsense", frozen, eq)]
-#[derive(PartialEq)]
-pub struct PyStoredCalibration(StoredCalibration);
-
-getters! {
-    PyStoredCalibration, self;
-    /// The relation it was made by: "inverse-length", "cubic" or "steel".
-    relation: String = self.0.relation.clone();
-    /// What it says of itself.
-    about: String = self.0.about.clone();
-    /// Lengths between which it reads [m].
-    lengths: (f64, f64) = self.0.lengths().into();
-    /// Inductances between which it reads [H].
-    inductances: (f64, f64) = self.0.inductances().into();
-    /// Standard uncertainty of L of a spring mounted anew, as a share [1]; 0 where it was zeroed since.
-    remounting: f64 = self.0.remounting;
-}
-
-#[pymethods]
-impl PyStoredCalibration {
-    /// The length at an inductance and its standard uncertainty; nan where it is not told.
-    ///
-    /// Parameters
-    /// ----------
-    /// inductance : array_like of float, shape (samples,)
-    ///     [H].
-    ///
-    /// Returns
-    /// -------
-    /// (numpy.ndarray, numpy.ndarray), each of shape (samples,)
-    ///     [m].
-    fn length<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Pair<'py> {
-        let of = |henry: &f64| {
-            self.0.at(*henry).map_or([f64::NAN; 2], |read| [read.length, read.length_u.unwrap_or(f64::NAN)])
-        };
-        pair(py, inductance.values().iter().map(of))
-    }
-
-    /// The force at an inductance and its standard uncertainty; nan where it is not told.
-    ///
-    /// Parameters
-    /// ----------
-    /// inductance : array_like of float, shape (samples,)
-    ///     [H].
-    ///
-    /// Returns
-    /// -------
-    /// (numpy.ndarray, numpy.ndarray), each of shape (samples,)
-    ///     [N].
-    fn force<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Pair<'py> {
-        let of = |henry: &f64| {
-            let force = self.0.at(*henry).and_then(|read| self.0.force_of(read));
-            force.map_or([f64::NAN; 2], |(force, force_u)| [force, force_u.unwrap_or(f64::NAN)])
-        };
-        pair(py, inductance.values().iter().map(of))
-    }
-
-    /// The same of a spring that was mounted anew and has this inductance at this length.
-    ///
-    /// Parameters
-    /// ----------
-    /// length : float
-    ///     [m].
-    /// inductance : float
-    ///     [H].
-    ///
-    /// Returns
-    /// -------
-    /// StoredCalibration
-    ///
-    /// Raises
-    /// ------
-    /// Error
-    ///     For a length outside of the calibration.
-    fn re_zeroed(&self, length: f64, inductance: f64) -> PyResult<Self> {
-        Ok(Self(self.0.clone().re_zeroed(length, inductance).python()?))
-    }
-
-    fn __repr__(&self) -> String {
-        let [shortest, longest] = self.0.lengths();
-        format!("<StoredCalibration by {} from {shortest} to {longest} m>", self.0.relation)
-    }
-}
-
-/// Values and their standard uncertainties.
-type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
-
-fn pair(py: Python<'_>, values: impl Iterator<Item = [f64; 2]>) -> Pair<'_> {
-    let (values, uncertainties): (Vec<f64>, Vec<f64>) = values.map(<(f64, f64)>::from).unzip();
-    (values.into_pyarray(py), uncertainties.into_pyarray(py))
-}
-
-/// Reads a calibration that was stored: ``calibration.toml`` of ``coilsense calibrate --out``, or what `Calibration.stored` gives.
-///
-/// Parameters
-/// ----------
-/// path : str or os.PathLike
-///     The file.
-///
-/// Returns
-/// -------
-/// StoredCalibration
-///
-/// Raises
-/// ------
-/// Error
-///     For what is no such file.
-#[pyfunction]
-pub fn open_calibration(path: std::path::PathBuf) -> PyResult<PyStoredCalibration> {
-    Ok(PyStoredCalibration(StoredCalibration::read(&path).python()?))
 }
 
 fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDict>> {

@@ -242,3 +242,39 @@ fn the_bias_of_a_ringing_spring_hardly_depends_on_its_wire() {
         assert!((found - expected).abs() < 2e-3 && bound < 0.01, "{permeability}: {found}, {bound}");
     }
 }
+
+#[test]
+fn the_parts_of_a_springs_inductance_are_those_that_the_book_tells() {
+    // S1 of the measured runs at 1.05, 1.25 and 1.5 wire diameters a winding, percent of its L (with its constant of −112 nH).
+    let ([windings, radius, wire], measured_at) = S1;
+    let permeability = 2.08;
+    let book = [
+        // Crowding, the current along, magnetised by its own current and by the coil's field.
+        (1.05, [-0.77, 1.4, 3.1, 9.8]),
+        (1.25, [-0.77, 2.2, 3.8, 7.4]),
+        (1.5, [-0.77, 3.4, 4.4, 5.6]),
+    ];
+    for (pitch, expected) in book {
+        let length = pitch * 2.0 * wire * windings;
+        let own = coil([windings, radius, wire]);
+        let of = |permeability, leads| SteelCoil::at_length(&own, measured_at, leads, permeability, length).unwrap();
+        let whole = of(permeability, Leads::Open) - 112e-9;
+        let along = of(1.0, Leads::Open) - of(1.0, Leads::LeftOut);
+        // Of the coil as it is there, between whole windings.
+        let there =
+            SteelCoil::new(&own, measured_at, Leads::LeftOut, [length, 1.01 * length]).unwrap().coil_radius(length);
+        let even = |turns: f64| {
+            MaxwellSum::of_coil(&coil([turns, there, wire]), SelfDistance::GeometricMean)
+                .at_length(length * turns / windings)
+        };
+        let air = even(41.0) + windings.fract() * (even(42.0) - even(41.0));
+        let by_itself = MU_0 * there * windings * (permeability - 1.0) / 4.0;
+        let magnetised = of(permeability, Leads::LeftOut) - of(1.0, Leads::LeftOut);
+        let found =
+            [of(1.0, Leads::LeftOut) - air, along, by_itself, magnetised - by_itself].map(|part| 100.0 * part / whole);
+        println!("{pitch} d: {found:?} %");
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found - expected).abs() < 0.2, "{pitch} d: {found}, {expected}");
+        }
+    }
+}

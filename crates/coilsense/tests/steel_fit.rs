@@ -199,3 +199,45 @@ fn one_term_more_follows_magnetic_wire_between_its_points_only() {
         assert!(message.contains(part), "{message}");
     }
 }
+
+#[test]
+fn a_permeability_that_was_told_is_doubted_too() {
+    // Told as 2, as another spring had it; in truth 15 % more.
+    let coil = steel(NUMBERS, Leads::Open);
+    let wire = coil.of(2.3).unwrap();
+    let lengths = lengths(7);
+    let inductances: Vec<f64> = lengths.iter().map(|&length| wire.inductance(length)).collect();
+    let points = points(&lengths, &inductances);
+    let fit = |share: f64| {
+        // Of nothing else.
+        let doubts = SteelDoubts {
+            meter: 0.0,
+            windings: 0.0,
+            coil_radius: 0.0,
+            wire_diameter: 0.0,
+            permeability: share,
+            leads: Leads::Open,
+            theory: 0.0,
+        };
+        SteelFit::new(&coil, &points, Permeability::Known(2.0), &doubts).unwrap()
+    };
+    let (doubted, trusted) = (fit(0.15), fit(0.0));
+    for (&length, &henry) in lengths.iter().zip(&inductances) {
+        let off = (doubted.length(henry).unwrap() - length).abs();
+        // One standard uncertainty is what it is off by, to what L bends in μ_r.
+        assert!(off < 1.2 * doubted.length_u(henry) + 1e-7, "{length}: {off}, {}", doubted.length_u(henry));
+        assert!(trusted.length_u(henry) < 1e-9);
+    }
+    assert!(doubted.offset_u > 1e-9 && trusted.offset_u < 1e-12);
+}
+
+#[test]
+fn a_lead_inside_the_coil_is_no_doubt() {
+    let coil = steel(NUMBERS, Leads::Open);
+    let wire = coil.of(2.0).unwrap();
+    let lengths = lengths(3);
+    let points = points(&lengths, &lengths.iter().map(|&l| wire.inductance(l)).collect::<Vec<_>>());
+    let doubts = SteelDoubts { leads: Leads::Beside(5e-3), ..SteelDoubts::default() };
+    let refused = SteelFit::new(&coil, &points, Permeability::Fitted, &doubts).unwrap_err().to_string();
+    assert!(refused.contains("leads must be above the coil radius"), "{refused}");
+}

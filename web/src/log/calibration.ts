@@ -19,6 +19,11 @@ interface Misfit {
 interface Calibration {
   answer: string[];
   account: string[];
+  relation: 'inverse-length' | 'cubic' | 'steel';
+  length_rms_percent_of_range: number | null;
+  judged_on: 'others' | 'all';
+  steel: { relative_permeability: number; offset_h: number } | null;
+  cubic: { alpha_h_m: number; beta_h: number; gamma_h_m2: number } | null;
   inverse_length: Misfit & { alpha_per_h_m: number; beta_per_m: number };
   inductance: Misfit;
   theories: ({ name: string; refused: string | null } & Partial<Misfit>)[];
@@ -28,7 +33,6 @@ const none = new Float64Array();
 
 export function showCalibration(host: HTMLElement, name: string, answer: Answer<{ json: string }>): void {
   const told = JSON.parse(answer.facts.json) as Calibration;
-  const { alpha_per_h_m: alpha, beta_per_m: beta } = told.inverse_length;
   const save = () => download(`${name}-calibration.json`, answer.facts.json, 'application/json');
   const figures = make('div', { class: 'figures wide' });
   const ask =
@@ -36,7 +40,7 @@ export function showCalibration(host: HTMLElement, name: string, answer: Answer<
   host.replaceChildren(
     card(
       'Calibration',
-      make('p', { class: 'curve' }, `1/l = α L + β, α = ${digits(alpha, 5)} 1/(H m), β = ${digits(beta, 5)} 1/m`),
+      make('p', { class: 'curve' }, fitted(told)),
       list(told.answer),
       table(told),
       ...(told.theories.length === 0 ? [make('p', { class: 'hint' }, ask)] : []),
@@ -48,10 +52,27 @@ export function showCalibration(host: HTMLElement, name: string, answer: Answer<
   draw(figures, told, answer);
 }
 
-/** Both curves, then the theories, the nearest first. */
-function table({ inverse_length, inductance, theories }: Calibration): HTMLElement {
+/** The calibration that was asked for, in a line. */
+function fitted({ inverse_length, steel, cubic }: Calibration): string {
+  if (steel) {
+    const { relative_permeability: permeability, offset_h: offset } = steel;
+    return `Magnetic wire: relative permeability ${digits(permeability, 4)}, constant ${digits(1e9 * offset, 4)} nH`;
+  }
+  if (cubic) {
+    const { alpha_h_m: alpha, beta_h: beta, gamma_h_m2: gamma } = cubic;
+    const numbers = `α = ${digits(1e6 * alpha, 5)} µH m, β = ${digits(1e6 * beta, 5)} µH, γ = ${digits(1e6 * gamma, 5)} µH m²`;
+    return `L = α/l + β + γ/l², ${numbers}`;
+  }
+  const { alpha_per_h_m: alpha, beta_per_m: beta } = inverse_length;
+  return `1/l = α L + β, α = ${digits(alpha, 5)} 1/(H m), β = ${digits(beta, 5)} 1/m`;
+}
+
+/** The calibration that was asked for, eq. (13)'s curve both ways, then the theories, the nearest first. */
+function table(told: Calibration): HTMLElement {
+  const { inverse_length, inductance, theories } = told;
   const far = (theory: Calibration['theories'][number]) => theory.rmse_m ?? Infinity;
   const rows: [string, Partial<Misfit>, string | null][] = [
+    ...taken(told),
     ['fit 1/l = αL + β', inverse_length, null],
     ['fit L = α/l + β', inductance, null],
     ...[...theories]
@@ -81,6 +102,24 @@ function table({ inverse_length, inductance, theories }: Calibration): HTMLEleme
       make('tbody', {}, ...rows.map(row)),
     ),
   );
+}
+
+/** The row of another calibration than 1/l = αL + β. */
+function taken({
+  relation,
+  length_rms_percent_of_range: percent,
+  judged_on: on,
+}: Calibration): [string, object, string][] {
+  if (relation === 'inverse-length') return [];
+  const name = relation === 'steel' ? 'fit of magnetic wire' : 'fit L = α/l + β + γ/l²';
+  const where = on === 'others' ? 'on the points left over' : 'on all points';
+  return [
+    [
+      name,
+      {},
+      percent === null ? 'some points have no length on it' : `${digits(percent, 4)} % of the range RMS ${where}`,
+    ],
+  ];
 }
 
 const COLOURS = ['blue', 'green', 'red', 'soft'] as const;

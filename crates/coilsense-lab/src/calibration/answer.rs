@@ -217,7 +217,7 @@ fn frequency(outcome: &Outcome, fit: &SteelFit) -> Option<String> {
 fn moved(outcome: &Outcome) -> Option<String> {
     let (length, inductance) = outcome.plan.re_zero?;
     Some(format!(
-        "Zeroed at {} mm, {} µH: the curve is moved by {} nH.",
+        "Re-zeroed at {} mm, {} µH: the curve is moved by {} nH.",
         digits(1e3 * length),
         digits(1e6 * inductance),
         digits(1e9 * outcome.taken.shift)

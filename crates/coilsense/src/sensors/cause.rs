@@ -18,8 +18,8 @@ pub const CALIBRATION: &str = "calibration";
 pub const MEASURED_FORM: &str = "calibration form: measured springs";
 /// Eq. (13) departs from a coil of magnetic wire.
 pub const MAGNETIC_FORM: &str = "calibration form: magnetic wire";
-/// A spring that was mounted anew since it was calibrated has another constant.
-pub const REMOUNTING: &str = "calibration: mounted anew";
+/// A spring that was remounted since it was calibrated has another constant.
+pub const REMOUNTING: &str = "calibration: remounting";
 /// The coil's own theory departs from it.
 pub const THEORY_FORM: &str = "calibration form: eq. (13) itself";
 /// Gain and modulus drift.

@@ -84,8 +84,9 @@ pub(super) const SENSOR: Table = Table {
             "calibration_form",
             "\"1.3 %\"",
             "how far a measured spring departs from that, as standard deviation, a share of the travel",
-            "`\"1.3 %\"`, and `\"1.4 %\"` of `two-point`, or what eq. (13) leaves of a coil of magnetic wire where `relative_permeability` (with its tolerance) is above 1.01; \
-             `\"0.3 %\"` of `steel`; but for 1.3 % with 0.7 % for mounting anew; of `theory` `\"30 %\"`, and `\"14 %\"` of a wire whose `relative_permeability` is known to be 1 within 1 %",
+            "`\"1.3 %\"` of `fitted`, `\"1.4 %\"` of `two-point`, `\"0.3 %\"` of `steel`. Where `relative_permeability` with its tolerance is above 1.01: what eq. (13), fitted or \
+             through two points, leaves of such a coil. All but the first with 0.7 % for remounting. Of `theory` `\"30 %\"`, and `\"14 %\"` of a wire whose \
+             `relative_permeability` is known to be 1 within 1 %",
         )
         .of(COIL),
     ],

@@ -1,13 +1,17 @@
 //! `coilsense calibrate` as a person meets it: the measured runs through the command itself, and files that are no calibration.
 //!
 //! The runs carry no licence and are not part of this project: they are read from the folder in `COILSENSE_LAB_DATA`, else from `lab-data`
-//! in `shared` beside the project's folder. Without them that test is ignored. Expected figures are their authors'.
+//! in `shared` beside the project's folder. Without them those tests are ignored. Expected figures are their authors'.
+//! Next door: the theory of magnetic wire (`steel`), calibrations that are stored and applied (`stored`).
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::Value;
+
+mod steel;
+mod stored;
 
 /// A run as its authors describe it and what they print of it.
 struct Run {
@@ -319,68 +323,8 @@ fn an_inductance_that_rises_with_length_is_refused_and_two_points_claim_no_accur
     assert!(!told.lines().next().unwrap().contains("residual"), "{told}");
 }
 
-/// A run as its authors describe it, with what the theory of magnetic wire makes of it.
-fn steel_options(run: &Run) -> Vec<&'static str> {
-    let [zero, wire, radius, windings] = run.coil;
-    vec![
-        "--preset",
-        "lab-data",
-        "--length-at-zero",
-        zero,
-        "--wire",
-        wire,
-        "--radius",
-        radius,
-        "--windings",
-        windings,
-        "--theory",
-        "steel",
-    ]
-}
-
-#[test]
-#[ignore = "needs the measured runs, which carry no licence: COILSENSE_LAB_DATA"]
-fn two_end_points_read_the_measured_springs_to_half_a_percent() {
-    let folder = folder();
-    for (run, permeability, within, nanohenry) in [(&RUNS[0], 2.08, 0.03, 2.5), (&RUNS[1], 2.75, 0.04, 5.5)] {
-        let (log, options) = (folder.join(run.file), steel_options(run));
-        let all = json(&log, &options);
-        let found = &all["steel"];
-        let own = found["relative_permeability"].as_f64().unwrap();
-        assert!((own - permeability).abs() < within && found["magnetic"] == true, "{found}");
-        assert!(found["rms_h"].as_f64().unwrap() < 1e-9 * nanohenry && all["judged_on"] == "all", "{found}");
-        let two = json(&log, &[&options[..], &["--points", "2"]].concat());
-        let percent = two["length_rms_percent_of_range"].as_f64().unwrap();
-        let half = two["steel"]["length_interval_percent_of_range"].as_f64().unwrap();
-        println!("{}: {percent} % of the range, intervals of ± {half} %", run.file);
-        assert!(percent <= 0.45 && half <= 1.0 && two["judged_on"] == "others");
-        let fitted: Vec<u64> = two["fitted_rows"].as_array().unwrap().iter().map(|row| row.as_u64().unwrap()).collect();
-        assert_eq!(fitted, [2, 11]);
-        // Nine rows of ten at least lie in their 95 % interval.
-        let points = two["points"].as_array().unwrap();
-        let of = |point: &Value, key: &str| point[key].as_f64().unwrap();
-        let inside = points.iter().filter(|point| of(point, "residual_m").abs() <= 1.96 * of(point, "length_read_m_u"));
-        assert!(inside.count() >= 9);
-        // Eq. (13) from the same points.
-        let rivals = two["rivals"].as_array().unwrap();
-        let rival = |name: &str| rivals.iter().find(|rival| rival["relation"] == name).unwrap();
-        assert!(rival("inverse-length")["length_rms_percent_of_range"].as_f64().unwrap() > 2.0 * percent);
-        assert!(rival("cubic")["refused"] == "needs 3 points");
-        let text = done(&log, &[&options[..], &["--points", "2"]].concat());
-        assert!(text.starts_with("Take this one, the theory of magnetic wire"), "{text}");
-        let text = done(&log, &options[..options.len() - 2]);
-        assert!(text.starts_with("Take the theory of magnetic wire (--theory steel)"), "{text}");
-        // Row 1, which is left out: its turns touch, which R of one run shows.
-        let shorted = "Row 1, which is left out, has its R 0.455 % below that of row 2: turns touch and short";
-        assert_eq!(text.contains(shorted), run.file == "S2_01.csv", "{text}");
-        assert_eq!(text.contains("turns touch"), run.file == "S2_01.csv", "{text}");
-        let three = json(&log, &[&options[..options.len() - 2], &["--form", "cubic", "--points", "3"]].concat());
-        assert!(three["length_rms_percent_of_range"].as_f64().unwrap() < 0.15 && three["cubic"]["gamma_h_m2"].is_f64());
-    }
-}
-
 /// A coil of twelve windings of magnetic wire at twelve lengths, with a meter's last digit; as a log.
-fn magnetic(
+pub fn magnetic(
     folder: &Path,
     name: &str,
     permeability: f64,
@@ -400,184 +344,5 @@ fn magnetic(
     path
 }
 
-const COIL: [&str; 8] =
+pub const COIL: [&str; 8] =
     ["--wire", "2 mm", "--radius", "8 mm", "--windings", "12.3", "--length-at-zero-force", "24.6 mm"];
-
-#[test]
-fn a_stored_calibration_makes_length_and_force_of_a_new_log_in_one_command() {
-    let place = tempfile::tempdir().unwrap();
-    let points = |index: usize, length: f64, henry: f64| {
-        let head = if index == 0 { "u2 [mm],L [uH],R [Ohm]\n" } else { "" };
-        format!("{head}{},{},0.2697\n", 1e3 * length, 1e6 * henry)
-    };
-    let log = magnetic(place.path(), "points.csv", 2.2, -3e-8, &points);
-    let out = place.path().join("calibration");
-    let options = [
-        &COIL[..],
-        &[
-            "--theory",
-            "steel",
-            "--stiffness",
-            "2 N/mm",
-            "--stiffness-uncertainty",
-            "0.5 %",
-            "--out",
-            out.to_str().unwrap(),
-        ],
-    ]
-    .concat();
-    done(&log, &options);
-    let stored = out.join("calibration.toml");
-    let text = fs::read_to_string(&stored).unwrap();
-    assert!(text.contains("relation = \"steel\"") && text.contains("resistance_ohm = 0.2697"), "{text}");
-    // A new log of the same spring, mounted anew: 3 nH more, at places between.
-    let new = |shift: f64, resistance: &'static str| {
-        move |index: usize, length: f64, henry: f64| {
-            let head = if index == 0 { "time [s],u2 [mm],L [uH],R [Ohm]\n" } else { "" };
-            format!("{head}{},{},{},{resistance}\n", 0.01 * index as f64, 1e3 * length, 1e6 * (henry + shift))
-        }
-    };
-    let import = |log: &Path, more: &[&str]| {
-        let file = place.path().join("read.csv");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_coilsense"));
-        command.arg("import").arg(log).args([
-            "--calibration",
-            stored.to_str().unwrap(),
-            "--out",
-            file.to_str().unwrap(),
-        ]);
-        let output = command.args(more).output().unwrap();
-        let told =
-            String::from_utf8_lossy(if output.status.success() { &output.stdout } else { &output.stderr }).into_owned();
-        (output.status.success(), told, fs::read_to_string(&file).unwrap_or_default())
-    };
-    let log = magnetic(place.path(), "new.csv", 2.2, -3e-8, &new(0.0, "0.2697"));
-    let (fine, told, read) = import(&log, &[]);
-    assert!(fine && told.contains("Length by L and") && told.contains("Force by it (F_L)"), "{told}");
-    let mut lines = read.lines();
-    assert_eq!(lines.next().unwrap(), "time [s],u2 [m],L [H],R [Ohm],length [m],u_length [m],F_L [N],u_F_L [N]");
-    for line in lines {
-        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-        let [_, given, _, _, length, length_u, force, force_u] = cells[..] else { panic!("{line}") };
-        // The meter's last digit, 0.1 nH, and the table.
-        assert!((length - given).abs() < 5e-6, "{line}");
-        assert!((force - 2000.0 * (length - 0.0246)).abs() < 1e-9);
-        // A quarter of a percent of L by mounting anew is most of it.
-        assert!((2e-5..4e-4).contains(&length_u) && force_u >= 2000.0 * length_u, "{line}");
-    }
-    // Mounted anew: 3 nH are within that; zeroed at one point they are gone.
-    let moved = magnetic(place.path(), "moved.csv", 2.2, -3e-8, &new(3e-9, "0.2720"));
-    let worst = |read: &str| {
-        let off = read.lines().skip(1).map(|line| {
-            let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-            ((cells[4] - cells[1]).abs(), cells[5])
-        });
-        off.fold((0.0, 0.0), |worst: (f64, f64), one| if one.0 > worst.0 { one } else { worst })
-    };
-    let (_, told, read) = import(&moved, &[]);
-    let (off, length_u) = worst(&read);
-    assert!(off > 1e-4 && off < 1.96 * length_u, "{off} {length_u}");
-    assert!(told.contains("R is 0.853 % off that of the calibration: clips or leads moved"), "{told}");
-    let henry = moved_inductance(&moved, 5);
-    let (_, told, read) = import(&moved, &["--re-zero", &format!("33.2 mm, {henry} uH")]);
-    let (off, _) = worst(&read);
-    assert!(off < 1e-5 && told.contains("Zeroed anew: L is moved by 2.9"), "{off} {told}");
-    // Turns that touch: R of two rows is 0.5 % low.
-    let touching = |index: usize, length: f64, henry: f64| {
-        let head = if index == 0 { "time [s],u2 [mm],L [uH],R [Ohm]\n" } else { "" };
-        let resistance = if index < 2 { 0.2684 } else { 0.2697 };
-        format!("{head}{},{},{},{resistance}\n", 0.01 * index as f64, 1e3 * length, 1e6 * henry)
-    };
-    let (fine, told, _) = import(&magnetic(place.path(), "touching.csv", 2.2, -3e-8, &touching), &[]);
-    assert!(fine && told.contains("Turns touch in 2 of 12 rows, first at 0 s"), "{told}");
-    // What is not of this spring is not read, and nothing is written.
-    fs::remove_file(place.path().join("read.csv")).unwrap();
-    let (fine, told, read) = import(&magnetic(place.path(), "other.csv", 2.2, 9e-7, &new(0.0, "0.2697")), &[]);
-    assert!(!fine && read.is_empty() && told.lines().count() == 1, "{told}");
-    assert!(told.contains("L must be from") && told.contains("calibration.toml tells between"), "{told}");
-    let (fine, told, _) = import(&log, &["--re-zero", "80 mm, 1 uH"]);
-    assert!(!fine && told.contains("re_zero: length must be from"), "{told}");
-    for (from, to, part) in [
-        ("rows = [", "rows = 3 [", "is no stored calibration"),
-        ("stored-calibration/1", "stored-calibration/9", "schema must be"),
-        ("remounting = 0.0025", "remounting = 2", "remounting must be from 0 to below 1"),
-        ("relation = ", "colour = 1\nrelation = ", "unknown field"),
-    ] {
-        fs::write(&stored, text.replace(from, to)).unwrap();
-        let (fine, told, _) = import(&log, &[]);
-        assert!(
-            !fine && told.contains(part) && told.contains("calibration.toml") && told.lines().count() == 1,
-            "{told}"
-        );
-    }
-}
-
-/// L \[µH\] of a row, counted from 0, as the log has it.
-fn moved_inductance(log: &Path, row: usize) -> String {
-    let text = fs::read_to_string(log).unwrap();
-    text.lines().nth(row + 1).unwrap().split(',').nth(2).unwrap().to_owned()
-}
-
-#[test]
-fn what_is_no_magnetic_coil_is_said_in_a_line() {
-    let place = tempfile::tempdir().unwrap();
-    let row = |index: usize, length: f64, henry: f64| {
-        let head = if index == 0 { "u2 [mm],L [uH]\n" } else { "" };
-        format!("{head}{},{}\n", 1e3 * length, 1e6 * henry)
-    };
-    let log = magnetic(place.path(), "log.csv", 2.2, 0.0, &row);
-    let with = |more: &[&str]| refused(&log, more);
-    let steel = |more: &[&str]| with(&[&COIL[..6], &["--theory", "steel"], more].concat());
-    for (message, part) in [
-        (with(&["--theory", "steel"]), "theory: needs the coil: --wire, --radius and --windings, or --spec"),
-        (steel(&["--known-permeability", "0.5"]), "--known-permeability"),
-        (steel(&["--known-permeability", "60"]), "from 1 to 20"),
-        (steel(&["--points", "1"]), "--points"),
-        (steel(&["--points", "13"]), "holds 12 points that can be used, fewer than --points 13"),
-        (steel(&["--leads", "4 mm"]), "leads must be above the coil radius"),
-        (steel(&["--leads", "near"]), "open or a distance"),
-        (steel(&["--re-zero", "30 mm"]), "a length and an inductance"),
-        (steel(&["--form", "cubic"]), "--form"),
-        (with(&["--known-permeability", "2"]), "--theory"),
-        (with(&["--form", "cubic", "--points", "2"]), "2 points are fewer than the 3"),
-        // Thicker wire: turns would touch; another coil: no permeability explains it.
-        (
-            with(&["--theory", "steel", "--wire", "2.1 mm", "--radius", "8 mm", "--windings", "12.3"]),
-            "row 2: 26.2 mm is 1.014 wire diameters a winding; below 1.04 windings touch and short",
-        ),
-        (
-            with(&["--theory", "steel", "--wire", "1 mm", "--radius", "4 mm", "--windings", "12.3"]),
-            "relative permeability of the fit must be 0.5 to 20, which these points do not ask for",
-        ),
-    ] {
-        assert!(message.contains(part), "{part}: {message}");
-    }
-    let equal = place.path().join("equal.csv");
-    fs::write(&equal, "u2 [mm],L [uH]\n30,1.5\n30,1.5\n30,1.5\n").unwrap();
-    let message = refused(&equal, &[&COIL[..6], &["--theory", "steel"]].concat());
-    assert!(message.contains("range of the lengths must be above zero") && message.lines().count() == 1, "{message}");
-    // A look-alike: wire that is not magnetic is not called so; a meter too fast for the wire is told.
-    let copper = magnetic(place.path(), "copper.csv", 1.0, 5e-8, &row);
-    let text = done(&copper, &[&COIL[..6], &["--theory", "steel"]].concat());
-    assert!(
-        text.contains("is not told from wire that is not magnetic") && !text.contains("The wire is magnetic"),
-        "{text}"
-    );
-    let fast = done(&log, &[&COIL[..6], &["--theory", "steel", "--frequency", "100 kHz"]].concat());
-    assert!(
-        fast.contains("At 1.00e5 Hz current crowds") || fast.contains("current crowds to the wire's surface"),
-        "{fast}"
-    );
-    let slow = done(&log, &[&COIL[..6], &["--theory", "steel", "--frequency", "1 kHz"]].concat());
-    assert!(!slow.contains("current crowds"), "{slow}");
-    let wrong = done(&log, &[&COIL[..6], &["--theory", "steel", "--known-permeability", "5"]].concat());
-    assert!(wrong.contains("A permeability of 5.00 leaves"), "{wrong}");
-    // A row whose turns touch by its R is left out, and said.
-    let touching = magnetic(place.path(), "touching.csv", 2.2, 0.0, &|index, length, henry| {
-        let head = if index == 0 { "u2 [mm],L [uH],R [mOhm]\n" } else { "" };
-        let (share, resistance) = if index == 0 { (0.97, 268.0) } else { (1.0, 269.7) };
-        format!("{head}{},{},{resistance}\n", 1e3 * length, 1e6 * share * henry)
-    });
-    let text = done(&touching, &[&COIL[..6], &["--theory", "steel"]].concat());
-    assert!(text.contains("Row 2 is left out: its R is 0.63 % below the others'"), "{text}");
-}
