@@ -324,7 +324,7 @@ fn an_inductance_that_rises_with_length_is_refused_and_two_points_claim_no_accur
 }
 
 /// A coil of twelve windings of magnetic wire at twelve lengths, with a meter's last digit; as a log.
-pub fn magnetic(
+fn magnetic(
     folder: &Path,
     name: &str,
     permeability: f64,
@@ -344,5 +344,5 @@ pub fn magnetic(
     path
 }
 
-pub const COIL: [&str; 8] =
+const COIL: [&str; 8] =
     ["--wire", "2 mm", "--radius", "8 mm", "--windings", "12.3", "--length-at-zero-force", "24.6 mm"];
