@@ -107,6 +107,9 @@ impl Told<'_> {
         let mut text = format!(
             "{rows} in {folder} ({files}): {ok} ok, {clash} in which windings would touch, {refused} that could not be judged\n"
         );
+        if let Some(note) = plan.note() {
+            text.push_str(&format!("note: {note}\n"));
+        }
         for (count, reason) in tally.reasons.iter().take(SHOWN) {
             text.push_str(&format!("  {count} × such as: {reason}\n"));
         }
@@ -140,6 +143,7 @@ impl Told<'_> {
             clash: self.tally.clash,
             refused: self.tally.refused,
             reasons: reasons.collect(),
+            note: self.plan.note(),
             chunks: self.plan.chunks(),
             made: self.made,
             seconds: self.seconds,

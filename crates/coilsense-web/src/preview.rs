@@ -2,11 +2,10 @@
 //!
 //! Next door: the same at rest (`exact`).
 
-use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
 use coilsense::motion::Windings;
 use coilsense::{Channel, Clash, Deviation, Error, Motion};
-use coilsense_lab::spec::{ConditionSpec, Spec};
+use coilsense_lab::spec::{ConditionSpec, Spec, SpringInductance};
 use coilsense_lab::study::{self, Coil, Meets, Method, Setup, Simulation};
 use serde_json::{Map, Value, json};
 
@@ -39,7 +38,7 @@ pub fn run(spec: &Spec, condition: usize, damping: usize, shown: (f64, f64), sam
     }
     let science = |error: Error| format!("{}: {error}", asked.name);
     let times = evenly(times.0, times.1, samples);
-    let sum = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    let sum = SpringInductance::Air(spec.spring.inductance_in_air());
     let coil = Coil::of(&spec.spring.spring, &sum, asked.excitation.mean_length(), Method::Within(ANY)).ok();
     let (spring, mount) = (&spec.spring.spring, &mounted.mount);
     let excitation = &asked.excitation;

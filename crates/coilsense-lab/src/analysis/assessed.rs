@@ -3,7 +3,6 @@
 //! Next door: how a sensor is judged in a case (`verdict`), the whole analysis (the parent).
 
 use coilsense::Error;
-use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::{Instrument, Readout};
 use coilsense::signals::sampled_window;
 
@@ -14,7 +13,7 @@ use super::moments::Moments;
 use super::specimen::{MANY, Springs};
 use super::trial_run::needs_coil;
 use super::{AnalysisError, band, refused};
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec, SpringInductance};
 use crate::study::{self, Coil, Helices, Meets, Method, Setup, Simulation};
 
 /// A sensor in a word or three.
@@ -36,7 +35,8 @@ pub(crate) fn assess(spec: &Spec, wanted: &[usize]) -> Result<Vec<(usize, Assess
     if spec.conditions.is_empty() {
         return Err(AnalysisError::NoCondition(spec.file.clone()));
     }
-    let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    // Said in the sweep's notes.
+    let coil = SpringInductance::Air(spec.spring.inductance_in_air());
     let springs = Springs::of(spec, &spec.spring.tolerances, MANY);
     // A sweep takes no helix.
     let helices = Helices::default();
@@ -87,7 +87,7 @@ fn seen(
     let judged = judged(&times, asked.window);
     let scene_of = |sensor: &SensorSpec| {
         let (signals, seen) = (seen.truth(&signals, &spec.goal), seen.by(&signals, sensor, &spec.goal));
-        Scene { condition, signals, seen, judged: &judged }
+        Scene { condition, signals, seen, judged: &judged, inductance_doubt: 0.0 }
     };
     let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;

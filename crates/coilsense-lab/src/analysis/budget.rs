@@ -55,6 +55,9 @@ pub(super) const CHAIN: &str = "the coil as a chain";
 /// The line that says what it adds that a sensor of length takes the spring's force for a straight line.
 pub(super) const STRAIGHT: &str = "the force as a straight line";
 
+/// The line that says how far the inductance of magnetic windings that move may be off.
+pub(super) const UNEVEN: &str = "magnetisation of uneven windings";
+
 /// What is known of a spec's spring.
 pub(super) fn doubt(spring: &SpringSpec) -> SpringDoubt {
     SpringDoubt {
@@ -79,6 +82,8 @@ pub(super) struct Model<'a> {
     pub spread: Spread,
     /// What of that is the straight line in place of the static curve \[N\]; nothing where the model's force is one.
     pub straight: Moments,
+    /// What a length by inductance may be off because magnetic windings that move are known to second order, standard deviation \[m\].
+    pub uneven: f64,
 }
 
 /// The inputs of a model, and where each acts.
@@ -183,8 +188,10 @@ impl Model<'_> {
             name: STRAIGHT,
             distribution: two_of(self.straight),
         });
+        let uneven = Cause::normal(Place::Length, UNEVEN, self.uneven);
         let others = self.measurement.causes();
-        let causes: Vec<Cause> = [oscillation].into_iter().chain(chain).chain(straight).chain(others).collect();
+        let causes: Vec<Cause> =
+            [oscillation].into_iter().chain(chain).chain(straight).chain(uneven).chain(others).collect();
         Inputs {
             places: causes.iter().map(|cause| cause.place).collect(),
             inputs: causes.into_iter().map(Cause::into_input).collect(),

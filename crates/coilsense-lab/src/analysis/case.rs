@@ -4,7 +4,6 @@
 
 use std::ops::Range;
 
-use coilsense::inductance::MaxwellSum;
 use coilsense::measures::Spectrum;
 use coilsense::sensors::{Instrument, Site};
 use coilsense::signals::sampled_window;
@@ -14,7 +13,7 @@ use super::band::judged;
 use super::frames::Frames;
 use super::trial_run::needs_coil;
 use crate::series::{Column, Run};
-use crate::spec::{Goal, SensorSpec, Spec};
+use crate::spec::{Goal, Magnetised, SensorSpec, Spec, SpringInductance};
 use crate::study::{self, Coil, Contacts, EndLoads, Helices, Meets, Method, Seen, Setup, Simulation};
 
 /// Share of F_nom by which it is judged how long a run with contact holds, where there is no goal.
@@ -30,6 +29,8 @@ pub(super) struct Scene<'a> {
     /// What the sensor sees.
     pub seen: &'a Signals,
     pub judged: &'a Range<usize>,
+    /// How far L of magnetic windings may be off \[H\], rms over the judged samples; nothing of others.
+    pub inductance_doubt: f64,
 }
 
 /// A simulation that was run.
@@ -59,8 +60,30 @@ pub struct Case {
     pub loads: Option<[EndLoads; 2]>,
     /// What windings did when they met, where they were asked to.
     pub contacts: Option<Contacts>,
+    /// Of magnetic wire, how far L holds.
+    pub magnetised: Option<HowMagnetised>,
     /// The signals as sensors see them.
     seen: Seen,
+}
+
+/// How far L of magnetic windings holds over the judged samples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HowMagnetised {
+    /// How far it may be off \[H\], rms.
+    pub doubt: f64,
+    /// Share of the samples in which windings are too uneven for the magnetisation of each \[1\].
+    pub beyond: f64,
+}
+
+impl HowMagnetised {
+    fn over(judged: &Range<usize>, found: &Magnetised) -> Self {
+        let (doubts, beyond) = (&found.doubts[judged.clone()], &found.beyond[judged.clone()]);
+        let mean = |sum: f64| sum / judged.len() as f64;
+        Self {
+            doubt: mean(doubts.iter().map(|doubt| doubt * doubt).sum()).sqrt(),
+            beyond: mean(beyond.iter().filter(|beyond| **beyond).count() as f64),
+        }
+    }
 }
 
 /// What a sensor reads.
@@ -80,7 +103,7 @@ impl Case {
     pub(super) fn run(
         spec: &Spec,
         sensors: &[SensorSpec],
-        coil: &MaxwellSum,
+        coil: &SpringInductance,
         helices: &Helices,
         (condition, damping): (usize, usize),
     ) -> Result<Self, Error> {
@@ -99,7 +122,8 @@ impl Case {
             helix: helices.get(condition, damping).map(|helix| (helix, [1.0; 2])),
             contact: way.contact.as_ref().map(|way| Meets { contact: &way.contact, apart }),
         };
-        let Simulation { motion, signals, windings, loads, seen, contacts, .. } = study::simulate(&setup, &times)?;
+        let Simulation { motion, signals, windings, magnetised, loads, seen, contacts, .. } =
+            study::simulate(&setup, &times)?;
         // Request for above.
         let windings = windings.map_or_else(|| motion.windings(&times), Ok)?;
 
@@ -143,6 +167,7 @@ impl Case {
                 judged.start,
                 1.0 / spring.surge_frequency(),
             ),
+            magnetised: magnetised.map(|found| HowMagnetised::over(&judged, &found)),
             contacts,
             seen,
             signals,
@@ -171,7 +196,8 @@ impl Case {
     /// What of it a sensor is judged by.
     pub(super) fn scene<'a>(&'a self, sensor: &SensorSpec, goal: &Goal) -> Scene<'a> {
         let (signals, seen) = (self.seen.truth(&self.signals, goal), self.seen.by(&self.signals, sensor, goal));
-        Scene { condition: self.condition, signals, seen, judged: &self.judged }
+        let inductance_doubt = self.magnetised.map_or(0.0, |how| how.doubt);
+        Scene { condition: self.condition, signals, seen, judged: &self.judged, inductance_doubt }
     }
 
     /// Times of the judged samples \[s\].
@@ -208,7 +234,7 @@ impl Reading {
 pub(super) fn force_of_coil<'a>(
     spec: &Spec,
     sensors: &[SensorSpec],
-    coil: &'a MaxwellSum,
+    coil: &'a SpringInductance,
     mean_length: f64,
 ) -> Result<Option<Coil<'a>>, Error> {
     let each: Vec<&SensorSpec> = sensors.iter().collect();

@@ -3,7 +3,7 @@
 //! Next door: what is said of it (`verdict`), what makes a force uncertain (`budget`), sensors tried out (`trial`), the judgement by itself
 //! (`assessed`).
 
-use coilsense::inductance::MaxwellSum;
+use coilsense::inductance::OverLength;
 use coilsense::sensors::{Instrument, MAX_ORDER, Measurement, Readout, Site};
 use coilsense::{Channel, Error};
 
@@ -16,14 +16,17 @@ use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
 use super::trial_run::Request;
 use super::verdict::{Assessment, GoalFilter, Verdict};
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec, SpringInductance};
 use crate::study::Helices;
+
+/// Share of a length over which L counts as straight.
+const ABOUT: f64 = 1e-4;
 
 /// What sensors are judged by.
 #[derive(Clone, Copy)]
 pub(super) struct Judge<'a> {
     pub spec: &'a Spec,
-    pub coil: &'a MaxwellSum,
+    pub coil: &'a SpringInductance,
     pub helices: &'a Helices,
     pub cases: &'a [Case],
     pub springs: &'a Springs,
@@ -158,6 +161,14 @@ impl Judge<'_> {
         Site { spring: &self.spec.spring.spring, coil: self.coil, mean_length }
     }
 
+    /// What a change of L \[H\] is as one of length \[m\], about the mean length of a condition.
+    fn length_of(&self, condition: usize, change: f64) -> f64 {
+        let length = self.spec.conditions[condition].excitation.mean_length();
+        let step = ABOUT * length;
+        let [before, after] = [length - step, length + step].map(|length| self.coil.at_length(length));
+        change * (2.0 * step / (after - before)).abs()
+    }
+
     /// Errors of the force \[N\] that a sensor reads without noise and resolution.
     pub fn counted(&self, scene: Scene<'_>, steady: &[f64]) -> Result<Counted, Error> {
         let truth = scene.signals.channel(self.spec.goal.force)?;
@@ -210,7 +221,9 @@ impl Judge<'_> {
             warming: self.spec.uncertainty.temperature_change,
         };
         let straight = self.straight(instrument, scene)?;
-        Ok(Model { spec: self.spec, measurement, errors, spread, straight })
+        let by_coil = sensor.quantity.of_kind().watches(Channel::Inductance);
+        let uneven = if by_coil { self.length_of(scene.condition, scene.inductance_doubt) } else { 0.0 };
+        Ok(Model { spec: self.spec, measurement, errors, spread, straight, uneven })
     }
 
     /// The low-pass that a goal with a bandwidth needs where errors of every frequency exceed it.

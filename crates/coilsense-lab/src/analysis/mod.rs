@@ -24,6 +24,7 @@ mod curve;
 mod fix;
 mod frames;
 mod judge;
+mod magnetisation;
 mod moments;
 mod refinement;
 mod resonance;
@@ -56,11 +57,10 @@ pub use warnings::{Subject, Warning};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use coilsense::Error;
-use coilsense::inductance::MaxwellSum;
 use rayon::prelude::*;
 
 use crate::data_sheet::DataSheet;
-use crate::spec::{Model, Quantity, SensorSpec, Spec, SpecError, Tolerances};
+use crate::spec::{Model, Quantity, SensorSpec, Spec, SpecError, SpringInductance, Tolerances};
 use crate::study::{self, Helices, Masses};
 use moments::Moments;
 use response::Responses;
@@ -145,19 +145,20 @@ pub fn simulate(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, Analy
 fn simulate_alone(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
     let mut spec = spec.clone();
     prepare(&mut spec)?;
-    simulate_watched(&spec, &spec.sensors, &helices(&spec)?, progress)
+    let coil = SpringInductance::of(&spec.spring);
+    simulate_watched(&spec, &spec.sensors, &coil, &helices(&spec)?, progress)
 }
 
 fn simulate_watched(
     spec: &Spec,
     sensors: &[SensorSpec],
+    coil: &SpringInductance,
     helices: &Helices,
     progress: &Progress<'_>,
 ) -> Result<Vec<Case>, AnalysisError> {
     if spec.conditions.is_empty() {
         return Err(AnalysisError::NoCondition(spec.file.clone()));
     }
-    let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
     let dampings = spec.mount.cases.len();
     let count = spec.conditions.len() * dampings;
     let done = AtomicUsize::new(0);
@@ -169,7 +170,7 @@ fn simulate_watched(
         if !progress(done.load(Ordering::Relaxed), count) {
             return Err(AnalysisError::Interrupted);
         }
-        let case = run_case(spec, sensors, &coil, helices, (condition, damping))?;
+        let case = run_case(spec, sensors, coil, helices, (condition, damping))?;
         match progress(done.fetch_add(1, Ordering::Relaxed) + 1, count) {
             true => Ok(case),
             false => Err(AnalysisError::Interrupted),
@@ -198,7 +199,7 @@ fn check_case(spec: &Spec, condition: usize, damping: usize) -> Result<(), Analy
 fn run_case(
     spec: &Spec,
     sensors: &[SensorSpec],
-    coil: &MaxwellSum,
+    coil: &SpringInductance,
     helices: &Helices,
     (condition, damping): (usize, usize),
 ) -> Result<Case, AnalysisError> {
@@ -293,8 +294,8 @@ impl Analysis {
         let masses = prepare(&mut spec)?;
         let sensors = judged_sensors(&spec);
         let helices = helices(&spec)?;
-        let cases = simulate_watched(&spec, &sensors, &helices, progress)?;
-        let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+        let coil = SpringInductance::of(&spec.spring);
+        let cases = simulate_watched(&spec, &sensors, &coil, &helices, progress)?;
         let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
         let usual = usual(&spec);
         let judge = judge::Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };
@@ -350,7 +351,7 @@ fn perfect_sensors(spec: &Spec) -> Vec<SensorSpec> {
         SensorSpec::perfect("perfect deflection sensor", Quantity::Deflection, longest - shortest),
     ];
     // The inductance of a single winding does not tell its length.
-    let sum = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    let sum = SpringInductance::Air(spec.spring.inductance_in_air());
     let length = spec.spring.spring.mid_length();
     if study::Coil::of(&spec.spring.spring, &sum, length, study::Method::Exact).is_ok() {
         sensors.push(SensorSpec::perfect("perfect inductance meter", coil, 1.0));

@@ -2,15 +2,13 @@
 //!
 //! Next door: all of them, and the judgement over them (the parent).
 
-use coilsense::inductance::MaxwellSum;
-
 use super::case::Case;
 use super::judge::Judge;
 use super::specimen::Springs;
 use super::warnings::{self, Warning};
 use super::{AnalysisError, judged_sensors};
 use crate::data_sheet::DataSheet;
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec, SpringInductance};
 
 /// A case of a spec, with what a reader must know of it. Its numbers are those of [`super::Analysis::run`], noise included.
 #[derive(Debug, Clone)]
@@ -38,7 +36,7 @@ impl Single {
         let mut prepared = spec.clone();
         super::prepare(&mut prepared)?;
         let spec = &prepared;
-        let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+        let coil = SpringInductance::of(&spec.spring);
         let sensors = judged_sensors(spec);
         let helices = super::helices(spec)?;
         let case = super::run_case(spec, &sensors, &coil, &helices, (condition, damping))?;

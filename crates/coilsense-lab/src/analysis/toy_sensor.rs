@@ -5,14 +5,13 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use coilsense::inductance::MaxwellSum;
 use coilsense::sensors::{Cause, Instrument, Place, Quantity, Readout, ReadoutParameters, Sensor, Site};
 use coilsense::{Channel, Error, Signals};
 
 use super::judge::Judge;
 use super::simulate;
 use super::specimen::{MANY, Springs};
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec, SpringInductance};
 
 /// It counts the force at end 2 in half newtons, and miscounts.
 #[derive(Debug)]
@@ -49,7 +48,7 @@ fn a_kind_that_no_spec_names_is_judged_by_what_it_errs_by() {
     );
     let spec = Spec::parse("toy.toml", &text, &|name| Err(format!("{name}: no files here"))).unwrap();
     let cases = simulate(&spec, &|_, _| true).unwrap();
-    let coil = MaxwellSum::new(&spec.spring.spring, spec.spring.self_distance);
+    let coil = SpringInductance::of(&spec.spring);
     let springs = Springs::of(&spec, &spec.spring.tolerances, MANY);
     let helices = crate::study::Helices::default();
     let judge = Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };

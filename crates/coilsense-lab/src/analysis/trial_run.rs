@@ -12,7 +12,7 @@ use super::band;
 use super::moments::Moments;
 use super::specimen::Change;
 use super::ways::changed;
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec, SpringInductance};
 use crate::study::{self, Coil, Helical, Meets, Method, Setup, Simulation};
 
 /// L to second order is good enough for how an error changes.
@@ -21,7 +21,7 @@ const ANY: f64 = 1.0;
 /// What a case's responses are found for.
 pub(super) struct Request<'a> {
     pub spec: &'a Spec,
-    pub coil: &'a coilsense::inductance::MaxwellSum,
+    pub coil: &'a SpringInductance,
     /// What moves, where that is no chain.
     pub helix: Option<&'a Helical>,
     pub condition: usize,
@@ -67,10 +67,12 @@ impl<'a> TrialRun<'a> {
         let helix = asked.helix.map(|helix| (helix, change.map(f64::exp)));
         let condition = &asked.spec.conditions[asked.condition];
         let mean_length = condition.excitation.mean_length();
+        // Only how an error changes is asked, of which magnetisation is a small part.
+        let sum = asked.coil.in_air();
         let coil = match self.by_coil {
             true => {
-                let calibration = Calibration::theoretical(&asked.spec.spring.spring, asked.coil, mean_length)?;
-                Some(Coil { sum: asked.coil, calibration, method: Method::Within(ANY) })
+                let calibration = Calibration::theoretical(&asked.spec.spring.spring, sum, mean_length)?;
+                Some(Coil { sum, steel: None, calibration, method: Method::Within(ANY) })
             }
             false => None,
         };
@@ -82,7 +84,7 @@ impl<'a> TrialRun<'a> {
         let goal = &asked.spec.goal;
         let truth = seen.truth(&signals, goal).channel(goal.force)?;
         let of = |(sensor, &begin): (&&crate::spec::SensorSpec, &usize)| {
-            let instrument = sensor.on(&Site { spring, coil: asked.coil, mean_length })?;
+            let instrument = sensor.on(&Site { spring, coil: sum, mean_length })?;
             let times = &self.times[begin..];
             let readings = instrument
                 .steady_readings_of(times, &instrument.quantity(seen.by(&signals, sensor, goal))?[begin..])?;

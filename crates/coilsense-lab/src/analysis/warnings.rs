@@ -10,6 +10,7 @@ use coilsense::{Channel, End, Error};
 
 use super::case::Case;
 use super::judge::Judge;
+use super::magnetisation;
 use crate::data_sheet::DataSheet;
 use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec};
@@ -49,6 +50,8 @@ pub enum Subject {
     Temperature,
     /// Torsional or lateral motion.
     Neighbour,
+    /// Magnetic wire whose inductance is told in part only.
+    Magnetisation,
 }
 
 impl Subject {
@@ -66,6 +69,7 @@ impl Subject {
             Self::Range => "range",
             Self::Temperature => "temperature",
             Self::Neighbour => "neighbour",
+            Self::Magnetisation => "magnetisation",
         }
     }
 }
@@ -89,6 +93,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
         warnings.extend(alias(judge, sensor)?);
         warnings.extend(range(spec, index, sensor, cases));
     }
+    warnings.extend(magnetisation::of(spec, cases));
     warnings.extend(temperature(spec, sensors));
     warnings.extend(sheet.beyond_axial.iter().map(|text| Warning { subject: Subject::Neighbour, text: text.clone() }));
     Ok(warnings)

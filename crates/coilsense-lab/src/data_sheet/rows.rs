@@ -4,7 +4,6 @@
 
 use coilsense::Error;
 use coilsense::helix::buckling_length;
-use coilsense::inductance::MaxwellSum;
 
 use crate::helix::{Coil, ModesAt};
 use crate::spec::SpringSpec;
@@ -272,7 +271,7 @@ fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
 
 fn of_inductance(spec: &SpringSpec) -> Vec<Row> {
     let spring = &spec.spring;
-    let coil = MaxwellSum::new(spring, spec.self_distance);
+    let coil = spec.inductance_at_rest();
     let (shortest, longest) = spring.operating_range();
     let (short, long) = (coil.at_length(shortest), coil.at_length(longest));
     vec![

@@ -109,6 +109,8 @@ pub struct SweepOutcome<'a> {
     pub refused: u64,
     /// Why designs were refused, the most frequent first.
     pub reasons: Vec<ReasonRow<'a>>,
+    /// What a reader of the results must know.
+    pub note: Option<&'a str>,
     /// Files of the dataset.
     pub chunks: u64,
     /// Rows that this run has made.

@@ -93,7 +93,7 @@ impl Case {
 
     fn simulate(self) -> Result<CaseResult, Error> {
         let times = sampled_window(SAMPLE_RATE, WINDOW.0, WINDOW.1)?;
-        let sum = MaxwellSum::new(&self.spring, SelfDistance::AsPrinted);
+        let sum = crate::spec::SpringInductance::Air(MaxwellSum::new(&self.spring, SelfDistance::AsPrinted));
         let coil = Coil::of(&self.spring, &sum, self.excitation.mean_length(), Method::Exact)?;
         let (mount, excitation) = (&Mount::default(), &self.excitation);
         let (spring, coil) = (&self.spring, Some(coil));

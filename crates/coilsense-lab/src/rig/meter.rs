@@ -3,6 +3,7 @@
 //! Next door: the fast record (`log`), how the spring moves (`course`), the sum over windings (`coilsense::inductance`).
 
 use coilsense::Motion;
+use coilsense::inductance::OverLength;
 use rand_pcg::Pcg64;
 
 use super::course::{Course, resting};

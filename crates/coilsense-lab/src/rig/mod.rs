@@ -21,13 +21,12 @@ pub use log::Log;
 pub use plan::{Kind, Run};
 pub use sheet::{Column, Sheet};
 
-use coilsense::inductance::MaxwellSum;
 use coilsense::relaxation::Relaxation;
 use coilsense::{Error, Mount, Spring};
 use rand_pcg::Pcg64;
 
 use crate::output::OutputError;
-use crate::spec::{RigSpec, Spec, SpecError};
+use crate::spec::{RigSpec, Spec, SpecError, SpringInductance};
 use devices::Devices;
 
 /// A rig with a spring in it, ready to run.
@@ -42,7 +41,7 @@ pub struct Rig {
     /// Neighbouring windings touch at this pitch \[m\].
     contact_pitch: f64,
     mount: Mount,
-    coil: MaxwellSum,
+    coil: SpringInductance,
     relaxation: Relaxation,
     /// Length under the preload \[m\].
     length: f64,
@@ -105,7 +104,7 @@ impl Rig {
             damping: damping.label.clone(),
             contact_pitch: spec.spring.contact_pitch(),
             mount: damping.mount.clone(),
-            coil: MaxwellSum::new(&spring, spec.spring.self_distance),
+            coil: SpringInductance::of(&spec.spring),
             relaxation: Relaxation::new(settings.relaxation, settings.settling).map_err(science("[rig] relaxation"))?,
             length,
             seed,

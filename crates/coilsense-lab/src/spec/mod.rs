@@ -18,6 +18,7 @@ mod ends;
 mod experiment;
 mod former;
 mod goal;
+mod inductance;
 mod keys;
 mod material;
 mod measurand;
@@ -54,6 +55,7 @@ pub use document::SPEC_VERSION;
 pub use ends::EndsSpec;
 pub use experiment::ExperimentSpec;
 pub use goal::{Goal, UncertaintySpec};
+pub use inductance::{Magnetised, SpringInductance, Unmagnetised};
 pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table};
 #[cfg(feature = "reference")]
 pub use keys::{experiment_markdown, markdown};

@@ -4,6 +4,7 @@
 
 use coilsense::sensors::{Quantity, magnetic_form, usual_form};
 
+use super::inductance::MAGNETIC;
 use super::section::Section;
 use super::{SpecError, SpringSpec};
 
@@ -71,6 +72,3 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec) -> Result<Quanti
     };
     Ok(Quantity::Inductance { uncalibrated, form, magnetic, remounting })
 }
-
-/// A relative permeability so far above 1 changes what eq. (13) leaves.
-const MAGNETIC: f64 = 0.01;

@@ -2,7 +2,7 @@
 //!
 //! Next door: classes of instruments (`catalogue`), what they make of a signal (`coilsense::sensors`).
 
-use coilsense::inductance::MaxwellSum;
+use coilsense::inductance::OverLength;
 use coilsense::sensors::{Instrument, Kind, Limits, Quantity, Readout, ReadoutParameters, Site};
 use coilsense::{Channel, Error, Spring};
 
@@ -49,10 +49,10 @@ impl SensorSpec {
         if let Some(beyond) = sections.get(MOST_SENSORS) {
             return Err(beyond.refuse("kind", format!("at most {MOST_SENSORS} sensors are taken")));
         }
-        let coil = MaxwellSum::new(&spring.spring, spring.self_distance);
+        let coil = spring.inductance_at_rest();
         let mut sensors: Vec<Self> = Vec::new();
         for section in sections {
-            let sensor = Self::parse(&section, spring, &coil)?;
+            let sensor = Self::parse(&section, spring, &*coil)?;
             let key = series::key_of(&sensor.name);
             let text = if let Some(other) = sensors.iter().find(|other| series::key_of(&other.name) == key) {
                 format!(
@@ -70,7 +70,7 @@ impl SensorSpec {
         Ok(sensors)
     }
 
-    fn parse(section: &Section<'_>, spec: &SpringSpec, coil: &MaxwellSum) -> Result<Self, SpecError> {
+    fn parse(section: &Section<'_>, spec: &SpringSpec, coil: &dyn OverLength) -> Result<Self, SpecError> {
         let spring = &spec.spring;
         let class = section.optional_text("class")?;
         // A class says its kind; a kind that is given must be that one.

@@ -3,13 +3,14 @@
 //! Next door: how many masses stand for a winding (`masses`), the judgement of sensors (`crate::analysis`).
 
 use coilsense::contact::{Contact, GivenUp, Touching};
-use coilsense::inductance::{BoundedSeries, MaxwellSum};
+use coilsense::inductance::{BoundedSeries, MaxwellSum, SteelWindings};
 use coilsense::motion::Windings;
 use coilsense::{Calibration, Channel, Error, Excitation, InductanceSensor, Motion, Mount, Signals, Spring};
 
 use super::contacts::{Between, Contacts, MEET};
 use super::helical::{self, EndLoads, Helical};
 use super::seen::Seen;
+use crate::spec::{Magnetised, SpringInductance};
 
 /// What is simulated.
 #[derive(Debug, Clone, Copy)]
@@ -44,6 +45,8 @@ pub struct Meets<'a> {
 pub struct Coil<'a> {
     /// Maxwell's sum over its windings.
     pub sum: &'a MaxwellSum,
+    /// The same of magnetic wire, which L is then by, whatever the method.
+    pub steel: Option<&'a SteelWindings>,
     /// α and β of eq. (13).
     pub calibration: Calibration,
     /// How L is found.
@@ -70,6 +73,8 @@ pub struct Simulation {
     pub windings: Option<Windings>,
     /// L with its bounds, where it was found within a tolerance.
     pub bounded: Option<BoundedSeries>,
+    /// L with its doubts, where the wire is magnetic.
+    pub magnetised: Option<Magnetised>,
     /// Of a helix: what holds end 1 and end 2 feels beside the axial force.
     pub loads: Option<[EndLoads; 2]>,
     /// The signals as sensors see them.
@@ -83,8 +88,14 @@ impl<'a> Coil<'a> {
     ///
     /// # Errors
     /// [`Error::Value`] for a coil whose eq. (13) cannot be fitted, such as a single winding.
-    pub fn of(spring: &Spring, sum: &'a MaxwellSum, mean_length: f64, method: Method) -> Result<Self, Error> {
-        Ok(Self { sum, calibration: Calibration::theoretical(spring, sum, mean_length)?, method })
+    pub fn of(
+        spring: &Spring,
+        inductance: &'a SpringInductance,
+        mean_length: f64,
+        method: Method,
+    ) -> Result<Self, Error> {
+        let calibration = Calibration::theoretical(spring, inductance, mean_length)?;
+        Ok(Self { sum: inductance.in_air(), steel: inductance.steel(), calibration, method })
     }
 }
 
@@ -95,16 +106,20 @@ impl<'a> Coil<'a> {
 /// [`MaxwellSum::series_within`]; [`Error::Value`] for windings that could not be followed to the last of the times.
 pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
     // Turns of unequal radii are summed one by one.
-    let exact = matches!(setup.coil, Some(Coil { method: Method::Exact, .. })) || setup.spring.sections().is_some();
-    let moved = moved(setup, times, exact || setup.positions)?;
+    let by_place = setup.coil.is_some_and(|coil| coil.steel.is_some() || coil.method == Method::Exact)
+        || setup.spring.sections().is_some();
+    let moved = moved(setup, times, by_place || setup.positions)?;
     let Moved { motion, mut signals, windings, loads, read, struck, contacts } = moved;
-    let mut bounded = None;
+    let (mut bounded, mut magnetised) = (None, None);
     if let Some(coil) = &setup.coil {
-        let inductance = match (&windings, coil.method) {
-            (Some(windings), Method::Exact) => coil.sum.series(windings),
-            (Some(windings), Method::Within(share)) => values(coil.sum.series_within(windings, share)?, &mut bounded),
-            (None, Method::Within(share)) => values(coil.sum.along(&motion, times, share)?, &mut bounded),
-            (None, Method::Exact) => values(coil.sum.along(&motion, times, 0.0)?, &mut bounded),
+        let inductance = match (&windings, coil.steel, coil.method) {
+            (Some(windings), Some(steel), _) => magnetised.insert(Magnetised::of(steel, windings)).inductances.clone(),
+            (Some(windings), None, Method::Exact) => coil.sum.series(windings),
+            (Some(windings), None, Method::Within(share)) => {
+                values(coil.sum.series_within(windings, share)?, &mut bounded)
+            }
+            (None, _, Method::Within(share)) => values(coil.sum.along(&motion, times, share)?, &mut bounded),
+            (None, _, Method::Exact) => values(coil.sum.along(&motion, times, 0.0)?, &mut bounded),
         };
         let force = InductanceSensor::new(setup.spring, coil.calibration).force(&inductance);
         signals.insert(Channel::InductanceForce, force)?;
@@ -112,7 +127,7 @@ pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
     }
     let other = |forces: Option<[Vec<f64>; 2]>| forces.map(|forces| seen_by(&signals, forces)).transpose();
     let seen = Seen { by_cells: other(read)?, with_blows: other(struck)? };
-    Ok(Simulation { motion, signals, windings, bounded, loads, seen, contacts })
+    Ok(Simulation { motion, signals, windings, bounded, magnetised, loads, seen, contacts })
 }
 
 /// A motion at all times.

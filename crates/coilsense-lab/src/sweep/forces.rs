@@ -76,6 +76,8 @@ pub(super) fn judge(
         // Of a single winding, whose inductance does not tell its length, there is no F_L.
         Some((sum, theory)) => theory.calibration(sum, asked.excitation.mean_length()).ok().map(|calibration| Coil {
             sum,
+            // Said in the sweep's notes.
+            steel: None,
             calibration,
             method: Method::Within(TOLERANCE),
         }),

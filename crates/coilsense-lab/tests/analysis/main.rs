@@ -8,6 +8,7 @@
 //! | what would fix a sensor | the same change written into the spec (`fixes`) |
 //! | a helix that moves | the chain of a long flat spring, its static curve, its own reactions (`helix`) |
 //! | windings that meet | two other programs, themselves without contact (`contact`) |
+//! | magnetic wire | its windings solved about another pitch (`magnetisation`) |
 //! | several springs | each alone, their sum (`springs`) |
 //! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
 //! | the whole run | itself on other threads, and when stopped (`runs`) |
@@ -18,6 +19,7 @@ mod contact;
 mod data_sheet;
 mod fixes;
 mod helix;
+mod magnetisation;
 mod paper;
 mod readings;
 mod runs;

@@ -7,7 +7,7 @@ use super::line::slope_about;
 use super::misfit::Misfit;
 use super::points::CalibrationPoints;
 use crate::error::{Error, all_finite, called, check, count, finite};
-use crate::inductance::MaxwellSum;
+use crate::inductance::OverLength;
 use crate::spring::Spring;
 
 /// α and β of `1/l = αL + β`.
@@ -59,7 +59,7 @@ impl Calibration {
     ///
     /// # Errors
     /// As [`Self::through`].
-    pub fn theoretical(spring: &Spring, coil: &MaxwellSum, preload_length: f64) -> Result<Self, Error> {
+    pub fn theoretical(spring: &Spring, coil: &dyn OverLength, preload_length: f64) -> Result<Self, Error> {
         Theory::new(spring, coil).calibration(coil, preload_length)
     }
 
@@ -118,7 +118,7 @@ pub struct Theory {
 
 impl Theory {
     /// L of [`CALIBRATION_LENGTHS`] uniform windings over the operating range.
-    pub fn new(spring: &Spring, coil: &MaxwellSum) -> Self {
+    pub fn new(spring: &Spring, coil: &dyn OverLength) -> Self {
         let (shortest, longest) = spring.operating_range();
         let step = (longest - shortest) / (CALIBRATION_LENGTHS - 1) as f64;
         let lengths: Vec<f64> = (0..CALIBRATION_LENGTHS).map(|index| shortest + index as f64 * step).collect();
@@ -130,7 +130,7 @@ impl Theory {
     ///
     /// # Errors
     /// As [`Calibration::through`].
-    pub fn calibration(&self, coil: &MaxwellSum, preload_length: f64) -> Result<Calibration, Error> {
+    pub fn calibration(&self, coil: &dyn OverLength, preload_length: f64) -> Result<Calibration, Error> {
         Calibration::through((preload_length, coil.at_length(preload_length)), &self.lengths, &self.inductances)
     }
 }

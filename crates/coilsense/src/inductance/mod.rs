@@ -18,6 +18,7 @@ mod lag_polynomials;
 mod maxwell;
 mod mutual;
 mod near_uniform;
+mod over_length;
 mod pairs;
 mod permeable;
 mod quadratic;
@@ -34,8 +35,11 @@ mod within;
 pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};
 pub use maxwell::MaxwellSum;
 pub use mutual::{MU_0, mutual_inductance, mutual_inductances};
-pub(crate) use permeable::{Changes, LEAST_FITTED, MOST_PERMEABLE};
-pub use permeable::{LEAST_PITCH, Leads, PermeableRings, SteelCoil, SteelCurve, SteelWindings, inductance_along};
+pub use over_length::OverLength;
+pub(crate) use permeable::{CLOSE, Changes, LEAST_FITTED, MOST_PERMEABLE};
+pub use permeable::{
+    LEAST_PITCH, Leads, PermeableRings, SteelCoil, SteelCurve, SteelTurns, SteelWindings, inductance_along,
+};
 pub use rings::mutual_inductance_of_rings;
 pub use second_order::{BoundedInductance, SecondOrder};
 pub use self_term::SelfDistance;

@@ -13,7 +13,7 @@ use crate::calibrate::{Calibration, CalibrationPoints, FitMethod, InverseLengthF
 use crate::error::Error;
 use crate::geometry::Material;
 use crate::inductance::theories::Coil;
-use crate::inductance::{Leads, MaxwellSum, SteelCoil};
+use crate::inductance::{CLOSE, Leads, OverLength, SteelCoil};
 use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
 
@@ -180,13 +180,11 @@ impl Sensor for OnCoil {
     }
 }
 
-/// Pitch in wire diameters from which on it is told.
-const CLOSE: f64 = 1.02;
 /// Lengths at which the misfit of eq. (13) is taken.
 const MISFIT_LENGTHS: usize = 41;
 
 /// Rms departure \[m\] of eq. (13) from the theory of the coil, over lengths from end to end of the operating range.
-fn misfit(spring: &Spring, coil: &MaxwellSum, calibration: &Calibration) -> f64 {
+fn misfit(spring: &Spring, coil: &dyn OverLength, calibration: &Calibration) -> f64 {
     let (shortest, longest) = spring.operating_range();
     let step = (longest - shortest) / (MISFIT_LENGTHS - 1) as f64;
     let departures = (0..MISFIT_LENGTHS).map(|index| {

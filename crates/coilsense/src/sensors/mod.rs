@@ -33,7 +33,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::excitation::End;
-use crate::inductance::MaxwellSum;
+use crate::inductance::OverLength;
 use crate::signals::Channel;
 use crate::spring::Spring;
 use sensor::Row;
@@ -114,7 +114,7 @@ impl Kind {
     }
 
     /// Full scale of an instrument of which nobody says it, in its native unit: what the spring in use gives it to see.
-    pub fn natural_range(self, spring: &Spring, coil: &MaxwellSum) -> f64 {
+    pub fn natural_range(self, spring: &Spring, coil: &dyn OverLength) -> f64 {
         (self.row().natural_range)(spring, coil)
     }
 }

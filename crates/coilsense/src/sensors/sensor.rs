@@ -7,7 +7,7 @@ use std::fmt::Debug;
 
 use super::cause::Cause;
 use crate::error::Error;
-use crate::inductance::MaxwellSum;
+use crate::inductance::OverLength;
 use crate::signals::{Channel, Signals};
 use crate::spring::Spring;
 
@@ -41,7 +41,7 @@ pub(super) struct Row {
     /// The signals that it watches.
     pub watches: &'static [Channel],
     /// Full scale where nobody says it, in the native unit.
-    pub natural_range: fn(&Spring, &MaxwellSum) -> f64,
+    pub natural_range: fn(&Spring, &dyn OverLength) -> f64,
 }
 
 /// Where a sensor sits.
@@ -50,7 +50,7 @@ pub struct Site<'a> {
     /// The spring that it is told it sits on.
     pub spring: &'a Spring,
     /// The windings of that spring as a coil.
-    pub coil: &'a MaxwellSum,
+    pub coil: &'a dyn OverLength,
     /// l̄: length at which it is set to zero, and through which its calibration goes \[m\].
     pub mean_length: f64,
 }

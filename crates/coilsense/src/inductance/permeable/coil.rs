@@ -4,12 +4,12 @@
 
 use std::f64::consts::TAU;
 
+use super::grid::{Grid, Polynomial};
 use super::leads::Leads;
 use super::surface::Row;
 use super::susceptible::Susceptible;
 use super::{LEAST_PITCH, MOST_TURNS, check_permeability, disc::Disc};
 use crate::error::{Error, above_zero, check};
-use crate::inductance::chebyshev::Interpolation;
 use crate::inductance::coil::Coil;
 
 /// A coil of magnetic wire at every length of a range and for every permeability, at hand.
@@ -133,63 +133,32 @@ pub(crate) struct Changes {
 impl Changes {
     /// \[H\] at a length \[m\].
     pub fn at(&self, length: f64) -> [f64; 3] {
-        self.by.each_ref().map(|polynomial| polynomial.at(length))
+        self.by.each_ref().map(|polynomial| polynomial.at(1.0 / length))
     }
 }
 
-/// Lengths between which a quantity is a polynomial in 1/l.
-#[derive(Debug, Clone, PartialEq)]
-struct Grid {
-    middle: f64,
-    half: f64,
-    interpolation: Interpolation,
+/// Lengths of a range between which quantities are polynomials in 1/l.
+fn by_inverse_length([shortest, longest]: [f64; 2], count: usize) -> Grid {
+    Grid::new([1.0 / longest, 1.0 / shortest], count)
 }
 
-/// Such a quantity, lowest power first; zero without coefficients.
-#[derive(Debug, Clone, PartialEq, Default)]
-struct Polynomial {
-    middle: f64,
-    half: f64,
-    coefficients: Vec<f64>,
+/// The lengths \[m\] of such a grid.
+fn lengths(grid: &Grid) -> Vec<f64> {
+    grid.places().into_iter().map(f64::recip).collect()
 }
 
-impl Grid {
-    fn new([shortest, longest]: [f64; 2], count: usize) -> Self {
-        let (middle, half) = (0.5 * (1.0 / shortest + 1.0 / longest), 0.5 * (1.0 / shortest - 1.0 / longest));
-        Self { middle, half, interpolation: Interpolation::new(count) }
-    }
-
-    fn lengths(&self) -> Vec<f64> {
-        self.interpolation.nodes().iter().map(|place| 1.0 / (self.middle + self.half * place)).collect()
-    }
-
-    /// Through values at the lengths.
-    fn through(&self, values: &[f64]) -> Polynomial {
-        let mut coefficients = vec![0.0; values.len()];
-        self.interpolation.coefficients(values, &mut coefficients);
-        Polynomial { middle: self.middle, half: self.half, coefficients }
-    }
-}
-
-impl Polynomial {
-    fn at(&self, length: f64) -> f64 {
-        let place = (1.0 / length - self.middle) / self.half;
-        self.coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * place + coefficient)
-    }
-}
-
-/// What becomes of each length, in their order; a row takes some 20 ms.
-fn on_all_cores<T: Send>(lengths: Vec<f64>, solve: impl Fn(f64) -> T + Sync) -> Vec<T> {
+/// What becomes of each place, in their order; a row takes some 20 ms.
+pub(super) fn on_all_cores<T: Send>(places: Vec<f64>, solve: impl Fn(f64) -> T + Sync) -> Vec<T> {
     // A browser has no threads to give.
     let cores =
         if cfg!(target_family = "wasm") { 1 } else { std::thread::available_parallelism().map_or(1, usize::from) };
     if cores == 1 {
-        return lengths.into_iter().map(solve).collect();
+        return places.into_iter().map(solve).collect();
     }
     let solve = &solve;
     let of_chunk = |chunk: Vec<f64>| move || chunk.into_iter().map(solve).collect::<Vec<T>>();
     std::thread::scope(|scope| {
-        let chunks = lengths.chunks(lengths.len().div_ceil(cores)).map(|chunk| scope.spawn(of_chunk(chunk.to_vec())));
+        let chunks = places.chunks(places.len().div_ceil(cores)).map(|chunk| scope.spawn(of_chunk(chunk.to_vec())));
         let running: Vec<_> = chunks.collect();
         running
             .into_iter()
@@ -226,8 +195,8 @@ impl SteelCoil {
         shape.holds_at(shortest, pitch)?;
         shape.holds_at(longest, pitch)?;
         check(longest > shortest, "longest length", longest, "m", format!("above the shortest, {shortest} m"))?;
-        let grid = Grid::new(range, NODES);
-        let turns = on_all_cores(grid.lengths(), |length| Turns::new(&shape, length));
+        let grid = by_inverse_length(range, NODES);
+        let turns = on_all_cores(lengths(&grid), |length| Turns::new(&shape, length));
         Ok(Self { coil: *coil, measured_at, shape, leads, range, grid, turns })
     }
 
@@ -284,16 +253,16 @@ impl SteelCoil {
         let rings = self.fitted(permeability).rings;
         let whole = windings as usize;
         let changed = |length: f64| {
-            let [before, here, after] = [1.0 - STEP, 1.0, 1.0 + STEP].map(|times| rings.at(times * length));
+            let [before, here, after] = [1.0 - STEP, 1.0, 1.0 + STEP].map(|times| rings.at(1.0 / (times * length)));
             let by_length = (after - before) / (2.0 * STEP);
-            let by_windings = windings * of_more.at(length) - by_length;
+            let by_windings = windings * of_more.at(1.0 / length) - by_length;
             let disc = Disc::new((1.0 + WIDER) * self.shape.coil_radius(length), wire_radius, length / windings);
             let wider = Susceptible::new(&Row::new(&disc, whole), whole).inductance(permeability);
-            let by_radius = (wider / of_whole.at(length)).ln() / WIDER * here;
+            let by_radius = (wider / of_whole.at(1.0 / length)).ln() / WIDER * here;
             [by_windings, by_radius, here - by_radius - by_length]
         };
-        let few = Grid::new(self.range, FEW_NODES);
-        let changes = on_all_cores(few.lengths(), changed);
+        let few = by_inverse_length(self.range, FEW_NODES);
+        let changes = on_all_cores(lengths(&few), changed);
         let of = |which: usize| few.through(&changes.iter().map(|change| change[which]).collect::<Vec<f64>>());
         Changes { by: [of(0), of(1), of(2)] }
     }
@@ -336,6 +305,6 @@ impl SteelCurve {
         if !(shortest..=longest).contains(&length) {
             return f64::NAN;
         }
-        self.rings.at(length) + self.leads.along(length, self.shape.coil_radius(length))
+        self.rings.at(1.0 / length) + self.leads.along(length, self.shape.coil_radius(length))
     }
 }

@@ -9,11 +9,13 @@
 mod coil;
 mod disc;
 mod field;
+mod grid;
 mod leads;
 mod moving;
 mod pairs;
 mod surface;
 mod susceptible;
+mod turns;
 
 pub(crate) use self::coil::{Changes, LEAST_FITTED};
 pub use self::coil::{SteelCoil, SteelCurve};
@@ -22,6 +24,7 @@ pub use self::leads::{Leads, inductance_along};
 pub use self::moving::SteelWindings;
 use self::surface::Row;
 use self::susceptible::Susceptible;
+pub use self::turns::SteelTurns;
 use crate::error::{Error, above_zero, check};
 
 /// A row of equal turns of round wire of one permeability.
@@ -41,6 +44,8 @@ const MOST_TURNS: usize = 150;
 pub(crate) const MOST_PERMEABLE: f64 = 20.0;
 /// The shortest pitch in wire diameters for which magnetic wire is solved: nearer edges need more points, and real turns touch.
 pub const LEAST_PITCH: f64 = 1.04;
+/// The same where a hundredth of what magnetisation adds does not matter.
+pub(crate) const CLOSE: f64 = 1.02;
 
 impl PermeableRings {
     /// Turns by their number, the radius to the wire's middle \[m\], the wire's radius \[m\] and its relative permeability \[1\].

@@ -104,14 +104,21 @@ impl Pairs {
         (matrix, right, seen, currents)
     }
 
-    fn solved(matrix: LU<f64, Dyn, Dyn>, right: &DMatrix<f64>, permeability: f64) -> Result<DMatrix<f64>, Error> {
-        matrix.solve(right).ok_or_else(|| Error::Value {
-            field: Some("permeability"),
-            quantity: "permeability".into(),
-            value: permeability,
-            unit: "",
-            allowed: "one at which the wires' surfaces can be solved for".into(),
-        })
+    /// A⁻¹ B.
+    fn solved(matrix: &LU<f64, Dyn, Dyn>, right: &DMatrix<f64>, permeability: f64) -> Result<DMatrix<f64>, Error> {
+        matrix.solve(right).ok_or_else(|| unsolved(permeability))
+    }
+
+    /// A⁻ᵀ c: PA = LU, so that Aᵀ y = c where Uᵀ z = c, Lᵀ w = z, y = Pᵀ w.
+    fn solved_transposed(
+        matrix: &LU<f64, Dyn, Dyn>,
+        right: &DVector<f64>,
+        permeability: f64,
+    ) -> Result<DVector<f64>, Error> {
+        let upper = matrix.lu_internal().tr_solve_upper_triangular(right).ok_or_else(|| unsolved(permeability))?;
+        let mut solution = matrix.l().tr_solve_lower_triangular(&upper).ok_or_else(|| unsolved(permeability))?;
+        matrix.p().inv_permute_rows(&mut solution);
+        Ok(solution)
     }
 
     /// L over μ₀ \[m\].
@@ -120,7 +127,7 @@ impl Pairs {
     /// [`Error::Value`] for a permeability at which there is no solution.
     pub fn inductance(&self, permeability: f64) -> Result<f64, Error> {
         let (matrix, right, seen, currents) = self.system(permeability);
-        let surface = Self::solved(matrix.lu(), &DMatrix::from_columns(&[right]), permeability)?;
+        let surface = Self::solved(&matrix.lu(), &DMatrix::from_columns(&[right]), permeability)?;
         Ok(currents + seen.dot(&surface.column(0)))
     }
 
@@ -133,9 +140,9 @@ impl Pairs {
         let drive = twice * permeability;
         let turns = self.turns;
         let (matrix, right, seen, currents) = self.system(permeability);
-        let adjoint =
-            Self::solved(matrix.transpose().lu(), &DMatrix::from_columns(std::slice::from_ref(&seen)), permeability)?;
-        let surface = Self::solved(matrix.clone().lu(), &DMatrix::from_columns(&[right]), permeability)?;
+        let matrix = matrix.lu();
+        let adjoint = Self::solved_transposed(&matrix, &seen, permeability)?;
+        let surface = Self::solved(&matrix, &DMatrix::from_columns(&[right]), permeability)?;
         let inductance = currents + seen.dot(&surface.column(0));
         let mut gradient = DVector::zeros(turns);
         let mut hessian = DMatrix::zeros(turns, turns);
@@ -172,8 +179,19 @@ impl Pairs {
                 }
             }
         }
-        let answered = sees.transpose() * Self::solved(matrix.lu(), &pushes, permeability)?;
+        let answered = sees.transpose() * Self::solved(&matrix, &pushes, permeability)?;
         hessian += &answered + answered.transpose();
         Ok(Derivatives { inductance, gradient, hessian })
+    }
+}
+
+/// Why there is no solution.
+fn unsolved(permeability: f64) -> Error {
+    Error::Value {
+        field: Some("permeability"),
+        quantity: "permeability".into(),
+        value: permeability,
+        unit: "",
+        allowed: "one at which the wires' surfaces can be solved for".into(),
     }
 }

@@ -1,0 +1,142 @@
+//! The spring as an inductance: Maxwell's sum, and what its wire adds where the spec says that it is magnetic.
+//!
+//! Next door: a spring simulated (`crate::study`), the science (`coilsense::inductance`), what that leaves uncertain (`crate::analysis`).
+
+use coilsense::Error;
+use coilsense::inductance::{BoundedInductance, MaxwellSum, OverLength, SteelTurns, SteelWindings};
+use coilsense::motion::Windings;
+
+use super::SpringSpec;
+
+/// A relative permeability so far above 1 changes L.
+pub const MAGNETIC: f64 = 0.01;
+
+/// The windings of a spec's spring as an inductance.
+#[derive(Debug, Clone)]
+pub enum SpringInductance {
+    /// Of wire that is not magnetic, or of which nobody says that it is.
+    Air(MaxwellSum),
+    /// Of magnetic wire.
+    Magnetic(Box<SteelWindings>),
+}
+
+/// L of magnetic wire over a series, and how far it may be off.
+#[derive(Debug, Clone)]
+pub struct Magnetised {
+    /// L \[H\], shape `samples`.
+    pub inductances: Vec<f64>,
+    /// How far it may be off, either way \[H\], shape `samples`.
+    pub doubts: Vec<f64>,
+    /// Whether windings are so uneven that L takes magnetisation as that of even ones; shape `samples`.
+    pub beyond: Vec<bool>,
+}
+
+impl SpringInductance {
+    /// Of a spec's spring whose windings move, at lengths about its operating range.
+    pub fn of(spring: &SpringSpec) -> Self {
+        let told = spring.magnetic_turns().and_then(Result::ok).and_then(|turns| SteelWindings::of(turns).ok());
+        told.map_or_else(|| Self::Air(spring.inductance_in_air()), |turns| Self::Magnetic(Box::new(turns)))
+    }
+
+    /// Maxwell's sum, by itself.
+    pub fn in_air(&self) -> &MaxwellSum {
+        match self {
+            Self::Air(sum) => sum,
+            Self::Magnetic(turns) => turns.at_rest().in_air(),
+        }
+    }
+
+    /// The windings, where they are magnetic.
+    pub fn steel(&self) -> Option<&SteelWindings> {
+        match self {
+            Self::Air(_) => None,
+            Self::Magnetic(turns) => Some(turns),
+        }
+    }
+
+    /// L \[H\] of every sample, shape `samples`.
+    pub fn series(&self, windings: &Windings) -> Vec<f64> {
+        match self {
+            Self::Air(sum) => sum.series(windings),
+            Self::Magnetic(turns) => Magnetised::of(turns, windings).inductances,
+        }
+    }
+}
+
+impl OverLength for SpringInductance {
+    fn at_length(&self, length: f64) -> f64 {
+        match self {
+            Self::Air(sum) => sum.at_length(length),
+            Self::Magnetic(turns) => turns.at_length(length),
+        }
+    }
+
+    fn at_lengths(&self, lengths: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Air(sum) => sum.at_lengths(lengths),
+            Self::Magnetic(turns) => turns.at_lengths(lengths),
+        }
+    }
+}
+
+impl Magnetised {
+    /// Of every sample of a motion.
+    pub fn of(turns: &SteelWindings, windings: &Windings) -> Self {
+        let series = turns.series(windings);
+        let beyond: Vec<bool> = series.iter().map(|sample| sample.bound.is_infinite()).collect();
+        let even = |sample: usize| {
+            let [first, last] = windings.ends(sample);
+            turns.at_length(last - first)
+        };
+        // Of windings too uneven to be followed: no more than all that uneven spacing does to the sum.
+        let doubt = |(sample, found): (usize, &BoundedInductance)| match beyond[sample] {
+            true => (found.inductance - even(sample)).abs(),
+            false => found.bound,
+        };
+        let doubts = series.iter().enumerate().map(doubt).collect();
+        Self { inductances: series.iter().map(|sample| sample.inductance).collect(), doubts, beyond }
+    }
+}
+
+impl SpringSpec {
+    /// Maxwell's sum over its windings, their wire not magnetic.
+    pub fn inductance_in_air(&self) -> MaxwellSum {
+        MaxwellSum::new(&self.spring, self.self_distance)
+    }
+
+    /// L over length, the windings at rest.
+    pub fn inductance_at_rest(&self) -> Box<dyn OverLength> {
+        match self.magnetic_turns().and_then(Result::ok) {
+            Some(turns) => Box::new(turns),
+            None => Box::new(self.inductance_in_air()),
+        }
+    }
+
+    /// Whether the spec says that its wire is magnetic.
+    pub fn is_magnetic(&self) -> bool {
+        self.geometry.material().relative_permeability().is_some_and(|relative| relative > 1.0 + MAGNETIC)
+    }
+
+    /// Its windings at rest where the spec says that their wire is magnetic, or why their inductance is not told.
+    pub fn magnetic_turns(&self) -> Option<Result<SteelTurns, Unmagnetised>> {
+        let permeability = self.geometry.material().relative_permeability().filter(|_| self.is_magnetic())?;
+        if !cfg!(feature = "steel") {
+            return Some(Err(Unmagnetised::LeftOut));
+        }
+        let (shortest, longest) = self.spring.operating_range();
+        let wire = self.spring.wire_radius();
+        let turns = SteelTurns::over(&self.inductance_in_air(), wire, permeability, [shortest, longest]);
+        Some(turns.map_err(Unmagnetised::Refused))
+    }
+}
+
+/// Why L is that of wire that is not magnetic though the spec says otherwise.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Unmagnetised {
+    /// This build has no theory of it.
+    #[error("this build leaves that out")]
+    LeftOut,
+    /// The science does not tell it.
+    #[error(transparent)]
+    Refused(Error),
+}
