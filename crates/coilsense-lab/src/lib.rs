@@ -35,6 +35,9 @@ pub mod output;
 /// A coil as a helix, its ends held as they are.
 pub mod helix;
 
+/// A calibration as a file: an inductance to a length and a force.
+pub mod stored;
+
 /// A TOML file to a checked input model.
 pub mod spec;
 

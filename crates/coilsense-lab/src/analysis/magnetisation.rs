@@ -2,10 +2,12 @@
 //!
 //! Next door: the other warnings (`warnings`), the inductance itself (`crate::spec::SpringInductance`).
 
+use coilsense::inductance::direct_up_to;
+
 use super::case::Case;
 use super::warnings::{Subject, Warning};
 use crate::quantity::digits;
-use crate::spec::Spec;
+use crate::spec::{SensorSpec, Spec, SpringSpec};
 
 /// Where L is not that of the wire that the spec tells of, and where its windings are too uneven.
 pub(super) fn of(spec: &Spec, cases: &[Case]) -> Vec<Warning> {
@@ -28,4 +30,29 @@ pub(super) fn of(spec: &Spec, cases: &[Case]) -> Vec<Warning> {
         ))
     };
     cases.iter().filter(uneven).map(told).collect()
+}
+
+/// Of stainless spring wire \[Ω m\], as four measured springs have it.
+const STAINLESS: f64 = 7.5e-7;
+
+/// A meter at whose frequency the current crowds in the wire's skin.
+pub(super) fn frequency(spring: &SpringSpec, sensor: &SensorSpec) -> Option<Warning> {
+    let frequency = sensor.frequency?;
+    let wire = spring.geometry.material();
+    let resistivity = wire.resistivity().unwrap_or(STAINLESS);
+    let permeability = wire.relative_permeability().unwrap_or(1.0).max(1.0);
+    let limit = direct_up_to(spring.spring.wire_radius(), resistivity, permeability).ok()?;
+    (frequency > limit).then(|| Warning {
+        subject: Subject::Magnetisation,
+        text: format!(
+            "{}: at {} kHz the current crowds in the wire's skin, which L and F_L leave out: they hold up to {} kHz for this wire{}. Calibrate at the frequency in use.",
+            sensor.name,
+            digits(1e-3 * frequency),
+            digits(1e-3 * limit),
+            match wire.relative_permeability() {
+                Some(_) => "",
+                None => " if it is not magnetic, and less far if it is",
+            }
+        ),
+    })
 }

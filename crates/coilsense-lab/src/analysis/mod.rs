@@ -343,7 +343,12 @@ impl Analysis {
 fn perfect_sensors(spec: &Spec) -> Vec<SensorSpec> {
     let nominal = spec.spring.spring.nominal_force();
     let load_cell = |end, name| SensorSpec::perfect(name, Quantity::Force(end), nominal);
-    let coil = Quantity::Inductance { uncalibrated: false, form: 0.0, magnetic: false, remounting: 0.0 };
+    let coil = Quantity::Inductance {
+        uncalibrated: false,
+        form: 0.0,
+        form_by: coilsense::sensors::FormBy::Measured,
+        remounting: 0.0,
+    };
     let (shortest, longest) = spec.spring.spring.operating_range();
     let mut sensors = vec![
         load_cell(coilsense::End::One, "perfect load cell, end 1"),

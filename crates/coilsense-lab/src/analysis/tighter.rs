@@ -56,7 +56,7 @@ fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
             *sensor.quantity.remounting_mut()? = 0.0;
             "a spring that is zeroed at one known length after each mounting".to_owned()
         }
-        cause::MEASURED_FORM | cause::MAGNETIC_FORM => {
+        cause::MEASURED_FORM | cause::MAGNETIC_FORM | cause::STEEL_FORM | cause::STORED_FORM => {
             let text = percent(sensor.quantity.form_mut()?, share)?;
             format!("a calibration that fits within {text} of the travel")
         }

@@ -92,6 +92,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     for (index, sensor) in sensors.iter().enumerate() {
         warnings.extend(alias(judge, sensor)?);
         warnings.extend(range(spec, index, sensor, cases));
+        warnings.extend(magnetisation::frequency(&spec.spring, sensor));
     }
     warnings.extend(magnetisation::of(spec, cases));
     warnings.extend(temperature(spec, sensors));

@@ -3,7 +3,7 @@
 //! Next door: the numbers (`outcome`).
 
 use coilsense::calibrate::{Permeability, SteelFit};
-use coilsense::inductance::Leads;
+use coilsense::inductance::{Leads, direct_up_to};
 
 use super::median::median;
 use super::{Curve, Outcome, Relation};
@@ -194,17 +194,13 @@ const LARGE: f64 = 6.0;
 const FAR: f64 = 0.02;
 /// Of stainless spring wire \[Ω m\], as four measured springs have it (7.2e-7 to 8.1e-7).
 const STAINLESS: f64 = 7.5e-7;
-/// A wire's radius in skin depths up to which direct current's theory holds to 0.1 % of L.
-const SKIN: f64 = 0.5;
 
 /// Whether the meter's frequency is too high for a theory of direct current.
 fn frequency(outcome: &Outcome, fit: &SteelFit) -> Option<String> {
     let frequency = outcome.plan.steel.frequency?;
     let wire = outcome.plan.coil?.wire_radius();
-    let angular = std::f64::consts::TAU * frequency;
-    let depth = (2.0 * STAINLESS / (angular * coilsense::inductance::MU_0 * fit.permeability.max(1.0))).sqrt();
-    (wire > SKIN * depth).then(|| {
-        let limit = frequency * (SKIN * depth / wire).powi(2);
+    let limit = direct_up_to(wire, STAINLESS, fit.permeability.max(1.0)).ok()?;
+    (frequency > limit).then(|| {
         format!(
             "At {} kHz the skin effect matters, which this theory leaves out: for stainless wire of this thickness it holds up to {} kHz.",
             digits(1e-3 * frequency),

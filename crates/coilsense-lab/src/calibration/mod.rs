@@ -22,16 +22,16 @@ pub use answer::answer;
 pub(crate) use answer::with_error;
 pub use applied::Applied;
 pub use curve::Curve;
-pub use force::ForceLaw;
 pub use lab_data::{lab_data_of_text, read_lab_data};
 pub use measured::{Measured, Unused};
 pub(crate) use median::median;
 pub use outcome::{Assessment, Outcome, THEORY_POINTS};
 pub use plan::{Method, Plan, Preload, Relation, SteelPlan};
-pub use stored::{Reading, StoredCalibration};
 pub use taken::{ByNumber, Contest, Rival, Taken};
 
 use crate::message::Message;
+use crate::stored::StoredError;
+pub use crate::stored::{ForceLaw, Reading, StoredCalibration};
 
 /// A calibration that cannot be made: one line with the file or quantity, the value and what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -46,6 +46,12 @@ impl CalibrationError {
     /// Of a file, with what is wrong in it.
     pub(crate) fn of(file: &str, message: impl Into<Message>) -> Self {
         Self(Message::from(format!("{file}: ")) + message)
+    }
+}
+
+impl From<StoredError> for CalibrationError {
+    fn from(error: StoredError) -> Self {
+        Self(error.into())
     }
 }
 

@@ -123,7 +123,7 @@ impl<'a> Draft<'a> {
         let document = &self.document;
         let Core { spring, mount, conditions, goal, beside } = self.core(files)?;
         let strength = StrengthSpec::parse(&document.springs()?[0])?;
-        let sensors = SensorSpec::parse_all(document, &spring)?;
+        let sensors = SensorSpec::parse_all(document, &spring, files)?;
         Ok(Spec {
             rig: RigSpec::parse(document, &sensors)?,
             uncertainty: UncertaintySpec::parse(document)?,

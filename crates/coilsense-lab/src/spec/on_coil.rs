@@ -2,11 +2,14 @@
 //!
 //! Next door: the other kinds (`measurand`), what eq. (13) leaves of magnetic wire (`coilsense::sensors::magnetic_form`).
 
-use coilsense::sensors::{Quantity, magnetic_form, usual_form};
+use coilsense::inductance::Leads;
+use coilsense::sensors::{FormBy, Quantity, magnetic_form, usual_form};
 
 use super::inductance::MAGNETIC;
 use super::section::Section;
-use super::{SpecError, SpringSpec};
+use super::{Files, SpecError, SpringSpec, plain};
+use crate::quantity::Dimension;
+use crate::stored::StoredCalibration;
 
 /// How eq. (13), or what stands in for it, was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,6 +22,8 @@ enum Calibrated {
     Steel,
     /// Not at all.
     Theory,
+    /// By measured points, stored in a file.
+    Stored,
 }
 
 impl Calibrated {
@@ -33,42 +38,98 @@ const STEEL: f64 = 0.003;
 /// What mounting a spring anew adds: runs held out against another run's calibration were 0.5 to 0.7 % of the travel off.
 const REMOUNTING: f64 = 0.007;
 
-/// What it measures, by its table.
-pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec) -> Result<Quantity, SpecError> {
-    let word = section.optional_word("calibration", &Calibrated::ALL.map(|(word, _)| word))?;
-    let way =
-        Calibrated::ALL.into_iter().find(|(name, _)| Some(*name) == word).map_or(Calibrated::Fitted, |(_, way)| way);
+/// What it measures, by its table; `files` reads a stored calibration.
+pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_>) -> Result<Quantity, SpecError> {
+    let leads = leads(section, spec)?;
+    let told = section.optional_text("calibration")?;
+    let stored = told.as_deref().filter(|text| text.ends_with(ENDING));
+    let way = match &told {
+        None => Calibrated::Fitted,
+        Some(text) => {
+            let known = Calibrated::ALL.into_iter().find(|(name, _)| name == text).map(|(_, way)| way);
+            match known.or(stored.map(|_| Calibrated::Stored)) {
+                Some(way) => way,
+                None => {
+                    let words = Calibrated::ALL.map(|(name, _)| format!("{name:?}")).join(", ");
+                    return Err(section.refuse(
+                        "calibration",
+                        format!("must be one of {words}, or a file that coilsense calibrate wrote, {ENDING}"),
+                    ));
+                }
+            }
+        }
+    };
     let uncalibrated = way == Calibrated::Theory;
+    let of =
+        |form: f64, form_by: FormBy, remounting: f64| Quantity::Inductance { uncalibrated, form, form_by, remounting };
     if let Some(form) = section.share("calibration_form")? {
-        return Ok(Quantity::Inductance { uncalibrated, form, magnetic: false, remounting: 0.0 });
+        return Ok(of(form, FormBy::Measured, 0.0));
+    }
+    if let Some(name) = stored {
+        let [form, remounting] = self::stored(name, spec, files).map_err(|why| section.refuse("calibration", why))?;
+        return Ok(of(form, FormBy::Stored, remounting));
     }
     let wire = spec.geometry.material();
     let usual = usual_form(uncalibrated, wire);
     let relative = wire.relative_permeability().unwrap_or(1.0);
     let largest = relative * (1.0 + spec.tolerances.permeability);
-    let (form, magnetic, remounting) = match way {
-        Calibrated::Theory => (usual, false, 0.0),
-        Calibrated::Steel => (STEEL, false, REMOUNTING),
+    match way {
+        Calibrated::Theory => Ok(of(usual, FormBy::Measured, 0.0)),
+        Calibrated::Steel => Ok(of(STEEL, FormBy::Steel, REMOUNTING)),
         // Of wire whose permeability is told, what eq. (13) leaves is computed.
         Calibrated::Fitted | Calibrated::TwoPoint if largest > 1.0 + MAGNETIC => {
-            let through_ends = way == Calibrated::TwoPoint;
             let needs = "needs calibration_form: relative_permeability says that the wire is magnetic";
             if !cfg!(feature = "steel") {
-                return Err(section
-                    .refuse("kind", format!("{needs}, and this build does not compute what eq. (13) then leaves")));
+                let why = format!("{needs}, and this build does not compute what eq. (13) then leaves");
+                return Err(section.refuse("kind", why));
             }
-            let found = magnetic_form(&spec.spring, largest, through_ends);
-            (
-                found.map_err(|error| {
-                    section
-                        .refuse("kind", format!("{needs}, and what eq. (13) then leaves cannot be computed: {error}"))
-                })?,
-                true,
-                REMOUNTING,
-            )
+            let found = magnetic_form(&spec.spring, largest, way == Calibrated::TwoPoint, leads);
+            let why = |error| format!("{needs}, and what eq. (13) then leaves cannot be computed: {error}");
+            Ok(of(found.map_err(|error| section.refuse("kind", why(error)))?, FormBy::Magnetic, REMOUNTING))
         }
-        Calibrated::Fitted => (usual, false, 0.0),
-        Calibrated::TwoPoint => (THROUGH_ENDS, false, REMOUNTING),
-    };
-    Ok(Quantity::Inductance { uncalibrated, form, magnetic, remounting })
+        Calibrated::Fitted => Ok(of(usual, FormBy::Measured, 0.0)),
+        Calibrated::TwoPoint => Ok(of(THROUGH_ENDS, FormBy::Measured, REMOUNTING)),
+        Calibrated::Stored => Err(section.refuse("calibration", format!("must end in {ENDING}"))),
+    }
+}
+
+/// How a stored calibration's file ends.
+const ENDING: &str = ".toml";
+
+/// Where the current goes back.
+fn leads(section: &Section<'_>, spec: &SpringSpec) -> Result<Leads, SpecError> {
+    match section.optional_text("leads").ok().flatten().as_deref() {
+        None if !section.has("leads") => Ok(Leads::Open),
+        Some("open") => Ok(Leads::Open),
+        Some("none") => Ok(Leads::LeftOut),
+        _ => {
+            let distance = section
+                .optional_quantity("leads", Dimension::Length)
+                .map_err(|error| error.or_also("\"open\" or \"none\""))?
+                .unwrap_or(f64::INFINITY);
+            let radius = spec.spring.coil_radius();
+            let allowed = format!("\"open\", \"none\", or above the coil radius of {} mm", plain(1e3 * radius));
+            section.check("leads", distance > radius && distance.is_finite(), distance, &allowed).map(Leads::Beside)
+        }
+    }
+}
+
+/// How far lengths by a stored calibration may be off over the operating range, and what mounting the spring anew adds, as shares of the travel \[1\].
+fn stored(name: &str, spec: &SpringSpec, files: &Files<'_>) -> Result<[f64; 2], String> {
+    let stored = StoredCalibration::of_text(name, &files(name)?).map_err(|error| error.to_string())?;
+    let (shortest, longest) = spec.spring.operating_range();
+    let [from, to] = stored.lengths();
+    let millimetres = |length: f64| plain((1e6 * length).round() / 1e3);
+    if !(from <= shortest && to >= longest) {
+        return Err(format!(
+            "must hold over the spring's operating range, {} to {} mm, got {} to {} mm",
+            millimetres(shortest),
+            millimetres(longest),
+            millimetres(from),
+            millimetres(to)
+        ));
+    }
+    let doubts =
+        stored.doubts([shortest, longest]).ok_or("does not say how surely it tells lengths: give calibration_form")?;
+    Ok(doubts.map(|doubt| doubt / (longest - shortest)))
 }

@@ -148,7 +148,12 @@ fn paper_laser() -> Result<SensorSpec, SpecError> {
 
 /// Wayne Kerr LCR43100, read to six digits of 10 µH. Noise and limits of error are chosen as typical of its class.
 fn paper_meter() -> Result<SensorSpec, SpecError> {
-    let coil = Quantity::Inductance { uncalibrated: false, form: 0.0, magnetic: false, remounting: 0.0 };
+    let coil = Quantity::Inductance {
+        uncalibrated: false,
+        form: 0.0,
+        form_by: coilsense::sensors::FormBy::Measured,
+        remounting: 0.0,
+    };
     let mut device = class("LCR meter of the paper", coil, 10e-6)?;
     (device.readout.noise, device.readout.resolution) = (0.5e-9, Some(10e-12));
     device.accuracy_reading = 1e-3;

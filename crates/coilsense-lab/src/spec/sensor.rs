@@ -12,7 +12,7 @@ use super::measurand::{KINDS, dimension, measurand};
 use super::on_coil::on_coil;
 use super::section::Section;
 use super::spring::SpringSpec;
-use super::{SpecError, plain};
+use super::{Files, SpecError, plain};
 use crate::quantity::Dimension;
 use crate::series;
 
@@ -35,13 +35,19 @@ pub struct SensorSpec {
     pub calibration_uncertainty: f64,
     /// Of the gain \[1/K\].
     pub temperature_coefficient: f64,
+    /// At what a meter of inductance works \[Hz\].
+    pub frequency: Option<f64>,
 }
 
 /// Most sensors: each reads every case.
 const MOST_SENSORS: usize = 256;
 
 impl SensorSpec {
-    pub(super) fn parse_all(document: &Document<'_>, spring: &SpringSpec) -> Result<Vec<Self>, SpecError> {
+    pub(super) fn parse_all(
+        document: &Document<'_>,
+        spring: &SpringSpec,
+        files: &Files<'_>,
+    ) -> Result<Vec<Self>, SpecError> {
         let sections = document.sections("sensor")?;
         if sections.is_empty() {
             return Ok(Vec::new());
@@ -52,7 +58,7 @@ impl SensorSpec {
         let coil = spring.inductance_at_rest();
         let mut sensors: Vec<Self> = Vec::new();
         for section in sections {
-            let sensor = Self::parse(&section, spring, &*coil)?;
+            let sensor = Self::parse(&section, spring, &*coil, files)?;
             let key = series::key_of(&sensor.name);
             let text = if let Some(other) = sensors.iter().find(|other| series::key_of(&other.name) == key) {
                 format!(
@@ -70,7 +76,12 @@ impl SensorSpec {
         Ok(sensors)
     }
 
-    fn parse(section: &Section<'_>, spec: &SpringSpec, coil: &dyn OverLength) -> Result<Self, SpecError> {
+    fn parse(
+        section: &Section<'_>,
+        spec: &SpringSpec,
+        coil: &dyn OverLength,
+        files: &Files<'_>,
+    ) -> Result<Self, SpecError> {
         let spring = &spec.spring;
         let class = section.optional_text("class")?;
         // A class says its kind; a kind that is given must be that one.
@@ -81,7 +92,7 @@ impl SensorSpec {
         let word = word.map_or_else(|| section.word("kind", &KINDS), Ok)?;
         section.only_of(word, &format!("kind \"{word}\""))?;
         let kind = Kind::named(word).ok_or_else(|| section.refuse("kind", "is no kind of sensor".to_owned()))?;
-        let quantity = measurand(section, kind, || on_coil(section, spec))?;
+        let quantity = measurand(section, kind, || on_coil(section, spec, files))?;
         let natural = kind.natural_range(spring, coil);
         if kind.watches(Channel::Inductance) && natural == 0.0 {
             return Err(section.refuse("kind", single_winding(section, spring)?));
@@ -126,6 +137,7 @@ impl SensorSpec {
             accuracy_reading: 0.0,
             calibration_uncertainty: 0.0,
             temperature_coefficient: 0.0,
+            frequency: None,
         }
     }
 
@@ -172,6 +184,7 @@ impl SensorSpec {
             temperature_coefficient: section
                 .optional_quantity("temperature_coefficient", Dimension::PerKelvin)?
                 .unwrap_or(self.temperature_coefficient),
+            frequency: section.above_zero("frequency", Dimension::Frequency)?.or(self.frequency),
             ..self
         };
         let coefficient = sensor.temperature_coefficient;

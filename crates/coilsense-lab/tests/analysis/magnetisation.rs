@@ -7,7 +7,7 @@ use coilsense_lab::data_sheet::DataSheet;
 use coilsense_lab::spec::SpringInductance;
 use coilsense_lab::study::{self, Coil, Method, Setup};
 
-use super::{HEEL_STRIKE, S_T, STILL, UNDAMPED, run, spec};
+use super::{HEEL_STRIKE, S_A, S_T, STILL, UNDAMPED, run, spec};
 
 const BY_INDUCTANCE: &str = "[[sensor]]\nkind = \"inductance\"\ncalibration_form = \"0 %\"\n";
 
@@ -122,4 +122,82 @@ fn the_data_sheet_has_the_inductance_of_the_wire_that_is_told() {
     };
     let more = of("relative_permeability = 2.5") / of("");
     assert!((1.05..1.2).contains(&more), "{more}");
+}
+
+#[test]
+fn a_meter_too_fast_for_direct_current_is_warned_of_by_its_limit() {
+    let with = |frequency: &str| {
+        let sensor = BY_INDUCTANCE.trim_end().to_owned() + &format!("\nfrequency = \"{frequency}\"\n");
+        let wire = S_T.replacen("[spring]", "[spring]\nrelative_permeability = 2.5", 1);
+        let analysis = run(&format!("{wire}\n{UNDAMPED}{sensor}{STILL}"));
+        magnetic(&analysis).iter().map(|text| (*text).to_owned()).collect::<Vec<_>>()
+    };
+    assert!(with("1 kHz").is_empty());
+    let told = with("200 kHz");
+    assert!(told.len() == 1 && told[0].contains("at 200 kHz the current crowds"), "{told:?}");
+}
+
+/// A stored calibration over lengths \[mm\], with one standard uncertainty \[m\].
+fn stored([from, to]: [f64; 2], length_u: &str) -> String {
+    let row = |index: i32| {
+        let length = 1e-3 * (from + (to - from) * f64::from(index) / 19.0);
+        format!("[{:e}, {length}, {length_u}],", 0.8e-6 / length)
+    };
+    let rows: String = (0..20).map(row).collect();
+    format!("schema = \"coilsense/stored-calibration/1\"\nrelation = \"steel\"\nremounting = 0.0025\nrows = [{rows}]\n")
+}
+
+#[test]
+fn a_stored_calibration_brings_its_own_uncertainty_or_is_refused_by_name() {
+    let spec = |file: Result<String, String>| {
+        let text =
+            format!("{S_T}\n{UNDAMPED}[[sensor]]\nkind = \"inductance\"\ncalibration = \"calibration.toml\"\n{STILL}");
+        coilsense_lab::spec::Spec::parse("test.toml", &text, &|_| file.clone()).map_err(|error| error.to_string())
+    };
+    let (shortest, longest) = spec(Ok(stored([150.0, 320.0], "1e-4"))).unwrap().spring.spring.operating_range();
+    let analysis = Analysis::run(spec(Ok(stored([150.0, 320.0], "1e-4"))).unwrap(), &|_, _| true).unwrap();
+    let k = analysis.spec.spring.spring.stiffness();
+    let own = line(&analysis, "calibration: as stored").unwrap();
+    assert!((own / (k * 1e-4) - 1.0).abs() < 1e-6, "{own}");
+    // 0.25 % of L, and so of l where L = c/l.
+    let mounted = line(&analysis, "calibration: remounting").unwrap() / k;
+    assert!(mounted > 0.0025 * shortest && mounted < 0.0025 * longest, "{mounted}");
+    for (file, said) in [
+        (Err("cannot be read".to_owned()), "cannot be read"),
+        (Ok("schema = 1".to_owned()), "is no stored calibration"),
+        (Ok(stored([220.0, 320.0], "1e-4")), "must hold over the spring's operating range"),
+        (Ok(stored([150.0, 320.0], "nan")), "give calibration_form"),
+    ] {
+        let error = spec(file).unwrap_err();
+        assert!(error.contains(said) && error.contains("calibration"), "{error}");
+    }
+}
+
+#[test]
+fn a_calibration_that_is_neither_word_nor_file_and_leads_inside_the_coil_are_refused() {
+    let refused = |keys: &str| {
+        let text = format!("{S_T}\n{UNDAMPED}[[sensor]]\nkind = \"inductance\"\n{keys}\n{STILL}");
+        coilsense_lab::spec::Spec::parse("test.toml", &text, &|_| Err("none".to_owned())).unwrap_err().to_string()
+    };
+    let error = refused("calibration = \"guessed\"");
+    assert!(error.contains("\"fitted\"") && error.contains("coilsense calibrate wrote"), "{error}");
+    let error = refused("leads = \"2 mm\"");
+    assert!(error.contains("leads") && error.contains("above the coil radius"), "{error}");
+    assert!(refused("leads = \"near\"").contains("open"));
+    assert!(refused("frequency = \"0 Hz\"").contains("frequency"));
+}
+
+#[test]
+fn what_eq_13_leaves_of_magnetic_wire_is_in_the_budget_with_its_leads() {
+    let of = |leads: &str| {
+        let spring = S_A.replacen("[spring]", "[spring]\nrelative_permeability = 2.5", 1);
+        let sensor = format!("[[sensor]]\nkind = \"inductance\"\nleads = \"{leads}\"\n");
+        let analysis = run(&format!("{spring}\n{UNDAMPED}{sensor}{STILL}"));
+        100.0 * line(&analysis, "calibration form: magnetic wire").unwrap()
+            / analysis.spec.spring.spring.nominal_force()
+    };
+    for (leads, percent) in [("none", 1.06), ("50 mm", 1.17), ("open", 1.28)] {
+        let found = of(leads);
+        assert!((found - percent).abs() < 0.01, "{leads}: {found} % of F_nom");
+    }
 }

@@ -15,7 +15,7 @@ fn a_sensor_that_cannot_be_is_refused() {
         ["an unknown kind", r#""deflection""#, r#""potentiometer""#,
             r#"S.toml:32: kind = "potentiometer": must be one of "load-cell", "deflection", "two-encoder", "inductance""#],
         ["an unknown key", "resolution", "resolutoin",
-            r#"S.toml:33: unknown key "resolutoin" in [[sensor]] 1; did you mean "resolution"? Allowed: kind, name, class, end, range, bandwidth, order, delay, averaging, sample_rate, noise, resolution, accuracy_full_scale, accuracy_reading, calibration_uncertainty, temperature_coefficient, compliance, compliance_tolerance, backlash, calibration, calibration_form"#],
+            r#"S.toml:33: unknown key "resolutoin" in [[sensor]] 1; did you mean "resolution"? Allowed: kind, name, class, end, range, bandwidth, order, delay, averaging, sample_rate, noise, resolution, accuracy_full_scale, accuracy_reading, calibration_uncertainty, temperature_coefficient, compliance, compliance_tolerance, backlash, calibration, calibration_form, frequency, leads"#],
         ["a key of another kind", r#"resolution = "10 um""#, "end = 1",
             r#"S.toml:33: end in [[sensor]] 1 is no key of kind "deflection"; allowed: kind, name, class, range, bandwidth, order, delay, averaging, sample_rate, noise, resolution, accuracy_full_scale, accuracy_reading, calibration_uncertainty, temperature_coefficient"#],
         ["an end 3", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"load-cell\"\nend = 3",

@@ -26,6 +26,7 @@ mod reduced;
 mod rings;
 mod second_order;
 mod self_term;
+mod skin;
 mod squares;
 pub mod theories;
 mod turn_block;
@@ -43,4 +44,5 @@ pub use permeable::{
 pub use rings::mutual_inductance_of_rings;
 pub use second_order::{BoundedInductance, SecondOrder};
 pub use self_term::SelfDistance;
+pub use skin::direct_up_to;
 pub use within::BoundedSeries;

@@ -18,6 +18,10 @@ pub const CALIBRATION: &str = "calibration";
 pub const MEASURED_FORM: &str = "calibration form: measured springs";
 /// Eq. (13) departs from a coil of magnetic wire.
 pub const MAGNETIC_FORM: &str = "calibration form: magnetic wire";
+/// The theory of magnetic wire departs from measured springs.
+pub const STEEL_FORM: &str = "calibration form: theory of magnetic wire";
+/// What a stored calibration says of itself.
+pub const STORED_FORM: &str = "calibration: as stored";
 /// A spring that was remounted since it was calibrated has another constant.
 pub const REMOUNTING: &str = "calibration: remounting";
 /// The coil's own theory departs from it.

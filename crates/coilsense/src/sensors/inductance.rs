@@ -94,13 +94,13 @@ pub fn usual_form(uncalibrated: bool, wire: &Material) -> f64 {
 
 /// How far eq. (13) is off over a spring's operating range where its wire is magnetic: rms, a share of the travel \[1\].
 ///
-/// Eq. (13) is fitted to 41 lengths of the range (`through_ends`: passes both its ends) of a coil of that permeability with leads that are far away.
+/// Eq. (13) is fitted to 41 lengths of the range (`through_ends`: passes both its ends) of a coil of that permeability.
 ///
-/// - `permeability`: of the wire, 1 to 20
+/// - `permeability`: of the wire, 1 to 20; `leads`: where the current goes back, [`Leads::LeftOut`] leaves out what flows along the coil
 ///
 /// Source:   [`SteelCoil`]; radius as it is at the rest length.
 /// Valid:    a range in which windings stay 1.02 wire diameters apart; direct current.
-/// Accuracy: S_A at 2.5: 1.06 % of F_nom, 2.4 % through both ends. With a radius that does not shrink 1.095 and 2.456 %, and 1.092 and 2.443 % by the finite
+/// Accuracy: S_A at 2.5, without the current along the coil: 1.06 % of F_nom, 2.4 % through both ends (1.28 and 2.8 % with open leads). With a radius that does not shrink 1.095 and 2.456 %, and 1.092 and 2.443 % by the finite
 ///           elements of `reference/permeable_rings.py`.
 ///
 /// # Errors
@@ -109,14 +109,14 @@ pub fn usual_form(uncalibrated: bool, wire: &Material) -> f64 {
 /// ```
 /// let s_a = coilsense::paper::s_a();
 /// let travel = s_a.operating_range().1 - s_a.operating_range().0;
-/// let force = coilsense::sensors::magnetic_form(&s_a, 2.5, false)? * travel * s_a.stiffness();
+/// let leads = coilsense::inductance::Leads::LeftOut;
+/// let force = coilsense::sensors::magnetic_form(&s_a, 2.5, false, leads)? * travel * s_a.stiffness();
 /// assert!((force / s_a.nominal_force() - 0.0106).abs() < 2e-4);
 /// # Ok::<(), coilsense::Error>(())
 /// ```
-pub fn magnetic_form(spring: &Spring, permeability: f64, through_ends: bool) -> Result<f64, Error> {
+pub fn magnetic_form(spring: &Spring, permeability: f64, through_ends: bool, leads: Leads) -> Result<f64, Error> {
     let (shortest, longest) = spring.operating_range();
-    let coil =
-        SteelCoil::from_pitch(&Coil::of(spring)?, spring.rest_length(), Leads::LeftOut, [shortest, longest], CLOSE)?;
+    let coil = SteelCoil::from_pitch(&Coil::of(spring)?, spring.rest_length(), leads, [shortest, longest], CLOSE)?;
     let curve = coil.of(permeability)?;
     let step = (longest - shortest) / (MISFIT_LENGTHS - 1) as f64;
     // The last one by itself: rounding must not step over the end.
@@ -128,21 +128,34 @@ pub fn magnetic_form(spring: &Spring, permeability: f64, through_ends: bool) -> 
     Ok(InverseLengthFit::new(&points, method)?.misfit.rmse_share_of_range)
 }
 
+/// How it is known how far a calibration departs from a spring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FormBy {
+    /// By measured springs: [`usual_form`].
+    #[default]
+    Measured,
+    /// Computed, of eq. (13) on magnetic wire: [`magnetic_form`].
+    Magnetic,
+    /// By what the theory of magnetic wire left of measured springs, which is not eq. (13).
+    Steel,
+    /// By the calibration of this very spring, whatever its form.
+    Stored,
+}
+
 /// A calibrated meter, and how far a measured spring departs from its calibration's form.
 #[derive(Debug, Clone)]
 struct OnCoil {
     meter: InductanceSensor,
     /// Share of the travel \[1\].
     form: f64,
-    /// Whether that was computed of magnetic wire.
-    magnetic: bool,
+    form_by: FormBy,
     /// What mounting the spring anew adds, likewise.
     remounting: f64,
 }
 
-pub(super) fn on(site: &Site<'_>, [form, remounting]: [f64; 2], magnetic: bool) -> Result<Arc<dyn Sensor>, Error> {
+pub(super) fn on(site: &Site<'_>, [form, remounting]: [f64; 2], form_by: FormBy) -> Result<Arc<dyn Sensor>, Error> {
     let calibration = Calibration::theoretical(site.spring, site.coil, site.mean_length)?;
-    Ok(Arc::new(OnCoil { meter: InductanceSensor::new(site.spring, calibration), form, magnetic, remounting }))
+    Ok(Arc::new(OnCoil { meter: InductanceSensor::new(site.spring, calibration), form, form_by, remounting }))
 }
 
 impl Sensor for OnCoil {
@@ -164,16 +177,18 @@ impl Sensor for OnCoil {
 
     /// How far eq. (13) is off in length, and which of two reasons says so.
     ///
-    /// The larger of the departure of measured springs and that of the coil's own theory, uniform over the operating range: what was
-    /// measured holds the theory's part, so adding both would count it twice. It stands for all lengths in use, though a condition of
+    /// Of usual figures the larger of the departure of measured springs and that of the coil's own theory, uniform over the operating range: what was
+    /// measured holds the theory's part, so adding both would count it twice. What was computed, or measured of this spring, is that alone. It stands for all lengths in use, though a condition of
     /// use visits those near its mean length only, where eq. (13) is forced to be right.
     fn own_causes(&self, site: &Site<'_>) -> Vec<Cause> {
         let measured = self.form * travel(site.spring);
         let theory = misfit(site.spring, site.coil, self.meter.calibration());
-        let (name, form) = match (measured >= theory, self.magnetic) {
-            (true, true) => (cause::MAGNETIC_FORM, measured),
-            (true, false) => (cause::MEASURED_FORM, measured),
-            (false, _) => (cause::THEORY_FORM, theory),
+        let (name, form) = match (self.form_by, measured >= theory) {
+            (FormBy::Steel, _) => (cause::STEEL_FORM, measured),
+            (FormBy::Stored, _) => (cause::STORED_FORM, measured),
+            (FormBy::Magnetic, _) => (cause::MAGNETIC_FORM, measured),
+            (FormBy::Measured, true) => (cause::MEASURED_FORM, measured),
+            (FormBy::Measured, false) => (cause::THEORY_FORM, theory),
         };
         let mounted = Cause::normal(Place::Length, cause::REMOUNTING, self.remounting * travel(site.spring));
         Cause::normal(Place::Length, name, form).into_iter().chain(mounted).collect()

@@ -22,7 +22,7 @@ mod two_encoder;
 
 pub use cause::{Cause, Place};
 pub use deflection::deflection_force;
-pub use inductance::{InductanceSensor, magnetic_form, usual_form};
+pub use inductance::{FormBy, InductanceSensor, magnetic_form, usual_form};
 pub use instrument::Instrument;
 pub use measurement::{Limits, Measurement, SpringDoubt};
 pub use readout::{MAX_ORDER, Readout, ReadoutParameters};
@@ -73,8 +73,8 @@ pub enum Quantity {
         uncalibrated: bool,
         /// Standard deviation of the departure from eq. (13)'s form, as a share of the travel \[1\].
         form: f64,
-        /// Whether that was computed of magnetic wire: [`magnetic_form`].
-        magnetic: bool,
+        /// How that is known.
+        form_by: FormBy,
         /// Standard deviation of what mounting the spring anew adds, as a share of the travel \[1\].
         remounting: f64,
     },
@@ -156,8 +156,8 @@ impl Quantity {
             Self::TwoEncoder { compliance, compliance_tolerance, backlash } => {
                 two_encoder::on(site, compliance, compliance_tolerance, backlash)
             }
-            Self::Inductance { uncalibrated: _, form, magnetic, remounting } => {
-                inductance::on(site, [form, remounting], magnetic)
+            Self::Inductance { uncalibrated: _, form, form_by, remounting } => {
+                inductance::on(site, [form, remounting], form_by)
             }
         }
     }

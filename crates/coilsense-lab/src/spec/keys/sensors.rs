@@ -76,7 +76,7 @@ pub(super) const SENSOR: Table = Table {
             "calibration",
             "\"fitted\"",
             "of L over length: eq. (13) `fitted` to measured lengths, or `two-point` (the ends of the range); `steel` (the theory of magnetic wire, from two points on); or \
-             `theory` (an uncalibrated Maxwell sum)",
+             `theory` (an uncalibrated Maxwell sum). Or the file `calibration.toml` that `coilsense calibrate --out` wrote, beside the spec: its own uncertainty over the operating range then counts",
             "`fitted`",
         )
         .of(COIL),
@@ -87,6 +87,20 @@ pub(super) const SENSOR: Table = Table {
             "`\"1.3 %\"` of `fitted`, `\"1.4 %\"` of `two-point`, `\"0.3 %\"` of `steel`. Where `relative_permeability` with its tolerance is above 1.01: what eq. (13), fitted or \
              through two points, leaves of such a coil. All but the first with 0.7 % for remounting. Of `theory` `\"30 %\"`, and `\"14 %\"` of a wire whose \
              `relative_permeability` is known to be 1 within 1 %",
+        )
+        .of(COIL),
+        optional(
+            "frequency",
+            "\"1 kHz\"",
+            "at what the meter works: L is that of direct current, and a frequency at which the current crowds in the wire's skin is warned of",
+            "none",
+        )
+        .of(COIL),
+        optional(
+            "leads",
+            "\"50 mm\"",
+            "where the meter's current goes back: `open` (far away), the distance of the return lead from the coil's axis, or `none` (what flows along the coil is left out); it counts where what eq. (13) leaves is computed",
+            "`open`",
         )
         .of(COIL),
     ],
