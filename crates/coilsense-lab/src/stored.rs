@@ -320,17 +320,22 @@ impl ForceLaw {
 
 /// A file that is no stored calibration, or a question beyond it: one line with the file, the value and what is allowed.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct StoredError(String);
+#[error("{file}: {message}")]
+pub struct StoredError {
+    /// The file.
+    pub file: String,
+    /// What is wrong, the value and what is allowed.
+    pub message: String,
+}
 
 impl StoredError {
     fn of(file: &str, message: String) -> Self {
-        Self(format!("{file}: {message}"))
+        Self { file: file.to_owned(), message }
     }
 }
 
 impl From<StoredError> for Message {
     fn from(error: StoredError) -> Self {
-        Self::from(error.0)
+        Self::from(error.to_string())
     }
 }

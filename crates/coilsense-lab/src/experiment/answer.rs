@@ -2,8 +2,9 @@
 //!
 //! Next door: the numbers (`outcome`, `findings`).
 
-use super::{Drift, Experiment, FORCES, Findings, Offset};
+use super::{Curve, Drift, Experiment, FORCES, Findings, Offset};
 use crate::quantity::digits;
+use crate::stored::StoredCalibration;
 
 /// Probability below which a drift counts as seen.
 const CHANCE: f64 = 0.01;
@@ -103,17 +104,28 @@ fn spring(experiment: &Experiment) -> String {
         _ => format!("k = {:.2} N/m as given", line.stiffness),
     };
     let curve = match &experiment.curve {
-        Some(curve) => match &curve.fit {
-            Some(fit) => format!(
-                "; 1/l = αL + β fitted {}leaves {} mm RMS",
-                if curve.through.is_some() { "through the preload " } else { "" },
-                digits(1e3 * fit.misfit.rmse)
-            ),
-            None => "; 1/l = αL + β as given".to_owned(),
-        },
+        Some(Curve::InverseLength { fit: Some(fit), through, .. }) => format!(
+            "; 1/l = αL + β fitted {}leaves {} mm RMS",
+            if through.is_some() { "through the preload " } else { "" },
+            digits(1e3 * fit.misfit.rmse)
+        ),
+        Some(Curve::InverseLength { .. }) => "; 1/l = αL + β as given".to_owned(),
+        Some(Curve::Stored(stored)) => format!("; {}", of_file(stored)),
         None => String::new(),
     };
     format!("{stiffness}, {:.3} mm long where positions read zero{curve}.", 1e3 * line.length_at_zero)
+}
+
+/// What a stored calibration is, and how surely it tells a length.
+fn of_file(stored: &StoredCalibration) -> String {
+    let doubt = match stored.doubts(stored.lengths()) {
+        Some([own, mounted]) => {
+            let anew = if mounted > 0.0 { " (remounting included)" } else { "" };
+            format!("standard uncertainty of length {} mm{anew}", digits(1e3 * own.hypot(mounted)))
+        }
+        None => "its uncertainty unknown".to_owned(),
+    };
+    format!("length from L by {}, {doubt}", stored.name)
 }
 
 /// A number with its sign, a true minus.

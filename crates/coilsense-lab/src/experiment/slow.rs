@@ -36,12 +36,11 @@ impl Slow {
 
     /// Mean of the force that each reading gives.
     pub(super) fn force(&self, run: &RunSpec, curve: &Curve, line: &SpringLine) -> Result<Mean, ExperimentError> {
-        let lengths: Vec<f64> = self.inductances.iter().map(|&henry| curve.calibration.length(henry)).collect();
-        if let Some(index) = lengths.iter().position(|length| !(*length > 0.0 && length.is_finite())) {
-            let path = run.slow.as_deref().unwrap_or(std::path::Path::new(""));
-            let message =
-                format!("reading {}: {} H lies beyond the pole of 1/l = αL + β", index + 1, self.inductances[index]);
-            return Err(ExperimentError::of(path, message));
+        let mut lengths = Vec::with_capacity(self.inductances.len());
+        for (number, &inductance) in (1..).zip(&self.inductances) {
+            let path = || run.slow.as_deref().unwrap_or(std::path::Path::new(""));
+            let refused = |why: String| ExperimentError::of(path(), format!("reading {number}: {why}"));
+            lengths.push(curve.length(inductance).map_err(refused)?);
         }
         let forces: Vec<f64> = lengths.into_iter().map(|length| line.force(length)).collect();
         Ok(Mean::of(&forces))

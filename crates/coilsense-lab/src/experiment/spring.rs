@@ -10,6 +10,7 @@ use coilsense::calibrate::{Calibration, CalibrationPoints, FitMethod, InverseLen
 use super::ExperimentError;
 use crate::recording::{Account, Cleaning, Mapping, Points};
 use crate::spec::{ExperimentSpec, RunKind};
+use crate::stored::StoredCalibration;
 
 /// From position to length and force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,13 +27,18 @@ pub struct SpringLine {
 
 /// From inductance to length.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
+pub enum Curve {
     /// 1/l = αL + β.
-    pub calibration: Calibration,
-    /// How it was found, where it was not given.
-    pub fit: Option<InverseLengthFit>,
-    /// The preload that it goes through: l \[m\] and L \[H\].
-    pub through: Option<(f64, f64)>,
+    InverseLength {
+        /// α and β.
+        calibration: Calibration,
+        /// How it was found, where it was not given.
+        fit: Option<Box<InverseLengthFit>>,
+        /// The preload that it goes through: l \[m\] and L \[H\].
+        through: Option<(f64, f64)>,
+    },
+    /// The table of a file.
+    Stored(StoredCalibration),
 }
 
 /// All positions at rest of the calibration runs.
@@ -79,6 +85,7 @@ impl AtRest {
         // The curve is taken from all of the positions, or given.
         match without.filter(|_| {
             spec.inverse_length.is_none()
+                && spec.calibration.is_none()
                 && spec.runs.iter().any(|run| run.kind != RunKind::Calibration && run.slow.is_some())
         }) {
             Some(error) => Err(error.into()),
@@ -126,9 +133,13 @@ impl Curve {
         at_rest: &AtRest,
         preload: Option<(f64, f64)>,
     ) -> Result<Option<Self>, ExperimentError> {
+        if let Some(path) = &spec.calibration {
+            let stored = StoredCalibration::read(path);
+            return Ok(Some(Self::Stored(stored.map_err(|error| ExperimentError::of(path, error.message))?)));
+        }
         if let Some((alpha, beta)) = spec.inverse_length {
             let calibration = Calibration::new(alpha, beta).map_err(refuse(spec))?;
-            return Ok(Some(Self { calibration, fit: None, through: None }));
+            return Ok(Some(Self::InverseLength { calibration, fit: None, through: None }));
         }
         if at_rest.inductances.is_empty() {
             return Ok(None);
@@ -140,7 +151,23 @@ impl Curve {
             None => FitMethod::AllPoints,
         };
         let fit = InverseLengthFit::new(&points, method).map_err(refuse(spec))?;
-        Ok(Some(Self { calibration: fit.calibration(), fit: Some(fit), through: preload }))
+        let calibration = fit.calibration();
+        Ok(Some(Self::InverseLength { calibration, fit: Some(Box::new(fit)), through: preload }))
+    }
+
+    /// l \[m\] of an inductance \[H\], or what is allowed.
+    pub(super) fn length(&self, inductance: f64) -> Result<f64, String> {
+        match self {
+            Self::InverseLength { calibration, .. } => {
+                let length = calibration.length(inductance);
+                let holds = length > 0.0 && length.is_finite();
+                holds.then_some(length).ok_or_else(|| format!("{inductance} H lies beyond the pole of 1/l = αL + β"))
+            }
+            Self::Stored(stored) => stored.at(inductance).map(|reading| reading.length).ok_or_else(|| {
+                let [least, most] = stored.inductances();
+                format!("{inductance} H: must be from {least} to {most} H, which {} tells", stored.name)
+            }),
+        }
     }
 }
 

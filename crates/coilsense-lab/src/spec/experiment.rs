@@ -31,6 +31,8 @@ pub struct ExperimentSpec {
     pub length_at_zero: Option<f64>,
     /// α \[1/(H m)\] and β \[1/m\].
     pub inverse_length: Option<(f64, f64)>,
+    /// The file of a stored calibration, in place of that.
+    pub calibration: Option<PathBuf>,
     /// Mapping file of the fast logs.
     pub fast_mapping: Option<PathBuf>,
     /// Mapping file of the slow logs.
@@ -84,6 +86,7 @@ impl ExperimentSpec {
             stiffness: positive("stiffness", Dimension::Stiffness)?,
             length_at_zero: positive("length_at_zero", Dimension::Length)?,
             inverse_length,
+            calibration: path("calibration")?,
             fast_mapping: path("fast_mapping")?,
             slow_mapping: path("slow_mapping")?,
             runs: runs.collect::<Result<_, _>>()?,
@@ -101,6 +104,11 @@ impl ExperimentSpec {
         }
         if !self.has(RunKind::Preload) {
             return refuse("no [[run]] has kind = \"preload\", against which all others are compared".to_owned());
+        }
+        if self.calibration.is_some() && self.inverse_length.is_some() {
+            return refuse(
+                "calibration and [inverse_length] both say what length an inductance is; give one".to_owned(),
+            );
         }
         if self.has(RunKind::Calibration) {
             return Ok(());

@@ -34,6 +34,10 @@ pub struct Magnetised {
 impl SpringInductance {
     /// Of a spec's spring whose windings move, at lengths about its operating range.
     pub fn of(spring: &SpringSpec) -> Self {
+        // What is never made need not be loaded.
+        if !cfg!(feature = "steel") {
+            return Self::Air(spring.inductance_in_air());
+        }
         let told = spring.magnetic_turns().and_then(Result::ok).and_then(|turns| SteelWindings::of(turns).ok());
         told.map_or_else(|| Self::Air(spring.inductance_in_air()), |turns| Self::Magnetic(Box::new(turns)))
     }
@@ -49,16 +53,16 @@ impl SpringInductance {
     /// The windings, where they are magnetic.
     pub fn steel(&self) -> Option<&SteelWindings> {
         match self {
-            Self::Air(_) => None,
-            Self::Magnetic(turns) => Some(turns),
+            Self::Magnetic(turns) if cfg!(feature = "steel") => Some(turns),
+            Self::Air(_) | Self::Magnetic(_) => None,
         }
     }
 
     /// L \[H\] of every sample, shape `samples`.
     pub fn series(&self, windings: &Windings) -> Vec<f64> {
         match self {
-            Self::Air(sum) => sum.series(windings),
-            Self::Magnetic(turns) => Magnetised::of(turns, windings).inductances,
+            Self::Magnetic(turns) if cfg!(feature = "steel") => Magnetised::of(turns, windings).inductances,
+            Self::Air(_) | Self::Magnetic(_) => self.in_air().series(windings),
         }
     }
 }
@@ -107,8 +111,8 @@ impl SpringSpec {
     /// L over length, the windings at rest.
     pub fn inductance_at_rest(&self) -> Box<dyn OverLength> {
         match self.magnetic_turns().and_then(Result::ok) {
-            Some(turns) => Box::new(turns),
-            None => Box::new(self.inductance_in_air()),
+            Some(turns) if cfg!(feature = "steel") => Box::new(turns),
+            _ => Box::new(self.inductance_in_air()),
         }
     }
 

@@ -116,7 +116,7 @@ fn leads(section: &Section<'_>, spec: &SpringSpec) -> Result<Leads, SpecError> {
 
 /// How far lengths by a stored calibration may be off over the operating range, and what mounting the spring anew adds, as shares of the travel \[1\].
 fn stored(name: &str, spec: &SpringSpec, files: &Files<'_>) -> Result<[f64; 2], String> {
-    let stored = StoredCalibration::of_text(name, &files(name)?).map_err(|error| error.to_string())?;
+    let stored = StoredCalibration::of_text(name, &files(name)?).map_err(|error| error.message)?;
     let (shortest, longest) = spec.spring.operating_range();
     let [from, to] = stored.lengths();
     let millimetres = |length: f64| plain((1e6 * length).round() / 1e3);

@@ -1,7 +1,7 @@
 //! Measures of known series are their closed forms.
 
 use coilsense::Channel;
-use coilsense_lab::experiment::{Findings, answer};
+use coilsense_lab::experiment::{Curve, Findings, answer};
 use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_experiment, experiment_json, experiment_text};
 
@@ -97,10 +97,10 @@ fn stiffness_offset_and_curve_come_from_the_calibration_run_where_they_are_not_g
     let relative = |ours: f64, theirs: f64| (ours / theirs - 1.0).abs();
     assert!(relative(experiment.line.stiffness, STIFFNESS) < 1e-11);
     assert!(relative(experiment.line.length_at_zero, LENGTH) < 1e-12);
-    let curve = experiment.curve.as_ref().unwrap();
+    let Some(Curve::InverseLength { calibration: curve, through, .. }) = &experiment.curve else { panic!("no curve") };
     // The preload's mean of L scatters, and the square of ±1 mN makes it 2e-13 H too large.
-    assert!(relative(curve.calibration.alpha(), ALPHA) < 1e-6 && relative(curve.calibration.beta(), BETA) < 1e-5);
-    assert!(relative(curve.through.unwrap().0, LENGTH) < 1e-12);
+    assert!(relative(curve.alpha(), ALPHA) < 1e-6 && relative(curve.beta(), BETA) < 1e-5);
+    assert!(relative(through.unwrap().0, LENGTH) < 1e-12);
     // What is given comes first.
     let given = of_calibration.replace("\n[[run]]", "stiffness = \"800 N/m\"\n\n[[run]]");
     let place = folder(&given, &usual());

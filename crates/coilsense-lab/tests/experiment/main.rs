@@ -1,4 +1,4 @@
-//! Experiments processed: series whose measures are closed forms (`closed`), files that are wrong (`hostile`), frequencies that do not fit (`stated`), the virtual rig (`rig`).
+//! Experiments processed: series whose measures are closed forms (`closed`), a stored calibration (`stored`), files that are wrong (`hostile`), frequencies that do not fit (`stated`), the virtual rig (`rig`).
 //!
 //! Here: a folder with an experiment in it, made of known sines.
 
@@ -7,6 +7,7 @@ mod hostile;
 mod keys;
 mod rig;
 mod stated;
+mod stored;
 
 use std::f64::consts::TAU;
 use std::fs;

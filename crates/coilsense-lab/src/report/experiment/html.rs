@@ -5,7 +5,7 @@
 use coilsense::Channel;
 use minijinja::{AutoEscape, Environment, Value, context};
 
-use crate::experiment::{Experiment, FORCES, Findings, Run, answer, pair, probability};
+use crate::experiment::{Curve, Experiment, FORCES, Findings, Run, answer, pair, probability};
 use crate::quantity::digits;
 use crate::report::prose::{file_name, signed, unbroken};
 use crate::report::{Drawn, ReportError};
@@ -140,8 +140,16 @@ fn spring(experiment: &Experiment) -> Vec<[String; 3]> {
         let rows_of = "root mean square of the residuals";
         rows.push(row("F_o in the calibration run", format!("{} mN", digits(1e3 * fit.rmse)), rows_of));
     }
-    let Some(curve) = &experiment.curve else { return rows };
-    let how = match (&curve.fit, curve.through) {
+    let (calibration, fit, through) = match &experiment.curve {
+        Some(Curve::InverseLength { calibration, fit, through }) => (calibration, fit, *through),
+        Some(Curve::Stored(stored)) => {
+            let [shortest, longest] = stored.lengths().map(|length| exact(1e3 * length, 1));
+            rows.push(row("length from L", stored.name.clone(), &format!("from {shortest} to {longest} mm")));
+            return rows;
+        }
+        None => return rows,
+    };
+    let how = match (fit, through) {
         (None, _) => "given".to_owned(),
         (Some(fit), Some((length, _))) => format!(
             "from the calibration run, through the preload at {} mm; {} mm RMS",
@@ -151,8 +159,8 @@ fn spring(experiment: &Experiment) -> Vec<[String; 3]> {
         (Some(fit), None) => format!("from the calibration run; {} mm RMS", digits(1e3 * fit.misfit.rmse)),
     };
     let number = |value: f64, error: Option<f64>| signed(&crate::calibration::with_error(value, error));
-    let (alpha, beta) = (curve.calibration.alpha(), curve.calibration.beta());
-    let fit = curve.fit.as_ref();
+    let (alpha, beta) = (calibration.alpha(), calibration.beta());
+    let fit = fit.as_ref();
     rows.push(row("α of 1/l = αL + β", format!("{} 1/(H m)", number(alpha, fit.and_then(|fit| fit.alpha_se))), &how));
     rows.push(row("β", format!("{} 1/m", number(beta, fit.and_then(|fit| fit.beta_se))), &how));
     rows

@@ -24,6 +24,8 @@ pub struct ExperimentOutcome<'a> {
     reference_n: f64,
     spring: SpringPart,
     inverse_length: Option<CurvePart>,
+    /// The file of the calibration that was stored, in place of that curve.
+    stored_calibration: Option<&'a str>,
     peak: Option<PeakPart<'a>>,
     drift: Vec<DriftRow>,
     runs: Vec<RunRow<'a>>,
@@ -142,7 +144,11 @@ impl<'a> ExperimentOutcome<'a> {
             nominal_force_n: experiment.spec.nominal_force,
             reference_n: experiment.reference,
             spring: SpringPart::of(experiment),
-            inverse_length: experiment.curve.as_ref().map(CurvePart::of),
+            stored_calibration: match &experiment.curve {
+                Some(Curve::Stored(stored)) => Some(&stored.name),
+                Some(Curve::InverseLength { .. }) | None => None,
+            },
+            inverse_length: experiment.curve.as_ref().and_then(CurvePart::of),
             peak: findings.peak.map(|peak| PeakPart::of(experiment, peak)),
             drift: findings.drifts.iter().map(DriftRow::of).collect(),
             runs: runs.map(|(index, run)| RunRow::of(experiment, findings, index, run)).collect(),
@@ -166,17 +172,18 @@ impl SpringPart {
 }
 
 impl CurvePart {
-    fn of(curve: &Curve) -> Self {
-        let fit = curve.fit.as_ref();
-        Self {
-            alpha_per_h_m: curve.calibration.alpha(),
-            beta_per_m: curve.calibration.beta(),
+    fn of(curve: &Curve) -> Option<Self> {
+        let Curve::InverseLength { calibration, fit, through } = curve else { return None };
+        let fit = fit.as_ref();
+        Some(Self {
+            alpha_per_h_m: calibration.alpha(),
+            beta_per_m: calibration.beta(),
             alpha_per_h_m_se: fit.and_then(|fit| fit.alpha_se),
             beta_per_m_se: fit.and_then(|fit| fit.beta_se),
             rmse_m: fit.map(|fit| fit.misfit.rmse),
-            through_length_m: curve.through.map(|(length, _)| length),
-            through_inductance_h: curve.through.map(|(_, inductance)| inductance),
-        }
+            through_length_m: through.map(|(length, _)| length),
+            through_inductance_h: through.map(|(_, inductance)| inductance),
+        })
     }
 }
 

@@ -52,6 +52,12 @@ const EXPERIMENT: Table = Table {
             "which column of the `fast` files is which channel, as [Logs](logs.md) says",
             "columns carry the channels' names",
         ),
+        optional(
+            "calibration",
+            "\"calibration.toml\"",
+            "the file of `coilsense calibrate --out`, by which L becomes a length, in place of [inverse_length]",
+            "fitted to the calibration run",
+        ),
         optional("slow_mapping", "\"lcr.toml\"", "the same of the `slow` files", "columns carry the channels' names"),
     ],
 };
