@@ -113,9 +113,11 @@ pub fn simulate(setup: &Setup<'_>, times: &[f64]) -> Result<Simulation, Error> {
     let (mut bounded, mut magnetised) = (None, None);
     if let Some(coil) = &setup.coil {
         let inductance = match (&windings, coil.steel, coil.method) {
-            (Some(windings), Some(steel), _) => magnetised.insert(Magnetised::of(steel, windings)).inductances.clone(),
-            (Some(windings), None, Method::Exact) => coil.sum.series(windings),
-            (Some(windings), None, Method::Within(share)) => {
+            (Some(windings), Some(steel), _) if cfg!(feature = "steel") => {
+                magnetised.insert(Magnetised::of(steel, windings)).inductances.clone()
+            }
+            (Some(windings), _, Method::Exact) => coil.sum.series(windings),
+            (Some(windings), _, Method::Within(share)) => {
                 values(coil.sum.series_within(windings, share)?, &mut bounded)
             }
             (None, _, Method::Within(share)) => values(coil.sum.along(&motion, times, share)?, &mut bounded),
