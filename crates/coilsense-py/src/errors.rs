@@ -86,6 +86,12 @@ impl<T> IntoPython<T> for Result<T, coilsense_lab::recording::RecordingError> {
     }
 }
 
+impl<T> IntoPython<T> for Result<T, coilsense_lab::stored::StoredError> {
+    fn python(self) -> PyResult<T> {
+        self.map_err(|error| Error::new_err(error.to_string()))
+    }
+}
+
 impl<T> IntoPython<T> for Result<T, coilsense_lab::calibration::CalibrationError> {
     fn python(self) -> PyResult<T> {
         self.map_err(|error| Error::new_err(in_python(error)))

@@ -46,12 +46,15 @@ const SHORTED: f64 = 2e-3;
 /// Most rows that are told one by one.
 const NAMED: usize = 5;
 
+/// A point whose R is low, and the share by which it is.
+type Low = (usize, f64);
+
 impl Measured {
     /// Points at the short end whose R says that turns touch, with the share by which it is below that of most, and others whose R is as low.
     ///
     /// A drift of R along the run is none: R has to jump by as much to the next longer point.
-    fn low(&self) -> (Vec<(usize, f64)>, Vec<(usize, f64)>) {
-        let Some(usual) = median(self.resistances.iter().copied()) else { return (Vec::new(), Vec::new()) };
+    fn low(&self) -> [Vec<Low>; 2] {
+        let Some(usual) = median(self.resistances.iter().copied()) else { return [Vec::new(), Vec::new()] };
         let share = |index: usize| 1.0 - self.resistances[index] / usual;
         let lengths = self.points.lengths();
         let mut order: Vec<usize> = (0..self.resistances.len()).collect();
@@ -59,13 +62,13 @@ impl Measured {
         let clear = order.iter().position(|&index| share(index) <= SHORTED).unwrap_or(0);
         let jumps = clear > 0 && self.resistances[order[clear - 1]] < (1.0 - SHORTED) * self.resistances[order[clear]];
         let touching = if jumps { clear } else { 0 };
-        let told = |indices: &[usize]| indices.iter().map(|&index| (index, share(index))).collect::<Vec<_>>();
+        let told = |indices: &[usize]| indices.iter().map(|&index| (index, share(index))).collect::<Vec<Low>>();
         let (short, rest) = order.split_at(touching);
-        (told(short), told(rest).into_iter().filter(|(_, share)| *share > SHORTED).collect())
+        [told(short), told(rest).into_iter().filter(|(_, share)| *share > SHORTED).collect()]
     }
 
     /// Rows of some points: the first few by their numbers.
-    fn named(&self, points: &[(usize, f64)]) -> String {
+    fn named(&self, points: &[Low]) -> String {
         let mut rows: Vec<usize> = points.iter().map(|(index, _)| self.rows[*index]).collect();
         rows.sort_unstable();
         let first: Vec<String> = rows.iter().take(NAMED).map(usize::to_string).collect();
@@ -81,7 +84,7 @@ impl Measured {
     /// # Errors
     /// [`CalibrationError`] where fewer than two are left.
     pub(super) fn without_touching(self) -> Result<Self, CalibrationError> {
-        let (touching, low) = self.low();
+        let [touching, low] = self.low();
         let mut account = self.account.clone();
         for unused in &self.unused {
             // Against its neighbour, as R drifts along a run by what temperature and strain do to it.
@@ -96,7 +99,7 @@ impl Measured {
                 ));
             }
         }
-        let most = |points: &[(usize, f64)]| 100.0 * points.iter().map(|(_, share)| *share).fold(0.0, f64::max);
+        let most = |points: &[Low]| 100.0 * points.iter().map(|(_, share)| *share).fold(0.0, f64::max);
         if !low.is_empty() {
             account.push(format!(
                 "{}: R is up to {:.2} % below the others'; a clip may have moved there, or the wire cooled. Kept.",
