@@ -81,6 +81,7 @@ const LEAST_LINE: f64 = 1e-4;
 pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -> Result<Vec<Warning>, Error> {
     let (spec, cases) = (judge.spec, judge.cases);
     let mut warnings = Vec::new();
+    let magnetised = |text| Warning { subject: Subject::Magnetisation, text };
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
         warnings.extend(clash(spec, &of_condition));
@@ -92,9 +93,9 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     for (index, sensor) in sensors.iter().enumerate() {
         warnings.extend(alias(judge, sensor)?);
         warnings.extend(range(spec, index, sensor, cases));
-        warnings.extend(magnetisation::frequency(&spec.spring, sensor));
+        warnings.extend(magnetisation::frequency(&spec.spring, sensor).map(magnetised));
     }
-    warnings.extend(magnetisation::of(spec, cases));
+    warnings.extend(magnetisation::of(spec, cases).into_iter().map(magnetised));
     warnings.extend(temperature(spec, sensors));
     warnings.extend(sheet.beyond_axial.iter().map(|text| Warning { subject: Subject::Neighbour, text: text.clone() }));
     Ok(warnings)
