@@ -17,6 +17,10 @@ pub(super) fn of(spec: &Spec, cases: &[Case]) -> Vec<String> {
         );
         return vec![text];
     }
+    // What is never told need not be loaded.
+    if !cfg!(feature = "steel") {
+        return Vec::new();
+    }
     let uneven = |case: &&Case| case.magnetised.is_some_and(|how| how.beyond > 0.0);
     let told = |case: &Case| {
         let beyond = case.magnetised.map_or(0.0, |how| how.beyond);

@@ -70,15 +70,15 @@ impl SpringInductance {
 impl OverLength for SpringInductance {
     fn at_length(&self, length: f64) -> f64 {
         match self {
-            Self::Air(sum) => sum.at_length(length),
-            Self::Magnetic(turns) => turns.at_length(length),
+            Self::Magnetic(turns) if cfg!(feature = "steel") => turns.at_length(length),
+            Self::Air(_) | Self::Magnetic(_) => self.in_air().at_length(length),
         }
     }
 
     fn at_lengths(&self, lengths: &[f64]) -> Vec<f64> {
         match self {
-            Self::Air(sum) => sum.at_lengths(lengths),
-            Self::Magnetic(turns) => turns.at_lengths(lengths),
+            Self::Magnetic(turns) if cfg!(feature = "steel") => turns.at_lengths(lengths),
+            Self::Air(_) | Self::Magnetic(_) => self.in_air().at_lengths(lengths),
         }
     }
 }

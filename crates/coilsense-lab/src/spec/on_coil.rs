@@ -40,23 +40,17 @@ const REMOUNTING: f64 = 0.007;
 
 /// What it measures, by its table; `files` reads a stored calibration.
 pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_>) -> Result<Quantity, SpecError> {
-    let leads = leads(section, spec)?;
-    let told = section.optional_text("calibration")?;
+    // They count where what eq. (13) leaves is computed.
+    let leads = if cfg!(feature = "steel") { leads(section, spec)? } else { Leads::Open };
+    let told = section.optional_text("calibration").ok().flatten();
     let stored = told.as_deref().filter(|text| text.ends_with(ENDING));
-    let way = match &told {
-        None => Calibrated::Fitted,
-        Some(text) => {
-            let known = Calibrated::ALL.into_iter().find(|(name, _)| name == text).map(|(_, way)| way);
-            match known.or(stored.map(|_| Calibrated::Stored)) {
-                Some(way) => way,
-                None => {
-                    let words = Calibrated::ALL.map(|(name, _)| format!("{name:?}")).join(", ");
-                    return Err(section.refuse(
-                        "calibration",
-                        format!("must be one of {words}, or a file that coilsense calibrate wrote, {ENDING}"),
-                    ));
-                }
-            }
+    let way = match stored {
+        Some(_) => Calibrated::Stored,
+        None => {
+            let word = section.optional_word("calibration", &Calibrated::ALL.map(|(word, _)| word));
+            let word = word.map_err(|error| error.or_also("a file that coilsense calibrate wrote, .toml"))?;
+            let known = Calibrated::ALL.into_iter().find(|(name, _)| Some(*name) == word);
+            known.map_or(Calibrated::Fitted, |(_, way)| way)
         }
     };
     let uncalibrated = way == Calibrated::Theory;
@@ -116,6 +110,9 @@ fn leads(section: &Section<'_>, spec: &SpringSpec) -> Result<Leads, SpecError> {
 
 /// How far lengths by a stored calibration may be off over the operating range, and what mounting the spring anew adds, as shares of the travel \[1\].
 fn stored(name: &str, spec: &SpringSpec, files: &Files<'_>) -> Result<[f64; 2], String> {
+    if !cfg!(feature = "steel") {
+        return Err("is a stored calibration, which this build does not read: give calibration_form".to_owned());
+    }
     let stored = StoredCalibration::of_text(name, &files(name)?).map_err(|error| error.message)?;
     let (shortest, longest) = spec.spring.operating_range();
     let [from, to] = stored.lengths();

@@ -242,7 +242,9 @@ impl SteelWindings {
             // About the middle of the turns: E does not change where all move together.
             let middle = row.iter().sum::<f64>() / turns as f64;
             let half = 0.5 * (turns - 1) as f64;
-            column.copy_from(&DVector::from_fn(turns, |turn, _| row[turn] - middle - (turn as f64 - half) * pitch));
+            for ((turn, place), moved) in row.iter().enumerate().zip(column.iter_mut()) {
+                *moved = place - middle - (turn as f64 - half) * pitch;
+            }
         }
         // By node, then sample.
         let forms: Vec<Vec<f64>> = self.nodes.iter().map(|node| node.forms(&moved)).collect();
@@ -254,11 +256,17 @@ impl SteelWindings {
             if most > MOST_CHANGED {
                 return BoundedInductance { inductance: even, bound: f64::INFINITY };
             }
-            let values: Vec<f64> = forms.iter().map(|form| form[sample]).collect();
-            let change: f64 =
-                self.grid.weights(gap.ln()).iter().zip(&values).map(|(weight, value)| weight * value).sum();
+            let (change, unsettled, third) = match (forms.as_slice(), self.nodes.as_slice()) {
+                ([only], [node]) => (only[sample], 0.0, node.third),
+                _ => {
+                    let values: Vec<f64> = forms.iter().map(|form| form[sample]).collect();
+                    let weights = self.grid.weights(gap.ln());
+                    let change = weights.iter().zip(&values).map(|(weight, value)| weight * value).sum();
+                    (change, self.grid.unsettled(&values), self.third_at(gap.ln()))
+                }
+            };
             let inductance = even + share * change;
-            let left = share * (self.third_at(gap.ln()) * cubes + self.grid.unsettled(&values)) + self.even.unsettled;
+            let left = share * (third * cubes + unsettled) + self.even.unsettled;
             BoundedInductance { inductance, bound: left + ROUNDING * inductance }
         };
         rows().enumerate().zip(&pitches).map(of_sample).collect()
