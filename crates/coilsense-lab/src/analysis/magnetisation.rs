@@ -39,7 +39,8 @@ const STAINLESS: f64 = 7.5e-7;
 
 /// A meter at whose frequency the current crowds in the wire's skin.
 pub(super) fn frequency(spring: &SpringSpec, sensor: &SensorSpec) -> Option<String> {
-    let frequency = sensor.frequency?;
+    // The browser's first load has no room for it.
+    let frequency = sensor.frequency.filter(|_| cfg!(feature = "steel"))?;
     let wire = spring.geometry.material();
     let resistivity = wire.resistivity().unwrap_or(STAINLESS);
     let permeability = wire.relative_permeability().unwrap_or(1.0).max(1.0);
