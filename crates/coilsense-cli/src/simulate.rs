@@ -54,6 +54,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let names = output.files().iter().map(|file| file.display().to_string()).collect();
     let files = output.commit()?;
     let samples: usize = runs.iter().map(Run::samples).sum();
+    if let Some(left_out) = spec.spring.magnetisation_left_out() {
+        anstream::eprintln!("warning: {left_out}");
+    }
     if given.holds(&JSON) {
         let (spec_file, runs) = (spec.file.as_str(), runs.len());
         let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples })?;

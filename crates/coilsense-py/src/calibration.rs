@@ -222,7 +222,7 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 /// known_permeability : float, optional
 ///     Relative permeability of the wire where it is known [1].
 /// leads : str, optional
-///     Where the meter's current goes back: "open" (far away), or the lead's distance from the axis, such as "50 mm".
+///     Where the meter's current goes back: "open" (far away), the lead's distance from the axis, such as "50 mm", or "none" (no current along the coil).
 /// meter_noise : float or str, optional
 ///     Standard uncertainty of a reading of L [H]; without it what readings of one point scatter by, else 0.05 % of L.
 /// frequency : float or str, optional

@@ -184,7 +184,7 @@ export const GROUPS: readonly Group[] = [
         name: 'leads',
         label: 'Return lead',
         example: 'open',
-        hint: 'open (far away), or its distance from the coil’s axis.',
+        hint: 'open (far away), its distance from the coil’s axis, or none (no current along the coil).',
         only: ['theory', ['steel']],
       },
       { name: 'meter-noise', label: 'Meter noise', example: '2 nH', only: ['theory', ['steel']] },

@@ -25,6 +25,7 @@ mod fix;
 mod frames;
 mod judge;
 mod magnetisation;
+mod met;
 mod moments;
 mod refinement;
 mod resonance;
@@ -145,7 +146,7 @@ pub fn simulate(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, Analy
 fn simulate_alone(spec: &Spec, progress: &Progress<'_>) -> Result<Vec<Case>, AnalysisError> {
     let mut spec = spec.clone();
     prepare(&mut spec)?;
-    let coil = SpringInductance::of(&spec.spring);
+    let coil = SpringInductance::of(&spec.spring)?;
     simulate_watched(&spec, &spec.sensors, &coil, &helices(&spec)?, progress)
 }
 
@@ -294,7 +295,7 @@ impl Analysis {
         let masses = prepare(&mut spec)?;
         let sensors = judged_sensors(&spec);
         let helices = helices(&spec)?;
-        let coil = SpringInductance::of(&spec.spring);
+        let coil = SpringInductance::of(&spec.spring)?;
         let cases = simulate_watched(&spec, &sensors, &coil, &helices, progress)?;
         let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
         let usual = usual(&spec);

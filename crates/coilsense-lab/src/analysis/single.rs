@@ -36,7 +36,7 @@ impl Single {
         let mut prepared = spec.clone();
         super::prepare(&mut prepared)?;
         let spec = &prepared;
-        let coil = SpringInductance::of(&spec.spring);
+        let coil = SpringInductance::of(&spec.spring)?;
         let sensors = judged_sensors(spec);
         let helices = super::helices(spec)?;
         let case = super::run_case(spec, &sensors, &coil, &helices, (condition, damping))?;

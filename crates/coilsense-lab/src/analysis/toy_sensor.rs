@@ -48,7 +48,7 @@ fn a_kind_that_no_spec_names_is_judged_by_what_it_errs_by() {
     );
     let spec = Spec::parse("toy.toml", &text, &|name| Err(format!("{name}: no files here"))).unwrap();
     let cases = simulate(&spec, &|_, _| true).unwrap();
-    let coil = SpringInductance::of(&spec.spring);
+    let coil = SpringInductance::of(&spec.spring).unwrap();
     let springs = Springs::of(&spec, &spec.spring.tolerances, MANY);
     let helices = crate::study::Helices::default();
     let judge = Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };

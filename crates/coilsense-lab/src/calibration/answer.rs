@@ -8,6 +8,7 @@ use coilsense::inductance::{Leads, direct_up_to};
 use super::median::median;
 use super::{Curve, Outcome, Relation};
 use crate::quantity::{digits, plainly};
+use crate::spec::STAINLESS;
 
 /// Sentences, the first of which says which curve it is and how far to trust it.
 pub fn answer(outcome: &Outcome) -> Vec<String> {
@@ -192,8 +193,6 @@ fn steel(outcome: &Outcome, fit: &SteelFit) -> Vec<String> {
 const LARGE: f64 = 6.0;
 /// What a known permeability may leave before that is said, as a share of the range.
 const FAR: f64 = 0.02;
-/// Of stainless spring wire \[Ω m\], as four measured springs have it (7.2e-7 to 8.1e-7).
-const STAINLESS: f64 = 7.5e-7;
 
 /// Whether the meter's frequency is too high for a theory of direct current.
 fn frequency(outcome: &Outcome, fit: &SteelFit) -> Option<String> {

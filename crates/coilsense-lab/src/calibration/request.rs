@@ -90,9 +90,9 @@ pub const KNOWN_PERMEABILITY: Row = Row {
 /// Where the current goes back.
 pub const LEADS: Row = Row {
     name: "leads",
-    takes: Takes::Form("open|DISTANCE", |text| parse_leads(text).map(|_| ())),
+    takes: Takes::Form("open|none|DISTANCE", |text| parse_leads(text).map(|_| ())),
     if_absent: IfAbsent::Value("open"),
-    meaning: "Return lead of the meter: open (far away), or its distance from the coil's axis, as in \"50 mm\"",
+    meaning: "Return lead of the meter: open (far away), its distance from the coil's axis, as in \"50 mm\", or none (the current along the coil is left out, as in simulated logs)",
     requires: &["theory"],
     ..Row::PLAIN
 };
@@ -228,18 +228,18 @@ pub fn parse_pair(text: &str) -> Result<(f64, f64), String> {
     Ok((length, inductance.ok_or_else(needed)?))
 }
 
-/// `open`, or a distance.
+/// `open`, `none`, or a distance.
 ///
 /// # Errors
 /// What is allowed.
 pub fn parse_leads(text: &str) -> Result<Leads, String> {
-    if text.trim() == "open" {
-        return Ok(Leads::Open);
+    if let Some(leads) = Leads::named(text.trim()) {
+        return Ok(leads);
     }
     let distance = Row { takes: Takes::Quantity(Dimension::Length), ..PRELOAD_PART }.number(text);
     distance
         .map(Leads::Beside)
-        .map_err(|_| "must be open or a distance above zero with its unit, as in \"50 mm\"".to_owned())
+        .map_err(|_| "must be open, none, or a distance above zero with its unit, as in \"50 mm\"".to_owned())
 }
 
 /// A length or an inductance of the preload.

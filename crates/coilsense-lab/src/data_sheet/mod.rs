@@ -50,7 +50,7 @@ const USUAL_GOAL: f64 = 0.01;
 
 /// What does not fit together in a spring.
 fn doubts(spring: &SpringSpec) -> Vec<String> {
-    let mut doubts = Vec::new();
+    let mut doubts: Vec<String> = spring.magnetisation_left_out().map(|text| text + ".").into_iter().collect();
     if spring.dead_ends.is_some() {
         return doubts;
     }

@@ -60,7 +60,7 @@ pub(super) fn groups(
         ("Stress", of_stress(spec)),
         ("Surge wave", of_wave(spec, modes_at)),
         ("Force of the helix", of_helix(spec, coil, modes_at)?),
-        ("Inductance", of_inductance(spec)),
+        ("Inductance", of_inductance(spec)?),
     ];
     Ok(groups.into_iter().filter(|(_, rows)| !rows.is_empty()).collect())
 }
@@ -269,12 +269,12 @@ fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
     ]
 }
 
-fn of_inductance(spec: &SpringSpec) -> Vec<Row> {
+fn of_inductance(spec: &SpringSpec) -> Result<Vec<Row>, Error> {
     let spring = &spec.spring;
-    let coil = spec.inductance_at_rest();
+    let coil = spec.inductance_at_rest()?;
     let (shortest, longest) = spring.operating_range();
     let (short, long) = (coil.at_length(shortest), coil.at_length(longest));
-    vec![
+    Ok(vec![
         Row::new("inductance_at_min_h", "L at the shortest length", short, 1e6, "µH"),
         Row::new("inductance_at_max_h", "L at the longest length", long, 1e6, "µH"),
         Row::new(
@@ -291,5 +291,5 @@ fn of_inductance(spec: &SpringSpec) -> Vec<Row> {
             1e3,
             "mΩ",
         ),
-    ]
+    ])
 }

@@ -110,7 +110,7 @@ pub struct SweepOutcome<'a> {
     /// Why designs were refused, the most frequent first.
     pub reasons: Vec<ReasonRow<'a>>,
     /// What a reader of the results must know.
-    pub note: Option<&'a str>,
+    pub note: Option<String>,
     /// Files of the dataset.
     pub chunks: u64,
     /// Rows that this run has made.

@@ -104,7 +104,7 @@ impl Rig {
             damping: damping.label.clone(),
             contact_pitch: spec.spring.contact_pitch(),
             mount: damping.mount.clone(),
-            coil: SpringInductance::of(&spec.spring),
+            coil: SpringInductance::of(&spec.spring).map_err(science("[spring]"))?,
             relaxation: Relaxation::new(settings.relaxation, settings.settling).map_err(science("[rig] relaxation"))?,
             length,
             seed,
@@ -115,7 +115,8 @@ impl Rig {
             spring,
         };
         rig.check()?;
-        rig.warnings = [spec.notes.clone(), rig.doubts()].concat();
+        let left_out = spec.spring.magnetisation_left_out().into_iter().collect();
+        rig.warnings = [spec.notes.clone(), rig.doubts(), left_out].concat();
         Ok(rig)
     }
 

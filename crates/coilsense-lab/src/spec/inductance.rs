@@ -9,7 +9,9 @@ use coilsense::motion::Windings;
 use super::SpringSpec;
 
 /// A relative permeability so far above 1 changes L.
-pub const MAGNETIC: f64 = 0.01;
+pub(super) const MAGNETIC: f64 = 0.01;
+/// Resistivity of stainless spring wire \[Ω m\], as four measured springs have it (7.2e-7 to 8.1e-7).
+pub(crate) const STAINLESS: f64 = 7.5e-7;
 
 /// The windings of a spec's spring as an inductance.
 #[derive(Debug, Clone)]
@@ -33,13 +35,15 @@ pub struct Magnetised {
 
 impl SpringInductance {
     /// Of a spec's spring whose windings move, at lengths about its operating range.
-    pub fn of(spring: &SpringSpec) -> Self {
-        // What is never made need not be loaded.
-        if !cfg!(feature = "steel") {
-            return Self::Air(spring.inductance_in_air());
-        }
-        let told = spring.magnetic_turns().and_then(Result::ok).and_then(|turns| SteelWindings::of(turns).ok());
-        told.map_or_else(|| Self::Air(spring.inductance_in_air()), |turns| Self::Magnetic(Box::new(turns)))
+    ///
+    /// # Errors
+    /// [`Error::Value`] for turns of magnetic wire that cannot be solved.
+    pub fn of(spring: &SpringSpec) -> Result<Self, Error> {
+        Ok(match spring.magnetic_turns()? {
+            // What is never made need not be loaded.
+            Some(turns) if cfg!(feature = "steel") => Self::Magnetic(Box::new(SteelWindings::of(turns)?)),
+            _ => Self::Air(spring.inductance_in_air()),
+        })
     }
 
     /// Maxwell's sum, by itself.
@@ -109,38 +113,44 @@ impl SpringSpec {
     }
 
     /// L over length, the windings at rest.
-    pub fn inductance_at_rest(&self) -> Box<dyn OverLength> {
-        match self.magnetic_turns().and_then(Result::ok) {
+    ///
+    /// # Errors
+    /// As [`SpringInductance::of`].
+    pub fn inductance_at_rest(&self) -> Result<Box<dyn OverLength>, Error> {
+        Ok(match self.magnetic_turns()? {
             Some(turns) if cfg!(feature = "steel") => Box::new(turns),
             _ => Box::new(self.inductance_in_air()),
-        }
+        })
     }
 
     /// Whether the spec says that its wire is magnetic.
     pub fn is_magnetic(&self) -> bool {
-        self.geometry.material().relative_permeability().is_some_and(|relative| relative > 1.0 + MAGNETIC)
+        self.told_permeability().is_some()
     }
 
-    /// Its windings at rest where the spec says that their wire is magnetic, or why their inductance is not told.
-    pub fn magnetic_turns(&self) -> Option<Result<SteelTurns, Unmagnetised>> {
-        let permeability = self.geometry.material().relative_permeability().filter(|_| self.is_magnetic())?;
-        if !cfg!(feature = "steel") {
-            return Some(Err(Unmagnetised::LeftOut));
-        }
+    fn told_permeability(&self) -> Option<f64> {
+        self.geometry.material().relative_permeability().filter(|relative| *relative > 1.0 + MAGNETIC)
+    }
+
+    /// Why L and F_L are those of wire that is not magnetic though the spec says that it is; `None` where they are not, or it does not.
+    pub fn magnetisation_left_out(&self) -> Option<String> {
+        let permeability = self.told_permeability()?;
+        let why = match cfg!(feature = "steel") {
+            true => SteelTurns::covers(&self.inductance_in_air(), permeability).err()?.to_string(),
+            false => "this build has no theory of it".to_owned(),
+        };
+        Some(format!(
+            "relative_permeability = {permeability} is left out of L and F_L, which are those of non-magnetic wire ({why}); L of magnetic wire is larger"
+        ))
+    }
+
+    /// Its windings at rest where the spec says that their wire is magnetic and the theory covers it.
+    fn magnetic_turns(&self) -> Result<Option<SteelTurns>, Error> {
+        let Some(permeability) = self.told_permeability().filter(|_| self.magnetisation_left_out().is_none()) else {
+            return Ok(None);
+        };
         let (shortest, longest) = self.spring.operating_range();
         let wire = self.spring.wire_radius();
-        let turns = SteelTurns::over(&self.inductance_in_air(), wire, permeability, [shortest, longest]);
-        Some(turns.map_err(Unmagnetised::Refused))
+        SteelTurns::over(&self.inductance_in_air(), wire, permeability, [shortest, longest]).map(Some)
     }
-}
-
-/// Why L is that of wire that is not magnetic though the spec says otherwise.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum Unmagnetised {
-    /// This build has no theory of it.
-    #[error("this build leaves that out")]
-    LeftOut,
-    /// The science does not tell it.
-    #[error(transparent)]
-    Refused(Error),
 }

@@ -55,7 +55,8 @@ pub use document::SPEC_VERSION;
 pub use ends::EndsSpec;
 pub use experiment::ExperimentSpec;
 pub use goal::{Goal, UncertaintySpec};
-pub use inductance::{Magnetised, SpringInductance, Unmagnetised};
+pub(crate) use inductance::STAINLESS;
+pub use inductance::{Magnetised, SpringInductance};
 pub use keys::{EXPERIMENT_TABLES, Key, TABLES, Table};
 #[cfg(feature = "reference")]
 pub use keys::{experiment_markdown, markdown};

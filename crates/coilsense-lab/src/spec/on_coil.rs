@@ -22,8 +22,6 @@ enum Calibrated {
     Steel,
     /// Not at all.
     Theory,
-    /// By measured points, stored in a file.
-    Stored,
 }
 
 impl Calibrated {
@@ -42,26 +40,22 @@ const REMOUNTING: f64 = 0.007;
 pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_>) -> Result<Quantity, SpecError> {
     // They count where what eq. (13) leaves is computed.
     let leads = if cfg!(feature = "steel") { leads(section, spec)? } else { Leads::Open };
+    let form = section.share("calibration_form")?;
     let told = section.optional_text("calibration").ok().flatten();
-    let stored = told.as_deref().filter(|text| text.ends_with(ENDING));
-    let way = match stored {
-        Some(_) => Calibrated::Stored,
-        None => {
-            let word = section.optional_word("calibration", &Calibrated::ALL.map(|(word, _)| word));
-            let word = word.map_err(|error| error.or_also("a file that coilsense calibrate wrote, .toml"))?;
-            let known = Calibrated::ALL.into_iter().find(|(name, _)| Some(*name) == word);
-            known.map_or(Calibrated::Fitted, |(_, way)| way)
-        }
-    };
+    if let Some(name) = told.as_deref().filter(|text| text.ends_with(ENDING)) {
+        let doubts = stored(name, form, spec, files).map_err(|why| section.refuse("calibration", why))?;
+        let (form, remounting, form_by) = (doubts[0], doubts[1], FormBy::Stored);
+        return Ok(Quantity::Inductance { uncalibrated: false, form, form_by, remounting });
+    }
+    let word = section.optional_word("calibration", &Calibrated::ALL.map(|(word, _)| word));
+    let word = word.map_err(|error| error.or_also("a file that coilsense calibrate wrote, .toml"))?;
+    let known = Calibrated::ALL.into_iter().find(|(name, _)| Some(*name) == word);
+    let way = known.map_or(Calibrated::Fitted, |(_, way)| way);
     let uncalibrated = way == Calibrated::Theory;
     let of =
         |form: f64, form_by: FormBy, remounting: f64| Quantity::Inductance { uncalibrated, form, form_by, remounting };
-    if let Some(form) = section.share("calibration_form")? {
+    if let Some(form) = form {
         return Ok(of(form, FormBy::Measured, 0.0));
-    }
-    if let Some(name) = stored {
-        let [form, remounting] = self::stored(name, spec, files).map_err(|why| section.refuse("calibration", why))?;
-        return Ok(of(form, FormBy::Stored, remounting));
     }
     let wire = spec.geometry.material();
     let usual = usual_form(uncalibrated, wire);
@@ -83,7 +77,6 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_
         }
         Calibrated::Fitted => Ok(of(usual, FormBy::Measured, 0.0)),
         Calibrated::TwoPoint => Ok(of(THROUGH_ENDS, FormBy::Measured, REMOUNTING)),
-        Calibrated::Stored => Err(section.refuse("calibration", format!("must end in {ENDING}"))),
     }
 }
 
@@ -92,26 +85,25 @@ const ENDING: &str = ".toml";
 
 /// Where the current goes back.
 fn leads(section: &Section<'_>, spec: &SpringSpec) -> Result<Leads, SpecError> {
-    match section.optional_text("leads").ok().flatten().as_deref() {
-        None if !section.has("leads") => Ok(Leads::Open),
-        Some("open") => Ok(Leads::Open),
-        Some("none") => Ok(Leads::LeftOut),
-        _ => {
-            let distance = section
-                .optional_quantity("leads", Dimension::Length)
-                .map_err(|error| error.or_also("\"open\" or \"none\""))?
-                .unwrap_or(f64::INFINITY);
-            let radius = spec.spring.coil_radius();
-            let allowed = format!("\"open\", \"none\", or above the coil radius of {} mm", plain(1e3 * radius));
-            section.check("leads", distance > radius && distance.is_finite(), distance, &allowed).map(Leads::Beside)
-        }
+    if !section.has("leads") {
+        return Ok(Leads::Open);
     }
+    if let Some(leads) = section.optional_text("leads").ok().flatten().and_then(|word| Leads::named(&word)) {
+        return Ok(leads);
+    }
+    let distance =
+        section.quantity("leads", Dimension::Length).map_err(|error| error.or_also("\"open\" or \"none\""))?;
+    let radius = spec.spring.coil_radius();
+    let allowed = format!("\"open\", \"none\", or above the coil radius of {} mm", plain(1e3 * radius));
+    section.check("leads", distance > radius && distance.is_finite(), distance, &allowed).map(Leads::Beside)
 }
 
-/// How far lengths by a stored calibration may be off over the operating range, and what mounting the spring anew adds, as shares of the travel \[1\].
-fn stored(name: &str, spec: &SpringSpec, files: &Files<'_>) -> Result<[f64; 2], String> {
+/// How far lengths by a stored calibration may be off over the operating range, `form` where that is given, and what mounting the spring anew adds, as shares of
+/// the travel \[1\].
+fn stored(name: &str, form: Option<f64>, spec: &SpringSpec, files: &Files<'_>) -> Result<[f64; 2], String> {
     if !cfg!(feature = "steel") {
-        return Err("is a stored calibration, which this build does not read: give calibration_form".to_owned());
+        let why = "is a stored calibration, which this build does not read: give calibration_form";
+        return form.map(|form| [form, 0.0]).ok_or_else(|| why.to_owned());
     }
     let stored = StoredCalibration::of_text(name, &files(name)?).map_err(|error| error.message)?;
     let (shortest, longest) = spec.spring.operating_range();
@@ -126,7 +118,9 @@ fn stored(name: &str, spec: &SpringSpec, files: &Files<'_>) -> Result<[f64; 2], 
             millimetres(to)
         ));
     }
-    let doubts =
-        stored.doubts([shortest, longest]).ok_or("does not say how surely it tells lengths: give calibration_form")?;
-    Ok(doubts.map(|doubt| doubt / (longest - shortest)))
+    match (form, stored.doubts([shortest, longest])) {
+        (Some(form), _) => Ok([form, 0.0]),
+        (None, Some(doubts)) => Ok(doubts.map(|doubt| doubt / (longest - shortest))),
+        (None, None) => Err("does not say how surely it tells lengths: give calibration_form".to_owned()),
+    }
 }

@@ -55,10 +55,9 @@ impl SensorSpec {
         if let Some(beyond) = sections.get(MOST_SENSORS) {
             return Err(beyond.refuse("kind", format!("at most {MOST_SENSORS} sensors are taken")));
         }
-        let coil = spring.inductance_at_rest();
         let mut sensors: Vec<Self> = Vec::new();
         for section in sections {
-            let sensor = Self::parse(&section, spring, &*coil, files)?;
+            let sensor = Self::parse(&section, spring, files)?;
             let key = series::key_of(&sensor.name);
             let text = if let Some(other) = sensors.iter().find(|other| series::key_of(&other.name) == key) {
                 format!(
@@ -76,12 +75,7 @@ impl SensorSpec {
         Ok(sensors)
     }
 
-    fn parse(
-        section: &Section<'_>,
-        spec: &SpringSpec,
-        coil: &dyn OverLength,
-        files: &Files<'_>,
-    ) -> Result<Self, SpecError> {
+    fn parse(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_>) -> Result<Self, SpecError> {
         let spring = &spec.spring;
         let class = section.optional_text("class")?;
         // A class says its kind; a kind that is given must be that one.
@@ -93,7 +87,12 @@ impl SensorSpec {
         section.only_of(word, &format!("kind \"{word}\""))?;
         let kind = Kind::named(word).ok_or_else(|| section.refuse("kind", "is no kind of sensor".to_owned()))?;
         let quantity = measurand(section, kind, || on_coil(section, spec, files))?;
-        let natural = kind.natural_range(spring, coil);
+        // Magnetic turns are solved for those who watch them only.
+        let coil: Box<dyn OverLength> = match kind.watches(Channel::Inductance) {
+            true => spec.inductance_at_rest().map_err(|error| section.refuse("kind", error))?,
+            false => Box::new(spec.inductance_in_air()),
+        };
+        let natural = kind.natural_range(spring, &*coil);
         if kind.watches(Channel::Inductance) && natural == 0.0 {
             return Err(section.refuse("kind", single_winding(section, spring)?));
         }

@@ -22,6 +22,7 @@ mod encoded;
 mod forces;
 #[cfg(feature = "parquet")]
 mod manifest;
+mod note;
 mod permutation;
 #[cfg(feature = "parquet")]
 mod picked;

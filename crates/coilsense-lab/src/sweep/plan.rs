@@ -12,7 +12,7 @@ use sha2::{Digest, Sha256};
 
 use super::SweepError;
 use super::catalogue::{Catalogue, Ready};
-use super::column::{self, BY_INDUCTANCE, Column, Kind, MOVES, Names, Needs};
+use super::column::{self, Column, Kind, MOVES, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
 use super::{sobol, variable};
@@ -62,7 +62,6 @@ pub struct Plan {
     pub(super) catalogue: Option<Ready>,
     pub(super) columns: Vec<(String, Column)>,
     pub(super) needs: Needs,
-    note: Option<String>,
     sampler: Sampler,
     /// Files that designs share, as they have been read.
     recordings: Arc<Recordings>,
@@ -150,7 +149,6 @@ impl Plan {
                 refused.map_err(|error| SweepError::new(error.to_string()))?;
             }
         }
-        let note = note(&parameters, &variables, &needs);
         let chunk_rows = parameters.chunk_rows.unwrap_or(usual_chunk(&needs));
         if !(1..=MOST_CHUNK).contains(&chunk_rows) {
             return Err(SweepError::new(format!("a chunk must have from 1 to {MOST_CHUNK} rows, got {chunk_rows}")));
@@ -168,7 +166,6 @@ impl Plan {
             catalogue,
             columns,
             needs,
-            note,
             sampler,
             recordings: Arc::default(),
             inner,
@@ -178,11 +175,6 @@ impl Plan {
         plan.check_titles()?;
         plan.check_spec()?;
         Ok(plan)
-    }
-
-    /// What a reader of its results must know.
-    pub fn note(&self) -> Option<&str> {
-        self.note.as_deref()
     }
 
     /// The plan of a text that [`Self::to_json`] made.
@@ -292,21 +284,6 @@ impl Plan {
 
 /// How many rows are tried with a spec that cannot be read by itself.
 const TRIED: u64 = 100;
-
-/// That magnetic wire is taken as not magnetic, where it is asked what forces by inductance are.
-fn note(parameters: &PlanParameters, variables: &[Variable], needs: &Needs) -> Option<String> {
-    let by_inductance = needs.forces[BY_INDUCTANCE] || !needs.sensors.is_empty();
-    let spring = SpringSpec::parse(&parameters.spec_file, &parameters.spec);
-    let is_told = spring.is_ok_and(|spring| spring.is_magnetic());
-    let of_wire = |variable: &Variable| {
-        ["relative_permeability", "material"].into_iter().any(|key| variable.target.place.is_of_spring(key))
-    };
-    (by_inductance && (is_told || variables.iter().any(of_wire))).then(|| {
-        "forces by inductance are those of wire that is not magnetic: a sweep leaves out what relative_permeability changes in how they err, some 5 % of it for drawn \
-         stainless steel (analyze has it)"
-            .to_owned()
-    })
-}
 
 /// Rows of a chunk where nothing is said: seconds of one core's work.
 fn usual_chunk(needs: &Needs) -> u64 {

@@ -1,11 +1,13 @@
 //! Wire that the spec says is magnetic: L of its windings as they move, and what is not told of it.
 
 use coilsense::Channel;
-use coilsense::inductance::{SelfDistance, SteelWindings};
+use coilsense::calibrate::{CalibrationPoints, Permeability, SteelDoubts, SteelFit};
+use coilsense::inductance::theories::Coil;
+use coilsense::inductance::{Leads, SelfDistance, SteelCoil, SteelWindings};
 use coilsense_lab::analysis::{Analysis, Subject};
 use coilsense_lab::data_sheet::DataSheet;
 use coilsense_lab::spec::SpringInductance;
-use coilsense_lab::study::{self, Coil, Method, Setup};
+use coilsense_lab::study::{self, Method, Setup};
 
 use super::{HEEL_STRIKE, S_A, S_T, STILL, UNDAMPED, run, spec};
 
@@ -63,10 +65,10 @@ fn inductance_of_windings_that_ring_is_that_of_windings_solved_about_their_mean_
         S_T.replacen("[spring]", "[spring]\nrelative_permeability = 2.5\nself_distance = \"geometric-mean\"", 1);
     let spec = spec(&format!("{spring}\n{UNDAMPED}{HEEL_STRIKE}"));
     assert_eq!(spec.spring.self_distance, SelfDistance::GeometricMean);
-    let inductance = SpringInductance::of(&spec.spring);
+    let inductance = SpringInductance::of(&spec.spring).unwrap();
     let (spring, asked) = (&spec.spring.spring, &spec.conditions[0]);
     let length = asked.excitation.mean_length();
-    let coil = Some(Coil::of(spring, &inductance, length, Method::Exact).unwrap());
+    let coil = Some(study::Coil::of(spring, &inductance, length, Method::Exact).unwrap());
     let (mount, excitation) = (&spec.mount.cases[0].mount, &asked.excitation);
     let setup = Setup { spring, mount, excitation, coil, positions: true, helix: None, contact: None };
     let times: Vec<f64> = (0..40).map(|sample| 7e-3 * f64::from(sample)).collect();
@@ -92,13 +94,35 @@ fn inductance_of_windings_that_ring_is_that_of_windings_solved_about_their_mean_
 #[test]
 fn wire_beyond_the_theory_is_said_to_be_taken_as_air() {
     let analysis = of_wire("relative_permeability = 60", STILL);
-    let told = magnetic(&analysis);
-    assert_eq!(told.len(), 1);
-    assert!(
-        told[0].contains("permeability must be 1 to 20, got 60") && told[0].contains("not magnetic"),
-        "{}",
-        told[0]
-    );
+    let told: Vec<&str> = analysis.warnings.iter().map(|warning| warning.text.as_str()).collect();
+    let left_out = told.iter().filter(|text| text.contains("relative_permeability = 60 is left out of L and F_L"));
+    let left_out: Vec<_> = left_out.collect();
+    assert!(left_out.len() == 1 && left_out[0].contains("permeability must be 1 to 20, got 60"), "{told:?}");
+    let air = of_wire("", STILL);
+    let of = |analysis: &Analysis| analysis.cases[0].signals.channel(Channel::Inductance).unwrap().to_vec();
+    assert_eq!(of(&analysis), of(&air));
+    assert!(air.spec.spring.magnetisation_left_out().is_none());
+}
+
+#[test]
+fn simulated_turns_are_the_theory_of_calibrations_but_for_a_radius_that_shrinks() {
+    let wire = "[spring]\nrelative_permeability = 2.5\nself_distance = \"geometric-mean\"";
+    let spec = spec(&format!("{}\n{UNDAMPED}", S_T.replacen("[spring]", wire, 1)));
+    let (spring, simulated) = (&spec.spring.spring, spec.spring.inductance_at_rest().unwrap());
+    let (shortest, longest) = spring.operating_range();
+    let coil = Coil::of(spring).unwrap();
+    for length in [shortest, spring.mid_length(), longest] {
+        // The radius as it is where the theory has it measured; no current along the coil.
+        let theory = SteelCoil::at_length(&coil, length, Leads::LeftOut, 2.5, length).unwrap();
+        let off = simulated.at_length(length) / theory - 1.0;
+        assert!(off.abs() < 1e-5, "{length} m: {off:e}");
+    }
+    // From end to end the theory's coil gets thinner, the simulated one does not: a fit of simulated lengths finds 2.1.
+    let lengths: Vec<f64> = (0..8).map(|point| shortest + (longest - shortest) * f64::from(point) / 7.0).collect();
+    let points = CalibrationPoints::new(&lengths, &simulated.at_lengths(&lengths)).unwrap();
+    let fitted = SteelCoil::new(&coil, spring.mid_length(), Leads::LeftOut, [shortest, longest]).unwrap();
+    let fit = SteelFit::new(&fitted, &points, Permeability::Fitted, &SteelDoubts::default()).unwrap();
+    assert!((fit.permeability - 2.08).abs() < 0.02, "{}", fit.permeability);
 }
 
 #[test]
@@ -106,7 +130,7 @@ fn windings_that_nearly_touch_are_said_to_be_too_uneven() {
     let fast = HEEL_STRIKE.replace("0.25 m/s", "3 m/s");
     let analysis = of_wire("relative_permeability = 2.5", &fast);
     let told = magnetic(&analysis);
-    assert!(told.len() == 1 && told[0].contains("more than a third off"), "{told:?}");
+    assert!(told.len() == 1 && told[0].contains("by more than a third"), "{told:?}");
     let slow = of_wire("relative_permeability = 2.5", HEEL_STRIKE);
     let name = "magnetisation of uneven windings";
     assert!(line(&analysis, name).unwrap() > 10.0 * line(&slow, name).unwrap());
@@ -134,7 +158,7 @@ fn a_meter_too_fast_for_direct_current_is_warned_of_by_its_limit() {
     };
     assert!(with("1 kHz").is_empty());
     let told = with("200 kHz");
-    assert!(told.len() == 1 && told[0].contains("at 200 kHz the current crowds"), "{told:?}");
+    assert!(told.len() == 1 && told[0].contains("at 200 kHz the skin effect matters"), "{told:?}");
 }
 
 /// A stored calibration over lengths \[mm\], with one standard uncertainty \[m\].
@@ -162,6 +186,17 @@ fn a_stored_calibration_brings_its_own_uncertainty_or_is_refused_by_name() {
     // 0.25 % of L, and so of l where L = c/l.
     let mounted = line(&analysis, "calibration: remounting").unwrap() / k;
     assert!(mounted > 0.0025 * shortest && mounted < 0.0025 * longest, "{mounted}");
+    let with_form = |file: Result<String, String>| {
+        let text = format!(
+            "{S_T}\n{UNDAMPED}[[sensor]]\nkind = \"inductance\"\ncalibration = \"calibration.toml\"\ncalibration_form = \"2 %\"\n{STILL}"
+        );
+        coilsense_lab::spec::Spec::parse("test.toml", &text, &|_| file.clone()).map_err(|error| error.to_string())
+    };
+    // A form that is told wins, of a file that is whole.
+    let told = Analysis::run(with_form(Ok(stored([150.0, 320.0], "1e-4"))).unwrap(), &|_, _| true).unwrap();
+    let form = line(&told, "calibration: as stored").unwrap();
+    assert!((form / (k * 0.02 * (longest - shortest)) - 1.0).abs() < 1e-6, "{form}");
+    assert!(with_form(Err("cannot be read".to_owned())).unwrap_err().contains("cannot be read"));
     for (file, said) in [
         (Err("cannot be read".to_owned()), "cannot be read"),
         (Ok("schema = 1".to_owned()), "is no stored calibration"),

@@ -4,7 +4,7 @@ use coilsense_lab::output::Output;
 use coilsense_lab::rig::{Rig, RigError};
 use coilsense_lab::spec::Spec;
 
-use super::{PAPER, PERFECT, S_T, rig, spec};
+use super::{PAPER, PERFECT, S_T, log, rig, spec};
 
 const QUICK: &str = "\n[mount]\ndamping_ratio = 0.005\n[rig]\nduration = \"2 s\"\nreadings = 3\nfrequencies = 2\nhits = 1\nhits_per_run = 1\ncalibration_positions = 3\n";
 
@@ -145,6 +145,26 @@ fn what_is_called_as_before_is_read_with_a_note() {
         Err(String::new())
     });
     assert!(both.unwrap_err().to_string().contains("unknown key \"taps\" in [rig]"));
+}
+
+#[test]
+fn magnetic_wire_is_measured_as_such_or_warned_of() {
+    let of = |wire: &str| {
+        let told = S_T.replacen("[spring]", &format!("[spring]\n{wire}"), 1);
+        let sensor = "kind = \"inductance\"";
+        let text = format!("{told}{PERFECT}").replace(sensor, &format!("{sensor}\ncalibration_form = \"1 %\""));
+        let spec = Spec::parse("test.toml", &text, &|name| Err(format!("{name}: no files here"))).unwrap();
+        let rig = Rig::new(&spec, 1).unwrap();
+        let readings = log(&rig, "calibration").slow.values("L").unwrap().to_vec();
+        (readings, rig.warnings().to_vec())
+    };
+    let (air, steel, carbon) = (of(""), of("relative_permeability = 2.5"), of("relative_permeability = 60"));
+    assert!(air.1.is_empty() && steel.1.is_empty());
+    for (air, steel) in air.0.iter().zip(&steel.0) {
+        assert!((1.05..1.2).contains(&(steel / air)), "{steel} and {air}");
+    }
+    assert_eq!(air.0, carbon.0);
+    assert!(carbon.1.len() == 1 && carbon.1[0].starts_with("relative_permeability = 60 is left out"), "{:?}", carbon.1);
 }
 
 #[test]

@@ -121,3 +121,23 @@ fn a_recorded_motion_is_each_rows_own_though_it_is_read_once() {
     let reason = &texts(chunk, "reason")[1];
     assert!(reason.contains("broken.csv") && reason.contains("line 3, column 2: \"x\" must be a number"), "{reason}");
 }
+
+#[test]
+fn magnetic_wire_is_noted_where_forces_by_inductance_are_asked_for_and_nowhere_else() {
+    let note = |wire: &str, over: &str, column: &str| {
+        let text = spec().replacen("[spring]", &format!("[spring]\n{wire}"), 1);
+        let parameters = PlanParameters { rows: Some(2), ..of("", &[over], &[column]) };
+        Plan::new(parameters.with_text("spec.toml", &text, &motion).unwrap()).unwrap().note()
+    };
+    let (wire, mass) = ("relative_permeability = 2.5", "spring.mass=50..80 g");
+    for column in ["F_L.rmsd", "coil.combined"] {
+        let told = note(wire, mass, column).unwrap();
+        assert!(told.contains("non-magnetic wire") && told.contains("analyze"), "{told}");
+        assert_eq!(note("", mass, column), None);
+        assert_eq!(note("relative_permeability = 1", mass, column), None);
+        assert!(note("", "spring.relative_permeability=1..3", column).is_some());
+    }
+    for column in ["laser.combined", "F_o.rmsd", "mass"] {
+        assert_eq!(note(wire, mass, column), None, "{column}");
+    }
+}

@@ -12,6 +12,7 @@ mod misfit;
 mod points;
 mod reading;
 mod steel;
+mod steel_doubts;
 mod stiffness;
 
 pub use calibration::{CALIBRATION_LENGTHS, Calibration, Theory};
@@ -23,5 +24,6 @@ pub use line::FitMethod;
 pub use misfit::Misfit;
 pub use points::CalibrationPoints;
 pub use reading::ReadingUncertainty;
-pub use steel::{Permeability, SteelDoubts, SteelFit};
+pub use steel::{Permeability, SteelFit};
+pub use steel_doubts::SteelDoubts;
 pub use stiffness::StiffnessFit;

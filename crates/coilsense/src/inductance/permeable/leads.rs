@@ -48,6 +48,15 @@ pub fn inductance_along(length: f64, coil_radius: f64, leads: Leads) -> Result<f
 }
 
 impl Leads {
+    /// Those that a word says: `open`, or `none` for what is left out.
+    pub fn named(word: &str) -> Option<Self> {
+        match word {
+            "open" => Some(Self::Open),
+            "none" => Some(Self::LeftOut),
+            _ => None,
+        }
+    }
+
     /// Refuses leads inside a coil.
     pub(crate) fn outside(self, coil_radius: f64) -> Result<(), Error> {
         let Self::Beside(distance) = self else { return Ok(()) };

@@ -12,6 +12,7 @@ mod field;
 mod grid;
 mod leads;
 mod moving;
+mod node;
 mod pairs;
 mod surface;
 mod susceptible;

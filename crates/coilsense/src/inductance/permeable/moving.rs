@@ -1,22 +1,17 @@
 //! Turns of magnetic wire that move: what magnetisation adds to Maxwell's sum, to second order about an even spacing.
 //!
-//! Next door: turns at an even spacing (`turns`), thin rings wherever they are (`super::super::maxwell`).
+//! Next door: what is found about one pitch (`node`), turns at an even spacing (`turns`), thin rings wherever they are (`super::super::maxwell`).
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::coil::on_all_cores;
-use super::disc::Disc;
 use super::grid::Grid;
-use super::pairs::{Derivatives, Pairs};
-use super::turns::{SteelTurns, at_pitches, by_gap, logarithm};
+use super::node::{Node, changes};
+use super::turns::{SteelTurns, at_pitches, by_gap, thin};
 use super::{PermeableRings, check_pitch};
 use crate::error::{Error, check};
-use crate::inductance::coil::Coil;
-use crate::inductance::maxwell::MaxwellSum;
-use crate::inductance::mutual::MU_0;
 use crate::inductance::over_length::OverLength;
 use crate::inductance::second_order::BoundedInductance;
-use crate::inductance::self_term::SelfDistance;
 use crate::motion::Windings;
 
 /// Inductance of turns of magnetic wire near an even spacing.
@@ -52,109 +47,14 @@ pub struct SteelWindings {
     nodes: Vec<Node>,
 }
 
-/// How L of magnetic turns, less Maxwell's sum, changes with their places about one pitch.
-#[derive(Debug, Clone, PartialEq)]
-struct Node {
-    /// ln of the gap between wires \[m\].
-    place: f64,
-    /// g \[H/m\], H \[H/m²\].
-    gradient: DVector<f64>,
-    hessian: DMatrix<f64>,
-    /// Of Σ |ε|³ \[H\], with what is added for safety.
-    third: f64,
-}
-
 /// Pitches of a range at which g and H are found.
 const NODES: usize = 4;
 /// By which share of it a gap may change.
 const MOST_CHANGED: f64 = 1.0 / 3.0;
-/// Turns of the row by which the third order is judged, and shares of the gap by which its turns move.
-const JUDGED: usize = 5;
-const MOVED: f64 = 0.2;
-/// What is added to the third order that was seen.
-const SAFETY: f64 = 3.0;
 /// Samples whose products are taken at once.
 const BLOCK: usize = 256;
 /// What differences and solutions may add, relative to L.
 const ROUNDING: f64 = 1e-9;
-
-/// A row of thin rings with which magnetic turns are compared.
-fn thin(turns: usize, radius: f64, wire: f64) -> Result<MaxwellSum, Error> {
-    Ok(MaxwellSum::of_coil(&Coil::new(turns as f64, radius, wire)?, SelfDistance::GeometricMean))
-}
-
-/// Places of turns at a pitch \[m\].
-fn evenly(turns: usize, pitch: f64) -> Vec<f64> {
-    (0..turns).map(|turn| turn as f64 * pitch).collect()
-}
-
-impl Node {
-    fn new(turns: usize, [radius, wire, pitch]: [f64; 3], permeability: f64) -> Result<Self, Error> {
-        let own = Excess::of(turns, [radius, wire, pitch], permeability)?;
-        let third = SAFETY * Excess::of(JUDGED, [radius, wire, pitch], permeability)?.seen_third(permeability)?;
-        let (gradient, hessian) = (own.gradient, own.hessian);
-        Ok(Self { place: logarithm(pitch, wire), gradient, hessian, third })
-    }
-}
-
-/// L of magnetic turns less that of thin rings, about one pitch.
-struct Excess {
-    disc: Disc,
-    thin: MaxwellSum,
-    /// E₀ \[H\].
-    added: f64,
-    gradient: DVector<f64>,
-    hessian: DMatrix<f64>,
-}
-
-impl Excess {
-    fn of(turns: usize, [radius, wire, pitch]: [f64; 3], permeability: f64) -> Result<Self, Error> {
-        let disc = Disc::new(radius, wire, pitch);
-        let even = evenly(turns, pitch);
-        let Derivatives { inductance, gradient, hessian } =
-            Pairs::of(&disc, &even, Some(pitch - 2.0 * wire)).derivatives(permeability)?;
-        let thin = thin(turns, radius, wire)?;
-        // A sum over turns alone has no ends to be given.
-        let ends = [0.0, even[turns - 1]];
-        let (of_thin, bends) = (thin.gradient(ends, &even)?, thin.hessian(ends, &even)?);
-        let nodes = turns + 2;
-        let gradient = DVector::from_fn(turns, |turn, _| MU_0 * gradient[turn] - of_thin[turn + 1]);
-        let hessian = DMatrix::from_fn(turns, turns, |row, column| {
-            MU_0 * hessian[(row, column)] - bends[(row + 1) * nodes + column + 1]
-        });
-        let added = MU_0 * inductance - thin.at_positions(&even)?;
-        Ok(Self { disc, thin, added, gradient, hessian })
-    }
-
-    /// The largest third-order part over Σ |ε|³ \[H\] of turns that are solved where they are: pulled apart evenly and one by one.
-    fn seen_third(&self, permeability: f64) -> Result<f64, Error> {
-        let (turns, pitch) = (self.gradient.len(), self.disc.pitch);
-        let gap = pitch - 2.0 * self.disc.wire;
-        let way = MOVED * gap;
-        let moved: [&dyn Fn(usize) -> f64; 4] = [
-            &|turn| turn as f64 * way,
-            &|turn| -(turn as f64) * way,
-            &|turn| if turn % 2 == 0 { 0.5 * way } else { -0.5 * way },
-            &|turn| if turn + 1 < turns { 0.0 } else { -way },
-        ];
-        let mut largest = 0.0_f64;
-        for shape in moved {
-            let by = DVector::from_fn(turns, |turn, _| shape(turn));
-            let positions: Vec<f64> = evenly(turns, pitch).iter().zip(&by).map(|(even, by)| even + by).collect();
-            let exact = MU_0 * Pairs::of(&self.disc, &positions, None).inductance(permeability)?;
-            let to_second = self.added + self.gradient.dot(&by) + 0.5 * by.dot(&(&self.hessian * &by));
-            let left = exact - self.thin.at_positions(&positions)? - to_second;
-            largest = largest.max(left.abs() / changes(&positions, pitch, gap).1);
-        }
-        Ok(largest)
-    }
-}
-
-/// The largest change of a gap as a share of it, and Σ |ε|³.
-fn changes(positions: &[f64], pitch: f64, gap: f64) -> (f64, f64) {
-    let shares = positions.windows(2).map(|pair| ((pair[1] - pair[0] - pitch) / gap).abs());
-    shares.fold((0.0, 0.0), |(most, cubes), share| (share.max(most), cubes + share.powi(3)))
-}
 
 impl SteelWindings {
     /// About turns at a pitch \[m\]; the rest as of [`PermeableRings::new`].
@@ -280,17 +180,6 @@ impl SteelWindings {
     }
 }
 
-impl Node {
-    /// gᵀδ + ½ δᵀHδ \[H\] of every column.
-    fn forms(&self, moved: &DMatrix<f64>) -> Vec<f64> {
-        let bent = &self.hessian * moved;
-        let form = |(own, bent): (nalgebra::DVectorView<'_, f64>, nalgebra::DVectorView<'_, f64>)| {
-            self.gradient.dot(&own) + 0.5 * own.dot(&bent)
-        };
-        moved.column_iter().zip(bent.column_iter()).map(form).collect()
-    }
-}
-
 impl OverLength for SteelWindings {
     fn at_length(&self, length: f64) -> f64 {
         self.even.at_length(length)
@@ -303,6 +192,9 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
+    use crate::inductance::mutual::MU_0;
+    use crate::inductance::permeable::disc::Disc;
+    use crate::inductance::permeable::pairs::Pairs;
 
     const RADIUS: f64 = 8.47e-3;
     const WIRE: f64 = 1.41e-3;

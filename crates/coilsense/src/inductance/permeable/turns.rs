@@ -66,24 +66,27 @@ impl SteelTurns {
         Self::over_pitches(coil, wire_radius, permeability, lengths.map(|length| length / coil.windings()))
     }
 
+    /// Whether a coil of such wire is one that is told, without solving it.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for turns of several radii, another number of them than 2 to 150, and a permeability below 1 or above 20.
+    pub fn covers(coil: &MaxwellSum, permeability: f64) -> Result<(), Error> {
+        coil.check_even()?;
+        check_permeability(permeability)?;
+        let turns = coil.places().len();
+        let allowed = format!("from 2 to {MOST_TURNS}");
+        check((2..=MOST_TURNS).contains(&turns), "turns", turns as f64, "", allowed).map(|_| ())
+    }
+
     pub(super) fn over_pitches(
         coil: &MaxwellSum,
         wire_radius: f64,
         permeability: f64,
         pitches: [f64; 2],
     ) -> Result<Self, Error> {
-        coil.check_even()?;
-        check_permeability(permeability)?;
-        let turns = coil.places().len();
-        let allowed = format!("from 2 to {MOST_TURNS}");
-        check((2..=MOST_TURNS).contains(&turns), "turns", turns as f64, "", allowed)?;
-        let thin = |turns: usize| -> Result<MaxwellSum, Error> {
-            Ok(MaxwellSum::of_coil(
-                &Coil::new(turns as f64, coil.coil_radius(), wire_radius)?,
-                SelfDistance::GeometricMean,
-            ))
-        };
+        Self::covers(coil, permeability)?;
         let (whole, share) = (coil.windings() as usize, coil.windings().fract());
+        let thin = |turns: usize| thin(turns, coil.coil_radius(), wire_radius);
         let thin = [thin(whole)?, thin(whole + 1)?];
         let least = CLOSE * 2.0 * wire_radius;
         let pitches = pitches.map(|pitch| pitch.max(least));
@@ -129,6 +132,11 @@ impl OverLength for SteelTurns {
     fn at_length(&self, length: f64) -> f64 {
         self.air.at_length(length) + self.added(length / self.air.windings())
     }
+}
+
+/// A row of thin rings with which magnetic turns are compared.
+pub(super) fn thin(turns: usize, radius: f64, wire: f64) -> Result<MaxwellSum, Error> {
+    Ok(MaxwellSum::of_coil(&Coil::new(turns as f64, radius, wire)?, SelfDistance::GeometricMean))
 }
 
 /// Pitches of a range between which quantities are polynomials in ln of the gap between wires.
