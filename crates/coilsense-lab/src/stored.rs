@@ -76,7 +76,7 @@ impl StoredCalibration {
                 .span()
                 .map_or(String::new(), |span| format!("line {}: ", 1 + text[..span.start].matches('\n').count()));
             let what = error.message().lines().next().unwrap_or_default();
-            refuse(format!("{line}is no stored calibration: {what}"))
+            refuse(format!("is no stored calibration ({line}{what})"))
         })?;
         if file.schema != SCHEMA {
             return Err(refuse(format!("schema must be {SCHEMA:?}, got {:?}", file.schema)));

@@ -48,7 +48,7 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_
         return Ok(Quantity::Inductance { uncalibrated: false, form, form_by, remounting });
     }
     let word = section.optional_word("calibration", &Calibrated::ALL.map(|(word, _)| word));
-    let word = word.map_err(|error| error.or_also("a file that coilsense calibrate wrote, .toml"))?;
+    let word = word.map_err(|error| error.or_also("the name of a .toml file that coilsense calibrate wrote"))?;
     let known = Calibrated::ALL.into_iter().find(|(name, _)| Some(*name) == word);
     let way = known.map_or(Calibrated::Fitted, |(_, way)| way);
     let uncalibrated = way == Calibrated::Theory;

@@ -69,7 +69,7 @@ fn a_sensor_that_cannot_be_is_refused() {
         ["a compliance as a stiffness", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"two-encoder\"\ncompliance = \"1 N/m\"",
             r#"S.toml:33: compliance = "1 N/m": must be a compliance with its unit (m/N, mm/N, um/N, µm/N)"#],
         ["an unknown calibration", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"inductance\"\ncalibration = \"none\"",
-            r#"S.toml:33: calibration = "none": must be one of "fitted", "two-point", "steel", "theory", or a file that coilsense calibrate wrote, .toml"#],
+            r#"S.toml:33: calibration = "none": must be one of "fitted", "two-point", "steel", "theory", or the name of a .toml file that coilsense calibrate wrote"#],
         ["a form that is off by more than all", "kind = \"deflection\"\nresolution = \"10 um\"", "kind = \"inductance\"\ncalibration_form = \"140 %\"",
             r#"S.toml:33: calibration_form = "140 %": must be from 0 to 100 %"#],
         ["two of a name", r#"resolution = "10 um""#, "resolution = \"10 um\"\n[[sensor]]\nkind = \"load-cell\"\nname = \"Laser\"",
