@@ -40,7 +40,6 @@ impl SpringInductance {
     /// [`Error::Value`] for turns of magnetic wire that cannot be solved.
     pub fn of(spring: &SpringSpec) -> Result<Self, Error> {
         Ok(match spring.magnetic_turns()? {
-            // What is never made need not be loaded.
             Some(turns) if cfg!(feature = "steel") => Self::Magnetic(Box::new(SteelWindings::of(turns)?)),
             _ => Self::Air(spring.inductance_in_air()),
         })
@@ -146,6 +145,10 @@ impl SpringSpec {
 
     /// Its windings at rest where the spec says that their wire is magnetic and the theory covers it.
     fn magnetic_turns(&self) -> Result<Option<SteelTurns>, Error> {
+        // What is never made need not be loaded.
+        if !cfg!(feature = "steel") {
+            return Ok(None);
+        }
         let Some(permeability) = self.told_permeability().filter(|_| self.magnetisation_left_out().is_none()) else {
             return Ok(None);
         };
