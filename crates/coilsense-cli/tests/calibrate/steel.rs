@@ -83,7 +83,7 @@ fn what_is_no_magnetic_coil_is_said_in_a_line() {
         (steel(&["--points", "1"]), "--points"),
         (steel(&["--points", "13"]), "holds 12 points that can be used, fewer than --points 13"),
         (steel(&["--leads", "4 mm"]), "leads must be above the coil radius"),
-        (steel(&["--leads", "near"]), "open or a distance"),
+        (steel(&["--leads", "near"]), "open, none, or a distance"),
         (steel(&["--re-zero", "30 mm"]), "a length and an inductance"),
         (steel(&["--form", "cubic"]), "--form"),
         (with(&["--known-permeability", "2"]), "--theory"),

@@ -112,7 +112,7 @@ impl SteelWindings {
         Ok(self.of_block(&[air], positions).remove(0))
     }
 
-    /// The same of every sample of a motion, shape `samples`, whose chain carries the turns as [`MaxwellSum::series`] has it.
+    /// The same of every sample of a motion, shape `samples`, whose chain carries the turns as [`crate::inductance::MaxwellSum::series`] has it.
     pub fn series(&self, windings: &Windings) -> Vec<BoundedInductance> {
         let air = self.even.air.series(windings);
         let carry = self.even.air.carry(windings.count());
