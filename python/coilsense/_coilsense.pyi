@@ -1229,6 +1229,7 @@ def mitigate(
     most_lag: float | str | None = None,
     seeds: int = 5,
     length_at_zero: float | str | None = None,
+    calibration: StoredCalibration | str | PathLike[str] | None = None,
     end2: str | None = None,
 ) -> Mitigation: ...
 def mutual_inductances(radius: float, distances: ArrayLike) -> _Floats: ...

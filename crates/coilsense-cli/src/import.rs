@@ -6,8 +6,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
-use coilsense_lab::calibration::request::{CALIBRATION, RE_ZERO, parse_pair};
-use coilsense_lab::calibration::{Applied, StoredCalibration};
+use coilsense_lab::calibration::Applied;
 use coilsense_lab::output::Output;
 use coilsense_lab::recording::request::{LOG, WITH};
 use coilsense_lab::recording::{Account, Cleaning, ImportError, import, write_recording, write_recording_with};
@@ -33,7 +32,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let watch = Watch::begin("reading")?;
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut output = Output::begin(folder)?;
-    let stored = stored(given)?;
+    let stored = log::stored_calibration(given)?;
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
     let mut told = Vec::new();
     let imported = if let Some(stored) = stored {
@@ -65,14 +64,6 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let _ = writeln!(out, "wrote {} in {:.2} s", path.display(), begun.elapsed().as_secs_f64());
     Ok(())
-}
-
-/// The calibration that is applied, re-zeroed where that is asked for.
-fn stored(given: &Given) -> anyhow::Result<Option<StoredCalibration>> {
-    let Some(stored) = given.file(&CALIBRATION).map(StoredCalibration::read).transpose()? else { return Ok(None) };
-    let Some(text) = given.text(&RE_ZERO) else { return Ok(Some(stored)) };
-    let (length, inductance) = parse_pair(&text).map_err(|reason| anyhow::anyhow!("--re-zero: {reason}"))?;
-    Ok(Some(stored.re_zeroed(length, inductance)?))
 }
 
 /// Length and force with their uncertainties, as columns.

@@ -2,6 +2,8 @@
 //!
 //! Next door: its options (`coilsense_lab::recording::request`), what is done with it (`import`).
 
+use coilsense_lab::calibration::StoredCalibration;
+use coilsense_lab::calibration::request::{CALIBRATION, RE_ZERO, parse_pair};
 use coilsense_lab::recording::request::{COLUMN, LOG, MAPPING, PRESET, SAMPLE_RATE, WITH, WITH_COLUMN, WITH_MAPPING};
 use coilsense_lab::recording::{Cleaning, Clock, Mapping, Points, Recording, RecordingError};
 use coilsense_lab::request::Given;
@@ -33,4 +35,12 @@ pub fn mapping(given: &Given) -> Result<Mapping, RecordingError> {
     given.texts(&COLUMN).iter().try_for_each(|column| mapping.set(column))?;
     mapping.format.sample_rate = given.number(&SAMPLE_RATE).or(mapping.format.sample_rate);
     Ok(mapping)
+}
+
+/// The calibration that is applied to it, re-zeroed where that is asked for.
+pub fn stored_calibration(given: &Given) -> anyhow::Result<Option<StoredCalibration>> {
+    let Some(stored) = given.file(&CALIBRATION).map(StoredCalibration::read).transpose()? else { return Ok(None) };
+    let Some(text) = given.text(&RE_ZERO) else { return Ok(Some(stored)) };
+    let (length, inductance) = parse_pair(&text).map_err(|reason| anyhow::anyhow!("--re-zero: {reason}"))?;
+    Ok(Some(stored.re_zeroed(length, inductance)?))
 }

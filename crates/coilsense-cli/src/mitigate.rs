@@ -4,6 +4,7 @@ use std::io::Write;
 use std::time::Instant;
 
 use anyhow::Context;
+use coilsense_lab::calibration::Applied;
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::request::{LOG, PRECISION, STATED};
 use coilsense_lab::mitigation::{Request, Study};
@@ -26,7 +27,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     } else {
         let asked = Request::of(given).map_err(options::wrong)?;
         match given.holds(&LOG) {
-            true => Study::on(&spec, &asked, &log::recording(given)?)?,
+            true => on_log(given, &spec, &asked)?,
             false => Study::of(&spec, &asked)?,
         }
     };
@@ -56,4 +57,13 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         );
     }
     Ok(())
+}
+
+/// On the log, its lengths by its inductance where a calibration is given.
+fn on_log(given: &Given, spec: &Spec, asked: &Request) -> anyhow::Result<Study> {
+    let stored = log::stored_calibration(given)?;
+    let log = log::recording(given)?;
+    let Some(stored) = stored else { return Ok(Study::on(spec, asked, &log)?) };
+    let applied = Applied::new(&stored, log.signals(), &log.account().file.display().to_string())?;
+    Ok(Study::on_lengths(spec, asked, &log, &applied)?)
 }

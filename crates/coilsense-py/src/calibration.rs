@@ -28,7 +28,7 @@ use crate::value::getters;
 mod points;
 mod stored;
 
-pub use stored::{PyStoredCalibration, open_calibration};
+pub use stored::{PyStoredCalibration, StoredArgument, open_calibration};
 
 /// A curve between length and inductance, what it is worth, and the theories beside it; made by `calibrate`.
 ///

@@ -7,15 +7,18 @@ mod remedy;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use coilsense_lab::calibration::Applied;
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::mitigation::request::{
     BANDWIDTH, END2, LENGTH_AT_ZERO, MASS_TOLERANCE, MOST_LAG, NOISE, RATE, SEEDS, STIFFNESS_TOLERANCE,
 };
 use coilsense_lab::mitigation::{Ranking, Request, Study, Truth};
+use coilsense_lab::recording::Recording;
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
 
+use crate::calibration::StoredArgument;
 use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, given, wrong};
@@ -153,6 +156,8 @@ impl PyMitigation {
 ///     Series of noise, 1 to 1000.
 /// length_at_zero : float or str, optional
 ///     Length of the coil where u1 and u2 of the record read zero [m]; without it, by the mean of F_i.
+/// calibration : StoredCalibration, str or os.PathLike, optional
+///     The coil's length by the record's L, in place of an end that was not recorded, or as the length where u1 and u2 read zero.
 /// end2 : {"held", "free", "mass"}, optional
 ///     What end 2 is tied to in the record; where it is held, no u2 is needed. Without it, as the spec's mount.
 ///
@@ -168,7 +173,7 @@ impl PyMitigation {
 ///     For a record without one of the channels, not evenly sampled, of another spring, or with a turned sign.
 #[pyfunction]
 #[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1,
-                    mass_tolerance=0.1, most_lag=None, seeds=5, length_at_zero=None, end2=None))]
+                    mass_tolerance=0.1, most_lag=None, seeds=5, length_at_zero=None, calibration=None, end2=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn mitigate(
     py: Python<'_>,
@@ -183,11 +188,15 @@ pub fn mitigate(
     most_lag: Option<Quantity>,
     seeds: u64,
     length_at_zero: Option<Quantity>,
+    calibration: Option<StoredArgument<'_>>,
     end2: Option<&str>,
 ) -> PyResult<PyMitigation> {
     let spec = spec.spec(py)?;
     if stated && record.is_some() {
         return Err(Error::new_err("record and stated are two things to judge on; give one of them"));
+    }
+    if calibration.is_some() && (record.is_none() || length_at_zero.is_some()) {
+        return Err(Error::new_err("calibration needs a record, and takes the place of length_at_zero"));
     }
     let given = given([
         (&RATE, rate.into()),
@@ -205,10 +214,17 @@ pub fn mitigate(
     spec.needs_no_contact("mitigate").map_err(refused)?;
     let study = match (stated, record) {
         (true, _) => Study::stated(&spec.spring.spring).python()?,
-        (false, Some(record)) => Study::on(&spec, &asked, &recording(py, &record)?).python()?,
+        (false, Some(record)) => on(&spec, &asked, &recording(py, &record)?, calibration)?,
         (false, None) => Study::of(&spec, &asked).map_err(refused)?,
     };
     let file = spec.file.clone();
     let answer = interruptible(py, move || study.run())?.map_err(|error| refused(format!("{file}: {error}")))?;
     Ok(PyMitigation { answer: Arc::new(answer), spec })
+}
+
+/// On a record, its lengths by its inductance where a calibration is given.
+fn on(spec: &Spec, asked: &Request, record: &Recording, calibration: Option<StoredArgument<'_>>) -> PyResult<Study> {
+    let Some(calibration) = calibration else { return Study::on(spec, asked, record).python() };
+    let applied = Applied::new(&calibration.stored()?, record.signals(), &record.account().file.display().to_string());
+    Study::on_lengths(spec, asked, record, &applied.python()?).python()
 }

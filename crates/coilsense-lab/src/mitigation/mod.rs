@@ -8,6 +8,7 @@
 
 mod candidate;
 mod candidates;
+mod ends;
 pub mod export;
 mod judge;
 mod ranking;

@@ -7,8 +7,9 @@ use coilsense::mitigation::ToleranceBox;
 use coilsense::{Channel, Signals, Spring};
 use coilsense_rt::Measured;
 
-use super::request::{END2, Request};
-use crate::message::{Hint, Message};
+use super::ends::{Ends, Zero};
+use super::request::Request;
+use crate::calibration::Applied;
 use crate::quantity::digits;
 use crate::recording::{Recording, RecordingError};
 
@@ -56,12 +57,17 @@ impl Recorded {
     ///
     /// # Errors
     /// [`RecordingError`] for a log without one of the channels, of another spring, or with a turned sign.
-    pub(super) fn of(known: &Known<'_>, asked: &Request, log: &Recording) -> Result<(Self, Spring), RecordingError> {
-        let [force, first] = [log.channel(Channel::InputForce)?, log.channel(Channel::U1)?];
-        let second = second(known, asked, log)?;
+    pub(super) fn of(
+        known: &Known<'_>,
+        asked: &Request,
+        log: &Recording,
+        by_inductance: Option<&Applied>,
+    ) -> Result<(Self, Spring), RecordingError> {
+        let force = log.channel(Channel::InputForce)?;
+        let Ends { positions: [first, second], zero, mut notes } =
+            Ends::of((known.is_held, known.spring.stiffness()), asked, log, by_inductance)?;
         let lengths: Vec<f64> = first.iter().zip(&second).map(|(first, second)| second - first).collect();
         let output = log.signals().channel(Channel::OutputForce).ok();
-        let mut notes = Vec::new();
         let line = line(known, log, &lengths, Channel::InputForce, force, &mut notes)?;
         if let Some(output) = output {
             let _ = self::line(known, log, &lengths, Channel::OutputForce, output, &mut Vec::new())?;
@@ -78,14 +84,13 @@ impl Recorded {
         let found = spring.rest_length() + f / spring.stiffness() - x;
         // What the mean of F_i does not tell from zero is none.
         let is_length = (spring.stiffness() * found).abs() <= UNTOLD * spring.nominal_force();
-        let length_at_zero = asked.length_at_zero.unwrap_or(if is_length { 0.0 } else { found });
-        notes.push(match asked.length_at_zero {
-            None if is_length => {
-                "u2 − u1 is taken for the coil's length: the mean of F_i agrees with it to 0.1 % of F_nom.".to_owned()
-            }
-            given => where_zero(&spring, given, found),
-        });
-        let each = force.iter().zip(first).zip(&second);
+        let length_at_zero = match zero {
+            Zero::Told(length) | Zero::ByInductance(length) => length,
+            Zero::Unknown if is_length => 0.0,
+            Zero::Unknown => found,
+        };
+        notes.extend(where_zero(&spring, zero, found, is_length));
+        let each = force.iter().zip(&first).zip(&second);
         let measured =
             each.map(|((force, first), second)| Measured { force: *force, ends: [*first, *second + length_at_zero] });
         let recorded = Self {
@@ -98,19 +103,6 @@ impl Recorded {
         };
         Ok((recorded, spring))
     }
-}
-
-/// u2 \[m\]; zero where end 2 is held and was not recorded.
-fn second(known: &Known<'_>, asked: &Request, log: &Recording) -> Result<Vec<f64>, RecordingError> {
-    let missing = match log.channel(Channel::U2) {
-        Ok(second) => return Ok(second.to_vec()),
-        Err(missing) => missing,
-    };
-    if asked.end2_held.unwrap_or(known.is_held) {
-        return Ok(vec![0.0; log.signals().time().len()]);
-    }
-    let or = Message::from("; where that end is held, ") + Hint::Value(END2.name, "held".to_owned()) + " says so";
-    Err(RecordingError::of_words(Message::from(missing) + or))
 }
 
 /// Force over length where both move slowly; none where they tell none, which is noted.
@@ -217,21 +209,33 @@ fn spring(
 }
 
 /// What is said of the length of the coil where positions read zero.
-fn where_zero(spring: &Spring, given: Option<f64>, found: f64) -> String {
-    let Some(given) = given else {
-        return format!(
-            "The coil is {:.3} mm long where u1 and u2 read zero, by the mean of F_i; a constant error of F_i is not seen so.",
-            1e3 * found
-        );
+fn where_zero(spring: &Spring, zero: Zero, found: f64, is_length: bool) -> Option<String> {
+    let (told, given) = match zero {
+        Zero::Unknown if is_length => {
+            return Some(
+                "u2 − u1 is taken for the coil's length: the mean of F_i agrees with it to 0.1 % of F_nom.".to_owned(),
+            );
+        }
+        Zero::Unknown => {
+            return Some(format!(
+                "The coil is {:.3} mm long where u1 and u2 read zero, by the mean of F_i; a constant error of F_i is not seen so.",
+                1e3 * found
+            ));
+        }
+        Zero::Told(given) => {
+            (Some(format!("The coil is {:.3} mm long where u1 and u2 read zero, as told", 1e3 * given)), given)
+        }
+        Zero::ByInductance(given) => (None, given),
     };
     let error = spring.stiffness() * (found - given);
-    let said = format!("The coil is {:.3} mm long where u1 and u2 read zero, as told", 1e3 * given);
     if error.abs() <= LARGE * spring.nominal_force() {
-        return format!("{said}.");
+        return told.map(|told| told + ".");
     }
-    format!(
-        "Warning: {said}; F_i is {} N off k·Δl on average then, which no filter takes away. By the mean of F_i it is {:.3} mm.",
+    let by = told.unwrap_or_else(|| "The length is by L".to_owned());
+    Some(format!(
+        "Warning: {by}; F_i is {} N off k·Δl on average then, which no filter takes away. By the mean of F_i it is {:.3} mm {}.",
         digits(error),
-        1e3 * found
-    )
+        1e3 * (found - if matches!(zero, Zero::Told(_)) { 0.0 } else { given }),
+        if matches!(zero, Zero::Told(_)) { "there" } else { "longer" },
+    ))
 }

@@ -5,6 +5,7 @@
 use coilsense::Error;
 use coilsense::mitigation::ToleranceBox;
 
+use crate::calibration::request as of_calibration;
 use crate::quantity::Dimension;
 use crate::recording::request as log;
 use crate::request::{Allowed, Door, Given, IfAbsent, LENGTH, Row, Takes, Wrong};
@@ -15,7 +16,7 @@ pub const BASIS: [Row; 2] = [STATED, LOG];
 pub const OPTIONS: [Row; 7] = [RATE, NOISE, BANDWIDTH, STIFFNESS_TOLERANCE, MASS_TOLERANCE, MOST_LAG, SEEDS];
 
 /// What is known of a log's positions.
-pub const OF_LOG: [Row; 2] = [LENGTH_AT_ZERO, END2];
+pub const OF_LOG: [Row; 4] = [LENGTH_AT_ZERO, CALIBRATION, RE_ZERO, END2];
 /// How the log is read, as by every other verb.
 pub const READING: [Row; 15] = [
     of_log(log::COLUMN),
@@ -66,6 +67,20 @@ pub const LENGTH_AT_ZERO: Row = Row {
     requires: &["log"],
     elsewhere: &[(Door::Page, "by the mean of F_i")],
     ..LENGTH
+};
+/// Length by the log's inductance.
+pub const CALIBRATION: Row = Row {
+    meaning: "A stored calibration (calibration.toml of coilsense calibrate --out): the coil's length by the log's L, in place of an end that was not recorded, or as the length where u1 and u2 read zero",
+    requires: &["log"],
+    conflicts: &["length_at_zero"],
+    elsewhere: &[(Door::Page, "coilsense mitigate")],
+    ..of_calibration::CALIBRATION
+};
+/// A spring that was mounted anew since.
+pub const RE_ZERO: Row = Row {
+    requires: &["calibration"],
+    elsewhere: &[(Door::Python, "StoredCalibration.re_zeroed"), (Door::Page, "coilsense mitigate")],
+    ..of_calibration::RE_ZERO
 };
 /// Whether the log needs a u2.
 pub const END2: Row = Row {

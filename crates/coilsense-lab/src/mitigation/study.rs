@@ -10,6 +10,7 @@ use coilsense::{Damping, Error, Excitation, FarEnd, Spring};
 
 use super::recorded::{Known, Recorded};
 use super::request::{BANDWIDTH, NOISE, RATE, Refused, Request, SEEDS};
+use crate::calibration::Applied;
 use crate::recording::{Recording, RecordingError};
 use crate::request::Row;
 use crate::spec::{Spec, SpecError};
@@ -110,11 +111,36 @@ impl Study {
     /// # Errors
     /// [`RecordingError`] for a log without one of the three, not evenly sampled, of another spring, or with a turned sign.
     pub fn on(spec: &Spec, asked: &Request, log: &Recording) -> Result<Self, RecordingError> {
+        Self::on_log(spec, asked, log, None)
+    }
+
+    /// The same with the coil's length by its inductance: it takes the place of an end that was not recorded; where both were, it tells where they
+    /// count from.
+    ///
+    /// - `applied`: a stored calibration, applied to this log
+    ///
+    /// # Errors
+    /// As [`Self::on`], and for lengths that are not those of the ends.
+    pub fn on_lengths(
+        spec: &Spec,
+        asked: &Request,
+        log: &Recording,
+        applied: &Applied,
+    ) -> Result<Self, RecordingError> {
+        Self::on_log(spec, asked, log, Some(applied))
+    }
+
+    fn on_log(
+        spec: &Spec,
+        asked: &Request,
+        log: &Recording,
+        by_inductance: Option<&Applied>,
+    ) -> Result<Self, RecordingError> {
         let plain = Self::without_log(spec, asked);
         let rate = log.sample_rate()?;
         let is_held = matches!(plain.far_end, FarEnd::Position);
         let known = Known { spring: &plain.spring, is_held, tolerance: plain.tolerances.stiffness() };
-        let (recorded, spring) = Recorded::of(&known, asked, log)?;
+        let (recorded, spring) = Recorded::of(&known, asked, log, by_inductance)?;
         Ok(Self { recorded: Some(recorded), spring, rate, seeds: 1, conditions: Vec::new(), ..plain })
     }
 

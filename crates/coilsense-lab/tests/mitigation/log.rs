@@ -14,7 +14,7 @@ use super::*;
 /// Samples a second; the log's length \[s\].
 const RATE: f64 = 1000.0;
 const DURATION: f64 = 12.0;
-const LENGTH: f64 = 0.23;
+pub const LENGTH: f64 = 0.23;
 
 /// S_T of 760 N/m hit four times while end 1 moves by 1 mm at 0.3 Hz, 10 mN of noise: u1, u2 from where the coil is 230 mm long, F_i, F_o.
 fn channels(slow: f64) -> (Vec<f64>, Vec<(Channel, Vec<f64>)>) {
@@ -41,7 +41,7 @@ fn channels(slow: f64) -> (Vec<f64>, Vec<(Channel, Vec<f64>)>) {
 }
 
 /// The log, each channel changed as asked; those that become empty are not there.
-fn changed(slow: f64, change: impl Fn(Channel, Vec<f64>) -> Vec<f64>) -> Recording {
+pub fn changed(slow: f64, change: impl Fn(Channel, Vec<f64>) -> Vec<f64>) -> Recording {
     let (times, channels) = channels(slow);
     let mut signals = Signals::new(times).unwrap();
     for (channel, values) in channels {
@@ -53,7 +53,7 @@ fn changed(slow: f64, change: impl Fn(Channel, Vec<f64>) -> Vec<f64>) -> Recordi
     Recording::of_signals("rig.csv", signals)
 }
 
-fn times(values: Vec<f64>, factor: f64) -> Vec<f64> {
+pub fn times(values: Vec<f64>, factor: f64) -> Vec<f64> {
     values.into_iter().map(|value| factor * value).collect()
 }
 
@@ -67,12 +67,12 @@ fn refused(log: &Recording) -> String {
     told
 }
 
-fn notes(answer: &Ranking) -> String {
+pub fn notes(answer: &Ranking) -> String {
     answer.study.recorded.as_ref().unwrap().notes.join("\n")
 }
 
 /// Errors of nothing done and of the best filter, in % of F_nom.
-fn errors(answer: &Ranking) -> [f64; 2] {
+pub fn errors(answer: &Ranking) -> [f64; 2] {
     let raw = answer.judged.iter().find(|(candidate, _)| candidate.name.starts_with("F_i, unfiltered")).unwrap();
     let of = |judgement: &Judgement| share(answer, judgement.nominal);
     [of(&raw.1), of(&answer.best(Truth::Static).unwrap().1)]

@@ -1,7 +1,8 @@
 //! What the fitted designs gain over textbook choices, on the stated scenario, and what `mitigate` makes of a spec.
 //!
-//! Next door: logs that are judged on (`log`), exported settings (`exports`), each design by itself (`coilsense`'s tests of its mitigation).
+//! Next door: logs that are judged on (`log`), their lengths by inductance (`inductance`), exported settings (`exports`), each design by itself (`coilsense`'s tests of its mitigation).
 
+mod inductance;
 mod log;
 
 use coilsense::mitigation::ToleranceBox;

@@ -21,6 +21,25 @@ use crate::value::getters;
 #[derive(PartialEq)]
 pub struct PyStoredCalibration(StoredCalibration);
 
+/// A calibration that was stored, or the file where it is.
+#[derive(FromPyObject)]
+pub enum StoredArgument<'py> {
+    /// Read before.
+    Read(Bound<'py, PyStoredCalibration>),
+    /// The file.
+    File(PathBuf),
+}
+
+impl StoredArgument<'_> {
+    /// The calibration.
+    pub fn stored(self) -> PyResult<StoredCalibration> {
+        match self {
+            Self::Read(stored) => Ok(stored.get().0.clone()),
+            Self::File(path) => StoredCalibration::read(&path).python(),
+        }
+    }
+}
+
 getters! {
     PyStoredCalibration, self;
     /// The relation it was made by: "inverse-length", "cubic" or "steel".
