@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use coilsense::inductance::{MaxwellSum, SelfDistance};
 use coilsense::sensors::{
-    Cause, Instrument, Limits, Measurement, Place, Quantity, Readout, ReadoutParameters, Sensor, Site, SpringDoubt,
+    Cause, FormBy, Instrument, Limits, Measurement, Place, Quantity, Readout, ReadoutParameters, Sensor, Site,
+    SpringDoubt,
 };
 use coilsense::uncertainty::{Budget, MonteCarlo};
 use coilsense::{Channel, Error, Signals, Spring, SpringParameters};
@@ -16,7 +17,11 @@ const LENGTH: f64 = 0.25;
 const MEAN: f64 = 0.23;
 
 fn spring(stiffness: f64, rest_length: f64) -> Spring {
-    let parameters = SpringParameters {
+    Spring::new(parameters(stiffness, rest_length)).unwrap()
+}
+
+fn parameters(stiffness: f64, rest_length: f64) -> SpringParameters {
+    SpringParameters {
         rest_length,
         windings: 52.0,
         coil_radius: 0.008,
@@ -28,8 +33,7 @@ fn spring(stiffness: f64, rest_length: f64) -> Spring {
         nominal_force: None,
         inductance_windings: None,
         sections: None,
-    };
-    Spring::new(parameters).unwrap()
+    }
 }
 
 /// Does something with the model of a sensor on the nominal spring.
@@ -88,9 +92,44 @@ fn behind_a_drive_train_the_model_errs_by_second_order_of_the_stiffness() {
 }
 
 #[test]
+fn a_warm_spring_between_fixed_ends_is_what_its_inductance_and_its_length_are_corrected_for() {
+    let (kelvin, alpha, drift) = (10.0, 17e-6, -3.43e-4);
+    let doubt = SpringDoubt { stiffness_drift: drift, expansion: alpha, ..SpringDoubt::default() };
+    // All of it grown by α ΔT: rate, rest length, radii.
+    let grown = 1.0 + alpha * kelvin;
+    let truth = spring(K * (1.0 + drift * kelvin), L0 * grown).static_force(LENGTH);
+    let warm = |model: Measurement<'_>| {
+        Measurement { spring: doubt, ..model }.force([(Place::Temperature, kelvin)].into_iter())
+    };
+    let deflection = with(|site| Quantity::Deflection.on(site).unwrap(), LENGTH, warm);
+    assert!((deflection - truth).abs() < 1e-9, "{deflection} N, not {truth} N");
+    // The meter reads the inductance of the grown coil, where eq. (13) is exact of the cold one.
+    let [cold, hot] = [1.0, grown].map(|times| {
+        let nominal = parameters(K, L0);
+        let (coil_radius, wire_radius) = (times * nominal.coil_radius, times * nominal.wire_radius);
+        let coil = Spring::new(SpringParameters { coil_radius, wire_radius, ..nominal }).unwrap();
+        MaxwellSum::new(&coil, SelfDistance::default()).at_length(MEAN)
+    });
+    let truth = spring(K * (1.0 + drift * kelvin), L0 * grown).static_force(MEAN);
+    let by_inductance = |site: &Site<'_>| {
+        let form_by = FormBy::Measured;
+        Quantity::Inductance { uncalibrated: false, form: 0.0, form_by, remounting: 0.0 }.on(site).unwrap()
+    };
+    let force = with(by_inductance, hot, warm);
+    // First order of ΔT, and by eq. (13) in place of the sum; the whole of what L grows by is 60 mN.
+    assert!((force - truth).abs() < 1e-3, "{force} N, not {truth} N, L grew by {:e}", hot / cold - 1.0);
+}
+
+#[test]
 fn a_load_cell_knows_nothing_of_the_spring() {
-    let doubt =
-        SpringDoubt { stiffness: 0.1, rest_length: 1e-3, tension: 5.0, initial_tension: 0.1, stiffness_drift: 1e-3 };
+    let doubt = SpringDoubt {
+        stiffness: 0.1,
+        rest_length: 1e-3,
+        tension: 5.0,
+        initial_tension: 0.1,
+        stiffness_drift: 1e-3,
+        expansion: 1e-5,
+    };
     let cell = |site: &Site<'_>| Quantity::Force(coilsense::End::Two).on(site).unwrap();
     let causes = with(cell, 50.0, |model| Measurement { spring: doubt, warming: 10.0, ..model }.causes());
     assert_eq!(causes, []);

@@ -67,6 +67,7 @@ pub(super) fn doubt(spring: &SpringSpec) -> SpringDoubt {
         initial_tension: spring.tolerances.initial_tension,
         // Zero, with a warning elsewhere, where the material table does not know it.
         stiffness_drift: spring.geometry.material().stiffness_temperature().unwrap_or(0.0),
+        expansion: spring.geometry.material().expansion().unwrap_or(0.0),
     }
 }
 

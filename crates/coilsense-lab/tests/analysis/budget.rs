@@ -30,11 +30,11 @@ fn each_limit_alone_contributes_its_closed_form() {
     let root = 3.0_f64.sqrt();
     let load_cell = "kind = \"load-cell\"\n";
     let laser = "kind = \"deflection\"\n";
-    // dk/k of steel is −360 ppm/K of the modulus and +12 ppm/K of its length.
-    let drift = 348e-6;
+    // dk/k of steel is −360 ppm/K of the modulus and +12 ppm/K of its length; the rest length of 104 mm grows by those 12 too.
+    let drift = (348e-6 * F + 12e-6 * 0.104 * K) * 10.0 / root;
     for (sensor, uncertainty, spring, name, expected) in [
-        (laser, "", "", "temperature", drift * 10.0 / root * F),
-        ("kind = \"two-encoder\"\n", "", "", "temperature", drift * 10.0 / root * F),
+        (laser, "", "", "temperature", drift),
+        ("kind = \"two-encoder\"\n", "", "", "temperature", drift),
         ("kind = \"deflection\"\nresolution = \"10 um\"", COLD, "", "sensor: resolution", 1e-5 / 12.0_f64.sqrt() * K),
         ("kind = \"deflection\"\nnoise = \"0.1 %\"", COLD, "", "sensor: noise", 1e-3 * TRAVEL * K),
         (
@@ -164,8 +164,8 @@ fn what_contributes_adds_up_as_its_squares_do() {
     let (all, _) = alone(&laser(&keys), "", spring, "");
     let limits = keys[..5].iter().map(|key| alone(&laser(&[key]), COLD, "", "").0);
     let tolerances = spring.lines().map(|tolerance| alone(&laser(&[]), COLD, tolerance, "").0);
-    // Gain and modulus drift with one temperature: they add up before they are squared.
-    let drift = F * 10.0 / 3.0_f64.sqrt() * (1e-4 - 348e-6);
+    // Gain, modulus and rest length drift with one temperature: they add up before they are squared.
+    let drift = 10.0 / 3.0_f64.sqrt() * (F * (1e-4 - 348e-6) - 12e-6 * 0.104 * K);
     let squares = limits.chain(tolerances).chain([drift]).map(|u| u * u).sum::<f64>();
     close(all, squares.sqrt(), 1e-6);
 }

@@ -100,6 +100,11 @@ impl Material {
         self.parameters.density
     }
 
+    /// α: thermal expansion \[1/K\], where it is known.
+    pub fn expansion(&self) -> Option<f64> {
+        self.parameters.expansion
+    }
+
     /// Electrical resistivity \[Ω m\], where it is known.
     pub fn resistivity(&self) -> Option<f64> {
         self.parameters.resistivity

@@ -175,6 +175,14 @@ impl Sensor for OnCoil {
         Some(self.meter.spring.stiffness())
     }
 
+    /// A coil larger in all has as much more inductance; of one that is held at its length the rest is the radii's:
+    ///
+    /// (∂ln L/∂ln r + ∂ln L/∂ln ρ) = 1 − ∂ln L/∂ln l, 1.7 for S_T, 2 for a long coil of thin wire.
+    fn expands(&self, reading: f64) -> f64 {
+        let calibration = self.meter.calibration();
+        2.0 + calibration.beta() / (calibration.alpha() * reading)
+    }
+
     /// How far eq. (13) is off in length, and which of two reasons says so.
     ///
     /// Of usual figures the larger of the departure of measured springs and that of the coil's own theory, uniform over the operating range: what was

@@ -72,6 +72,11 @@ impl Instrument {
         self.sensor.slope()
     }
 
+    /// How it sees the spring's metal expand, at a reading in its native unit ([`Sensor::expands`]).
+    pub fn expands(&self, reading: f64) -> f64 {
+        self.sensor.expands(reading)
+    }
+
     /// What its kind errs by of its own ([`Sensor::own_causes`]).
     pub(super) fn own_causes(&self, site: &Site<'_>) -> Vec<Cause> {
         self.sensor.own_causes(site)

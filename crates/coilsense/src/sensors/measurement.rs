@@ -33,6 +33,8 @@ pub struct SpringDoubt {
     pub initial_tension: f64,
     /// (dk/dT)/k \[1/K\].
     pub stiffness_drift: f64,
+    /// α: how its metal expands \[1/K\]; by it the rest length grows, and an inductance ([`super::Sensor::expands`]).
+    pub expansion: f64,
 }
 
 /// A sensor's force as a function of all by which it errs.
@@ -89,7 +91,8 @@ impl Measurement<'_> {
         let (limits, spring) = (&self.limits, &self.spring);
         let step = self.instrument.readout().parameters().resolution.unwrap_or(0.0);
         let estimates = self.instrument.slope().is_some();
-        let drifts = limits.temperature_coefficient != 0.0 || (estimates && spring.stiffness_drift != 0.0);
+        let of_metal = spring.stiffness_drift != 0.0 || spring.expansion != 0.0;
+        let drifts = limits.temperature_coefficient != 0.0 || (estimates && of_metal);
         let kelvin = if drifts { self.warming } else { 0.0 };
         let of_instrument = [
             Cause::normal(Place::Reading, cause::NOISE, self.noise),
@@ -114,13 +117,14 @@ impl Measurement<'_> {
 
     /// F of the inputs \[N\]: the reading as the sensor errs, the force that the estimate makes of it as the spring errs, and what is added.
     ///
-    /// F̂ = f(z + (x − z + Δx)(1 + g)(1 + c_T ΔT)), of an estimate
-    /// F = (F̂ − F_0 + s Δl)(1 + p((1 + κ)(1 + c_k ΔT) − 1)) + F_0(1 + p c_k ΔT)(1 + τ) + s Δc (F̂ − k (l̄ − l0)) + ΔF
+    /// F̂ = f(z + (x − z + Δx)(1 + g)(1 + c_T ΔT)), of an estimate with (x − z)(1 − e α ΔT) in place of x − z
+    /// F = (F̂ − F_0 + s (Δl − α l0 ΔT))(1 + p((1 + κ)(1 + c_k ΔT) − 1)) + F_0(1 + p c_k ΔT)(1 + τ) + s Δc (F̂ − k (l̄ − l0)) + ΔF
     ///
     /// - `deviations`: of each input its place, and how far it is off in the unit of its place: ΔF \[N\], Δx (native), g \[1\], Δl \[m\] (a
     ///   longer rest length counts against it), ΔT \[K\], κ \[1\], τ \[1\], Δc \[m/N\]
-    /// - f, z and s: force of a reading, reading of no force and dF/dl of the instrument; p = s/k; x: the reading; c_T and c_k: drift of its
-    ///   gain and of the stiffness
+    /// - f, z, s and e: force of a reading, reading of no force, dF/dl of the instrument and by how much the spring's expansion shows in its reading; p = s/k;
+    ///   x: the reading; c_T and c_k: drift of its gain and of the stiffness; α: expansion, of which a warmer spring that is held as long reads e α more and has
+    ///   the longer rest length
     ///
     /// Source:   Hooke's law for a spring that is not the nominal one at the same elongation. In series with a drive train a spring's
     ///           change shows in part only: dk_s/k_s = (k_s/k) dk/k. The rate's tolerance does not act on the tension that was wound in;
@@ -146,10 +150,13 @@ impl Measurement<'_> {
         }
         let zero = self.instrument.zero();
         let gain = (1.0 + gain) * (1.0 + self.limits.temperature_coefficient * kelvin);
-        let estimate = self.instrument.force(zero + (self.reading - zero + reading) * gain);
+        let grown = self.spring.expansion * kelvin;
+        let cold = (self.reading - zero) * (1.0 - self.instrument.expands(self.reading) * grown);
+        let estimate = self.instrument.force(zero + (cold + reading) * gain);
         let Some(slope) = self.instrument.slope() else { return estimate + added };
         // The true spring is not the nominal one: of the same elongation its force differs, and the estimate knows nothing of it.
         let spring = self.site.spring;
+        longer -= grown * spring.rest_length();
         let part = slope / spring.stiffness();
         let warm = 1.0 + self.spring.stiffness_drift * kelvin;
         let share = 1.0 + part * ((1.0 + stiffness) * warm - 1.0);

@@ -77,6 +77,12 @@ pub trait Sensor: Debug + Send + Sync {
     /// dF/dl of an estimate by a length, taken directly or by an inductance \[N/m\]; `None` where the force itself is seen.
     fn slope(&self) -> Option<f64>;
 
+    /// By which share what it watches grows for each share by which the spring's metal does, its ends where they are \[1\]: none but for an inductance.
+    fn expands(&self, reading: f64) -> f64 {
+        let _ = reading;
+        0.0
+    }
+
     /// What it errs by of its own, beyond [`super::Limits`] and [`super::SpringDoubt`]; nothing for most.
     fn own_causes(&self, site: &Site<'_>) -> Vec<Cause> {
         let _ = site;
