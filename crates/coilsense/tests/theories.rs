@@ -12,7 +12,7 @@ use coilsense::inductance::theories::{
     Coil, HelixSelf, ReturnPath, Theory, helix, ideal_solenoid, lundin, nagaoka, nagaoka_coefficient, nagaoka_rosa,
     rosa_mutual, rosa_mutual_sum, wheeler_1928, wheeler_1982,
 };
-use coilsense::inductance::{MU_0, MaxwellSum, SelfDistance, elliptic};
+use coilsense::inductance::{Leads, MU_0, MaxwellSum, SelfDistance, elliptic, inductance_along};
 
 /// Rows of numbers of a golden file. A missing file fails.
 fn golden(name: &str) -> Vec<Vec<f64>> {
@@ -205,6 +205,55 @@ fn a_return_on_the_axis_adds_a_coaxial_line() {
     let expected = MU_0 / std::f64::consts::TAU * length * (line(g) - 2.0 * line(8e-3));
     // The ends are off by r/l.
     assert!(relative(added(length), expected) < 2e-4);
+}
+
+#[test]
+fn a_steel_spring_that_is_not_magnetic_is_rings_with_crowded_current_and_an_axial_one() {
+    for (coil, length) in round_wires() {
+        let steel = Theory::SteelSpring.inductance(&coil, length);
+        let pitch = length / coil.windings() / (2.0 * coil.wire_radius());
+        // The first lies at 1 wire diameter, where turns touch.
+        if pitch < 1.04 {
+            assert!(steel.is_nan(), "{pitch}: {steel}");
+            continue;
+        }
+        let axial = inductance_along(length, coil.coil_radius(), Leads::Open).unwrap();
+        let rings = Theory::MaxwellSum.inductance(&coil, length) + axial;
+        // Direct current crowds inwards, by 0.3 (a/r)² of L, and thin rings leave a part of that order out.
+        let crowded = (coil.wire_radius() / coil.coil_radius()).powi(2);
+        let less = (1.0 - steel / rings) / crowded;
+        assert!((0.1..0.5).contains(&less), "{less}");
+        let of =
+            |permeability: f64| Theory::SteelSpring.inductance(&coil.with_permeability(permeability).unwrap(), length);
+        assert!(of(1.0) == steel && of(2.0) > steel && of(2.5) > of(2.0));
+        // Every other theory leaves the wire as it is.
+        for theory in Theory::ALL {
+            let magnetic = theory.inductance(&coil.with_permeability(2.5).unwrap(), length);
+            assert_eq!(magnetic, theory.inductance(&coil, length), "{}", theory.name());
+        }
+    }
+}
+
+#[test]
+fn a_steel_spring_scales_joins_whole_turns_and_knows_where_it_ends() {
+    let of = |windings: f64, scale: f64, permeability: f64, length: f64| {
+        let coil = Coil::new(windings, scale * 8e-3, scale * 1e-3).unwrap().with_permeability(permeability).unwrap();
+        Theory::SteelSpring.inductance(&coil, scale * length)
+    };
+    let larger = relative(of(30.4, 100.0, 2.5, 0.1), 100.0 * of(30.4, 1.0, 2.5, 0.1));
+    // Some 400 equations round to 1e-12.
+    assert!(larger < 1e-11, "{larger:e}");
+    let [below, whole, above] = [30.0 - 1e-6, 30.0, 30.0 + 1e-6].map(|windings| of(windings, 1.0, 2.5, 0.1));
+    assert!(below < whole && whole < above && relative(above, below) < 2e-7);
+    assert!(of(149.9, 1.0, 2.5, 0.5).is_finite() && of(150.5, 1.0, 2.5, 0.5).is_nan());
+    assert!(of(30.0, 1.0, 2.5, 30.0 * 2.08e-3).is_finite() && of(30.0, 1.0, 2.5, 30.0 * 2.07e-3).is_nan());
+    for length in [f64::NAN, f64::INFINITY, 0.0, -0.1] {
+        assert!(of(30.0, 1.0, 2.5, length).is_nan());
+    }
+    for permeability in [0.9, 21.0, f64::NAN] {
+        let told = Coil::new(30.0, 8e-3, 1e-3).unwrap().with_permeability(permeability).unwrap_err().to_string();
+        assert!(told.contains("permeability must be from 1 to 20"), "{told}");
+    }
 }
 
 #[test]

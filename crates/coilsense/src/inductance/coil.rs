@@ -1,4 +1,4 @@
-//! The coil as every theory needs it: windings, two radii.
+//! The coil as every theory needs it: windings, two radii, what its wire is.
 //!
 //! Next door: the spring with its mass and stiffness (`crate::spring`).
 
@@ -23,7 +23,11 @@ pub struct Coil {
     windings: f64,
     coil_radius: f64,
     wire_radius: f64,
+    permeability: f64,
 }
+
+/// The largest relative permeability that a theory covers.
+const MOST_PERMEABLE: f64 = super::permeable::MOST_PERMEABLE;
 
 impl Coil {
     /// - `windings`: N, from 1 to 1e5, may be fractional
@@ -38,7 +42,7 @@ impl Coil {
         above_zero("wire_radius", wire_radius, "m")?;
         let allowed = format!("below the coil radius of {coil_radius} m");
         check(wire_radius < coil_radius, "wire_radius", wire_radius, "m", allowed)?;
-        Ok(Self { windings, coil_radius, wire_radius })
+        Ok(Self { windings, coil_radius, wire_radius, permeability: 1.0 })
     }
 
     /// The coil of a spring: the windings that carry its current.
@@ -47,6 +51,19 @@ impl Coil {
     /// As [`Self::new`].
     pub fn of(spring: &Spring) -> Result<Self, Error> {
         Self::new(spring.inductance_windings(), spring.coil_radius(), spring.wire_radius())
+    }
+
+    /// The same coil of magnetic wire, which [`super::theories::Theory::SteelSpring`] alone counts; without this its wire is not magnetic.
+    ///
+    /// - `permeability`: μ_r of the wire, from 1 to 20
+    ///
+    /// # Errors
+    /// [`Error::Value`] outside of that.
+    pub fn with_permeability(self, permeability: f64) -> Result<Self, Error> {
+        let allowed = format!("from 1 to {MOST_PERMEABLE}");
+        let permeability =
+            check((1.0..=MOST_PERMEABLE).contains(&permeability), "permeability", permeability, "", allowed)?;
+        Ok(Self { permeability, ..self })
     }
 
     /// N.
@@ -62,5 +79,10 @@ impl Coil {
     /// ρ \[m\].
     pub fn wire_radius(&self) -> f64 {
         self.wire_radius
+    }
+
+    /// μ_r of the wire.
+    pub fn permeability(&self) -> f64 {
+        self.permeability
     }
 }
