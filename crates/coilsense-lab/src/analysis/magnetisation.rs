@@ -2,11 +2,12 @@
 //!
 //! Next door: the other warnings (`warnings`), the inductance itself (`crate::spec::SpringInductance`).
 
-use coilsense::inductance::direct_up_to;
+use coilsense::inductance::{OverLength, SteelTurns, direct_up_to};
+use coilsense::sensors::Quantity;
 
 use super::case::Case;
 use crate::quantity::digits;
-use crate::spec::{STAINLESS, SensorSpec, Spec, SpringSpec};
+use crate::spec::{PermeabilityFound, STAINLESS, SensorSpec, Spec, SpringSpec};
 
 /// Windings of magnetic wire that are too uneven, in the case of a condition in which most of the time.
 pub(super) fn uneven(spec: &Spec, cases: &[&Case]) -> Option<String> {
@@ -23,6 +24,63 @@ pub(super) fn uneven(spec: &Spec, cases: &[&Case]) -> Option<String> {
             "{condition}, {damping}: for {} % of the time a gap between windings differs by more than a third from that of evenly spaced ones. L and F_L then count \
              the magnetisation of evenly spaced windings; what that may be off is in the uncertainty of a sensor by inductance.",
             digits(100.0 * share)
+        )
+    })
+}
+
+/// Sensors by the inductance of wire that may be magnetic, of which the spec tells no permeability.
+pub(super) fn untold(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
+    // The browser's first load has no room for it.
+    let found = spec.spring.permeability_found.filter(|_| cfg!(feature = "steel"))?;
+    let by_inductance = sensors.iter().filter(|sensor| matches!(sensor.quantity, Quantity::Inductance { .. }));
+    let names: Vec<&str> = by_inductance.map(|sensor| sensor.name.as_str()).collect();
+    if names.is_empty() {
+        return None;
+    }
+    let (names, material) = (names.join(", "), &spec.spring.material);
+    Some(match found {
+        PermeabilityFound::Above(least) => format!(
+            "{names}: {material} has a relative permeability above {least} at a meter's field, falling with frequency. L and F_L here are those of wire that is not magnetic; the real L is \
+             far larger, and what eq. (13) leaves of it at least what stands in the budget. Calibrate at the frequency in use and give calibration_form.",
+        ),
+        PermeabilityFound::Between(least, most) => {
+            let more = larger(&spec.spring, most).map_or_else(String::new, |share| {
+                format!(", at {most} the real L is up to {} % larger", digits(100.0 * share))
+            });
+            format!(
+                "{names}: the permeability of its wire is not told. Springs of such wire had {least} to {most}; L and F_L here are those of 1{more}. What eq. (13) leaves at {most} is \
+                 in the budget. relative_permeability tells it; coilsense calibrate --theory steel finds it."
+            )
+        }
+    })
+}
+
+/// By which share L is larger with a permeability, where it is most so.
+fn larger(spring: &SpringSpec, permeability: f64) -> Option<f64> {
+    let (air, (shortest, longest)) = (spring.inductance_in_air(), spring.spring.operating_range());
+    let turns = SteelTurns::over(&air, spring.spring.wire_radius(), permeability, [shortest, longest]).ok()?;
+    let share = |length: f64| turns.at_length(length) / air.at_length(length) - 1.0;
+    Some(share(shortest).max(share(longest)))
+}
+
+/// How an inductance of magnetic wire drifts with temperature, which nobody knows.
+pub(super) fn drift(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
+    let magnetic = spec.spring.is_magnetic() || spec.spring.permeability_found.is_some();
+    if !cfg!(feature = "steel") || !magnetic || spec.uncertainty.temperature_change == 0.0 {
+        return None;
+    }
+    let by_inductance = sensors.iter().filter(|sensor| matches!(sensor.quantity, Quantity::Inductance { .. }));
+    let names: Vec<&str> = by_inductance.map(|sensor| sensor.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "{}: how the permeability of its wire drifts with temperature is not known, so the budget has the expansion alone{}.",
+            names.join(", "),
+            // Of S1 to S3, found at 2.0 to 3.0.
+            if spec.spring.permeability_found.is_some_and(|found| matches!(found, PermeabilityFound::Above(_))) {
+                ""
+            } else {
+                "; each per cent of permeability is 0.12 to 0.18 % of L"
+            }
         )
     })
 }

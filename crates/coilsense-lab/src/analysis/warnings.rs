@@ -95,7 +95,9 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
         warnings.extend(range(spec, index, sensor, cases));
         warnings.extend(magnetisation::frequency(&spec.spring, sensor).map(magnetised));
     }
+    warnings.extend(magnetisation::untold(spec, sensors).map(magnetised));
     warnings.extend(temperature(spec, sensors));
+    warnings.extend(magnetisation::drift(spec, sensors).map(|text| Warning { subject: Subject::Temperature, text }));
     warnings.extend(sheet.beyond_axial.iter().map(|text| Warning { subject: Subject::Neighbour, text: text.clone() }));
     Ok(warnings)
 }

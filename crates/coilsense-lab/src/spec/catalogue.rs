@@ -124,6 +124,34 @@ pub(super) fn material(name: &str) -> Result<MaterialParameters, String> {
     })
 }
 
+/// What is known of the permeability of wire of a material whose own is not told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PermeabilityFound {
+    /// Springs of it were found between these two \[1\].
+    Between(f64, f64),
+    /// It is above this, where the theory of magnetic wire ends \[1\].
+    Above(f64),
+}
+
+impl PermeabilityFound {
+    /// Of a material of the table.
+    ///
+    /// # Errors
+    /// What there is in its place in a damaged table.
+    pub(super) fn of(name: &str) -> Result<Option<Self>, String> {
+        let all = material_rows().map_err(|error| error.to_string())?;
+        let row = all.iter().find(|material| material.needed("name") == name);
+        let Some(text) = row.and_then(|row| row.get("permeability_found")) else { return Ok(None) };
+        let number = |text: &str| text.trim().parse::<f64>().ok();
+        let found = match (text.split_once(" to "), text.strip_prefix("above ")) {
+            (Some((least, most)), _) => number(least).zip(number(most)).map(|(least, most)| Self::Between(least, most)),
+            (None, Some(least)) => number(least).map(Self::Above),
+            (None, None) => None,
+        };
+        found.map(Some).ok_or_else(|| damaged("data/materials.toml", format!("{name}: {text:?}")).to_string())
+    }
+}
+
 /// All materials of the table with their values, in its order.
 ///
 /// # Errors
@@ -164,6 +192,12 @@ pub fn materials() -> Result<String, SpecError> {
         }
         if let Some(permeability) = material.get("relative_permeability") {
             text.push_str(&format!("  {:16} {permeability}\n", "permeability"));
+        }
+        if let Some(found) = material.get("permeability_found") {
+            text.push_str(&format!(
+                "  {:16} {found}, see the note; L is computed as of 1 unless relative_permeability is told\n",
+                "permeability"
+            ));
         }
         if let Some(note) = material.get("note") {
             text.push_str(&format!("  note: {note}\n"));

@@ -4,13 +4,25 @@
 
 use coilsense::geometry::{Material, MaterialParameters};
 
+use super::catalogue::PermeabilityFound;
 use super::section::Section;
 use super::{SpecError, catalogue};
 use crate::quantity::Dimension;
 
+/// What a wire is made of.
+pub(super) struct Wire {
+    /// What to call it.
+    pub label: String,
+    /// Its values.
+    pub material: Material,
+    /// What is known of the permeability of such wire, where the spec names it and does not tell its own.
+    pub permeability_found: Option<PermeabilityFound>,
+}
+
 /// The named material with what the table says in place of its values; and what to call it.
-pub(super) fn material(section: &Section<'_>) -> Result<(String, Material), SpecError> {
+pub(super) fn material(section: &Section<'_>) -> Result<Wire, SpecError> {
     let name = section.optional_text("material")?.unwrap_or_else(|| catalogue::USUAL_MATERIAL.to_owned());
+    let name_in_table = name.clone();
     let named = catalogue::material(&name).map_err(|message| section.refuse("material", message))?;
     let keys = [
         "shear_modulus",
@@ -35,5 +47,10 @@ pub(super) fn material(section: &Section<'_>) -> Result<(String, Material), Spec
     let material = Material::new(parameters).map_err(|error| section.refuse_science(&error, &[]))?;
     let label =
         if own.is_empty() { name } else { format!("{name}, with its own {}", own.join(", ").replace('_', " ")) };
-    Ok((label, material))
+    let is_untold = cfg!(feature = "steel") && section.has("material") && material.relative_permeability().is_none();
+    let permeability_found = match is_untold {
+        true => PermeabilityFound::of(&name_in_table).map_err(|message| section.refuse("material", message))?,
+        false => None,
+    };
+    Ok(Wire { label, material, permeability_found })
 }

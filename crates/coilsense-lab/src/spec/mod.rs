@@ -46,7 +46,9 @@ mod value;
 
 pub use beside::{Beside, Side};
 pub use cam::CamSpec;
-pub use catalogue::{Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows};
+pub use catalogue::{
+    PermeabilityFound, Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows,
+};
 pub use coilsense::sensors::Quantity;
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use contact::ContactCase;

@@ -5,6 +5,7 @@
 use coilsense::inductance::Leads;
 use coilsense::sensors::{FormBy, Quantity, magnetic_form, usual_form};
 
+use super::catalogue::PermeabilityFound;
 use super::inductance::MAGNETIC;
 use super::section::Section;
 use super::{Files, SpecError, SpringSpec, plain};
@@ -62,6 +63,16 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_
     let relative = wire.relative_permeability().unwrap_or(1.0);
     let largest = relative * (1.0 + spec.tolerances.permeability);
     match way {
+        Calibrated::Theory | Calibrated::Steel
+            if let Some(PermeabilityFound::Above(least)) = spec.permeability_found =>
+        {
+            let why = format!(
+                "needs calibration_form: {} has a relative permeability above {}, which neither Maxwell's sum nor the theory of magnetic wire covers",
+                spec.material,
+                plain(least)
+            );
+            Err(section.refuse("calibration", why))
+        }
         Calibrated::Theory => Ok(of(usual, FormBy::Measured, 0.0)),
         Calibrated::Steel => Ok(of(STEEL, FormBy::Steel, REMOUNTING)),
         // Of wire whose permeability is told, what eq. (13) leaves is computed.
@@ -74,6 +85,20 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_
             let found = magnetic_form(&spec.spring, largest, way == Calibrated::TwoPoint, leads);
             let why = |error| format!("{needs}, and what eq. (13) then leaves cannot be computed: {error}");
             Ok(of(found.map_err(|error| section.refuse("kind", why(error)))?, FormBy::Magnetic, REMOUNTING))
+        }
+        // Of wire that may be magnetic it is no less than what was measured.
+        Calibrated::Fitted | Calibrated::TwoPoint if let Some(found) = spec.permeability_found => {
+            let (PermeabilityFound::Between(_, most) | PermeabilityFound::Above(most)) = found;
+            let through_ends = way == Calibrated::TwoPoint;
+            let measured = if through_ends {
+                of(THROUGH_ENDS, FormBy::Measured, REMOUNTING)
+            } else {
+                of(usual, FormBy::Measured, 0.0)
+            };
+            let least = if through_ends { THROUGH_ENDS } else { usual };
+            // Where it cannot be computed, what was measured stands.
+            let form = magnetic_form(&spec.spring, most, through_ends, leads).ok().filter(|form| *form > least);
+            Ok(form.map_or(measured, |form| of(form, FormBy::Magnetic, REMOUNTING)))
         }
         Calibrated::Fitted => Ok(of(usual, FormBy::Measured, 0.0)),
         Calibrated::TwoPoint => Ok(of(THROUGH_ENDS, FormBy::Measured, REMOUNTING)),

@@ -9,10 +9,11 @@ use coilsense::helix::{Hand, Rod, StiffnessAt};
 use coilsense::inductance::SelfDistance;
 use coilsense::{Error, Spring, SpringParameters};
 
+use super::catalogue::PermeabilityFound;
 use super::document::Document;
 use super::ends::EndsSpec;
 use super::keys::springs;
-use super::material::material;
+use super::material::{Wire, material};
 use super::section::Section;
 use super::sections::{DeadEnds, Use};
 use super::tolerance::Tolerances;
@@ -40,6 +41,8 @@ pub struct SpringSpec {
     pub material: String,
     /// Whether the spec says so, or it is assumed.
     pub material_is_given: bool,
+    /// What is known of the permeability of such wire, where the spec names it and does not tell its own.
+    pub permeability_found: Option<PermeabilityFound>,
     /// Whether stiffness and mass come from wire and coil.
     pub by_geometry: bool,
     /// Of a coil of sections, the closed windings at its ends.
@@ -269,28 +272,27 @@ impl SpringSpec {
             _ => "a spring by values (without wire_diameter and coil_diameter)",
         };
         section.only_of(kind, whose)?;
-        let (material, material_is_given) =
-            (material(section)?, section.has("material") || section.has("shear_modulus"));
+        let Wire { label, material, permeability_found } = material(section)?;
+        let material_is_given = section.has("material") || section.has("shear_modulus");
         let initial_tension = section.not_negative("initial_tension", Dimension::Force)?.unwrap_or(0.0);
         let rest_length = || section.quantity("rest_length", Dimension::Length);
         let mut dead_ends = None;
         let (spring, geometry, closed_length) = match kind {
             springs::BY_GEOMETRY => {
                 let length = rest_length()?;
-                let (spring, geometry) = Self::wound(section, material.1, length, initial_tension)?;
+                let (spring, geometry) = Self::wound(section, material, length, initial_tension)?;
                 (spring, geometry, length)
             }
             springs::BY_SECTIONS => {
                 let (end_type, parameters) = (end_type(section)?, in_use(section)?);
-                let (spring, geometry, dead) =
-                    DeadEnds::parse(Use { section, material: material.1, end_type, parameters })?;
+                let (spring, geometry, dead) = DeadEnds::parse(Use { section, material, end_type, parameters })?;
                 dead_ends = Some(dead);
                 let length = spring.rest_length();
                 (spring, geometry, length)
             }
             _ => {
                 let length = rest_length()?;
-                let (spring, geometry) = Self::valued(section, material.1, length, initial_tension)?;
+                let (spring, geometry) = Self::valued(section, material, length, initial_tension)?;
                 (spring, geometry, length)
             }
         };
@@ -311,8 +313,9 @@ impl SpringSpec {
         let spec = Self {
             name,
             geometry,
-            material: material.0,
+            material: label,
             material_is_given,
+            permeability_found,
             by_geometry,
             dead_ends,
             closed_length,
