@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { apart, drop, saved } from './jobs';
-import { rigLogs, settled, told, type, written } from './logs';
+import { folder, rigLogs, settled, told, type, written } from './logs';
 import { expect, test } from './page';
 
 const examples = join(new URL('..', import.meta.url).pathname, '..', 'examples');
@@ -90,6 +90,69 @@ test('the theories of the page’s spring stand beside the fit, with the command
   expect(apart(fit(await saved(page, 'Calibration (JSON)')), fit(command))).toBeLessThan(1e-9);
   await type(page, 'Calibration', 'Preload', '230 N');
   await expect(page.locator('#panel-log .wrong .error')).toContainText('got "230 N"', { timeout: 30_000 });
+});
+
+/** Length [m] and L [H] of S_T of wire of a permeability of 2.5, as `coilsense simulate` has them (self_distance = "geometric-mean"). */
+const MAGNETIC = [
+  [0.2, 3.5003407266e-6],
+  [0.201468, 3.4788259594e-6],
+  [0.201468, 3.4788259594e-6],
+  [0.205729, 3.4183358262e-6],
+  [0.205729, 3.4183358262e-6],
+  [0.212366, 3.3295301283e-6],
+  [0.212366, 3.3295301283e-6],
+  [0.220729, 3.2261308568e-6],
+  [0.220729, 3.2261308568e-6],
+  [0.23, 3.1213416381e-6],
+  [0.23, 3.1213416381e-6],
+  [0.239271, 3.0256527974e-6],
+  [0.247634, 2.9462355807e-6],
+  [0.254271, 2.8873951444e-6],
+  [0.258532, 2.851414597e-6],
+  [0.26, 2.8393259019e-6],
+] as const;
+
+test('a slider says what wire of each permeability would leave of the points, the least where the command fits it', async ({
+  page,
+}) => {
+  // Simulated coils carry no current along their axis; real ones do, μ₀ l/2π (ln(2l/r) − 1) with leads far away.
+  const along = (length: number) => 2e-7 * length * (Math.log((2 * length) / 8e-3) - 1);
+  const rows = MAGNETIC.map(([length, henry], index) => `${index},0,${length},${henry + along(length)}`);
+  written('magnetic.csv', `time [s],u1 [m],u2 [m],L [H]\n${rows.join('\n')}\n`);
+  await page.goto('./#S_T&@tab="log"');
+  await page.locator('#log-file').setInputFiles(join(folder, 'magnetic.csv'));
+  const region = page.getByRole('region', { name: 'Calibration', exact: true });
+  await expect(region).toBeVisible({ timeout: 60_000 });
+  const wire = page.getByRole('region', { name: 'Is its wire magnetic?', exact: true });
+  // Without a coil nothing is known of its wire.
+  await expect(wire).toHaveCount(0);
+  await page.locator('#panel-log summary:text-is("The spring")').click();
+  await page.getByLabel('It is', { exact: true }).selectOption('tab');
+  await expect(wire).toContainText('Least is left at', { timeout: 60_000 });
+  await settled(page);
+  const there = JSON.parse(
+    told('calibrate', 'magnetic.csv', '--spec', join(examples, 'sea-ankle.toml'), '--theory', 'steel', '--json'),
+  ) as { steel: { relative_permeability: number; offset_h: number } };
+  const said = async (pattern: RegExp) => Number(pattern.exec(await wire.innerText())?.[1]?.replace('−', '-'));
+  const [best, left, air] = [/Least is left at ([\d.]+)\./, /nH ([\d.e−-]+) nH rms/, /αL \+ β leaves ([\d.]+) nH/];
+  // To a hundredth, and what a straight line between tenths is off.
+  expect(Math.abs((await said(best)) - there.steel.relative_permeability)).toBeLessThan(0.03);
+  expect(Math.abs((await said(/constant of (\S+) nH/)) - 1e9 * there.steel.offset_h)).toBeLessThan(10);
+  const least = await said(left);
+  expect(least).toBeLessThan(0.5 * (await said(air)));
+  const slider = wire.getByLabel('Relative permeability', { exact: true });
+  await slider.fill('1');
+  await expect(wire).toContainText('At 1 (not magnetic)');
+  expect(await said(left)).toBeGreaterThan(1.5 * least);
+  for (const [width, colorScheme] of [
+    [390, 'dark'],
+    [1280, 'light'],
+  ] as const) {
+    await page.setViewportSize({ width, height: 900 });
+    await page.emulateMedia({ colorScheme });
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    await wire.screenshot({ path: join(folder, `wire-${width}.png`) });
+  }
 });
 
 test('a file of the measured runs’ layout is calibrated as the command does by the preset', async ({ page }) => {

@@ -7,6 +7,7 @@ import { digits, download, make } from '../dom';
 import { curves } from '../plots/curves';
 import type { Look } from '../plots/looks';
 import { button, card, list } from './found';
+import { permeability } from './permeability';
 
 interface Misfit {
   r2: number;
@@ -29,9 +30,15 @@ interface Calibration {
   theories: ({ name: string; refused: string | null } & Partial<Misfit>)[];
 }
 
+/** What the engine tells beside it: for which permeabilities of its wire the coil was computed. */
+export interface Told {
+  json: string;
+  permeabilities: number[] | null;
+}
+
 const none = new Float64Array();
 
-export function showCalibration(host: HTMLElement, name: string, answer: Answer<{ json: string }>): void {
+export function showCalibration(host: HTMLElement, name: string, answer: Answer<Told>): void {
   const told = JSON.parse(answer.facts.json) as Calibration;
   const save = () => download(`${name}-calibration.json`, answer.facts.json, 'application/json');
   const figures = make('div', { class: 'figures wide' });
@@ -47,9 +54,27 @@ export function showCalibration(host: HTMLElement, name: string, answer: Answer<
       make('details', {}, make('summary', {}, 'What became of the rows'), list(told.account)),
       make('div', { class: 'downloads' }, button('Calibration (JSON)', save)),
     ),
+    ...magnetic(told, answer),
     figures,
   );
   draw(figures, told, answer);
+}
+
+/** What magnetic wire would make of the coil, where it is known. */
+function magnetic(told: Calibration, { facts: { permeabilities }, series }: Answer<Told>): HTMLElement[] {
+  const [lengths, measured, fit] = [series['length'], series['inductance'], series['fit at points']];
+  if (!permeabilities || !lengths || !measured || !fit) return [];
+  return [
+    permeability({
+      permeabilities,
+      inductances: permeabilities.map((_, number) => series[`permeable ${number}`] ?? none),
+      lengths,
+      measured,
+      alpha: told.inverse_length.alpha_per_h_m,
+      left: measured.map((value, index) => value - (fit[index] ?? NaN)),
+      fitted: told.steel?.relative_permeability ?? null,
+    }),
+  ];
 }
 
 /** The calibration that was asked for, in a line. */

@@ -5,7 +5,7 @@
 import type { Answer } from '../answer';
 import { digits, make } from '../dom';
 import type { Times } from '../plots/timeline';
-import { showCalibration } from './calibration';
+import { showCalibration, type Told } from './calibration';
 import { card, showFound, type Ways } from './found';
 import { saysSomething, type Recorded, type Said } from './identification';
 import { showRecorded } from './recorded';
@@ -88,7 +88,7 @@ export class Results {
 
   showCalibration(name: string, answer: Answer<unknown> | null): void {
     this.calibration.replaceChildren();
-    if (answer) showCalibration(this.calibration, name, answer as Answer<{ json: string }>);
+    if (answer) showCalibration(this.calibration, name, answer as Answer<Told>);
   }
 
   refuseCalibration(error: string): void {

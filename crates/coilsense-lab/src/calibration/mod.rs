@@ -12,6 +12,7 @@ mod log;
 mod measured;
 mod median;
 mod outcome;
+mod permeabilities;
 mod plan;
 pub mod request;
 mod steel;
@@ -26,6 +27,7 @@ pub use lab_data::{lab_data_of_text, read_lab_data};
 pub use measured::{Measured, Unused};
 pub(crate) use median::median;
 pub use outcome::{Assessment, Outcome, THEORY_POINTS};
+pub use permeabilities::ByPermeability;
 pub use plan::{Method, Plan, Preload, Relation, SteelPlan};
 pub use taken::{ByNumber, Contest, Rival, Taken};
 

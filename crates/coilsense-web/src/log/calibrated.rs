@@ -4,7 +4,7 @@
 
 use coilsense::inductance::theories::{Coil, Theory};
 use coilsense_lab::calibration::request::{LENGTH_AT_ZERO, OPTIONS};
-use coilsense_lab::calibration::{ForceLaw, Measured, Outcome, Plan, lab_data_of_text};
+use coilsense_lab::calibration::{ByPermeability, ForceLaw, Measured, Outcome, Plan, lab_data_of_text};
 use coilsense_lab::recording::Points;
 use coilsense_lab::recording::request::{LAYOUT, is_lab_data};
 use coilsense_lab::report::calibration_json;
@@ -45,10 +45,16 @@ pub fn calibrate((name, text): Named, asked: &Request) -> Result<Answer, String>
     let outcome =
         Outcome::new(measured.map_err(|error| asked.told(error))?, plan).map_err(|error| asked.told(error))?;
     let told = calibration_json(&outcome, None).map_err(|error| error.to_string())?;
-    Ok(Answer::new(&json!({ "json": told }), curves(&outcome)))
+    let lengths = thinned(outcome.measured.points.lengths());
+    let wire = ByPermeability::of(&outcome, &lengths);
+    let permeabilities = wire.as_ref().map(|wire| &wire.permeabilities);
+    let facts = json!({ "json": told, "permeabilities": permeabilities });
+    let of_wire = wire.iter().flat_map(|wire| wire.inductances.iter().enumerate());
+    let of_wire: Vec<_> = of_wire.map(|(number, values)| (format!("permeable {number}"), values.clone())).collect();
+    Ok(Answer::new(&facts, curves(&outcome).into_iter().chain(of_wire).collect()))
 }
 
-/// `length` and `inductance` of the points; `drawn length`, and over it `fit` and `theory 0` …
+/// `length` and `inductance` of the points; `fit at points`, by eq. (13); `drawn length`, and over it `fit` and `theory 0` …
 fn curves(outcome: &Outcome) -> Vec<(String, Vec<f64>)> {
     let points = &outcome.measured.points;
     let ends = points.lengths().iter().fold([f64::INFINITY, 0.0], |[a, b]: [f64; 2], l| [a.min(*l), b.max(*l)]);
@@ -58,6 +64,13 @@ fn curves(outcome: &Outcome) -> Vec<(String, Vec<f64>)> {
     let mut series = vec![
         ("length".to_owned(), thinned(points.lengths())),
         ("inductance".to_owned(), thinned(points.inductances())),
+        (
+            "fit at points".to_owned(),
+            thinned(points.lengths())
+                .iter()
+                .map(|&length| outcome.inverse_length.calibration().inductance(length))
+                .collect(),
+        ),
         ("fit".to_owned(), along(&|length| outcome.taken.curve.inductance(length))),
     ];
     let theories = outcome.plan.coil.iter().flat_map(|coil| Theory::ALL.map(|theory| (coil, theory)));
