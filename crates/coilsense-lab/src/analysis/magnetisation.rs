@@ -30,8 +30,7 @@ pub(super) fn uneven(spec: &Spec, cases: &[&Case]) -> Option<String> {
 
 /// Sensors by the inductance of wire that may be magnetic, of which the spec tells no permeability.
 pub(super) fn untold(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
-    // The browser's first load has no room for it.
-    let found = spec.spring.permeability_found.filter(|_| cfg!(feature = "steel"))?;
+    let found = spec.spring.permeability_found()?;
     let by_inductance = sensors.iter().filter(|sensor| matches!(sensor.quantity, Quantity::Inductance { .. }));
     let names: Vec<&str> = by_inductance.map(|sensor| sensor.name.as_str()).collect();
     if names.is_empty() {
@@ -65,7 +64,7 @@ fn larger(spring: &SpringSpec, permeability: f64) -> Option<f64> {
 
 /// How an inductance of magnetic wire drifts with temperature, which nobody knows.
 pub(super) fn drift(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
-    let magnetic = spec.spring.is_magnetic() || spec.spring.permeability_found.is_some();
+    let magnetic = spec.spring.is_magnetic() || spec.spring.permeability_found().is_some();
     if !cfg!(feature = "steel") || !magnetic || spec.uncertainty.temperature_change == 0.0 {
         return None;
     }
@@ -76,7 +75,7 @@ pub(super) fn drift(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
             "{}: how the permeability of its wire drifts with temperature is not known, so the budget has the expansion alone{}.",
             names.join(", "),
             // Of S1 to S3, found at 2.0 to 3.0.
-            if spec.spring.permeability_found.is_some_and(|found| matches!(found, PermeabilityFound::Above(_))) {
+            if spec.spring.permeability_found().is_some_and(|found| matches!(found, PermeabilityFound::Above(_))) {
                 ""
             } else {
                 "; each per cent of permeability is 0.12 to 0.18 % of L"

@@ -274,7 +274,7 @@ fn of_inductance(spec: &SpringSpec) -> Result<Vec<Row>, Error> {
     let coil = spec.inductance_at_rest()?;
     let (shortest, longest) = spring.operating_range();
     let (short, long) = (coil.at_length(shortest), coil.at_length(longest));
-    let [at_shortest, at_longest] = match spec.permeability_found {
+    let [at_shortest, at_longest] = match spec.permeability_found() {
         // Of wire that may be magnetic, and is not in these figures.
         Some(_) => ["L at the shortest length, wire not magnetic", "L at the longest length, wire not magnetic"],
         None => ["L at the shortest length", "L at the longest length"],

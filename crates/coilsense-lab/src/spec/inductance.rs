@@ -6,6 +6,7 @@ use coilsense::Error;
 use coilsense::inductance::{BoundedInductance, MaxwellSum, OverLength, SteelTurns, SteelWindings};
 use coilsense::motion::Windings;
 
+use super::PermeabilityFound;
 use super::SpringSpec;
 
 /// A relative permeability so far above 1 changes L.
@@ -125,6 +126,12 @@ impl SpringSpec {
     /// Whether the spec says that its wire is magnetic.
     pub fn is_magnetic(&self) -> bool {
         self.told_permeability().is_some()
+    }
+
+    /// What is known of the permeability of such wire, where the spec names it and does not tell its own.
+    pub fn permeability_found(&self) -> Option<PermeabilityFound> {
+        // What is never told need not be loaded.
+        if cfg!(feature = "steel") { self.found_of_wire } else { None }
     }
 
     fn told_permeability(&self) -> Option<f64> {

@@ -64,7 +64,7 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_
     let largest = relative * (1.0 + spec.tolerances.permeability);
     match way {
         Calibrated::Theory | Calibrated::Steel
-            if let Some(PermeabilityFound::Above(least)) = spec.permeability_found =>
+            if let Some(PermeabilityFound::Above(least)) = spec.permeability_found() =>
         {
             let why = format!(
                 "needs calibration_form: {} has a relative permeability above {}, which neither Maxwell's sum nor the theory of magnetic wire covers",
@@ -87,7 +87,10 @@ pub(super) fn on_coil(section: &Section<'_>, spec: &SpringSpec, files: &Files<'_
             Ok(of(found.map_err(|error| section.refuse("kind", why(error)))?, FormBy::Magnetic, REMOUNTING))
         }
         // Of wire that may be magnetic it is no less than what was measured.
-        Calibrated::Fitted | Calibrated::TwoPoint if let Some(found) = spec.permeability_found => {
+        Calibrated::Fitted | Calibrated::TwoPoint
+            if cfg!(feature = "steel")
+                && let Some(found) = spec.permeability_found() =>
+        {
             let (PermeabilityFound::Between(_, most) | PermeabilityFound::Above(most)) = found;
             let through_ends = way == Calibrated::TwoPoint;
             let measured = if through_ends {

@@ -42,7 +42,7 @@ pub struct SpringSpec {
     /// Whether the spec says so, or it is assumed.
     pub material_is_given: bool,
     /// What is known of the permeability of such wire, where the spec names it and does not tell its own.
-    pub permeability_found: Option<PermeabilityFound>,
+    pub(super) found_of_wire: Option<PermeabilityFound>,
     /// Whether stiffness and mass come from wire and coil.
     pub by_geometry: bool,
     /// Of a coil of sections, the closed windings at its ends.
@@ -315,7 +315,7 @@ impl SpringSpec {
             geometry,
             material: label,
             material_is_given,
-            permeability_found,
+            found_of_wire: permeability_found,
             by_geometry,
             dead_ends,
             closed_length,

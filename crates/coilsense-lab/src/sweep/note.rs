@@ -18,7 +18,8 @@ impl Plan {
         let (file, text) = (&parameters.spec_file, &parameters.spec);
         let varied =
             self.variables.iter().any(|variable| OF_WIRE.iter().any(|key| variable.target.place.is_of_spring(key)));
-        let told = SpringSpec::parse(file, text).is_ok_and(|spring| spring.is_magnetic() || spring.permeability_found.is_some());
+        let told = SpringSpec::parse(file, text)
+            .is_ok_and(|spring| spring.is_magnetic() || spring.permeability_found().is_some());
         (self.asks_for_inductance() && (told || varied)).then(|| {
             "F_L and sensors by inductance are those of non-magnetic wire: a sweep leaves out magnetisation, which analyze includes where relative_permeability is told (for S_T at 2.5 it makes \
              their error while the coil rings 4 % larger)"
