@@ -26,8 +26,8 @@ pub struct Coil {
     permeability: f64,
 }
 
-/// The largest relative permeability that a theory covers.
-const MOST_PERMEABLE: f64 = super::permeable::MOST_PERMEABLE;
+/// The largest relative permeability for which a theory's points on a wire's edge are dense enough.
+pub(crate) const MOST_PERMEABLE: f64 = 20.0;
 
 impl Coil {
     /// - `windings`: N, from 1 to 1e5, may be fractional

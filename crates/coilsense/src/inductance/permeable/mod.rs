@@ -27,6 +27,7 @@ use self::surface::Row;
 use self::susceptible::Susceptible;
 pub use self::turns::SteelTurns;
 use crate::error::{Error, above_zero, check};
+pub(crate) use crate::inductance::coil::MOST_PERMEABLE;
 
 /// A row of equal turns of round wire of one permeability.
 ///
@@ -41,8 +42,6 @@ pub struct PermeableRings {
 
 /// Most turns: their matrix grows with the square of their number.
 const MOST_TURNS: usize = 150;
-/// The largest relative permeability for which the points on a wire's edge are dense enough.
-pub(crate) const MOST_PERMEABLE: f64 = 20.0;
 /// The shortest pitch in wire diameters for which magnetic wire is solved: nearer edges need more points, and real turns touch.
 pub const LEAST_PITCH: f64 = 1.04;
 /// The same where a hundredth of what magnetisation adds does not matter.
