@@ -1,7 +1,7 @@
 //! What a controller runs against the ringing of a coil spring: filters, observers and command shapers.
 //!
 //! no_std, no allocation, no panic, no dependency; each is *settings | state | step*: settings are plain numbers that the host computes
-//! (`coilsense::mitigation`, or `coilsense mitigate --export`) and that do not move, the state does, and a step costs the same
+//! (`coilsense::mitigation`, `coilsense::plant`, or `coilsense mitigate --export`) and that do not move, the state does, and a step costs the same
 //! every time. Generic over `f32` and `f64`.
 //!
 //! | for | type | a step takes | and gives |
@@ -12,6 +12,7 @@
 //! | F_o from F_i, u1, u2 by waves | [`DelayLineObserver`] | [`Measured`] | F_o |
 //! | F_o from F_i, u1, u2 by modes | [`ModalKalman`], a [`Bank`] of them | [`Measured`] | [`Estimate`] |
 //! | F_i made unbiased by F_L | [`Fusion`] | both forces | the force fused |
+//! | the spring itself, in a simulation | [`Plant`] | u1, and u2 or a force | F_i, F_o, F_x ([`PlantOutput`]) |
 //! | commands that do not ring | [`Shaper`], [`Boxcar`], [`DoubleBoxcar`] | a command | the command shaped |
 //!
 //! Units are SI, force is tension-positive, positions grow from end 1 to end 2. A state starts `settled`: as if what it is given had been
@@ -39,8 +40,12 @@ mod boxcar;
 mod comb;
 mod delay;
 mod delay_line;
+mod elementary;
 mod fusion;
 mod kalman;
+mod oscillator;
+mod plant;
+mod plant_settings;
 mod real;
 mod shaper;
 mod window;
@@ -53,6 +58,8 @@ pub use delay::{Delay, Ring};
 pub use delay_line::{DelayLineObserver, DelayLineState};
 pub use fusion::{Fusion, FusionState};
 pub use kalman::{Estimate, KalmanState, Measured, ModalKalman, Mode};
+pub use plant::{Plant, PlantOutput, PlantState};
+pub use plant_settings::{FarEnd, PlantMode, PlantSettings, Refused};
 pub use real::Real;
 pub use shaper::{Impulse, Shaper};
 pub use window::Window;

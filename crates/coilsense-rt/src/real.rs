@@ -25,18 +25,48 @@ pub trait Real:
     const ONE: Self;
     /// 2⁻⁸.
     const TWO_TO_MINUS_8: Self;
+    /// Whether products need what is left of their factors ([`Self::leftover`]) lest rounding adds up over 10⁵ steps.
+    const IS_SINGLE: bool;
+
+    /// The number nearest to a double one.
+    fn nearest(value: f64) -> Self;
+
+    /// What the nearest number leaves of a double one, as a number itself; zero in double precision.
+    fn leftover(value: f64) -> Self;
 }
 
 impl Real for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
+    const IS_SINGLE: bool = true;
+
+    #[inline]
+    fn nearest(value: f64) -> Self {
+        value as Self
+    }
+
+    #[inline]
+    fn leftover(value: f64) -> Self {
+        (value - f64::from(value as Self)) as Self
+    }
 }
 
 impl Real for f64 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
+    const IS_SINGLE: bool = false;
+
+    #[inline]
+    fn nearest(value: f64) -> Self {
+        value
+    }
+
+    #[inline]
+    fn leftover(_: f64) -> Self {
+        0.0
+    }
 }
 
 mod sealed {
