@@ -58,6 +58,7 @@ pub use delay::{Delay, Ring};
 pub use delay_line::{DelayLineObserver, DelayLineState};
 pub use fusion::{Fusion, FusionState};
 pub use kalman::{Estimate, KalmanState, Measured, ModalKalman, Mode};
+pub use oscillator::ModeStep;
 pub use plant::{Plant, PlantOutput, PlantState};
 pub use plant_settings::{FarEnd, PlantMode, PlantSettings, Refused};
 pub use real::Real;

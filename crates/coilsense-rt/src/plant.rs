@@ -5,15 +5,19 @@
 use crate::plant_settings::FarEnd;
 use crate::real::Real;
 
-/// What a step does to one mode (q, q̇/ω).
+/// What a step does to one mode: q \[m\], how far it is from the line between the ends, and P = q̇/ω + c·u̇/ω, how fast it is over ω.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turn<T> {
-    /// What q gains of q, of q̇/ω (and q̇/ω loses of q), and what q̇/ω gains of itself \[1\]; each with what its rounding leaves.
-    pub keep: [T; 2],
-    pub cross: [T; 2],
-    pub fade: [T; 2],
-    /// What a bend of each input, u(t) − 2u(t−h) + u(t−2h), adds to q̇/ω at the beginning of a step.
-    pub kick: [T; 2],
+    /// r₀, r₁: whole quarter turns.
+    pub quarters: [T; 2],
+    /// 1 − r₀.
+    pub dragged: T,
+    /// a, b, d: what is left of the turn.
+    pub rest: [T; 3],
+    /// What makes up for rounding every so many steps.
+    pub mend: [[T; 2]; 2],
+    /// c/ωh: what the ends' way during a step is of P.
+    pub line: [T; 2],
     /// F_i and F_o per q \[N/m\].
     pub weights: [T; 2],
     /// F_i and F_o per q̇/ω \[N/m\].
@@ -27,7 +31,7 @@ pub(crate) struct Turn<T> {
 /// Inputs, counted from their means, run straight from the last sample to this one: with an input that is read now, a step is exact at the
 /// sample; what an input that is held between samples does to the spring is another motion, in which every sample hits all modes.
 ///
-/// p += K (u − 2u' + u''), (q, p) += E (q, p), F = k (stretch + u2 − u1) + Σ w_j (q_j + βω_j p_j), p = q̇/ω
+/// (q, p)' = M (q, P − g), P' = p' + g, g = c·(u − u')/ωh, F = k (stretch + u2 − u1) + Σ w_j (q_j + βω_j p_j); P − g = p = q̇/ω
 ///
 /// Where damping is that of dashpots, forces jump with an end's velocity: those told are from just before a sample.
 ///
@@ -50,6 +54,7 @@ pub struct PlantState<T, const MODES: usize> {
     modes: [[T; 2]; MODES],
     inputs: [T; 2],
     moved: [T; 2],
+    steps: u32,
 }
 
 /// What a [`Plant`] gives; forces are tension-positive.
@@ -68,29 +73,47 @@ pub struct PlantOutput<T> {
 impl<T: Real, const MODES: usize> Plant<T, MODES> {
     /// The state of a spring at rest under inputs that have been there for ever; zeros are the mean length.
     pub fn settled(&self, inputs: [T; 2]) -> PlantState<T, MODES> {
-        PlantState { modes: [[T::ZERO; 2]; MODES], inputs, moved: [T::ZERO; 2] }
+        PlantState { modes: [[T::ZERO; 2]; MODES], inputs, moved: [T::ZERO; 2], steps: 0 }
     }
 
     /// Takes u1 \[m\], and u2 \[m\] or the force at end 2 \[N\], and gives the forces at this sample.
     #[inline]
     pub fn step(&self, state: &mut PlantState<T, MODES>, inputs: [T; 2]) -> PlantOutput<T> {
         let moved = [inputs[0] - state.inputs[0], inputs[1] - state.inputs[1]];
-        let bends = [moved[0] - state.moved[0], moved[1] - state.moved[1]];
         (state.inputs, state.moved) = (inputs, moved);
         let (mut input, mut output) = (T::ZERO, T::ZERO);
         for (mode, place) in self.modes.iter().zip(&mut state.modes) {
-            *place = mode.turned(*place, bends);
+            *place = mode.turned(*place, moved);
             input = input + mode.weights[0] * place[0];
             output = output + mode.weights[1] * place[0];
         }
         if self.has_dashpots {
             for (mode, place) in self.modes.iter().zip(&state.modes) {
-                input = input + mode.rates[0] * place[1];
-                output = output + mode.rates[1] * place[1];
+                let rate = place[1] - mode.dragged_along(moved);
+                input = input + mode.rates[0] * rate;
+                output = output + mode.rates[1] * rate;
             }
+        }
+        if T::STEPS_TO_MEND > 0 {
+            self.mend(state);
         }
         let [still, deflection, end] = self.ends(state, inputs);
         PlantOutput { input: still + input, output: still + output, deflection, end }
+    }
+
+    /// Makes up for the rounding of coefficients, every so many steps.
+    #[inline]
+    fn mend(&self, state: &mut PlantState<T, MODES>) {
+        state.steps += 1;
+        if state.steps < T::STEPS_TO_MEND {
+            return;
+        }
+        state.steps = 0;
+        for (mode, place) in self.modes.iter().zip(&mut state.modes) {
+            let [position, rate] = [place[0], place[1] - mode.dragged_along(state.moved)];
+            let [[a, b], [c, d]] = mode.mend;
+            *place = [place[0] + (a * position + b * rate), place[1] + (c * position + d * rate)];
+        }
     }
 
     /// Force of a spring without mass, F_x, and u2.
@@ -113,19 +136,25 @@ impl<T: Real> Turn<T> {
     /// Of a mode that does nothing.
     pub(crate) const STILL: Self = {
         let none = [T::ZERO; 2];
-        Self { keep: none, cross: none, fade: none, kick: none, weights: none, rates: none, end: T::ZERO }
+        let (quarters, rest, mend) = ([T::ONE, T::ZERO], [T::ZERO; 3], [none; 2]);
+        let (line, weights, rates) = (none, none, none);
+        Self { quarters, dragged: T::ZERO, rest, mend, line, weights, rates, end: T::ZERO }
     };
 
-    /// The mode a step later, kicked at its beginning.
+    /// g: what the way of the ends during a step is of P.
     #[inline]
-    fn turned(&self, [position, swing]: [T; 2], bends: [T; 2]) -> [T; 2] {
-        let swing = swing + self.kick[0] * bends[0] + self.kick[1] * bends[1];
-        let mut gained = self.keep[0] * position + self.cross[0] * swing;
-        let mut faded = self.fade[0] * swing - self.cross[0] * position;
-        if T::IS_SINGLE {
-            gained = gained + (self.keep[1] * position + self.cross[1] * swing);
-            faded = faded + (self.fade[1] * swing - self.cross[1] * position);
-        }
-        [position + gained, swing + faded]
+    fn dragged_along(&self, moved: [T; 2]) -> T {
+        self.line[0] * moved[0] + self.line[1] * moved[1]
+    }
+
+    /// The mode a step later.
+    #[inline]
+    fn turned(&self, [position, pace]: [T; 2], moved: [T; 2]) -> [T; 2] {
+        let line = self.dragged_along(moved);
+        let rate = pace - line;
+        let ([r0, r1], [a, b, d]) = (self.quarters, self.rest);
+        let gained = a * position + b * rate;
+        let faded = d * rate - b * position;
+        [(r0 * position + r1 * rate) + gained, (r0 * pace - r1 * position) + (faded + self.dragged * line)]
     }
 }

@@ -3,7 +3,7 @@
 //! Next door: a step of it (`plant`), where the modes come from (`coilsense::plant`).
 
 use crate::elementary::square_root;
-use crate::oscillator::turn;
+use crate::oscillator::ModeStep;
 use crate::plant::{Plant, Turn};
 use crate::real::Real;
 
@@ -152,19 +152,34 @@ impl PlantMode {
         if !(angle > 0.0 && angle <= LARGEST_ANGLE) {
             return Err(Refused::Step);
         }
-        let [keep, cross, fade] = turn(angle, ratio);
+        let moves = ModeStep::new(angle, ratio);
         let [first, second] = self.participations;
         let [input, output] = self.weights;
         let (input, output, swing) = (input * harder, output * harder, dashpot * frequency);
-        let both = |value| [T::nearest(value), T::leftover(value)];
         Ok(Turn {
-            keep: both(keep),
-            cross: both(cross),
-            fade: both(fade),
-            kick: [T::nearest(-first / angle), T::nearest(-(second * softer) / angle)],
+            quarters: moves.quarters.map(T::nearest),
+            dragged: T::nearest(1.0 - moves.quarters[0]),
+            rest: moves.rest.map(T::nearest),
+            mend: mend::<T>(&moves, ratio * angle),
+            line: [T::nearest(first / angle), T::nearest(second * softer / angle)],
             weights: [T::nearest(input), T::nearest(output)],
             rates: [T::nearest(input * swing), T::nearest(output * swing)],
             end: T::nearest(self.end),
         })
     }
+}
+
+/// What makes up for the rounding of a mode's coefficients after [`Real::STEPS_TO_MEND`] steps: that many times M⁻¹ (M − M'), M' the rounded
+/// step. The two turn about the same centre and nearly commute; a mode that dies sooner forgets what rounding does to it.
+fn mend<T: Real>(moves: &ModeStep, decay: f64) -> [[T; 2]; 2] {
+    let mut mend = [[T::ZERO; 2]; 2];
+    if T::STEPS_TO_MEND == 0 || decay > 1.0 / 64.0 {
+        return mend;
+    }
+    let [[m11, m12], [_, m22]] = moves.matrix();
+    let [a, b, d] = moves.rest.map(T::leftover);
+    let scale = f64::from(T::STEPS_TO_MEND) / (m11 * m22 + m12 * m12);
+    mend[0] = [T::nearest(scale * (m22 * a + m12 * b)), T::nearest(scale * (m22 * b - m12 * d))];
+    mend[1] = [T::nearest(scale * (m12 * a - m11 * b)), T::nearest(scale * (m12 * b + m11 * d))];
+    mend
 }

@@ -25,21 +25,22 @@ pub trait Real:
     const ONE: Self;
     /// 2⁻⁸.
     const TWO_TO_MINUS_8: Self;
-    /// Whether products need what is left of their factors ([`Self::leftover`]) lest rounding adds up over 10⁵ steps.
-    const IS_SINGLE: bool;
+    /// 64 in single precision: after so many steps a mode makes up for what the rounding of its coefficients has added up to. 0 where that
+    /// is not needed.
+    const STEPS_TO_MEND: u32;
 
     /// The number nearest to a double one.
     fn nearest(value: f64) -> Self;
 
-    /// What the nearest number leaves of a double one, as a number itself; zero in double precision.
-    fn leftover(value: f64) -> Self;
+    /// What the nearest number leaves of a double one.
+    fn leftover(value: f64) -> f64;
 }
 
 impl Real for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
-    const IS_SINGLE: bool = true;
+    const STEPS_TO_MEND: u32 = 64;
 
     #[inline]
     fn nearest(value: f64) -> Self {
@@ -47,8 +48,8 @@ impl Real for f32 {
     }
 
     #[inline]
-    fn leftover(value: f64) -> Self {
-        (value - f64::from(value as Self)) as Self
+    fn leftover(value: f64) -> f64 {
+        value - f64::from(value as Self)
     }
 }
 
@@ -56,7 +57,7 @@ impl Real for f64 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
-    const IS_SINGLE: bool = false;
+    const STEPS_TO_MEND: u32 = 0;
 
     #[inline]
     fn nearest(value: f64) -> Self {
@@ -64,7 +65,7 @@ impl Real for f64 {
     }
 
     #[inline]
-    fn leftover(_: f64) -> Self {
+    fn leftover(_: f64) -> f64 {
         0.0
     }
 }

@@ -1,11 +1,12 @@
-//! What a step costs on this machine: a notch, a mean, a window, Kalman filters; `cargo bench -p coilsense --bench steps`.
+//! What a step costs on this machine: a notch, a mean, a window, Kalman filters, the spring itself; `cargo bench -p coilsense --bench steps`.
 //!
 //! Next door: instructions on a robot's processor (`cargo xtask test`, part no_std).
 
 use coilsense::mitigation::{
     BankDesign, KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, observer_bank, surge_mean, surge_notches,
 };
-use coilsense::{Damping, Spring};
+use coilsense::plant::{ModalPlant, Order};
+use coilsense::{Damping, Mount, Spring};
 use coilsense_rt::{Cascade, Measured, Window};
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 
@@ -56,6 +57,17 @@ fn steps(criterion: &mut Criterion) {
     let design = BankDesign { noise, stiffnesses: 3, memory: 0.1, sharpness: 30.0 };
     let bank = observer_bank::<5, 21>(&spring, &ToleranceBox::new(0.1, 0.1).unwrap(), &design).unwrap();
     bench(criterion, "bank of 21, 5 modes", bank.settled(&start), |state, sample| bank.step(state, sample).output);
+    let mount = Mount::new(coilsense::FarEnd::Position, Damping::Modal(0.005)).unwrap();
+    let plant = |order| ModalPlant::new(&coilsense::paper::s_t(), &mount, 0.23, order).unwrap();
+    let all = plant(Order::All).settings::<52>().unwrap().plant::<f64>(4e-4).unwrap();
+    bench(criterion, "plant, 52 modes", all.settled([0.0; 2]), |state, sample| {
+        let out = all.step(state, [sample.ends[0], 0.0]);
+        out.input + out.output
+    });
+    let few = plant(Order::Modes(6)).settings::<8>().unwrap().plant::<f64>(4e-4).unwrap();
+    bench(criterion, "plant, 8 modes", few.settled([0.0; 2]), |state, sample| {
+        few.step(state, [sample.ends[0], 0.0]).output
+    });
 }
 
 criterion_group!(benches, steps);

@@ -92,6 +92,9 @@ pub mod excitation;
 /// Modes and an excitation to positions and forces over time.
 pub mod motion;
 
+/// A mounted spring to a part of someone else's simulation.
+pub mod plant;
+
 /// Positions of the windings to the inductance.
 pub mod inductance;
 
