@@ -8,6 +8,7 @@ mod app;
 mod calibrate;
 mod date;
 mod experiment;
+mod export;
 mod identify;
 mod import;
 mod init;
@@ -47,6 +48,7 @@ const RUNS: [(&str, Run); VERBS.len()] = [
     ("import", import::run),
     ("rig", rig::run),
     ("mitigate", mitigate::run),
+    ("export", export::run),
     ("placement", placement::run),
     ("speed", speed::run),
     ("sweep", sweep::run),

@@ -71,6 +71,9 @@ pub mod placement;
 /// Conditions to ranked candidates against the ringing, and their settings.
 pub mod mitigation;
 
+/// A spec's spring to a part of another's model: C, Rust, matrices.
+pub mod plant;
+
 /// A spring under a cam to what it does at each speed of an engine.
 pub mod speed;
 

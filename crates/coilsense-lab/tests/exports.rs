@@ -13,6 +13,8 @@ use coilsense::mitigation::{
 };
 use coilsense::{Damping, Spring};
 use coilsense_lab::mitigation::export::{Export, ExportError, Precision, Settings};
+use coilsense_lab::plant;
+use coilsense_lab::spec::Spec;
 use coilsense_rt::{Biquad, Cascade, Measured, Window};
 use rand::RngExt;
 
@@ -205,6 +207,21 @@ fn observers_in_c_give_the_bits_that_they_give_here() {
     assert_same(&wide, Call::Modes, here, |_, row| narrow.step(&mut b, &measured(row)).output);
 }
 
+/// S_T in eight modes, two of which stand for all others.
+fn plant() -> String {
+    let spec = "[spring]\nfrom = \"S_T\"\n[mount]\nend2 = \"held\"\ndamping_ratio = 0.005\n";
+    let spec = Spec::parse("plant.toml", spec, &|_: &str| unreachable!()).unwrap();
+    let request = plant::Request {
+        form: plant::Form::Rust,
+        modes: Some(6),
+        error: None,
+        bandwidth: None,
+        damping_ratio: None,
+        mean_length: None,
+    };
+    plant::Plant::of(spec, &request).unwrap().text("plant").unwrap()
+}
+
 /// The settings that the firmware is compiled with, by file name.
 fn firmware() -> Vec<(&'static str, String)> {
     let spring = sampled();
@@ -225,6 +242,7 @@ fn firmware() -> Vec<(&'static str, String)> {
         rust("comb", &surge_comb(&spring, 20.0).unwrap()),
         rust("window", &window),
         rust("kalman", &modal_kalman::<3>(&spring, &noise).unwrap()),
+        ("plant", plant()),
     ]
 }
 

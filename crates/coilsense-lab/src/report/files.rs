@@ -26,6 +26,39 @@ impl Outcome for SimulationOutcome<'_> {
     const SCHEMA: &'static str = "coilsense/simulation/1";
 }
 
+/// The plant that `coilsense export` wrote.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct ExportOutcome<'a> {
+    /// The spec.
+    pub spec_file: &'a str,
+    /// What was written.
+    pub file: &'a Path,
+    /// As what: c, rust or state-space.
+    pub r#as: &'a str,
+    /// What damps it.
+    pub damping: &'a str,
+    /// The length about which inputs count.
+    pub mean_length_m: f64,
+    /// F_i = F_o = F_x there.
+    pub mean_force_n: f64,
+    /// Modes of the plant, those that stand for all others among them.
+    pub modes: usize,
+    /// The spring's own among them …
+    pub kept_modes: usize,
+    /// … of so many.
+    pub available_modes: usize,
+    /// Up to where the error is told; null where that was not asked for.
+    pub bandwidth_hz: Option<f64>,
+    /// Of F_i, F_o and F_x, over k times the motion of an end or over the force at end 2; null where that was not asked for, or where modes of the
+    /// band are left out.
+    pub error: Option<f64>,
+}
+
+impl Outcome for ExportOutcome<'_> {
+    const SCHEMA: &'static str = "coilsense/export/1";
+}
+
 /// The file that `coilsense import` wrote.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]

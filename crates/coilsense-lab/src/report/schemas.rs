@@ -8,13 +8,14 @@ use super::analysis::AnalysisOutcome;
 use super::calibration::CalibrationOutcome;
 use super::data_sheet::DataSheetOutcome;
 use super::experiment::ExperimentOutcome;
-use super::files::{ImportOutcome, InitOutcome, RigOutcome, SimulationOutcome};
+use super::files::{ExportOutcome, ImportOutcome, InitOutcome, RigOutcome, SimulationOutcome};
 use super::identification::IdentificationOutcome;
 use super::mitigation::MitigationOutcome;
 use super::outcome::schema_of;
 use super::placement::PlacementOutcome;
 use super::reproduction::ReproductionOutcome;
 use super::speed::SpeedOutcome;
+use crate::plant::StateSpaceFile;
 use crate::spec::{experiment_file_schema, spec_schema};
 
 /// Each outcome's name and schema, and those of the files that a user writes; a schema's file is called by the name.
@@ -27,6 +28,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         schema_of::<CalibrationOutcome<'static>>(),
         schema_of::<DataSheetOutcome<'static>>(),
         schema_of::<ExperimentOutcome<'static>>(),
+        schema_of::<ExportOutcome<'static>>(),
         schema_of::<IdentificationOutcome<'static>>(),
         schema_of::<ImportOutcome<'static>>(),
         schema_of::<InitOutcome<'static>>(),
@@ -36,6 +38,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         schema_of::<RigOutcome<'static>>(),
         schema_of::<SimulationOutcome<'static>>(),
         schema_of::<SpeedOutcome<'static>>(),
+        schema_of::<StateSpaceFile<'static>>(),
     ];
     #[cfg(feature = "parquet")]
     all.extend([

@@ -4,10 +4,10 @@
 //! `calibration::request`, `mitigation::request`, `sweep::request`, `speed::request`), what a row says (`crate::request`), the page of the book (`reference`).
 
 use crate::request::{Allowed, DATE, Door, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
-use crate::{calibration, identification, mitigation, recording, speed, sweep};
+use crate::{calibration, identification, mitigation, plant, recording, speed, sweep};
 
 /// The verbs, in the order of the command's help.
-pub const VERBS: [Verb; 17] = [
+pub const VERBS: [Verb; 18] = [
     Verb { name: "init", about: "Write a commented spec to start from", groups: &[&INIT], more: "" },
     Verb {
         name: "spring",
@@ -82,6 +82,12 @@ pub const VERBS: [Verb; 17] = [
             &mitigation::request::READING,
             &MITIGATE,
         ],
+        more: "",
+    },
+    Verb {
+        name: "export",
+        about: "The spring as a part of your simulation: modes, stepped exactly, as a C header, a Rust constant or matrices",
+        groups: &[&[MODELLED], &plant::request::OPTIONS, &[JSON]],
         more: "",
     },
     Verb {
@@ -272,6 +278,10 @@ const SPEED: [Row; 3] = [
     JSON,
     DATE_OF_OUT,
 ];
+const MODELLED: Row = Row {
+    meaning: "The spec: its spring, what end 2 is tied to, one damping, and the mean length of its conditions",
+    ..SPEC
+};
 const VARIED: Row = Row { meaning: "The spec whose values are varied", ..SPEC };
 const SWEEP: [Row; 2] = [
     Row { meaning: "Print the summary as JSON", ..JSON },

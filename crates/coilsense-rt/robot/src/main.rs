@@ -19,7 +19,7 @@ use cortex_m_rt::entry;
 use cortex_m_semihosting::debug::{EXIT_FAILURE, EXIT_SUCCESS, exit};
 use cortex_m_semihosting::hio::{self, HostStream};
 
-use settings::{comb, five_notches, kalman, notch, surge_mean, window};
+use settings::{comb, five_notches, kalman, notch, plant, surge_mean, window};
 
 /// Steps of each kind.
 const STEPS: u32 = 4096;
@@ -99,6 +99,15 @@ fn main() -> ! {
     tell("window of 96 taps", count(&mut timer, &mut |measured| window::WINDOW.step(&mut state, measured.force)));
     let mut state = kalman::KALMAN.settled(&rest);
     tell("Kalman, 3 modes", count(&mut timer, &mut |measured| kalman::KALMAN.step(&mut state, measured).output));
+    let Ok(spring) = plant::PLANT.plant::<f32>(4e-4) else {
+        exit(EXIT_FAILURE);
+        loop {}
+    };
+    let mut state = spring.settled([0.0; 2]);
+    tell(
+        "plant, 8 modes",
+        count(&mut timer, &mut |measured| spring.step(&mut state, [measured.ends[0], 0.0]).output),
+    );
 
     exit(EXIT_SUCCESS);
     loop {}

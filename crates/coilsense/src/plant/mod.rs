@@ -134,6 +134,16 @@ impl ModalPlant {
         self.mount.damping().dashpot_time()
     }
 
+    /// ζ \[1\] and ω \[rad/s\] of the first mode that is damped; ζ is zero where none is.
+    pub fn damped(&self) -> (f64, f64) {
+        self.damped
+    }
+
+    /// How much longer the mean length is than the rest length \[m\].
+    pub fn stretch(&self) -> f64 {
+        self.mean_length - self.spring.rest_length()
+    }
+
     /// F_i = F_o = F_x \[N\] at the mean length.
     pub fn mean_force(&self) -> f64 {
         self.spring.static_force(self.mean_length)
@@ -154,7 +164,7 @@ impl ModalPlant {
             damping_ratio: self.damped.0,
             damped_frequency: self.damped.1,
             dashpots: self.dashpot_time() > 0.0,
-            stretch: self.mean_length - self.spring.rest_length(),
+            stretch: self.stretch(),
             far_end: self.far_end(),
             modes,
         })

@@ -28,7 +28,7 @@ impl Precision {
         }
     }
 
-    fn c(self) -> &'static str {
+    pub(crate) fn c(self) -> &'static str {
         match self {
             Self::Single => "float",
             Self::Double => "double",
@@ -36,7 +36,7 @@ impl Precision {
     }
 
     /// A number as C reads it to the bit; the shortest decimal that means it.
-    fn literal(self, value: f64) -> String {
+    pub(crate) fn literal(self, value: f64) -> String {
         match self {
             Self::Single => format!("{:?}f", value as f32),
             Self::Double => format!("{value:?}"),
@@ -86,11 +86,7 @@ impl<'a> Export<'a> {
         precision: Precision,
         settings: &'a dyn Settings,
     ) -> Result<Self, ExportError> {
-        let rest = name.strip_prefix(|first: char| first.is_ascii_lowercase());
-        let word = |rest: &str| rest.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
-        if !rest.is_some_and(word) || name.ends_with('_') {
-            return Err(ExportError::Name(name.to_owned()));
-        }
+        check_name(name)?;
         check(name, "settings", &settings.numbers(), precision)?;
         Ok(Self { name, rate, precision, settings })
     }
@@ -149,6 +145,16 @@ impl<'a> Export<'a> {
     fn title(&self) -> String {
         format!("{}: {}, for {} Hz. Made by coilsense {}.", self.name, self.settings.kind(), self.rate, VERSION)
     }
+}
+
+/// Lets through a name that C and Rust can have.
+pub(crate) fn check_name(name: &str) -> Result<(), ExportError> {
+    let rest = name.strip_prefix(|first: char| first.is_ascii_lowercase());
+    let word = |rest: &str| rest.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+    if !rest.is_some_and(word) || name.ends_with('_') {
+        return Err(ExportError::Name(name.to_owned()));
+    }
+    Ok(())
 }
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");

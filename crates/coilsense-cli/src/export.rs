@@ -1,0 +1,49 @@
+//! `coilsense export`.
+
+use std::io::Write;
+use std::path::Path;
+
+use anyhow::Context;
+use coilsense_lab::output::Output;
+use coilsense_lab::plant::request::{AS, FILE};
+use coilsense_lab::plant::{Plant, Request};
+use coilsense_lab::report::{ExportOutcome, to_json};
+use coilsense_lab::request::{Given, JSON, SPEC};
+use coilsense_lab::spec::Spec;
+
+use crate::options;
+
+/// Runs the command.
+pub fn run(given: &Given) -> anyhow::Result<()> {
+    let request = Request::of(given).map_err(options::wrong)?;
+    let file = given.needed(&FILE)?;
+    let no_name = || format!("{}: is no name of a file", file.display());
+    let name = file.file_name().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
+    let stem = file.file_stem().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
+    let made = Plant::of(Spec::read(given.needed(&SPEC)?)?, &request)?;
+    let text = made.text(stem)?;
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut output = Output::begin(folder)?;
+    output.add(name, text.as_bytes())?;
+    output.commit()?;
+    let plant = &made.plant;
+    let told = match given.holds(&JSON) {
+        true => to_json(ExportOutcome {
+            spec_file: &made.spec_file,
+            file,
+            r#as: &given.text(&AS).unwrap_or_default(),
+            damping: &made.damping,
+            mean_length_m: plant.mean_length(),
+            mean_force_n: plant.mean_force(),
+            modes: plant.count(),
+            kept_modes: plant.kept(),
+            available_modes: plant.available(),
+            bandwidth_hz: made.error.map(|(bandwidth, _)| bandwidth),
+            error: made.error.map(|(_, error)| error).filter(|error| error.is_finite()),
+        })?,
+        false => format!("{}{}\n", made.summary(), file.display()),
+    };
+    // A reader that closes the pipe early has all it wants.
+    let _ = write!(anstream::stdout().lock(), "{told}");
+    Ok(())
+}

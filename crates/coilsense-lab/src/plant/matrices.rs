@@ -1,0 +1,146 @@
+//! A plant as matrices, in JSON.
+//!
+//! Next door: the matrices (`coilsense::plant::StateSpace`), the form of all JSON (`crate::report::to_json`).
+
+use coilsense_rt::FarEnd;
+use serde::Serialize;
+
+use super::{Plant, PlantError};
+use crate::report::{Outcome, to_json};
+
+/// A spring as matrices: `x' = A x + B u`, `y = C x + D u + D_v u'`, about its mean.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct StateSpaceFile<'a> {
+    /// The spec.
+    pub spec_file: &'a str,
+    /// Its spring.
+    pub spring: &'a str,
+    /// What damps it.
+    pub damping: &'a str,
+    /// What inputs, outputs and states are, in that order, each with its unit.
+    pub inputs: Vec<Signal>,
+    /// See `inputs`.
+    pub outputs: Vec<Signal>,
+    /// F_i = F_o = F_x at the mean, to which outputs come.
+    pub mean_force_n: f64,
+    /// The length about which inputs count.
+    pub mean_length_m: f64,
+    /// How many of the spring's modes there are …
+    pub kept_modes: usize,
+    /// … of how many; where these are more, the last two of `modes` stand for all others.
+    pub available_modes: usize,
+    /// What is missed of F_i, F_o and F_x up to a bandwidth; null where none was asked for, or where modes in it are left out.
+    pub error: Option<f64>,
+    /// Up to there; null where none was asked for.
+    pub bandwidth_hz: Option<f64>,
+    /// The modes of which the matrices are made.
+    pub modes: Vec<Mode>,
+    /// Continuous.
+    pub continuous: Continuous,
+    /// For a step, exact for inputs that move straight between samples; null where no step was asked for.
+    pub sampled: Option<Discrete>,
+}
+
+/// A signal.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct Signal {
+    /// As the rest of coilsense calls it.
+    name: &'static str,
+    /// Its unit.
+    unit: &'static str,
+}
+
+/// `q'' + 2 ζ ω q' + ω² q = −Σ c_i w_i''`; forces gain `p (q + β q')`.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct Mode {
+    /// ω.
+    frequency_rad_per_s: f64,
+    /// ζ.
+    damping_ratio: f64,
+    /// c of each input.
+    participations: [f64; 2],
+    /// p of F_i and F_o.
+    weights_n_per_m: [f64; 2],
+    /// u2 per q.
+    end: f64,
+}
+
+/// `x' = A x + B u`, `y = C x + D u + D_v u'`.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct Continuous {
+    /// Rows.
+    a: Vec<Vec<f64>>,
+    /// Rows.
+    b: Vec<[f64; 2]>,
+    /// Rows.
+    c: [Vec<f64>; 4],
+    /// Rows.
+    d: [[f64; 2]; 4],
+    /// Of the inputs' rates: dashpots at the ends; null of all other damping.
+    d_rate: Option<[[f64; 2]; 4]>,
+}
+
+/// `x⁺ = A x + B u`, `y = C x + D u`.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct Discrete {
+    /// The step.
+    step_s: f64,
+    /// Rows.
+    a: Vec<Vec<f64>>,
+    /// Rows.
+    b: Vec<[f64; 2]>,
+    /// Rows.
+    c: [Vec<f64>; 4],
+    /// Rows.
+    d: [[f64; 2]; 4],
+}
+
+impl Outcome for StateSpaceFile<'_> {
+    const SCHEMA: &'static str = "coilsense/state-space/1";
+}
+
+/// The file.
+pub(super) fn text(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
+    let plant = &made.plant;
+    let sampled = step.map(|step| plant.sampled(step)).transpose().map_err(PlantError::science(&made.spec_file))?;
+    let continuous = plant.state_space();
+    let (second, unit) = if plant.far_end() == FarEnd::Position { ("u2", "m") } else { ("force_at_end_2", "N") };
+    let modes = plant.modes().iter().zip(plant.ratios()).map(|(mode, damping_ratio)| Mode {
+        frequency_rad_per_s: mode.frequency,
+        damping_ratio,
+        participations: mode.participations,
+        weights_n_per_m: mode.weights,
+        end: mode.end,
+    });
+    let has_dashpots = plant.dashpot_time() > 0.0;
+    let file = StateSpaceFile {
+        spec_file: &made.spec_file,
+        spring: &made.spring,
+        damping: &made.damping,
+        inputs: vec![Signal { name: "u1", unit: "m" }, Signal { name: second, unit }],
+        outputs: [("F_i", "N"), ("F_o", "N"), ("F_x", "N"), ("u2", "m")]
+            .map(|(name, unit)| Signal { name, unit })
+            .into(),
+        mean_force_n: plant.mean_force(),
+        mean_length_m: plant.mean_length(),
+        kept_modes: plant.kept(),
+        available_modes: plant.available(),
+        error: made.error.map(|(_, error)| error).filter(|error| error.is_finite()),
+        bandwidth_hz: made.error.map(|(bandwidth, _)| bandwidth),
+        modes: modes.collect(),
+        continuous: Continuous {
+            a: continuous.a,
+            b: continuous.b,
+            c: continuous.c,
+            d: continuous.d,
+            d_rate: has_dashpots.then_some(continuous.d_rate),
+        },
+        sampled: sampled.map(|of| Discrete { step_s: of.step, a: of.a, b: of.b, c: of.c, d: of.d }),
+    };
+    to_json(file).map_err(|error| PlantError::Spec(format!("{}: {error}", made.spec_file)))
+}

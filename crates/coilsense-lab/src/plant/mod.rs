@@ -1,0 +1,185 @@
+//! A spec's spring as a part of another's model: `coilsense export`.
+//!
+//! Next door: the plant (`coilsense::plant`), a step of it (`coilsense_rt::Plant`), what may be asked (`request`), its forms (`header`,
+//! `constant`, `matrices`), settings of filters and observers (`crate::mitigation::export`).
+
+mod constant;
+mod header;
+mod matrices;
+pub mod request;
+
+use coilsense::plant::{ModalPlant, Order};
+use coilsense::{Damping, Error, Mount};
+
+use crate::mitigation::export::{ExportError, Precision};
+use crate::spec::{Spec, SpecError};
+use crate::study;
+pub use matrices::StateSpaceFile;
+pub use request::Request;
+
+/// As what a plant is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Form {
+    /// A header of C99 that needs no library.
+    C {
+        /// In which numbers it is stepped.
+        precision: Precision,
+    },
+    /// A constant for `coilsense-rt`, which is stepped in either.
+    Rust,
+    /// JSON with A, B, C, D.
+    StateSpace {
+        /// With those of this step \[s\], too.
+        step: Option<f64>,
+    },
+}
+
+/// Why there is no plant.
+#[derive(Debug, thiserror::Error)]
+pub enum PlantError {
+    /// Of a spec that has none, or whose words do not say which.
+    #[error("{0}")]
+    Spec(String),
+    /// A name or a number that a language cannot hold.
+    #[error(transparent)]
+    Export(#[from] ExportError),
+}
+
+impl PlantError {
+    /// What the science refuses of a spec.
+    fn science(file: &str) -> impl Fn(Error) -> Self {
+        move |refused| Self::Spec(format!("{file}: {refused}"))
+    }
+}
+
+impl From<SpecError> for PlantError {
+    fn from(refused: SpecError) -> Self {
+        Self::Spec(refused.to_string())
+    }
+}
+
+/// A spec's plant, ready to be written.
+#[derive(Debug, Clone)]
+pub struct Plant {
+    /// The spec.
+    pub spec_file: String,
+    /// The name of its spring.
+    pub spring: String,
+    /// Its damping in words.
+    pub damping: String,
+    /// The plant.
+    pub plant: ModalPlant,
+    /// Bandwidth \[Hz\] and the error up to there, where they were asked for.
+    pub error: Option<(f64, f64)>,
+    form: Form,
+}
+
+/// Most modes that a file gets: beyond, a matrix has a million numbers.
+const MOST_MODES: usize = 512;
+
+impl Plant {
+    /// Finds the plant of a spec.
+    ///
+    /// # Errors
+    /// [`PlantError`], one line, for contact, a helix, a coil of sections, several springs, several dampings of which none is named, an order too
+    /// low for the error that is asked for.
+    pub fn of(mut spec: Spec, request: &Request) -> Result<Self, PlantError> {
+        spec.needs_chain("export")?;
+        spec.needs_no_contact("export")?;
+        let file = spec.file.clone();
+        let science = PlantError::science(&file);
+        study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions).map_err(&science)?;
+        let (mount, damping) = mount(&spec, request)?;
+        let mean_length = request.mean_length.unwrap_or_else(|| mean_length(&spec));
+        let spring = &spec.spring.spring;
+        let made = |order| ModalPlant::new(spring, &mount, mean_length, order).map_err(&science);
+        let plant = made(request.order())?;
+        let error = match request.bandwidth {
+            Some(bandwidth) => Some((bandwidth, plant.error(bandwidth).map_err(&science)?)),
+            None => None,
+        };
+        if let (Some(wanted), Some((bandwidth, left))) = (request.error, error)
+            && left > wanted
+        {
+            let enough = made(Order::Within { error: wanted, bandwidth })?.kept();
+            let left = if left.is_finite() { format!("an error of {}", percent(left)) } else { "modes out".to_owned() };
+            let told = format!("modes = {} leaves {left} up to {bandwidth} Hz", plant.kept());
+            return Err(PlantError::Spec(format!("{file}: {told}: {} takes {enough} modes", percent(wanted))));
+        }
+        if plant.count() > MOST_MODES {
+            let told = format!("modes must be at most {MOST_MODES} for an export, got {}", plant.count());
+            return Err(PlantError::Spec(format!("{file}: {told}; --error and --bandwidth find how few are enough")));
+        }
+        Ok(Self { spec_file: spec.file, spring: spec.spring.name, damping, plant, error, form: request.form })
+    }
+
+    /// The text of the file; `name` is what C and Rust call it, and is that of the file.
+    ///
+    /// # Errors
+    /// [`PlantError::Export`] for a name that is none in C or Rust, or a number that is none in the precision asked for.
+    pub fn text(&self, name: &str) -> Result<String, PlantError> {
+        let name = name.replace(['-', '.', ' '], "_").to_ascii_lowercase();
+        match self.form {
+            Form::C { precision } => header::text(self, &name, precision),
+            Form::Rust => constant::text(self, &name),
+            Form::StateSpace { step } => matrices::text(self, step),
+        }
+    }
+
+    /// What was made, in two lines.
+    pub fn summary(&self) -> String {
+        let plant = &self.plant;
+        let (kept, all) = (plant.kept(), plant.available());
+        let order = if kept == all {
+            format!("all {all} modes: exact for inputs that move straight between samples")
+        } else {
+            format!("{kept} of {all} modes, and one for each input with the inertia of all others")
+        };
+        let error = match self.error {
+            Some((bandwidth, error)) if error.is_finite() => format!("; error up to {bandwidth} Hz {}", percent(error)),
+            Some((bandwidth, _)) => format!("; modes below {bandwidth} Hz are left out"),
+            None => String::new(),
+        };
+        let length = 1e3 * plant.mean_length();
+        format!(
+            "{}, {}, about {length:.6} mm ({:.4} N)\n{order}{error}\n",
+            self.spring,
+            self.damping,
+            plant.mean_force()
+        )
+    }
+}
+
+/// Three digits of a share.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent >= 0.001 { format!("{percent:.3} %") } else { format!("{percent:.1e} %") }
+}
+
+/// The mount under the damping that is asked for, and that damping in words.
+fn mount(spec: &Spec, request: &Request) -> Result<(Mount, String), PlantError> {
+    let of = spec.mount.without_ways();
+    let labels = of.cases.iter().map(|case| case.label.as_str()).collect::<Vec<_>>().join(", ");
+    let refused = |what: String| Err(PlantError::Spec(format!("{}: [mount]: {what}", spec.file)));
+    match (request.damping_ratio, of.cases.as_slice()) {
+        (None, [one]) => Ok((one.mount.clone(), one.label.clone())),
+        (None, _) => refused(format!("one damping makes a plant, got {labels}: --damping-ratio says which")),
+        (Some(ratio), cases) => match cases.iter().find(|case| case.ratio == Some(ratio)) {
+            Some(case) => Ok((case.mount.clone(), case.label.clone())),
+            None if of.is_band => match Mount::new(of.far_end(), Damping::Modal(ratio)) {
+                Ok(mount) => Ok((mount, format!("ζ = {ratio}"))),
+                Err(refused) => Err(PlantError::science(&spec.file)(refused)),
+            },
+            None => refused(format!("--damping-ratio must be one of {labels}, got {ratio}")),
+        },
+    }
+}
+
+/// The mean length of all conditions \[m\], or the middle of the operating range.
+fn mean_length(spec: &Spec) -> f64 {
+    let mut lengths = spec.conditions.iter().map(|condition| condition.excitation.mean_length());
+    match lengths.next() {
+        Some(first) if lengths.all(|length| length == first) => first,
+        _ => spec.spring.spring.mid_length(),
+    }
+}

@@ -1,0 +1,147 @@
+//! What may be asked of `coilsense export`.
+//!
+//! Next door: what a row says (`crate::request`), what is made of it (the parent).
+
+use coilsense::plant::Order;
+
+use super::Form;
+use crate::mitigation::export::Precision;
+use crate::quantity::Dimension;
+use crate::request::{Allowed, Given, IfAbsent, LENGTH, OUT, Row, Takes, Wrong};
+
+/// In what form. A form that is added is one more word here and one more of [`Form`].
+pub const AS: Row = Row {
+    name: "as",
+    takes: Takes::Word(&["c", "rust", "state-space"]),
+    if_absent: IfAbsent::Refused,
+    meaning: "As what: a C99 header, a Rust constant for coilsense-rt, or matrices as JSON",
+    ..Row::PLAIN
+};
+/// Where to.
+pub const FILE: Row = Row {
+    takes: Takes::File("FILE"),
+    if_absent: IfAbsent::Refused,
+    meaning: "File to write; its name without ending is the name in C and Rust",
+    elsewhere: &[],
+    ..OUT
+};
+/// How many modes.
+pub const MODES: Row = Row {
+    name: "modes",
+    takes: Takes::Count,
+    allowed: Allowed::Within(1.0, 1e6),
+    if_absent: IfAbsent::Found("as few as --error asks for, else all"),
+    meaning: "How many of the spring's modes are kept; two more stand for all others",
+    ..Row::PLAIN
+};
+/// What may be missing.
+pub const ERROR: Row = Row {
+    name: "error",
+    takes: Takes::Quantity(Dimension::Share),
+    allowed: Allowed::Between(0.0, 1.0),
+    meaning: "Error of F_i, F_o and F_x up to --bandwidth, over k times the motion of an end, or over the force at end 2",
+    requires: &["bandwidth"],
+    ..Row::PLAIN
+};
+/// Up to where.
+pub const BANDWIDTH: Row = Row {
+    name: "bandwidth",
+    takes: Takes::Quantity(Dimension::Frequency),
+    allowed: Allowed::AboveZero,
+    meaning: "Up to where --error holds; the error that is left is told up to there",
+    ..Row::PLAIN
+};
+/// A step of the matrices.
+pub const STEP: Row = Row {
+    name: "step",
+    takes: Takes::Quantity(Dimension::Time),
+    allowed: Allowed::AboveZero,
+    meaning: "Adds matrices for this step to a state space; C and Rust are told theirs when they start",
+    ..Row::PLAIN
+};
+/// Which damping.
+pub const DAMPING_RATIO: Row = Row {
+    name: "damping_ratio",
+    takes: Takes::Number,
+    allowed: Allowed::Within(0.0, 10.0),
+    if_absent: IfAbsent::Found("the spec's, where it has one"),
+    meaning: "ζ of the plant, one of the spec's where it names any",
+    ..Row::PLAIN
+};
+/// About which length.
+pub const MEAN_LENGTH: Row = Row {
+    name: "mean_length",
+    if_absent: IfAbsent::Found(
+        "that of the spec's conditions, and the middle of the operating range where they have not one",
+    ),
+    meaning: "Length about which inputs count",
+    ..LENGTH
+};
+/// In which numbers it is stepped.
+pub const PRECISION: Row = Row {
+    name: "precision",
+    takes: Takes::Word(&["single", "double"]),
+    if_absent: IfAbsent::Value("double"),
+    meaning: "Numbers of a step in C: float or double",
+    ..Row::PLAIN
+};
+
+/// Its options, in the order in which they are told.
+pub const OPTIONS: [Row; 9] = [AS, FILE, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION];
+
+/// What was asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// As what.
+    pub form: Form,
+    /// How many modes, where that is said.
+    pub modes: Option<usize>,
+    /// The error that is wanted.
+    pub error: Option<f64>,
+    /// Up to where it is wanted or told \[Hz\].
+    pub bandwidth: Option<f64>,
+    /// ζ, where that is said.
+    pub damping_ratio: Option<f64>,
+    /// \[m\], where that is said.
+    pub mean_length: Option<f64>,
+}
+
+impl Request {
+    /// What was given.
+    ///
+    /// # Errors
+    /// [`Wrong`] for a step where there are no matrices.
+    pub fn of(given: &Given) -> Result<Self, Wrong> {
+        let step = given.number(&STEP);
+        let single = given.text(&PRECISION).as_deref() == Some("single");
+        let precision = if single { Precision::Single } else { Precision::Double };
+        let form = match (given.text(&AS).as_deref(), step) {
+            (Some("state-space"), step) => Form::StateSpace { step },
+            (Some(word), Some(_)) => {
+                return Err(
+                    STEP.wrong(format!("goes with --as state-space, got --as {word}, which is told when it starts"))
+                );
+            }
+            (Some("rust"), None) => Form::Rust,
+            (_, None) => Form::C { precision },
+            (None, Some(_)) => return Err(AS.wrong("must be given")),
+        };
+        Ok(Self {
+            form,
+            modes: given.count(&MODES).map(|modes| modes as usize),
+            error: given.number(&ERROR),
+            bandwidth: given.number(&BANDWIDTH),
+            damping_ratio: given.number(&DAMPING_RATIO),
+            mean_length: given.number(&MEAN_LENGTH),
+        })
+    }
+
+    /// The order that is asked of the science.
+    pub(super) fn order(&self) -> Order {
+        match (self.modes, self.error, self.bandwidth) {
+            (Some(modes), _, _) => Order::Modes(modes),
+            (None, Some(error), Some(bandwidth)) => Order::Within { error, bandwidth },
+            _ => Order::All,
+        }
+    }
+}
