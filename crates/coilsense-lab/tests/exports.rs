@@ -207,10 +207,23 @@ fn observers_in_c_give_the_bits_that_they_give_here() {
     assert_same(&wide, Call::Modes, here, |_, row| narrow.step(&mut b, &measured(row)).output);
 }
 
+const S_T: &str = r#"[spring]
+name = "S_T"
+model = "chain"
+rest_length = "104 mm"
+windings = 52
+coil_radius = "8 mm"
+wire_radius = "1 mm"
+mass = "65 g"
+stiffness = "760 N/m"
+min_length = "196 mm"
+max_length = "264 mm"
+"#;
+
 /// S_T in eight modes, two of which stand for all others.
 fn plant() -> String {
-    let spec = "[spring]\nfrom = \"S_T\"\n[mount]\nend2 = \"held\"\ndamping_ratio = 0.005\n";
-    let spec = Spec::parse("plant.toml", spec, &|_: &str| unreachable!()).unwrap();
+    let spec = format!("{S_T}[mount]\nend2 = \"held\"\ndamping_ratio = 0.005\n");
+    let spec = Spec::parse("plant.toml", &spec, &|_: &str| unreachable!()).unwrap();
     let request = plant::Request {
         form: plant::Form::Rust,
         modes: Some(6),
