@@ -170,6 +170,8 @@ fn what_is_printed_is_what_the_schemas_say() {
         ("analysis", "analyze spec.toml"),
         ("analysis", "analyze sea-ankle.toml"),
         ("mitigation", "mitigate spec.toml --seeds 1"),
+        ("export", "export virtual-rig.toml --as c --out plant.h"),
+        ("export", "export virtual-rig.toml --as state-space --error 1% --bandwidth 100Hz --step 1ms --out plant.json"),
         ("placement", "placement sea-ankle.toml"),
         ("sweep-summary", &format!("{sweep} sobol --out designs")),
         ("pareto", "pareto designs --minimize F_o.rmsd --maximize stiffness"),
@@ -180,6 +182,8 @@ fn what_is_printed_is_what_the_schemas_say() {
     for (schema, command) in commands {
         follows(&printed(folder, command), schema, command);
     }
+    let matrices = std::fs::read_to_string(folder.join("plant.json")).expect("plant.json");
+    follows(&serde_json::from_str(&matrices).expect("JSON"), "state-space", "plant.json");
     // What a file holds is what is printed.
     let kept = std::fs::read_to_string(folder.join("out/analysis/results.json")).expect("results.json");
     let date = text(kept.lines().find(|line| line.contains("\"date\"")).expect("its date").as_bytes());

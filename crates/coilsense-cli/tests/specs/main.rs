@@ -1,6 +1,7 @@
-//! The commands that read a spec, as a person meets them: `init`, `spring`, `simulate`, `analyze`.
+//! The commands that read a spec, as a person meets them: `init`, `spring`, `simulate`, `analyze`, `export`.
 
 mod analyze;
+mod export;
 mod import;
 mod init_and_spring;
 mod interrupt;

@@ -142,7 +142,7 @@ impl Plant {
         };
         let length = 1e3 * plant.mean_length();
         format!(
-            "{}, {}, about {length:.6} mm ({:.4} N)\n{order}{error}\n",
+            "{}, {}, about {length:.3} mm ({:.4} N)\n{order}{error}\n",
             self.spring,
             self.damping,
             plant.mean_force()

@@ -40,7 +40,6 @@ pub const ERROR: Row = Row {
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Between(0.0, 1.0),
     meaning: "Error of F_i, F_o and F_x up to --bandwidth, over k times the motion of an end, or over the force at end 2",
-    requires: &["bandwidth"],
     ..Row::PLAIN
 };
 /// Up to where.
@@ -110,8 +109,11 @@ impl Request {
     /// What was given.
     ///
     /// # Errors
-    /// [`Wrong`] for a step where there are no matrices.
+    /// [`Wrong`] for a step where there are no matrices, or an error without a bandwidth.
     pub fn of(given: &Given) -> Result<Self, Wrong> {
+        if given.holds(&ERROR) && !given.holds(&BANDWIDTH) {
+            return Err(ERROR.wrong("needs --bandwidth, up to where it holds"));
+        }
         let step = given.number(&STEP);
         let single = given.text(&PRECISION).as_deref() == Some("single");
         let precision = if single { Precision::Single } else { Precision::Double };
