@@ -7,7 +7,7 @@ use anyhow::Context;
 use coilsense_lab::output::Output;
 use coilsense_lab::plant::request::{AS, FILE};
 use coilsense_lab::plant::{Plant, Request};
-use coilsense_lab::report::{ExportOutcome, to_json};
+use coilsense_lab::report::{ExportOutcome, export_text, to_json};
 use coilsense_lab::request::{Given, JSON, SPEC};
 use coilsense_lab::spec::Spec;
 
@@ -21,7 +21,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let name = file.file_name().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
     let stem = file.file_stem().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
     let made = Plant::of(Spec::read(given.needed(&SPEC)?)?, &request)?;
-    let text = made.text(stem)?;
+    let text = export_text(&made, stem)?;
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut output = Output::begin(folder)?;
     output.add(name, text.as_bytes())?;

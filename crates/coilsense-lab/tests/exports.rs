@@ -232,7 +232,7 @@ fn plant() -> String {
         damping_ratio: None,
         mean_length: None,
     };
-    plant::Plant::of(spec, &request).unwrap().text("plant").unwrap()
+    plant::Plant::of(spec, &request).unwrap().constant("plant").unwrap()
 }
 
 /// The settings that the firmware is compiled with, by file name.

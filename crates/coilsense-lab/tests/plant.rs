@@ -11,6 +11,7 @@ use coilsense::plant::{ModalPlant, Order};
 use coilsense::{Damping, FarEnd, Mount};
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::plant::{Form, Plant, Request};
+use coilsense_lab::report::export_text;
 use coilsense_lab::spec::Spec;
 use coilsense_rt::{PlantSettings, Real};
 use rand::RngExt;
@@ -114,7 +115,7 @@ fn run_here<T: Real, const MODES: usize>(settings: &PlantSettings<MODES>, [k, m,
 }
 
 fn header(text: &str, precision: Precision) -> String {
-    Plant::of(spec(text), &request(Form::C { precision })).unwrap().text("x").unwrap()
+    Plant::of(spec(text), &request(Form::C { precision })).unwrap().header("x", precision).unwrap()
 }
 
 #[test]
@@ -135,6 +136,26 @@ fn c_gives_the_bits_that_rust_gives_on_every_mount() {
             assert!(ours == theirs, "single: {text}{begun:?}");
         }
     }
+}
+
+#[test]
+fn the_books_c_is_compiled() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/guide/export.md");
+    let page = std::fs::read_to_string(&page).unwrap_or_else(|error| panic!("{}: {error}", page.display()));
+    let code = page.split("```c\n").nth(1).and_then(|rest| rest.split("\n```").next()).expect("a block of C");
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!("{S_T}[mount]\ndamping_ratio = 0.005\n");
+    let made = Plant::of(spec(&text), &request(Form::C { precision: Precision::Double })).unwrap();
+    std::fs::write(folder.path().join("ankle_spring.h"), made.header("ankle_spring", Precision::Double).unwrap())
+        .unwrap();
+    let program =
+        format!("{code}\nint main(void)\n{{\n    return begin() != 0 || force_at_the_leg(0.0, 0.0) < 95.0;\n}}\n");
+    std::fs::write(folder.path().join("x.c"), program).unwrap();
+    let mut compiler = Command::new("cc");
+    compiler.args(["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-o", "x", "x.c"]);
+    let made = compiler.current_dir(folder.path()).output().unwrap();
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    ran(&folder.path().join("x"), &[]);
 }
 
 #[test]
@@ -161,7 +182,7 @@ fn c_refuses_what_rust_refuses() {
 fn matrices_read_back_are_those_of_the_plant() {
     let text = format!("{S_T}[mount]\nend2 = \"force\"\nstiffness_damping = \"0.1 ms\"\n");
     let made = Plant::of(spec(&text), &request(Form::StateSpace { step: Some(1e-3) })).unwrap();
-    let json: serde_json::Value = serde_json::from_str(&made.text("x").unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&export_text(&made, "x").unwrap()).unwrap();
     let numbers = |value: &serde_json::Value| -> Vec<f64> {
         let rows = value.as_array().unwrap().iter();
         rows.flat_map(|row| row.as_array().unwrap()).map(|number| number.as_f64().unwrap()).collect()
@@ -210,7 +231,7 @@ fn what_has_no_plant_is_refused_in_a_line() {
     assert!(as_it_is(&format!("{apart}[contact]\nwindings = \"hard\"\n")).contains("[contact]: export takes windings"));
     let helix = one.replace("\"chain\"", "\"helix\"");
     assert!(as_it_is(&helix).contains("[spring] model = \"helix\": export takes"), "{}", as_it_is(&helix));
-    let refused = Plant::of(spec(&one), &request(Form::Rust)).unwrap().text("2x").unwrap_err().to_string();
+    let refused = Plant::of(spec(&one), &request(Form::Rust)).unwrap().constant("2x").unwrap_err().to_string();
     assert!(refused.contains("must be a lower-case letter"), "{refused}");
 }
 

@@ -110,7 +110,7 @@ impl<const MODES: usize> PlantSettings<MODES> {
         if !sound(mass) || (self.far_end == FarEnd::Mass && mass != self.mass) {
             return Err(Refused::Mass);
         }
-        if !(damping_ratio >= 0.0) {
+        if damping_ratio.is_nan() || damping_ratio < 0.0 {
             return Err(Refused::DampingRatio);
         }
         if !sound(step) {
@@ -146,7 +146,7 @@ impl PlantMode {
     ) -> Result<Turn<T>, Refused> {
         let (frequency, ratio) = (self.frequency * faster, self.damping * damping_ratio);
         let angle = frequency * step;
-        if !(ratio <= LARGEST_RATIO) {
+        if ratio.is_nan() || ratio > LARGEST_RATIO {
             return Err(Refused::DampingRatio);
         }
         if !(angle > 0.0 && angle <= LARGEST_ANGLE) {

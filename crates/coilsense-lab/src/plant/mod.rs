@@ -1,11 +1,10 @@
 //! A spec's spring as a part of another's model: `coilsense export`.
 //!
 //! Next door: the plant (`coilsense::plant`), a step of it (`coilsense_rt::Plant`), what may be asked (`request`), its forms (`header`,
-//! `constant`, `matrices`), settings of filters and observers (`crate::mitigation::export`).
+//! `constant`; matrices: `crate::report`), settings of filters and observers (`crate::mitigation::export`).
 
 mod constant;
 mod header;
-mod matrices;
 pub mod request;
 
 use coilsense::plant::{ModalPlant, Order};
@@ -14,7 +13,6 @@ use coilsense::{Damping, Error, Mount};
 use crate::mitigation::export::{ExportError, Precision};
 use crate::spec::{Spec, SpecError};
 use crate::study;
-pub use matrices::StateSpaceFile;
 pub use request::Request;
 
 /// As what a plant is written.
@@ -47,7 +45,7 @@ pub enum PlantError {
 
 impl PlantError {
     /// What the science refuses of a spec.
-    fn science(file: &str) -> impl Fn(Error) -> Self {
+    pub(crate) fn science(file: &str) -> impl Fn(Error) -> Self {
         move |refused| Self::Spec(format!("{file}: {refused}"))
     }
 }
@@ -71,7 +69,8 @@ pub struct Plant {
     pub plant: ModalPlant,
     /// Bandwidth \[Hz\] and the error up to there, where they were asked for.
     pub error: Option<(f64, f64)>,
-    form: Form,
+    /// As what it is written.
+    pub form: Form,
 }
 
 /// Most modes that a file gets: beyond, a matrix has a million numbers.
@@ -113,17 +112,20 @@ impl Plant {
         Ok(Self { spec_file: spec.file, spring: spec.spring.name, damping, plant, error, form: request.form })
     }
 
-    /// The text of the file; `name` is what C and Rust call it, and is that of the file.
+    /// A header of C99; `name` is what it is called, and is that of the file.
     ///
     /// # Errors
-    /// [`PlantError::Export`] for a name that is none in C or Rust, or a number that is none in the precision asked for.
-    pub fn text(&self, name: &str) -> Result<String, PlantError> {
-        let name = name.replace(['-', '.', ' '], "_").to_ascii_lowercase();
-        match self.form {
-            Form::C { precision } => header::text(self, &name, precision),
-            Form::Rust => constant::text(self, &name),
-            Form::StateSpace { step } => matrices::text(self, step),
-        }
+    /// [`PlantError::Export`] for a name that is none in C or Rust.
+    pub fn header(&self, name: &str, precision: Precision) -> Result<String, PlantError> {
+        header::text(self, &identifier(name), precision)
+    }
+
+    /// A Rust constant.
+    ///
+    /// # Errors
+    /// As [`Self::header`].
+    pub fn constant(&self, name: &str) -> Result<String, PlantError> {
+        constant::text(self, &identifier(name))
     }
 
     /// What was made, in two lines.
@@ -148,6 +150,11 @@ impl Plant {
             plant.mean_force()
         )
     }
+}
+
+/// A file's name as C and Rust can have it.
+fn identifier(name: &str) -> String {
+    name.replace(['-', '.', ' '], "_").to_ascii_lowercase()
 }
 
 /// Three digits of a share.

@@ -8,6 +8,7 @@ use super::analysis::AnalysisOutcome;
 use super::calibration::CalibrationOutcome;
 use super::data_sheet::DataSheetOutcome;
 use super::experiment::ExperimentOutcome;
+use super::export::StateSpaceFile;
 use super::files::{ExportOutcome, ImportOutcome, InitOutcome, RigOutcome, SimulationOutcome};
 use super::identification::IdentificationOutcome;
 use super::mitigation::MitigationOutcome;
@@ -15,7 +16,6 @@ use super::outcome::schema_of;
 use super::placement::PlacementOutcome;
 use super::reproduction::ReproductionOutcome;
 use super::speed::SpeedOutcome;
-use crate::plant::StateSpaceFile;
 use crate::spec::{experiment_file_schema, spec_schema};
 
 /// Each outcome's name and schema, and those of the files that a user writes; a schema's file is called by the name.

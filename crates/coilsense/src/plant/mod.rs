@@ -9,7 +9,7 @@ mod state_space;
 use coilsense_rt::{PlantMode, PlantSettings};
 use num_complex::Complex64;
 
-use crate::error::{Error, above_zero, count};
+use crate::error::{Error, above_zero, check, count};
 use crate::modes::ModalModel;
 use crate::mount::{FarEnd, Mount};
 use crate::spring::Spring;
@@ -59,13 +59,15 @@ pub struct ModalPlant {
 
 /// Frequencies of a band at which an error is looked at.
 const LOOKS: usize = 32;
+/// Largest damping ratio of a mode, as in a motion.
+const LARGEST_RATIO: f64 = 1e3;
 
 impl ModalPlant {
     /// A spring at rest at a mean length \[m\], with as many modes as `order` says.
     ///
     /// # Errors
     /// [`Error::Value`] for a coil of sections, whose force is no straight line, for a mean length, error or bandwidth that is not above zero,
-    /// for more modes than there are; those of [`crate::Damping::ratios`].
+    /// for more modes than there are, and for a mode with a damping ratio above 1000; those of [`crate::Damping::ratios`].
     pub fn new(spring: &Spring, mount: &Mount, mean_length: f64, order: Order) -> Result<Self, Error> {
         spring.check_uniform("a plant")?;
         above_zero("mean_length", mean_length, "m")?;
@@ -86,6 +88,11 @@ impl ModalPlant {
         plant.kept = plant.modes_for(order)?;
         let others = if plant.kept < plant.model.count() { plant.left_out(plant.kept).stand_ins() } else { Vec::new() };
         plant.modes = (0..plant.kept).map(|mode| plant.own(mode)).chain(others).collect();
+        // As a motion: beyond, a mode is no spring.
+        if let Some((mode, ratio)) = plant.ratios().enumerate().find(|(_, ratio)| *ratio > LARGEST_RATIO) {
+            let allowed = format!("at most {LARGEST_RATIO}");
+            check(false, format!("damping ratio of mode {}", mode + 1), ratio, "", allowed)?;
+        }
         Ok(plant)
     }
 

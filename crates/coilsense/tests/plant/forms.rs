@@ -188,6 +188,9 @@ fn what_no_plant_can_have_is_refused_in_a_line() {
     let within = |error, bandwidth| told(Order::Within { error, bandwidth });
     assert_eq!(within(0.0, 100.0), "error must be above zero and below one, got 0");
     assert_eq!(within(0.1, -1.0), "bandwidth must be above zero and finite, got -1 Hz");
+    let creeping = Mount::new(FarEnd::Position, Damping::StiffnessProportional { time: 10.0 }).unwrap();
+    let refused = ModalPlant::new(&spring, &creeping, 0.23, Order::All).unwrap_err().to_string();
+    assert!(refused.starts_with("damping ratio of mode 1 must be at most 1000, got 16"), "{refused}");
     let plant = ModalPlant::new(&spring, &Mount::default(), 0.23, Order::All).unwrap();
     assert_eq!(plant.sampled(0.0).unwrap_err().to_string(), "step must be above zero and finite, got 0 s");
     assert_eq!(plant.settings::<7>().unwrap_err().to_string(), "modes must hold 7 values, got 8");

@@ -1,12 +1,24 @@
-//! A plant as matrices, in JSON.
+//! A plant as it is written: code, or matrices in JSON.
 //!
-//! Next door: the matrices (`coilsense::plant::StateSpace`), the form of all JSON (`crate::report::to_json`).
+//! Next door: the plant and its code (`crate::plant`), the matrices (`coilsense::plant::StateSpace`), the form of all JSON (`outcome`).
 
 use coilsense_rt::FarEnd;
 use serde::Serialize;
 
-use super::{Plant, PlantError};
-use crate::report::{Outcome, to_json};
+use super::outcome::{Outcome, to_json};
+use crate::plant::{Form, Plant, PlantError};
+
+/// The text of the file that was asked for; `name` is what C and Rust call it.
+///
+/// # Errors
+/// As [`Plant::header`], and [`PlantError`] for a step that is too long for the fastest mode.
+pub fn export_text(made: &Plant, name: &str) -> Result<String, PlantError> {
+    match made.form {
+        Form::C { precision } => made.header(name, precision),
+        Form::Rust => made.constant(name),
+        Form::StateSpace { step } => matrices(made, step),
+    }
+}
 
 /// A spring as matrices: `x' = A x + B u`, `y = C x + D u + D_v u'`, about its mean.
 #[derive(Debug, Serialize)]
@@ -104,8 +116,8 @@ impl Outcome for StateSpaceFile<'_> {
     const SCHEMA: &'static str = "coilsense/state-space/1";
 }
 
-/// The file.
-pub(super) fn text(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
+/// Everything of a plant as matrices.
+fn matrices(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
     let plant = &made.plant;
     let sampled = step.map(|step| plant.sampled(step)).transpose().map_err(PlantError::science(&made.spec_file))?;
     let continuous = plant.state_space();
