@@ -18,6 +18,7 @@ use crate::errors::IntoPython;
 use crate::json;
 use crate::long_work::watched;
 use crate::spec::PySpec;
+use crate::threads::spread;
 use crate::value::getters;
 pub use case::PyCase;
 pub use together::{PyTogether, py_simulate_together};
@@ -150,7 +151,7 @@ impl PyAnalysis {
     #[pyo3(signature = (date=None))]
     fn to_dict<'py>(&self, py: Python<'py>, date: Option<String>) -> PyResult<Bound<'py, PyAny>> {
         let date = day(py, date)?;
-        json::loads(py, py.detach(|| analysis_json(&self.analysis, &date)))
+        json::loads(py, spread(py, || analysis_json(&self.analysis, &date))?)
     }
 
     /// Writes what ``coilsense analyze`` writes: report.html, results.json, signals.parquet; all of it, or nothing.
@@ -174,11 +175,11 @@ impl PyAnalysis {
     #[pyo3(signature = (folder, date=None))]
     fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
         let date = day(py, date)?;
-        let written = py.detach(|| {
+        let written = spread(py, || {
             let mut output = Output::begin(&folder)?;
             add_analysis(&self.analysis, &date, &mut output)?;
             Ok::<usize, ReportError>(output.commit()?)
-        });
+        })?;
         written.python()
     }
 

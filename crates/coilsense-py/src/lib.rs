@@ -44,6 +44,7 @@ mod spring;
 mod spring_argument;
 mod stream;
 mod sweep;
+mod threads;
 mod two_encoder;
 mod two_port;
 mod value;

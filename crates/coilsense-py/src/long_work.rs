@@ -1,7 +1,8 @@
 //! Long work: done on a thread of its own, while the caller's thread looks up every so often and lets Ctrl-C through.
 //!
 //! Python handles signals on its main thread only, so that thread must not be the one that computes. Work with steps of its own tells how far it
-//! is and stops at the next one ([`watched`]); work without is left alone on Ctrl-C ([`interruptible`]).
+//! is and stops at the next one ([`watched`]); work without is left alone on Ctrl-C ([`interruptible`]). Either spreads over the threads of
+//! `threads`.
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -11,6 +12,9 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use rayon::ThreadPool;
+
+use crate::threads;
 
 /// How often the caller's thread looks up, and so how long Ctrl-C may wait.
 const LOOK: Duration = Duration::from_millis(50);
@@ -47,10 +51,12 @@ fn awaited<T: Send>(
 /// `KeyboardInterrupt` and what else a handler of signals raises.
 pub fn interruptible<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T + Send + 'static) -> PyResult<T> {
     let (give, take) = channel();
+    let pool = threads::pool(py)?;
     // Where nobody takes it any more there is nothing to be done.
-    let worker = thread::Builder::new().name("coilsense".to_owned()).spawn(move || give.send(work()).unwrap_or(()));
+    let work = move || give.send(pool.install(work)).unwrap_or(());
+    let worker = thread::Builder::new().name("coilsense".to_owned()).spawn(work);
     worker.map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
-    let given = awaited(py, take, || py.check_signals())?;
+    let given = awaited(py, take, || py.check_signals().inspect_err(|_| threads::left_behind(py)))?;
     given.ok_or_else(|| PyRuntimeError::new_err("coilsense: a computation broke off; please report it"))
 }
 
@@ -58,6 +64,17 @@ pub fn interruptible<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T
 ///
 /// An exception, be it of `tell` or a keyboard interrupt, stops the work at its next step and is what comes out.
 pub fn watched<T: Send>(
+    py: Python<'_>,
+    tell: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Progress<'_>) -> T + Send,
+) -> PyResult<T> {
+    let pool = threads::pool(py)?;
+    watched_in(&pool, py, tell, work)
+}
+
+/// The same on the threads of a pool.
+pub fn watched_in<T: Send>(
+    pool: &ThreadPool,
     py: Python<'_>,
     tell: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Progress<'_>) -> T + Send,
@@ -74,7 +91,7 @@ pub fn watched<T: Send>(
         let (sender, receiver) = channel();
         let worker = scope.spawn(|| {
             let sender = sender;
-            let result = work(&|done, of| watch.heard(done, of));
+            let result = pool.install(|| work(&|done, of| watch.heard(done, of)));
             // Nobody hangs up before the work has ended.
             let _ = sender.send(());
             result

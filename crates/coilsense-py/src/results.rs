@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 
 use crate::analysis::day;
 use crate::errors::IntoPython;
+use crate::threads::spread;
 
 /// What a study's result lets a user do with it, under one name everywhere: `to_dict`, `to_pandas`, `plot`, `str()`, what a notebook shows,
 /// and `save`.
@@ -146,7 +147,7 @@ pub fn save(
         add(&date, &mut output)?;
         Ok(output.commit()?)
     };
-    py.detach(written).python()
+    spread(py, written)?.python()
 }
 
 /// A function of the Python code beside this module that lays results out: tables, plots, pages for notebooks.

@@ -16,6 +16,7 @@ use crate::errors::IntoPython;
 use crate::json;
 use crate::mount::PyMount;
 use crate::spring::PySpring;
+use crate::threads::spread;
 use crate::value::{Arguments, getters};
 pub use condition::PyCondition;
 
@@ -156,7 +157,7 @@ impl PySpec {
     ///     For a spec of several springs.
     fn data_sheet<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.spec.needs_one_spring("a data sheet").python()?;
-        let sheet = py.detach(|| DataSheet::of(&self.spec)).python()?;
+        let sheet = spread(py, || DataSheet::of(&self.spec))?.python()?;
         json::loads(py, data_sheet_json(&sheet))
     }
 

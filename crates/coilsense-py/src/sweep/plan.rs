@@ -3,6 +3,7 @@
 //! Next door: the folder that its rows go into (`dataset`).
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use coilsense_lab::sweep::{Catalogue, Plan, PlanParameters, Sampling};
 use pyo3::exceptions::PyKeyboardInterrupt;
@@ -12,8 +13,9 @@ use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 use super::by_title;
 use crate::errors::{IntoPython, SweepError, unknown};
 use crate::json;
-use crate::long_work::watched;
+use crate::long_work::watched_in;
 use crate::spec::{PySpec, beside};
+use crate::threads::{self, spread};
 use crate::value::getters;
 
 /// All that decides the rows of a sweep.
@@ -154,7 +156,7 @@ impl PySweepPlan {
             ..PlanParameters::default()
         };
         let parameters = spec.read(parameters).python()?;
-        py.detach(|| Plan::new(parameters)).python().map(Self)
+        spread(py, || Plan::new(parameters))?.python().map(Self)
     }
 
     /// The plan of a text that :meth:`to_json` made.
@@ -303,9 +305,11 @@ impl PySweepPlan {
         if jobs == Some(0) {
             return Err(SweepError::new_err("jobs must be at least 1, got 0"));
         }
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.unwrap_or(0)).build();
-        let pool = pool.map_err(|error| SweepError::new_err(format!("cannot start threads: {error}")))?;
-        let done = watched(py, None, |progress| pool.install(|| work(&self.0, &|| progress(0, 0))))?;
+        let pool = match jobs {
+            Some(jobs) => Arc::new(threads::of(jobs)?),
+            None => threads::pool(py)?,
+        };
+        let done = watched_in(&pool, py, None, |progress| work(&self.0, &|| progress(0, 0)))?;
         // It stops only where a signal has been raised, which came first.
         done.python()?.ok_or_else(|| PyKeyboardInterrupt::new_err(()))
     }
