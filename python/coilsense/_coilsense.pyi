@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
+from types import TracebackType
 from typing import Any, Literal, TypeAlias, TypeVar, final
 
 import matplotlib.axes
@@ -1039,8 +1040,17 @@ class Stream:
 
 @final
 class SweepDataset:
+    def __enter__(self) -> SweepDataset: ...
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _raised: BaseException | None,
+        _traceback: TracebackType | None,
+        /,
+    ) -> None: ...
     def __len__(self) -> int: ...
     def __new__(cls, folder: str | PathLike[str], plan: SweepPlan | None = None) -> SweepDataset: ...
+    def close(self) -> None: ...
     @property
     def folder(self) -> Path: ...
     @property

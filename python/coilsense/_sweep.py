@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from contextlib import closing, suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 #: What ``over`` takes: the command's texts, or values by key.
 Over = Sequence[str] | Mapping[str, Any]
+
+#: Chunks by number, as they are computed.
+Chunks = Generator[tuple[int, bytes], None, None]
 
 #: What a chunk needs of where it is computed: coilsense of one version, on one path of vector instructions.
 Needs = tuple[str, str]
@@ -95,21 +98,20 @@ def sweep(
         columns=list(columns),
         chunk=chunk,
     )
-    dataset = SweepDataset(out, plan)
-    missing = dataset.missing
-    whole = plan.chunks - len(missing)
-    chunks = _here(plan, missing, jobs) if client is None else _on(client, plan, missing)
-    for index, data in chunks:
-        dataset.write(index, data)
-        whole += 1
-        if progress is not None:
-            progress(whole, plan.chunks)
-    # One that only reads, so that the folder is not held for as long as somebody looks at it.
-    del dataset
+    # However this ends, the folder and the workers are let go of at once: a traceback may keep everything here alive for as long as it likes.
+    with SweepDataset(out, plan) as dataset:
+        missing = dataset.missing
+        whole = plan.chunks - len(missing)
+        with closing(_here(plan, missing, jobs) if client is None else _on(client, plan, missing)) as chunks:
+            for index, data in chunks:
+                dataset.write(index, data)
+                whole += 1
+                if progress is not None:
+                    progress(whole, plan.chunks)
     return SweepDataset(out)
 
 
-def _here(plan: SweepPlan, missing: Iterable[int], jobs: int | None) -> Iterable[tuple[int, bytes]]:
+def _here(plan: SweepPlan, missing: Iterable[int], jobs: int | None) -> Chunks:
     """The chunks one after the other, each on all threads."""
     for index in missing:
         yield index, plan.chunk_bytes(index, jobs)
@@ -119,7 +121,7 @@ def _here(plan: SweepPlan, missing: Iterable[int], jobs: int | None) -> Iterable
 _AHEAD = 3
 
 
-def _on(client: Client, plan: SweepPlan, missing: Sequence[int]) -> Iterable[tuple[int, bytes]]:
+def _on(client: Client, plan: SweepPlan, missing: Sequence[int]) -> Chunks:
     """The chunks as workers finish them; never more of them under way than the workers are kept busy with."""
     from distributed import as_completed
 

@@ -18,6 +18,7 @@ HEAD = '''"""Types of the compiled module, written by `cargo xtask stubs`; docst
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
+from types import TracebackType
 from typing import Any, Literal, TypeAlias, TypeVar, final
 
 import matplotlib.axes
@@ -82,6 +83,9 @@ TOLD: dict[str, str] = {
     "Spec.mounts": "dict[str, Mount]",
     "SpeedMap.harmonics": "dict[str, list[list[float]]]",
     "SpeedMap.runs": "dict[str, dict[str, _Floats]]",
+    "SweepDataset.__exit__._kind": "type[BaseException] | None",
+    "SweepDataset.__exit__._raised": "BaseException | None",
+    "SweepDataset.__exit__._traceback": "TracebackType | None",
     "SweepPlan.rows_of": "range",
     "Together.signs": "dict[str, float]",
     "Together.springs": "dict[str, Case]",

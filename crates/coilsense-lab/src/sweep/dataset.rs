@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{PoisonError, RwLock};
 
 use super::SweepError;
 use super::chunk::Data;
@@ -25,8 +26,8 @@ const UNFINISHED: &str = ".unfinished-";
 pub struct Dataset {
     folder: PathBuf,
     plan: Plan,
-    /// `None` where it is only read.
-    lock: Option<File>,
+    /// `None` where it is only read; held as a reader by what writes, so that it is let go of between files.
+    lock: RwLock<Option<File>>,
 }
 
 /// How the rows of a dataset went.
@@ -54,7 +55,7 @@ impl Dataset {
         fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
         let lock = lock(folder)?;
         let path = folder.join(manifest::NAME);
-        let dataset = Self { folder: folder.to_owned(), plan: plan.clone(), lock: Some(lock) };
+        let dataset = Self { folder: folder.to_owned(), plan: plan.clone(), lock: RwLock::new(Some(lock)) };
         dataset.remove_unfinished()?;
         match fs::read_to_string(&path) {
             Ok(text) => {
@@ -79,7 +80,7 @@ impl Dataset {
         let text = fs::read_to_string(&path);
         let text = text.map_err(|error| SweepError::new(format!("{}: holds no sweep: {error}", path.display())))?;
         let manifest = Manifest::from_json(&text).map_err(|message| SweepError::of(&shown(&path), message))?;
-        Ok(Self { folder: folder.to_owned(), plan: Plan::new(manifest.plan)?, lock: None })
+        Ok(Self { folder: folder.to_owned(), plan: Plan::new(manifest.plan)?, lock: RwLock::new(None) })
     }
 
     /// What its rows were made by.
@@ -102,10 +103,16 @@ impl Dataset {
     /// # Errors
     /// [`SweepError`] where that fails; nothing is left of the chunk then. A folder that was opened to be read is not written to.
     pub fn write(&self, chunk: u64, bytes: &[u8]) -> Result<(), SweepError> {
-        if self.lock.is_none() {
+        let lock = self.lock.read().unwrap_or_else(PoisonError::into_inner);
+        if lock.is_none() {
             return Err(SweepError::of(&shown(&self.folder), "was opened to be read"));
         }
         self.put(&name(chunk), bytes)
+    }
+
+    /// Lets go of the folder, so that another run may write to it; from here on it is only read. A file that is being written is waited for.
+    pub fn release(&self) {
+        self.lock.write().unwrap_or_else(PoisonError::into_inner).take();
     }
 
     /// Some columns of all chunks that are there, in the order of rows, by their titles.

@@ -23,7 +23,8 @@ use crate::value::getters;
 /// folder : path-like
 ///     Made where it is not there; gone on with where it holds the same plan.
 /// plan : SweepPlan, optional
-///     Without it the folder is opened to be read.
+///     Without it the folder is opened to be read. With it the folder is held until :meth:`close`, the end of a ``with`` block, or the end of this
+///     object.
 ///
 /// Raises
 /// ------
@@ -76,6 +77,30 @@ impl PySweepDataset {
     /// None
     fn write(&self, py: Python<'_>, index: u64, data: &[u8]) -> PyResult<()> {
         py.detach(|| self.dataset.write(index, data)).python()
+    }
+
+    /// Lets go of the folder, so that another run may write to it; from here on it is only read. So does the end of a ``with`` block.
+    ///
+    /// Returns
+    /// -------
+    /// None
+    fn close(&self, py: Python<'_>) {
+        py.detach(|| self.dataset.release());
+    }
+
+    fn __enter__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    #[pyo3(signature = (_kind, _raised, _traceback, /))]
+    fn __exit__(
+        &self,
+        py: Python<'_>,
+        _kind: &Bound<'_, PyAny>,
+        _raised: &Bound<'_, PyAny>,
+        _traceback: &Bound<'_, PyAny>,
+    ) {
+        self.close(py);
     }
 
     /// Columns of all chunks that are there, in the order of rows.

@@ -1,0 +1,111 @@
+"""Ctrl-C, and what an interrupted call leaves behind: nothing that is in the way of the next one."""
+
+import gc
+import pathlib
+import time
+from collections.abc import Iterator
+
+import pytest
+import sweeps
+
+import coilsense
+
+
+@pytest.fixture
+def _uncollected() -> Iterator[None]:
+    """Nothing is collected by chance: what is let go of was let go of."""
+    gc.disable()
+    yield
+    gc.enable()
+
+
+class Enough(Exception):
+    """What a progress raises."""
+
+
+@pytest.mark.usefixtures("_uncollected")
+@pytest.mark.parametrize("raised", [KeyboardInterrupt, Enough])
+def test_a_sweep_that_progress_ended_is_gone_on_with_while_its_traceback_is_held(
+    raised: type[BaseException], tmp_path: pathlib.Path
+) -> None:
+    def tell(done: int, of: int) -> None:
+        if done == 2:
+            raise raised
+
+    def go(progress: object = None) -> coilsense.SweepDataset:
+        return coilsense.sweep(
+            sweeps.SPEC, sweeps.OVER, tmp_path, rows=40, chunk=10, columns=sweeps.COLUMNS, seed=7, progress=progress  # type: ignore[arg-type]
+        )
+
+    with pytest.raises(raised) as held:
+        go(tell)
+    assert "sweep" in [entry.name for entry in held.traceback]  # the frame that has the dataset is alive
+    assert coilsense.SweepDataset(tmp_path).missing == [2, 3]
+    assert len(go()) == 40
+
+
+def test_a_dataset_lets_go_of_its_folder_when_it_is_closed(tmp_path: pathlib.Path) -> None:
+    plan = coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g : 4"], columns=["f1"], chunk=2)
+    with coilsense.SweepDataset(tmp_path, plan) as first:
+        first.write(0, plan.chunk_bytes(0))
+        with pytest.raises(coilsense.SweepError, match="another run is writing"):
+            coilsense.SweepDataset(tmp_path, plan)
+    second = coilsense.SweepDataset(tmp_path, plan)
+    assert second.missing == first.missing == [1] and len(first) == 2
+    with pytest.raises(coilsense.SweepError, match="opened to be read"):
+        first.write(1, plan.chunk_bytes(1))
+    second.write(1, plan.chunk_bytes(1))
+    second.close()
+    second.close()
+    assert coilsense.SweepDataset(tmp_path, plan).missing == []
+
+
+CELL = """
+import sys
+sys.path.insert(0, {tests!r})
+import coilsense, sweeps
+
+print("begun", flush=True)
+coilsense.sweep(sweeps.SPEC, sweeps.OVER, {folder!r}, rows=20_000, chunk=100, columns=sweeps.COLUMNS)
+print("whole", flush=True)
+"""
+
+
+def test_a_cell_of_a_notebook_that_was_interrupted_runs_again(tmp_path: pathlib.Path) -> None:
+    manager = pytest.importorskip("jupyter_client.manager")
+    pytest.importorskip("ipykernel")
+    tests = str(pathlib.Path(__file__).parent)
+    kernel = manager.KernelManager(kernel_name="python3")
+    kernel.start_kernel()
+    client = kernel.client()
+    client.start_channels()
+    try:
+        client.wait_for_ready(timeout=60)
+
+        def run(interrupted: bool) -> tuple[str, str]:
+            """What the cell prints, and the exception that ends it."""
+            client.execute(CELL.format(tests=tests, folder=str(tmp_path / "sweep")))
+            printed, error = "", ""
+            while True:
+                message = client.get_iopub_msg(timeout=60)
+                kind, content = message["msg_type"], message["content"]
+                if kind == "stream":
+                    printed += content["text"]
+                    if interrupted and "begun" in printed:
+                        while not list((tmp_path / "sweep").glob("chunk-*")):
+                            time.sleep(0.02)
+                        kernel.interrupt_kernel()
+                        interrupted = False
+                elif kind == "error":
+                    error = f"{content['ename']}: {content['evalue']}"
+                elif kind == "status" and content["execution_state"] == "idle" and (error or printed):
+                    return printed, error
+
+        printed, error = run(interrupted=True)
+        assert error.startswith("KeyboardInterrupt") and printed == "begun\n"
+        assert 0 < len(list((tmp_path / "sweep").glob("chunk-*"))) < 200
+        printed, error = run(interrupted=False)
+        assert (printed, error) == ("begun\nwhole\n", "")
+    finally:
+        client.stop_channels()
+        kernel.shutdown_kernel(now=True)
