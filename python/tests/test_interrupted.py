@@ -2,6 +2,9 @@
 
 import gc
 import pathlib
+import subprocess
+import sys
+import textwrap
 import time
 from collections.abc import Iterator
 
@@ -109,3 +112,57 @@ def test_a_cell_of_a_notebook_that_was_interrupted_runs_again(tmp_path: pathlib.
     finally:
         client.stop_channels()
         kernel.shutdown_kernel(now=True)
+
+
+#: Calls of some seconds at least, by name: of what, and the call.
+LONG = {
+    "Motion.end_forces": ("scattered", "long.end_forces(it)"),
+    "Motion.signals": ("numpy.sort(scattered)", "long.signals(it)"),
+    "Motion.windings": ("scattered[:3000]", "long.windings(it)"),
+    "Motion.ends": ("scattered", "long.ends(it)"),
+    "Clash.of": ("numpy.sort(scattered[:3000])", "coilsense.Clash.of(long, it)"),
+    "Stream.take": ("long.stream(1e-6)", "it.take(10**9)"),
+    "MaxwellSum.at_lengths": ("numpy.linspace(0.2, 0.3, 10**7)", "coil.at_lengths(it)"),
+    "MaxwellSum.series": ("coilsense.Windings(numpy.tile([0.0, 0.3], (3000, 1)), numpy.tile(places, (3000, 1)))", "wide.series(it)"),
+    "theories": ("numpy.linspace(0.2, 0.3, 10**7)", "coilsense.theories(spring, it)"),
+    "TwoPort": ("numpy.linspace(1, 1e3, 10**7)", "coilsense.TwoPort(spring).transmittance(it)"),
+}
+
+INTERRUPTED = """
+    import os, signal, threading, time
+    import numpy
+    import coilsense
+
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    spring = coilsense.Spring.of_paper("S_T")
+    coil = coilsense.MaxwellSum(spring)
+    places = 0.3 * (numpy.arange(2000) + 0.5) / 2000
+    many = spring.to_dict() | {{"windings": 2000, "wire_radius": 1e-5}}
+    wide = coilsense.MaxwellSum(coilsense.Spring(**many))
+    harmonic = coilsense.Excitation(0.23, end1=coilsense.EndInput.harmonic(1e-3, 10.0))
+    long = coilsense.Motion(coilsense.Spring(**many), harmonic, coilsense.Mount(coilsense.FarEnd.mass(0.5)))
+    scattered = numpy.random.default_rng(1).uniform(0, 1, 200_000)
+    sent = []
+
+    def ctrl_c():
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    it = {of}
+    try:
+        threading.Timer(0.2, ctrl_c).start()
+        {call}
+        print("nobody was interrupted")
+    except KeyboardInterrupt:
+        print(time.perf_counter() - sent[0], flush=True)
+        os._exit(0)  # what was left behind need not be waited for
+"""
+
+
+@pytest.mark.parametrize(("of", "call"), LONG.values(), ids=LONG)
+def test_ctrl_c_ends_a_long_call_on_an_array(of: str, call: str) -> None:
+    script = textwrap.dedent(INTERRUPTED).format(of=of, call=call)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    # A twentieth of a second by itself; a machine that does something else may be slow.
+    assert float(done.stdout) < 1

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
+use crate::long_work::each;
 use crate::maxwell_sum::PyMaxwellSum;
 use crate::series::Series;
 use crate::spring::PySpring;
@@ -147,8 +148,8 @@ pub fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) ->
     let (coil, lengths) = (Coil::of(&spring.0).python()?, lengths.values());
     let dict = PyDict::new(py);
     for theory in Theory::ALL {
-        let each: Vec<f64> = py.detach(|| lengths.iter().map(|&length| theory.inductance(&coil, length)).collect());
-        dict.set_item(theory.name(), each.into_pyarray(py))?;
+        let found = each(py, &lengths, |length| theory.inductance(&coil, length))?;
+        dict.set_item(theory.name(), found.into_pyarray(py))?;
     }
     Ok(dict)
 }

@@ -1,17 +1,19 @@
 //! Long work: done on a thread of its own, while the caller's thread looks up every so often and lets Ctrl-C through.
 //!
 //! Python handles signals on its main thread only, so that thread must not be the one that computes. Work with steps of its own tells how far it
-//! is and stops at the next one ([`watched`]); work without is left alone on Ctrl-C ([`interruptible`]). Either spreads over the threads of
+//! is and stops at the next one ([`watched`]); work without is left alone on Ctrl-C ([`interruptible`], [`of_series`]), or done value by value ([`each`]). Either spreads over the threads of
 //! `threads`.
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
+use pyo3::PyClass;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use pyo3::pyclass::boolean_struct::True;
 use rayon::ThreadPool;
 
 use crate::threads;
@@ -58,6 +60,62 @@ pub fn interruptible<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T
     worker.map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
     let given = awaited(py, take, || py.check_signals().inspect_err(|_| threads::left_behind(py)))?;
     given.ok_or_else(|| PyRuntimeError::new_err("coilsense: a computation broke off; please report it"))
+}
+
+/// From so many steps of some nanoseconds on, a call is worth a thread and a copy of what it takes.
+const MANY: usize = 4_000_000;
+
+/// What a noun gives for a series: at once where that is little work, and else on a thread that Ctrl-C leaves behind.
+///
+/// # Errors
+/// As [`interruptible`].
+pub fn of_series<C, T>(
+    noun: &Bound<'_, C>,
+    steps: usize,
+    series: &[f64],
+    work: impl FnOnce(&C, &[f64]) -> T + Send + 'static,
+) -> PyResult<T>
+where
+    C: PyClass<Frozen = True> + Sync,
+    T: Send + 'static,
+{
+    let py = noun.py();
+    if steps < MANY {
+        let noun = noun.get();
+        return Ok(py.detach(|| work(noun, series)));
+    }
+    let (noun, series) = (noun.clone().unbind(), series.to_vec());
+    interruptible(py, move || work(noun.get(), &series))
+}
+
+/// What each value of a series gives, one after the other, as [`taken`].
+///
+/// # Errors
+/// As [`taken`].
+pub fn each<T: Send>(py: Python<'_>, series: &[f64], of: impl Fn(f64) -> T + Sync) -> PyResult<Vec<T>> {
+    taken(py, &mut series.iter().map(|value| of(*value)), series.len())
+}
+
+/// The next values of an iterator, as many as there are up to `count`, with a look for signals every so often.
+///
+/// # Errors
+/// `KeyboardInterrupt` and what else a handler of signals raises; what was taken is lost then.
+pub fn taken<T: Send>(py: Python<'_>, from: &mut (impl Iterator<Item = T> + Send), count: usize) -> PyResult<Vec<T>> {
+    // Who asks for a number that no memory holds is told so by Ctrl-C, not by an abort.
+    let mut given = Vec::with_capacity(count.min(MANY));
+    loop {
+        let before = given.len();
+        py.detach(|| {
+            let begun = Instant::now();
+            while given.len() < count && begun.elapsed() < LOOK {
+                given.extend(from.by_ref().take(64.min(count - given.len())));
+            }
+        });
+        py.check_signals()?;
+        if given.len() == count || given.len() == before {
+            return Ok(given);
+        }
+    }
 }
 
 /// Does `work`, which is told by its argument whether to go on; `tell` is Python's `progress(done, of)`.

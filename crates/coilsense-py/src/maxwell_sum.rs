@@ -7,6 +7,7 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, unknown};
+use crate::long_work::{each, of_series};
 use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
@@ -90,8 +91,7 @@ impl PyMaxwellSum {
             let wrong = lengths[place];
             return Err(Error::new_err(format!("lengths[{place}] must be above zero and finite, got {wrong} m")));
         }
-        let series: Vec<f64> = py.detach(|| lengths.iter().map(|length| self.sum.at_length(*length)).collect());
-        Ok(series.into_pyarray(py))
+        Ok(each(py, &lengths, |length| self.sum.at_length(length))?.into_pyarray(py))
     }
 
     /// The inductance of windings that stand somewhere.
@@ -124,9 +124,11 @@ impl PyMaxwellSum {
     /// -------
     /// numpy.ndarray, shape (samples,)
     ///     L [H]; infinite where two turns coincide.
-    fn series<'py>(&self, py: Python<'py>, windings: &PyWindings) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let windings = windings.to_rust(py)?;
-        Ok(py.detach(|| self.sum.series(&windings)).into_pyarray(py))
+    fn series<'py>(slf: &Bound<'py, Self>, windings: &PyWindings) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (py, windings) = (slf.py(), windings.to_rust(slf.py())?);
+        let turns = slf.get().spring.inductance_windings() as usize;
+        let pairs = windings.samples().saturating_mul(turns.saturating_mul(turns) / 2);
+        Ok(of_series(slf, pairs, &[], move |coil, _| coil.sum.series(&windings))?.into_pyarray(py))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

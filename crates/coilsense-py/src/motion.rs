@@ -10,6 +10,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::errors::IntoPython;
 use crate::excitation::PyExcitation;
+use crate::long_work::of_series;
 use crate::modes::PyChainModes;
 use crate::mount::PyMount;
 use crate::series::{Series, rows};
@@ -72,6 +73,16 @@ impl PyMotion {
         ChainModes::mounted(self.0.spring(), self.0.mount().far_end())
     }
 
+    /// Steps of work that so many times are: one for each mode.
+    fn steps(&self, times: usize) -> usize {
+        times.saturating_mul(self.0.modes().count())
+    }
+
+    /// The same for the windings: of each mode to each winding, eight at a time.
+    pub fn steps_of_windings(&self, times: usize) -> usize {
+        self.steps(times).saturating_mul(self.0.spring().chain_masses().div_ceil(8))
+    }
+
     /// How many modes a truncated motion has.
     fn kept_modes(&self) -> Option<usize> {
         let all = self.chain().count();
@@ -123,9 +134,10 @@ impl PyMotion {
     /// ------
     /// Error
     ///     For no times, or the first that is not finite or below zero.
-    fn end_forces<'py>(&self, py: Python<'py>, times: Series<'py>) -> PyResult<Forces<'py>> {
-        let times = times.values();
-        let forces = py.detach(|| self.0.end_forces(&times)).python()?;
+    fn end_forces<'py>(slf: &Bound<'py, Self>, times: Series<'py>) -> PyResult<Forces<'py>> {
+        let (py, times) = (slf.py(), times.values());
+        let steps = slf.get().steps(times.len());
+        let forces = of_series(slf, steps, &times, |motion, times| motion.0.end_forces(times))?.python()?;
         Ok((forces.input.into_pyarray(py), forces.output.into_pyarray(py)))
     }
 
@@ -144,10 +156,11 @@ impl PyMotion {
     /// ------
     /// Error
     ///     For the first time that is not finite, below zero, or not after its predecessor.
-    fn signals(&self, py: Python<'_>, times: Series<'_>) -> PyResult<PySignals> {
+    fn signals(slf: &Bound<'_, Self>, times: Series<'_>) -> PyResult<PySignals> {
         let times = times.values();
-        let signals = py.detach(|| self.0.signals(&times)).python()?;
-        Ok(PySignals::of(py, signals))
+        let steps = slf.get().steps(times.len());
+        let signals = of_series(slf, steps, &times, |motion, times| motion.0.signals(times))?.python()?;
+        Ok(PySignals::of(slf.py(), signals))
     }
 
     /// Positions of both ends and all windings.
@@ -165,10 +178,11 @@ impl PyMotion {
     /// ------
     /// Error
     ///     For no times, the first that is not finite or below zero, or more than 5000 windings.
-    fn windings(&self, py: Python<'_>, times: Series<'_>) -> PyResult<PyWindings> {
+    fn windings(slf: &Bound<'_, Self>, times: Series<'_>) -> PyResult<PyWindings> {
         let times = times.values();
-        let windings = py.detach(|| self.0.windings(&times)).python()?;
-        PyWindings::of(py, windings)
+        let steps = slf.get().steps_of_windings(times.len());
+        let windings = of_series(slf, steps, &times, |motion, times| motion.0.windings(times))?.python()?;
+        PyWindings::of(slf.py(), windings)
     }
 
     /// Velocities of all windings.
@@ -197,9 +211,11 @@ impl PyMotion {
     /// -------
     /// numpy.ndarray, shape (samples, 2)
     ///     u1 and u2 [m].
-    fn ends<'py>(&self, py: Python<'py>, times: Series<'_>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn ends<'py>(slf: &Bound<'py, Self>, times: Series<'_>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let times = times.values();
-        rows(py, py.detach(|| self.0.ends(&times)).python()?.into_flattened(), 2)
+        let steps = slf.get().steps(times.len());
+        let ends = of_series(slf, steps, &times, |motion, times| motion.0.ends(times))?.python()?;
+        rows(slf.py(), ends.into_flattened(), 2)
     }
 
     /// The chain's mechanical energy: kinetic plus elastic (counted from the rest length), without an end mass.

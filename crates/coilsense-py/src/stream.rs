@@ -8,6 +8,7 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::long_work::taken;
 use crate::motion::PyMotion;
 use crate::mount::PyMount;
 use crate::spring::PySpring;
@@ -48,10 +49,14 @@ impl PyStream {
     /// -------
     /// times, F_i, F_o : numpy.ndarray, shape (count,)
     ///     [s], [N], [N].
-    fn take<'py>(&mut self, py: Python<'py>, count: usize) -> Samples<'py> {
-        let forces: Vec<ForceSample> = py.detach(|| self.0.by_ref().take(count).collect());
+    ///
+    /// Notes
+    /// -----
+    /// Ctrl-C ends it; the stream then goes on behind the samples that were computed.
+    fn take<'py>(&mut self, py: Python<'py>, count: usize) -> PyResult<Samples<'py>> {
+        let forces: Vec<ForceSample> = taken(py, &mut self.0, count)?;
         let series = |part: fn(&ForceSample) -> f64| forces.iter().map(part).collect::<Vec<_>>().into_pyarray(py);
-        (series(|at| at.time), series(|at| at.input), series(|at| at.output))
+        Ok((series(|at| at.time), series(|at| at.input), series(|at| at.output)))
     }
 
     fn __iter__(slf: PyRef<'_, Self>) -> PyRef<'_, Self> {

@@ -11,6 +11,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::errors::{IntoPython, unknown};
+use crate::long_work::each;
 use crate::mount::PyDamping;
 use crate::series::Series;
 use crate::spring::PySpring;
@@ -72,8 +73,8 @@ impl PyTwoPort {
         part: impl Fn(&DynamicStiffness) -> T + Sync,
     ) -> PyResult<Vec<T>> {
         let frequencies = frequencies.values();
-        let at = |omega: &f64| Ok(part(&self.two_port.at(*omega)?));
-        py.detach(|| frequencies.iter().map(at).collect::<Result<_, ScienceError>>()).python()
+        let at = |omega: f64| Ok(part(&self.two_port.at(omega)?));
+        each(py, &frequencies, at)?.into_iter().collect::<Result<_, ScienceError>>().python()
     }
 
     fn matrices<'py>(

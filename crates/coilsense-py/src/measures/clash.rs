@@ -6,6 +6,7 @@ use coilsense::Clash;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::long_work::of_series;
 use crate::motion::PyMotion;
 use crate::series::Series;
 use crate::value::{getters, named_value};
@@ -90,12 +91,13 @@ impl PyClash {
     /// False
     #[staticmethod]
     #[pyo3(signature = (motion, times, contact_pitch=None))]
-    fn of(py: Python<'_>, motion: &PyMotion, times: Series<'_>, contact_pitch: Option<f64>) -> PyResult<Self> {
+    fn of(motion: &Bound<'_, PyMotion>, times: Series<'_>, contact_pitch: Option<f64>) -> PyResult<Self> {
         let times = times.values();
-        let found = py.detach(|| match contact_pitch {
-            None => Clash::of(&motion.0, &times),
-            Some(pitch) => Clash::seen(&motion.0, &times, &motion.0.windings(&times)?, pitch),
+        let steps = motion.get().steps_of_windings(times.len());
+        let found = of_series(motion, steps, &times, move |motion, times| match contact_pitch {
+            None => Clash::of(&motion.0, times),
+            Some(pitch) => Clash::seen(&motion.0, times, &motion.0.windings(times)?, pitch),
         });
-        found.python().map(Self)
+        found?.python().map(Self)
     }
 }
