@@ -12,7 +12,7 @@ import coilsense
 
 spring = coilsense.Spring.of_paper("S_T")
 mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
-first = coilsense.ChainModes(spring).frequencies[0] / (2 * numpy.pi)
+first = coilsense.ChainModes(spring).frequencies[0]
 shares = numpy.geomspace(0.02, 0.45, 40)
 errors: dict[str, list[float]] = {"F_o": [], "F_x": []}
 for share in shares:

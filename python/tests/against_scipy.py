@@ -37,7 +37,7 @@ def chain() -> tuple[Floats, Floats]:
 def modes() -> float:
     """`ChainModes.frequencies` <-> `scipy.linalg.eigh` of the chain's two matrices"""
     squares = scipy.linalg.eigh(*chain(), eigvals_only=True)
-    return difference(coilsense.ChainModes(SPRING).frequencies, numpy.sqrt(squares))
+    return difference(coilsense.ChainModes(SPRING).frequencies, numpy.sqrt(squares) / (2 * math.pi))
 
 
 def impact() -> float:
@@ -87,7 +87,7 @@ def end_mass() -> float:
         low = number * math.pi
         high = low + 0.5 * math.pi
         turns = scipy.optimize.brentq(lambda b: b * math.sin(b) - SPRING.mass / mass * math.cos(b), low + 1e-9, high, xtol=1e-14)
-        theirs.append(turns * root)
+        theirs.append(turns * root / (2 * math.pi))
     return difference(ours, theirs)
 
 

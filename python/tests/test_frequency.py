@@ -6,30 +6,30 @@ from samples import SPRING
 
 import coilsense
 
-OMEGA = 2 * numpy.pi * numpy.array([1.0, 10.0, 33.0])
+HERTZ = numpy.array([1.0, 10.0, 33.0])
 
 
 def test_a_clamped_spring_has_the_transmittance_of_eq_1() -> None:
     wave = coilsense.TwoPort(SPRING, model="wave")
-    wanted = 1 / numpy.cos(OMEGA * SPRING.transit_time)
-    numpy.testing.assert_allclose(wave.transmittance(OMEGA), wanted, rtol=1e-12)  # closed forms of one number
+    wanted = 1 / numpy.cos(2 * numpy.pi * HERTZ * SPRING.transit_time)
+    numpy.testing.assert_allclose(wave.transmittance(HERTZ), wanted, rtol=1e-12)  # closed forms of one number
 
 
 def test_matrices_are_each_others_inverses_and_obey_reciprocity() -> None:
     ends = coilsense.TwoPort(SPRING, coilsense.Damping.modal(0.01))
-    stiffness, receptance = ends.matrix(OMEGA), ends.receptance(OMEGA)
+    stiffness, receptance = ends.matrix(HERTZ), ends.receptance(HERTZ)
     assert stiffness.shape == (3, 2, 2) and stiffness.dtype == complex
     identity = numpy.broadcast_to(numpy.eye(2), (3, 2, 2))
     numpy.testing.assert_allclose(stiffness @ receptance, identity, atol=1e-9)  # condition number about 1e3
     numpy.testing.assert_allclose(stiffness[:, 0, 1], -stiffness[:, 1, 0], rtol=1e-14)
-    numpy.testing.assert_allclose(numpy.linalg.det(ends.transmission(OMEGA)), 1, rtol=1e-10)
+    numpy.testing.assert_allclose(numpy.linalg.det(ends.transmission(HERTZ)), 1, rtol=1e-10)
 
 
 def test_a_mass_is_the_load_whose_stiffness_is_minus_m_omega_squared() -> None:
     ends = coilsense.TwoPort(SPRING)
-    for omega in OMEGA:
-        same = coilsense.Load.stiffness(-0.3 * omega**2)
-        by_mass, by_stiffness = (ends.motion_ratio([omega], load) for load in (coilsense.Load.mass(0.3), same))
+    for frequency in HERTZ:
+        same = coilsense.Load.stiffness(-0.3 * (2 * numpy.pi * frequency) ** 2)
+        by_mass, by_stiffness = (ends.motion_ratio([frequency], load) for load in (coilsense.Load.mass(0.3), same))
         numpy.testing.assert_allclose(by_mass, by_stiffness, rtol=1e-14)
 
 
@@ -40,7 +40,30 @@ def test_modes_are_the_eigenvalues_of_the_chain() -> None:
     diagonal[[0, -1]] = 3.0
     matrix = numpy.diag(diagonal) - numpy.eye(count, k=1) - numpy.eye(count, k=-1)
     wanted = numpy.sqrt(numpy.linalg.eigvalsh(matrix) * rate * count / SPRING.mass)
-    numpy.testing.assert_allclose(coilsense.ChainModes(SPRING).frequencies, wanted, rtol=1e-11)  # LAPACK's own
+    modes = coilsense.ChainModes(SPRING)
+    numpy.testing.assert_allclose(modes.angular_frequencies, wanted, rtol=1e-11)  # LAPACK's own
+    numpy.testing.assert_allclose(modes.frequencies, wanted / (2 * numpy.pi), rtol=1e-11)
+
+
+def test_one_frequency_has_one_number_at_every_door() -> None:
+    """Hz, whichever noun is asked."""
+    first = coilsense.ChainModes(SPRING).frequencies[0]
+    assert f"{first:.6f} Hz" in repr(coilsense.ChainModes(SPRING)) and coilsense.ChainModes(SPRING).to_dict()["frequencies"][0] == first
+    assert first == pytest.approx(SPRING.surge_frequency, rel=2e-4)  # 52 masses are not a continuous coil
+    assert coilsense.continuous_frequency(SPRING.transit_time, 1) == pytest.approx(SPRING.surge_frequency, rel=1e-14)
+    held = coilsense.continuous_frequencies(SPRING, coilsense.FarEnd.position(), 3)
+    numpy.testing.assert_allclose(held, SPRING.surge_frequency * numpy.array([1, 2, 3]), rtol=1e-14)
+    grid = numpy.linspace(40, 70, 3001)
+    # With one end held, the other's motion is felt the most where the chain between held ends rings.
+    felt = abs(coilsense.TwoPort(SPRING, coilsense.Damping.modal(0.005)).transfer(grid))
+    assert grid[felt.argmax()] == pytest.approx(first, abs=0.02)  # of a grid of 0.01 Hz
+    time = 1e-5
+    assert coilsense.Damping.stiffness_proportional(time).ratios([first])[0] == pytest.approx(numpy.pi * first * time, rel=1e-14)
+    heavy = 100 * SPRING.mass
+    by_rule = coilsense.third_rule_frequency(SPRING, heavy)
+    exact = coilsense.continuous_frequencies(SPRING, coilsense.FarEnd.mass(heavy), 1)[0]
+    assert by_rule / exact - 1 == pytest.approx(coilsense.third_rule_error(SPRING, heavy), abs=1e-12)
+    assert by_rule == pytest.approx((SPRING.stiffness / heavy) ** 0.5 / (2 * numpy.pi), rel=0.01)  # the spring adds a 300th
 
 
 def test_a_geometry_gives_rate_and_mass_of_table_i() -> None:
@@ -70,9 +93,27 @@ def test_a_stream_goes_where_the_motion_goes() -> None:
     numpy.testing.assert_allclose([F_i, F_o], batch, atol=1e-10)  # 1e-12 of 98 N, as the engine states
     live = coilsense.Live(SPRING, 0.23, 1e-4)
     for _ in range(10):
-        assert live.advance(0.0, 0.0)[1:] == pytest.approx((95.76, 95.76), abs=1e-9)  # at rest it stays
-    with pytest.raises(coilsense.Error, match="input 2 must be finite, got NaN m"):
+        assert live.advance(0.0, 0.23)[1:] == pytest.approx((95.76, 95.76), abs=1e-9)  # at rest it stays
+    with pytest.raises(coilsense.Error, match="u2 must be finite, got NaN m"):
         live.advance(0.0, numpy.nan)
+    with pytest.raises(coilsense.Error, match="u2 - u1, the spring's length, must be above zero and finite, got 0 m"):
+        live.advance(0.0, 0.0)
+    assert live.advance(0.0, 0.23)[0] == pytest.approx(11e-4)  # what was refused is no step
+
+
+@pytest.mark.parametrize("far_end", [coilsense.FarEnd.position(), coilsense.FarEnd.force(), coilsense.FarEnd.mass(0.5)], ids=lambda it: it.kind)
+def test_a_live_spring_takes_what_signals_show(far_end: coilsense.FarEnd) -> None:
+    times = 1e-4 * numpy.arange(400)
+    shaken = coilsense.EndInput.sampled(times, 2e-3 * numpy.sin(60 * times))
+    positions, forces = 1e-3 * numpy.sin(200 * times), 5 * numpy.sin(200 * times)
+    pulled = coilsense.EndInput.sampled(times, positions if far_end.kind == "position" else forces)
+    mount = coilsense.Mount(far_end, coilsense.Damping.modal(0.005))
+    signals = coilsense.Motion(SPRING, coilsense.Excitation(0.23, end1=shaken, end2=pulled), mount).signals(times)
+    live = coilsense.Live(SPRING, 0.23, 1e-4, mount)
+    end2 = {"position": signals["u2"], "force": signals["F_o"], "mass": SPRING.static_force(0.23) + forces}[far_end.kind]
+    felt = [live.advance(u1, end)[1:] for u1, end in zip(signals["u1"][1:], end2[1:])]
+    expected = numpy.transpose([signals["F_i"], signals["F_o"]])[1:]
+    numpy.testing.assert_allclose(felt, expected, atol=1e-8)  # N; u2 is a difference of two lengths here
 
 
 def test_energy_stays_where_both_ends_are_held() -> None:

@@ -16,6 +16,7 @@ mod estimate;
 mod excitation;
 mod experiment;
 mod geometry;
+mod hertz;
 mod html;
 mod identification;
 mod inductance_sensor;

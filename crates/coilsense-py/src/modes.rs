@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython};
+use crate::hertz::{all_in_hertz, in_hertz};
 use crate::mount::PyFarEnd;
 use crate::spring::PySpring;
 use crate::value::{Arguments, getters};
@@ -30,9 +31,9 @@ use crate::value::{Arguments, getters};
 ///
 /// Examples
 /// --------
-/// >>> import math, coilsense
+/// >>> import coilsense
 /// >>> modes = coilsense.ChainModes(coilsense.Spring.of_paper("S_T"))
-/// >>> round(modes.frequencies[0] / (2 * math.pi), 3)
+/// >>> round(modes.frequencies[0], 3)
 /// np.float64(54.057)
 #[pyclass(name = "ChainModes", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
@@ -46,8 +47,10 @@ getters! {
     masses: usize = self.0.masses();
     /// What end 2 is tied to.
     far_end: PyFarEnd = PyFarEnd(self.0.far_end());
-    /// omega_j [rad/s], shape (count,).
-    frequencies<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.frequencies());
+    /// f_j [Hz], shape (count,).
+    frequencies<'py>(py): Bound<'py, PyArray1<f64>> = all_in_hertz(self.0.frequencies()).into_pyarray(py);
+    /// omega_j = 2 pi f_j [rad/s], shape (count,).
+    angular_frequencies<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.frequencies());
     /// How far end 2 moves in each mode, in units of its shape, shape (count,); zero where its position is prescribed.
     end_shapes<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.end_shapes());
 }
@@ -82,7 +85,7 @@ impl PyChainModes {
         Ok(each.collect::<Result<Vec<_>, _>>().python()?.into_pyarray(py))
     }
 
-    /// The frequencies by name.
+    /// The frequencies [Hz] by name.
     ///
     /// Returns
     /// -------
@@ -91,7 +94,7 @@ impl PyChainModes {
         let dict = PyDict::new(py);
         dict.set_item("masses", self.0.masses())?;
         dict.set_item("far_end", self.far_end().into_pyobject(py)?.call_method0("to_dict")?)?;
-        dict.set_item("frequencies", self.0.frequencies())?;
+        dict.set_item("frequencies", all_in_hertz(self.0.frequencies()))?;
         Ok(dict)
     }
 
@@ -100,7 +103,7 @@ impl PyChainModes {
     }
 
     fn __repr__(&self) -> String {
-        let lowest = self.0.frequencies().first().map_or(f64::NAN, |omega| omega / std::f64::consts::TAU);
+        let lowest = self.0.frequencies().first().map_or(f64::NAN, |omega| in_hertz(*omega));
         format!("<ChainModes: {} of {} masses, the lowest at {lowest:.6} Hz>", self.0.count(), self.0.masses())
     }
 }
@@ -117,7 +120,7 @@ impl PyChainModes {
 /// Returns
 /// -------
 /// float
-///     omega_j = j pi / tau [rad/s].
+///     f_j = j / (2 tau) [Hz].
 ///
 /// Notes
 /// -----
@@ -129,7 +132,7 @@ pub fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> 
             "transit time must be above zero and mode at least 1, got {transit_time} s and {mode}"
         )));
     }
-    Ok(continuous_frequency(transit_time, mode))
+    Ok(in_hertz(continuous_frequency(transit_time, mode)))
 }
 
 /// Surge frequencies of the continuous coil with end 2 tied to anything.
@@ -146,7 +149,7 @@ pub fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> 
 /// Returns
 /// -------
 /// numpy.ndarray, shape (count,)
-///     omega_j [rad/s]; with an end mass the roots of beta tan beta = m/M, beta = omega tau.
+///     f_j [Hz]; with an end mass by the roots of beta tan beta = m/M, beta = 2 pi f tau.
 ///
 /// Raises
 /// ------
@@ -159,7 +162,8 @@ pub fn py_continuous_frequencies<'py>(
     far_end: &PyFarEnd,
     count: usize,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    Ok(py.detach(|| continuous_frequencies(&spring.0, far_end.0, count)).python()?.into_pyarray(py))
+    let found = py.detach(|| continuous_frequencies(&spring.0, far_end.0, count)).python()?;
+    Ok(all_in_hertz(&found).into_pyarray(py))
 }
 
 /// First frequency of a spring with an end mass by the rule that a third of its mass swings along.
@@ -174,10 +178,10 @@ pub fn py_continuous_frequencies<'py>(
 /// Returns
 /// -------
 /// float
-///     sqrt(k / (M + m/3)) [rad/s].
+///     sqrt(k / (M + m/3)) / (2 pi) [Hz].
 #[pyfunction(name = "third_rule_frequency")]
 pub fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
-    third_rule_frequency(&spring.0, end_mass).python()
+    third_rule_frequency(&spring.0, end_mass).python().map(in_hertz)
 }
 
 /// How far that rule is off against the continuous coil.

@@ -90,7 +90,7 @@ impl PyStream {
 /// --------
 /// >>> import coilsense
 /// >>> live = coilsense.Live(coilsense.Spring.of_paper("S_T"), 0.23, 1e-3)
-/// >>> t, F_i, F_o = live.advance(0.0, 1e-4)  # end 2 moves by 0.1 mm within a millisecond
+/// >>> t, F_i, F_o = live.advance(0.0, 0.2301)  # end 2 moves by 0.1 mm within a millisecond
 /// >>> t, round(F_o - 95.76, 3)
 /// (0.001, 0.565)
 #[pyclass(name = "Live", module = "coilsense")]
@@ -109,10 +109,11 @@ impl PyLive {
     ///
     /// Parameters
     /// ----------
-    /// input1 : float
-    ///     u1 from its mean [m].
-    /// input2 : float
-    ///     u2 from its mean [m], or the force at end 2 [N].
+    /// u1 : float
+    ///     Where end 1 then is [m], as `Signals` has it: 0 at first.
+    /// end2 : float
+    ///     u2 [m], as `Signals` has it: the mean length at first. Where end 2's position is not prescribed, the force on it [N], tension positive:
+    ///     k (mean length - l0) at first.
     ///
     /// Returns
     /// -------
@@ -122,8 +123,8 @@ impl PyLive {
     /// Raises
     /// ------
     /// Error
-    ///     For an input that is not finite; the spring then stays where it is.
-    fn advance(&mut self, input1: f64, input2: f64) -> PyResult<Sample> {
-        self.0.advance([input1, input2]).python().map(sample)
+    ///     For a number that is not finite, or ends that have passed each other; the spring then stays where it is.
+    fn advance(&mut self, u1: f64, end2: f64) -> PyResult<Sample> {
+        self.0.advance_to([u1, end2]).python().map(sample)
     }
 }

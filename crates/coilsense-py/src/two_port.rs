@@ -11,6 +11,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::errors::{IntoPython, unknown};
+use crate::hertz::angular;
 use crate::long_work::each;
 use crate::mount::PyDamping;
 use crate::series::Series;
@@ -28,7 +29,7 @@ type Matrices<'py> = PyResult<Bound<'py, PyArray3<Complex64>>>;
 
 /// The spring over frequency: two ends, two forces, exact for the chain and for the wave.
 ///
-/// Time factor e^(j omega t); displacements about the mean, forces about theirs, tension-positive.
+/// Frequencies are in Hz; time factor e^(j 2 pi f t); displacements about the mean, forces about theirs, tension-positive.
 ///
 /// Parameters
 /// ----------
@@ -51,10 +52,9 @@ type Matrices<'py> = PyResult<Bound<'py, PyArray3<Complex64>>>;
 ///
 /// Examples
 /// --------
-/// >>> import math
 /// >>> from coilsense import Damping, Load, Spring, TwoPort
 /// >>> ends = TwoPort(Spring.of_paper("S_T"), Damping.modal(0.005))
-/// >>> ends.transmittance([2 * math.pi * 10], Load.mass(1.0)).real.round(3)
+/// >>> ends.transmittance([10], Load.mass(1.0)).real.round(3)
 /// array([1.114])
 #[pyclass(name = "TwoPort", module = "coilsense", frozen)]
 pub struct PyTwoPort {
@@ -73,7 +73,7 @@ impl PyTwoPort {
         part: impl Fn(&DynamicStiffness) -> T + Sync,
     ) -> PyResult<Vec<T>> {
         let frequencies = frequencies.values();
-        let at = |omega: f64| Ok(part(&self.two_port.at(omega)?));
+        let at = |frequency: f64| Ok(part(&self.two_port.at(angular(frequency))?));
         each(py, &frequencies, at)?.into_iter().collect::<Result<_, ScienceError>>().python()
     }
 
@@ -124,7 +124,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s], of either sign.
+    ///     f [Hz], of either sign.
     ///
     /// Returns
     /// -------
@@ -139,7 +139,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s].
+    ///     f [Hz].
     ///
     /// Returns
     /// -------
@@ -154,7 +154,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s].
+    ///     f [Hz].
     /// load : Load, optional
     ///     On end 2; held without it.
     ///
@@ -182,7 +182,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s].
+    ///     f [Hz].
     /// load : Load, optional
     ///     On end 2; held without it.
     ///
@@ -206,7 +206,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s].
+    ///     f [Hz].
     /// load : Load, optional
     ///     On end 2; held without it.
     ///
@@ -225,7 +225,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s].
+    ///     f [Hz].
     ///
     /// Returns
     /// -------
@@ -240,7 +240,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s]; infinite at zero, where a free spring floats away.
+    ///     f [Hz]; infinite at zero, where a free spring floats away.
     ///
     /// Returns
     /// -------
@@ -255,7 +255,7 @@ impl PyTwoPort {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (samples,)
-    ///     omega [rad/s].
+    ///     f [Hz].
     ///
     /// Returns
     /// -------

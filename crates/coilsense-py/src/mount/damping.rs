@@ -7,6 +7,7 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::hertz::angular;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
 
@@ -17,8 +18,8 @@ use crate::value::{Kind, value_of_kinds};
 /// Examples
 /// --------
 /// >>> from coilsense import Damping
-/// >>> Damping.stiffness_proportional(1e-4).ratios([100.0, 200.0])
-/// array([0.005, 0.01 ])
+/// >>> Damping.stiffness_proportional(1e-4).ratios([10.0, 20.0]).round(6)
+/// array([0.003142, 0.006283])
 #[pyclass(name = "Damping", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyDamping(pub Damping);
@@ -89,7 +90,7 @@ impl PyDamping {
         Self::checked(Damping::ModalEach(ratios.to_vec()))
     }
 
-    /// zeta_j = rate / 2 omega_j: as in a viscous fluid.
+    /// zeta_j = rate / 2 omega_j, omega_j = 2 pi f_j: as in a viscous fluid.
     ///
     /// Parameters
     /// ----------
@@ -104,7 +105,7 @@ impl PyDamping {
         Self::checked(Damping::MassProportional { rate })
     }
 
-    /// zeta_j = time omega_j / 2: a dashpot beside every segment.
+    /// zeta_j = time omega_j / 2, omega_j = 2 pi f_j: a dashpot beside every segment.
     ///
     /// Parameters
     /// ----------
@@ -139,7 +140,7 @@ impl PyDamping {
     /// Parameters
     /// ----------
     /// frequencies : array_like of float, shape (modes,)
-    ///     omega_j [rad/s].
+    ///     f_j [Hz].
     ///
     /// Returns
     /// -------
@@ -151,6 +152,7 @@ impl PyDamping {
     /// Error
     ///     Where damping for each mode is given for another number of modes, and for a loss factor.
     fn ratios<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(self.0.ratios(&frequencies.values()).python()?.into_pyarray(py))
+        let frequencies: Vec<f64> = frequencies.values().iter().copied().map(angular).collect();
+        Ok(self.0.ratios(&frequencies).python()?.into_pyarray(py))
     }
 }

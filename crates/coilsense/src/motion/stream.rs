@@ -128,6 +128,26 @@ impl Live {
         Ok(Self { motion, march, step, sample: 0, inputs: [0.0; 2], slopes: [0.0; 2] })
     }
 
+    /// Goes on by one step, to ends as [`crate::Signals`] has them: u1 and u2 \[m\], or the force on end 2 \[N\], tension positive.
+    ///
+    /// At first they are 0 and the mean length l, or k (l − l0).
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a number that is not finite, or ends that have passed each other; the spring then stays where it is.
+    pub fn advance_to(&mut self, ends: [f64; 2]) -> Result<ForceSample, Error> {
+        let [first, second] = ends;
+        finite("u1", first, "m")?;
+        let mean = if self.motion.mount().far_end() == FarEnd::Position {
+            finite("u2", second, "m")?;
+            above_zero("u2 - u1, the spring's length,", second - first, "m")?;
+            self.motion.excitation().mean_length()
+        } else {
+            finite("force on end 2", second, "N")?;
+            self.motion.static_force_of([0.0; 2])
+        };
+        self.advance([first, second - mean])
+    }
+
     /// Goes on by one step, to the inputs `next` (u1 \[m\] and u2 \[m\], or the force at end 2 \[N\], from their means).
     ///
     /// # Errors
