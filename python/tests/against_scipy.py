@@ -105,7 +105,7 @@ def inductance() -> float:
         first, second = scipy.special.ellipkm1(apart**2 / (4 * radius**2 + apart**2)), scipy.special.ellipe(modulus)
         root = numpy.sqrt(modulus)
         theirs.append((4e-7 * math.pi * radius * ((2 / root - root) * first - 2 / root * second)).sum())
-    return difference(coilsense.MaxwellSum(SPRING).at_lengths(lengths), theirs)
+    return difference(coilsense.MaxwellSum(SPRING, "as-printed").at_lengths(lengths), theirs)
 
 
 def deviation() -> float:

@@ -37,6 +37,21 @@ def test_far_rings_are_dipoles() -> None:
     assert far == pytest.approx(dipole, rel=1e-5)  # the next term is 3 (r/h)^2
 
 
+def test_one_name_stands_for_one_sum() -> None:
+    lengths = numpy.linspace(SPRING.min_length, SPRING.max_length, 25)
+    by_default = coilsense.MaxwellSum(SPRING).at_lengths(lengths)
+    found = coilsense.theories(SPRING, lengths)
+    numpy.testing.assert_array_equal(by_default, found["Maxwell sum"])
+    # Rosa's correction for round wire was made without it.
+    numpy.testing.assert_allclose(by_default, found["Nagaoka with Rosa's round-wire correction"], rtol=2e-3)
+    printed = coilsense.MaxwellSum(SPRING, "as-printed").at_lengths(lengths)
+    constant = 4e-7 * numpy.pi * SPRING.coil_radius * SPRING.windings * numpy.log(2)
+    # The distance is small against the radius, not nothing: 1e-3 of what a ring's own inductance is made of.
+    numpy.testing.assert_allclose(printed - by_default, constant, rtol=1e-2)
+    coil = (lengths, by_default)
+    assert "the nearest is Maxwell sum" in str(coilsense.calibrate(coil, spring=SPRING))
+
+
 def test_theories_agree_on_a_long_coil() -> None:
     found = coilsense.theories(SPRING, [0.2, 0.26])
     reference = found["Maxwell sum"]
