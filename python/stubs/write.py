@@ -127,6 +127,7 @@ TAKEN = (
     ("SupportsFloat | SupportsIndex", "float"),
     ("SupportsIndex", "int"),
     ("SupportsGetItem[int, ", "Sequence["),
+    ("float | str | Incomplete", "float | str"),
     ("Incomplete", "ArrayLike"),
 )
 

@@ -137,7 +137,7 @@ INTERRUPTED = """
     spring = coilsense.Spring.of_paper("S_T")
     coil = coilsense.MaxwellSum(spring)
     places = 0.3 * (numpy.arange(2000) + 0.5) / 2000
-    many = spring.to_dict() | {{"windings": 2000, "wire_radius": 1e-5}}
+    many = spring.to_dict() | {{"windings": 2000, "wire_radius": 4e-5}}
     wide = coilsense.MaxwellSum(coilsense.Spring(**many))
     harmonic = coilsense.Excitation(0.23, end1=coilsense.EndInput.harmonic(1e-3, 10.0))
     long = coilsense.Motion(coilsense.Spring(**many), harmonic, coilsense.Mount(coilsense.FarEnd.mass(0.5)))

@@ -59,8 +59,10 @@ def test_errors_have_the_text_of_rust() -> None:
         coilsense.Excitation.harmonic(0.23, 3, coilsense.EndInput.held())
     with pytest.raises(coilsense.Error, match=r"S_T, S_A, got \"S_X\""):
         coilsense.Spring.of_paper("S_X")
-    with pytest.raises(TypeError, match="stiffness"):
+    with pytest.raises(coilsense.Error, match='^stiffness must be a number in N/m or a stiffness with its unit .*, got "stiff"$'):
         coilsense.Spring(**{**SPRING.to_dict(), "stiffness": "stiff"})
+    with pytest.raises(TypeError, match="stiffness"):
+        coilsense.Spring(**{**SPRING.to_dict(), "stiffness": [760.0]})
 
 
 def test_other_threads_run_while_a_motion_is_computed() -> None:

@@ -6,12 +6,14 @@ mod input;
 mod start;
 
 use coilsense::excitation::{End, EndInput, Excitation, Start, VelocityProfile, traverse_velocity};
+use coilsense_lab::quantity::Dimension::{Length, Velocity};
 use pyo3::prelude::*;
 
 pub use input::PyEndInput;
 pub use start::PyStart;
 
 use crate::errors::{Error, IntoPython};
+use crate::quantity::Quantity;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
@@ -19,7 +21,7 @@ use crate::value::{getters, named_value};
 ///
 /// Parameters
 /// ----------
-/// mean_length : float
+/// mean_length : float or str
 ///     Length about which the ends move [m].
 /// end1, end2 : EndInput, optional
 ///     How each end is driven; held without it.
@@ -66,23 +68,23 @@ impl PyExcitation {
     #[new]
     #[pyo3(signature = (mean_length, end1=None, end2=None, start=None))]
     fn new(
-        mean_length: f64,
+        mean_length: Quantity,
         end1: Option<PyRef<'_, PyEndInput>>,
         end2: Option<PyRef<'_, PyEndInput>>,
         start: Option<PyRef<'_, PyStart>>,
     ) -> PyResult<Self> {
         let input = |end: Option<PyRef<'_, PyEndInput>>| end.map_or(EndInput::Held, |end| end.0.clone());
         let start = start.map_or(Start::Rest, |start| start.0.clone());
-        Excitation::new(mean_length, input(end1), input(end2), start).python().map(Self)
+        Excitation::new(mean_length.si("mean_length", Length)?, input(end1), input(end2), start).python().map(Self)
     }
 
     /// Impact ("heel strike"): both ends stop dead at t = 0 while every winding still moves.
     ///
     /// Parameters
     /// ----------
-    /// length : float
+    /// length : float or str
     ///     l [m].
-    /// velocity : float
+    /// velocity : float or str
     ///     v [m/s], positive from end 1 to end 2.
     ///
     /// Returns
@@ -93,7 +95,8 @@ impl PyExcitation {
     /// -----
     /// Source: [Weijde2017] section III-B, first condition.
     #[staticmethod]
-    fn impact(length: f64, velocity: f64) -> PyResult<Self> {
+    fn impact(length: Quantity, velocity: Quantity) -> PyResult<Self> {
+        let (length, velocity) = (length.si("length", Length)?, velocity.si("velocity", Velocity)?);
         Excitation::impact(length, velocity).python().map(Self)
     }
 
@@ -101,9 +104,9 @@ impl PyExcitation {
     ///
     /// Parameters
     /// ----------
-    /// length : float
+    /// length : float or str
     ///     l [m].
-    /// velocity : float
+    /// velocity : float or str
     ///     v [m/s], positive when the spring was getting longer.
     /// profile : {"uniform", "linear"}, optional
     ///     How v is shared out over the windings; linear if end 1 stood still.
@@ -117,7 +120,8 @@ impl PyExcitation {
     /// Source: [Weijde2017] section III-B, second condition.
     #[staticmethod]
     #[pyo3(signature = (length, velocity, profile="linear"))]
-    fn end_stop(length: f64, velocity: f64, profile: &str) -> PyResult<Self> {
+    fn end_stop(length: Quantity, velocity: Quantity, profile: &str) -> PyResult<Self> {
+        let (length, velocity) = (length.si("length", Length)?, velocity.si("velocity", Velocity)?);
         Excitation::end_stop(length, velocity, start::profile(profile)?).python().map(Self)
     }
 
@@ -125,7 +129,7 @@ impl PyExcitation {
     ///
     /// Parameters
     /// ----------
-    /// mean_length : float
+    /// mean_length : float or str
     ///     Length about which the end moves [m].
     /// end : {1, 2}
     ///     Which end.
@@ -143,8 +147,14 @@ impl PyExcitation {
     /// Source: [Weijde2017] section III-B, third condition.
     #[staticmethod]
     #[pyo3(signature = (mean_length, end, input, start=None))]
-    fn harmonic(mean_length: f64, end: i64, input: &PyEndInput, start: Option<PyRef<'_, PyStart>>) -> PyResult<Self> {
+    fn harmonic(
+        mean_length: Quantity,
+        end: i64,
+        input: &PyEndInput,
+        start: Option<PyRef<'_, PyStart>>,
+    ) -> PyResult<Self> {
         let start = start.map_or(Start::Rest, |start| start.0.clone());
+        let mean_length = mean_length.si("mean_length", Length)?;
         Excitation::harmonic(mean_length, self::end(end)?, input.0.clone(), start).python().map(Self)
     }
 }

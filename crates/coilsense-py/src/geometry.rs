@@ -5,11 +5,13 @@
 pub mod material;
 
 use coilsense::geometry::{EndType, Geometry, GeometryParameters};
+use coilsense_lab::quantity::Dimension::{Force, Length};
 use pyo3::prelude::*;
 
 pub use material::PyMaterial;
 
 use crate::errors::{IntoPython, unknown};
+use crate::quantity::Quantity;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
@@ -31,9 +33,9 @@ fn end_type(word: &str) -> PyResult<EndType> {
 ///
 /// Parameters
 /// ----------
-/// wire_diameter : float
+/// wire_diameter : float or str
 ///     d [m].
-/// coil_diameter : float
+/// coil_diameter : float or str
 ///     D, to the centre of the wire [m].
 /// active_windings : float
 ///     n [1], may be fractional.
@@ -41,11 +43,11 @@ fn end_type(word: &str) -> PyResult<EndType> {
 ///     How the wire ends.
 /// material : Material
 ///     What the wire is made of.
-/// rest_length : float
+/// rest_length : float or str
 ///     l0, without force [m]; of an extension spring, closed.
 /// total_windings : float, optional
 ///     n_t [1]; without it the active ones and what the ends take.
-/// initial_tension : float, optional
+/// initial_tension : float or str, optional
 ///     F_0, force at which an extension spring begins to open [N].
 ///
 /// Raises
@@ -113,27 +115,29 @@ named_value! {
 impl PyGeometry {
     #[new]
     #[pyo3(signature = (*, wire_diameter, coil_diameter, active_windings, end_type, material, rest_length, total_windings=None,
-                        initial_tension=0.0))]
+                        initial_tension=Quantity::Number(0.0)),
+           text_signature = "(*, wire_diameter, coil_diameter, active_windings, end_type, material, rest_length, total_windings=None, \
+                             initial_tension=0.0)")]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per dimension")]
     fn new(
-        wire_diameter: f64,
-        coil_diameter: f64,
+        wire_diameter: Quantity,
+        coil_diameter: Quantity,
         active_windings: f64,
         end_type: &str,
         material: &PyMaterial,
-        rest_length: f64,
+        rest_length: Quantity,
         total_windings: Option<f64>,
-        initial_tension: f64,
+        initial_tension: Quantity,
     ) -> PyResult<Self> {
         let parameters = GeometryParameters {
-            wire_diameter,
-            coil_diameter,
+            wire_diameter: wire_diameter.si("wire_diameter", Length)?,
+            coil_diameter: coil_diameter.si("coil_diameter", Length)?,
             active_windings,
             total_windings,
             end_type: self::end_type(end_type)?,
             material: material.0,
-            rest_length,
-            initial_tension,
+            rest_length: rest_length.si("rest_length", Length)?,
+            initial_tension: initial_tension.si("initial_tension", Force)?,
         };
         Geometry::new(parameters).python().map(Self)
     }

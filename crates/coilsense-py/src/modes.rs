@@ -5,6 +5,7 @@
 use coilsense::modes::{
     ChainModes, continuous_frequencies, continuous_frequency, third_rule_error, third_rule_frequency,
 };
+use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -12,6 +13,7 @@ use pyo3::types::PyDict;
 use crate::errors::{Error, IntoPython};
 use crate::hertz::{all_in_hertz, in_hertz};
 use crate::mount::PyFarEnd;
+use crate::quantity::Quantity;
 use crate::spring::PySpring;
 use crate::value::{Arguments, getters};
 
@@ -172,7 +174,7 @@ pub fn py_continuous_frequencies<'py>(
 /// ----------
 /// spring : Spring
 ///     The spring.
-/// end_mass : float
+/// end_mass : float or str
 ///     M [kg].
 ///
 /// Returns
@@ -180,7 +182,8 @@ pub fn py_continuous_frequencies<'py>(
 /// float
 ///     sqrt(k / (M + m/3)) / (2 pi) [Hz].
 #[pyfunction(name = "third_rule_frequency")]
-pub fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
+pub fn py_third_rule_frequency(spring: &PySpring, end_mass: Quantity) -> PyResult<f64> {
+    let end_mass = end_mass.si("end_mass", Dimension::Mass)?;
     third_rule_frequency(&spring.0, end_mass).python().map(in_hertz)
 }
 
@@ -190,7 +193,7 @@ pub fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64
 /// ----------
 /// spring : Spring
 ///     The spring.
-/// end_mass : float
+/// end_mass : float or str
 ///     M [kg].
 ///
 /// Returns
@@ -198,6 +201,7 @@ pub fn py_third_rule_frequency(spring: &PySpring, end_mass: f64) -> PyResult<f64
 /// float
 ///     As a share of the frequency [1].
 #[pyfunction(name = "third_rule_error")]
-pub fn py_third_rule_error(spring: &PySpring, end_mass: f64) -> PyResult<f64> {
+pub fn py_third_rule_error(spring: &PySpring, end_mass: Quantity) -> PyResult<f64> {
+    let end_mass = end_mass.si("end_mass", Dimension::Mass)?;
     third_rule_error(&spring.0, end_mass).python()
 }

@@ -4,6 +4,7 @@
 
 use coilsense::modes::ChainModes;
 use coilsense::{Motion, Mount};
+use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -13,6 +14,7 @@ use crate::excitation::PyExcitation;
 use crate::long_work::of_series;
 use crate::modes::PyChainModes;
 use crate::mount::PyMount;
+use crate::quantity::Quantity;
 use crate::series::{Series, rows};
 use crate::signals::PySignals;
 use crate::spring::PySpring;
@@ -256,7 +258,7 @@ impl PyMotion {
     ///
     /// Parameters
     /// ----------
-    /// step : float
+    /// step : float or str
     ///     h [s], above zero.
     ///
     /// Returns
@@ -271,8 +273,8 @@ impl PyMotion {
     /// >>> motion = Motion(Spring.of_paper("S_T"), Excitation.impact(0.23, 0.25))
     /// >>> [round(t, 6) for t, F_i, F_o in islice(motion.stream(1e-4), 3)]
     /// [0.0, 0.0001, 0.0002]
-    fn stream(&self, step: f64) -> PyResult<PyStream> {
-        PyStream::of(self, step)
+    fn stream(&self, step: Quantity) -> PyResult<PyStream> {
+        PyStream::of(self, step.si("step", Dimension::Time)?)
     }
 
     /// Spring, excitation and mount as dicts; of a truncated motion also how many modes it has.

@@ -1,4 +1,4 @@
-//! A quantity from Python: a number in SI, or a text with its unit as a spec has it.
+//! A quantity from Python: a number in SI, a text with its unit as a spec has it, or a number of a library of units, which converts it.
 //!
 //! Next door: series of numbers (`series`).
 
@@ -6,6 +6,7 @@ use coilsense_lab::message::python_name;
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, RESAMPLE, SORT};
 use coilsense_lab::request::{Allowed, Given, Row, Takes, Value, Wrong};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::errors::Error;
@@ -17,9 +18,72 @@ pub enum Quantity {
     Number(f64),
     /// With its unit.
     Text(String),
+    /// A number that knows its unit, such as pint's, or what is no quantity at all.
+    Other(Anything),
+}
+
+/// An object of any class.
+pub struct Anything(Py<PyAny>);
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Anything {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        Ok(Self(object.to_owned().unbind()))
+    }
+}
+
+/// What libraries call units of an angle: to them a turn is 2π, so that 60 rpm would be 6.28 Hz.
+const ANGLES: [&str; 5] = ["radian", "degree", "turn", "revolution", "rpm"];
+
+impl Anything {
+    /// Its value in the SI unit of the first of some dimensions that it has; `None` where it knows no unit.
+    fn si(&self, dimensions: &[Dimension]) -> Option<f64> {
+        Python::attach(|py| {
+            let object = self.0.bind(py);
+            let units = object.getattr("units").ok()?.str().ok()?.to_string();
+            dimensions.iter().find_map(|dimension| {
+                if *dimension == Dimension::Frequency && ANGLES.iter().any(|angle| units.contains(angle)) {
+                    return None;
+                }
+                let unit = if dimension.si_unit().is_empty() { "dimensionless" } else { dimension.si_unit() };
+                let converted = object.call_method1("to", (unit,)).ok()?;
+                converted.getattr("magnitude").ok()?.extract().ok()
+            })
+        })
+    }
+
+    /// As an error calls it: what it shows where it knows a unit, else its class.
+    fn described(&self) -> String {
+        Python::attach(|py| {
+            let object = self.0.bind(py);
+            let shown = if object.hasattr("units").unwrap_or(false) { object.str().ok() } else { None };
+            shown.map_or_else(|| format!("{}", object.get_type()), |shown| shown.to_string())
+        })
+    }
 }
 
 impl Quantity {
+    /// Its value in SI, whatever it is: who takes it checks it.
+    pub fn si(&self, name: &str, dimension: Dimension) -> PyResult<f64> {
+        self.si_of(name, &[dimension])
+    }
+
+    /// The same where it may be of one of several dimensions.
+    pub fn si_of(&self, name: &str, dimensions: &[Dimension]) -> PyResult<f64> {
+        let refused = |got: String| format!("{name} must be {}, got {got}", allowed(dimensions));
+        match self {
+            Self::Number(value) => Ok(*value),
+            Self::Text(text) => {
+                let found = dimensions.iter().find_map(|dimension| dimension.parse(text));
+                found.ok_or_else(|| Error::new_err(refused(format!("{text:?}"))))
+            }
+            Self::Other(object) => {
+                object.si(dimensions).ok_or_else(|| PyTypeError::new_err(refused(object.described())))
+            }
+        }
+    }
+
     /// Its value in SI, any finite one.
     pub fn finite(&self, name: &'static str, dimension: Dimension) -> PyResult<f64> {
         self.checked(&Row { name, takes: Takes::Quantity(dimension), ..Row::PLAIN })
@@ -40,9 +104,23 @@ impl Quantity {
                 refused(format!("a number in {} or {}", dimension.si_unit(), dimension.expectation()), text)
             }),
             (Self::Text(text), _) => Err(refused("a number".to_owned(), text)),
+            (Self::Other(_), Takes::Quantity(dimension)) => return self.si(python_name(row.name), dimension),
+            (Self::Other(object), _) => Err(refused("a number".to_owned(), &object.described())),
         };
         value.and_then(|value| row.checked(value)).map_err(wrong)
     }
+}
+
+/// What a quantity of some dimensions may be.
+fn allowed(dimensions: &[Dimension]) -> String {
+    let units: Vec<&str> = dimensions.iter().map(|dimension| dimension.si_unit()).collect();
+    let texts: Vec<String> = dimensions.iter().map(|dimension| dimension.expectation()).collect();
+    format!("a number in {} or {}", units.join(" or "), texts.join(" or "))
+}
+
+/// The value in SI of an argument that may be left out.
+pub fn si(argument: Option<&Quantity>, name: &str, dimension: Dimension) -> PyResult<Option<f64>> {
+    argument.map(|quantity| quantity.si(name, dimension)).transpose()
 }
 
 /// An exception for an option that cannot be.

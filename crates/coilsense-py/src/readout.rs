@@ -3,11 +3,13 @@
 //! Next door: the signals that it reads (`signals`).
 
 use coilsense::sensors::{Readout, ReadoutParameters};
+use coilsense_lab::quantity::Dimension::{Frequency, Time};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::{Quantity, si};
 use crate::series::Series;
 use crate::value::named_value;
 
@@ -15,15 +17,15 @@ use crate::value::named_value;
 ///
 /// Parameters
 /// ----------
-/// bandwidth : float, optional
+/// bandwidth : float or str, optional
 ///     Where the low-pass, a Butterworth, has lost 3 dB [Hz]; no low-pass without it.
 /// order : int, optional
 ///     Of the low-pass, 1 to 8.
-/// delay : float, optional
+/// delay : float or str, optional
 ///     Time by which the reading comes late [s].
-/// averaging : float, optional
+/// averaging : float or str, optional
 ///     The reading is the mean over the preceding time of this length [s].
-/// sample_rate : float, optional
+/// sample_rate : float or str, optional
 ///     Samples per second [Hz], each held until the next.
 /// noise : float, optional
 ///     Rms, in the quantity's unit.
@@ -60,17 +62,27 @@ named_value! {
 #[pymethods]
 impl PyReadout {
     #[new]
-    #[pyo3(signature = (*, bandwidth=None, order=1, delay=0.0, averaging=None, sample_rate=None, noise=0.0, resolution=None))]
+    #[pyo3(signature = (*, bandwidth=None, order=1, delay=Quantity::Number(0.0), averaging=None, sample_rate=None, noise=0.0,
+                        resolution=None),
+           text_signature = "(*, bandwidth=None, order=1, delay=0.0, averaging=None, sample_rate=None, noise=0.0, resolution=None)")]
     fn new(
-        bandwidth: Option<f64>,
+        bandwidth: Option<Quantity>,
         order: usize,
-        delay: f64,
-        averaging: Option<f64>,
-        sample_rate: Option<f64>,
+        delay: Quantity,
+        averaging: Option<Quantity>,
+        sample_rate: Option<Quantity>,
         noise: f64,
         resolution: Option<f64>,
     ) -> PyResult<Self> {
-        let parameters = ReadoutParameters { bandwidth, order, delay, averaging, sample_rate, noise, resolution };
+        let parameters = ReadoutParameters {
+            bandwidth: si(bandwidth.as_ref(), "bandwidth", Frequency)?,
+            order,
+            delay: delay.si("delay", Time)?,
+            averaging: si(averaging.as_ref(), "averaging", Time)?,
+            sample_rate: si(sample_rate.as_ref(), "sample_rate", Frequency)?,
+            noise,
+            resolution,
+        };
         Readout::new(parameters).python().map(Self)
     }
 

@@ -5,7 +5,8 @@
 use std::borrow::Cow;
 
 use numpy::{
-    AllowTypeChange, IntoPyArray, PyArray1, PyArray2, PyArrayLike1, PyArrayLike2, PyArrayMethods, PyUntypedArrayMethods,
+    AllowTypeChange, IntoPyArray, PyArray1, PyArray2, PyArrayLike1, PyArrayLike2, PyArrayMethods, PyUntypedArray,
+    PyUntypedArrayMethods,
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -20,6 +21,7 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Series<'py> {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        bare(&object)?;
         match object.extract() {
             Ok(array) if is_real(&object)? => Ok(Self(array)),
             _ => Err(refused("a series of real numbers", &object)),
@@ -31,6 +33,7 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Table<'py> {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        bare(&object)?;
         match object.extract() {
             Ok(array) if is_real(&object)? => Ok(Self(array)),
             _ => Err(refused("rows of real numbers, all of one length", &object)),
@@ -60,6 +63,22 @@ impl Table<'_> {
     pub fn to_vec(&self) -> Vec<f64> {
         self.0.as_array().iter().copied().collect()
     }
+}
+
+/// Refuses an array that knows its unit, as pint's and astropy's do: NumPy would take its numbers as they are, in whatever unit.
+fn bare(object: &Borrowed<'_, '_, PyAny>) -> PyResult<()> {
+    if object.is_exact_instance_of::<PyUntypedArray>() {
+        return Ok(());
+    }
+    for (unit, means) in [("units", "to"), ("unit", "to_value")] {
+        if let (Ok(unit), true) = (object.getattr(unit), object.hasattr(means)?) {
+            let text = format!(
+                "must be plain numbers in SI, got an array in {unit}: convert it first, as by .to(...).magnitude"
+            );
+            return Err(PyTypeError::new_err(text));
+        }
+    }
+    Ok(())
 }
 
 fn refused(wanted: &str, object: &Borrowed<'_, '_, PyAny>) -> PyErr {

@@ -5,12 +5,14 @@
 
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Signals};
+use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::errors::{IntoPython, unknown};
+use crate::quantity::Quantity;
 use crate::series::{Series, frozen, numbers};
 use crate::value::Arguments;
 
@@ -292,9 +294,9 @@ fn frames(py: Python<'_>) -> PyResult<Bound<'_, PyModule>> {
 ///
 /// Parameters
 /// ----------
-/// rate : float
+/// rate : float or str
 ///     Samples per second [Hz].
-/// start, stop : float
+/// start, stop : float or str
 ///     The window [s].
 ///
 /// Returns
@@ -313,6 +315,13 @@ fn frames(py: Python<'_>) -> PyResult<Bound<'_, PyModule>> {
 /// >>> coilsense.sampled_window(10_000, 0.75, 1.0).shape
 /// (2501,)
 #[pyfunction(name = "sampled_window")]
-pub fn py_sampled_window(py: Python<'_>, rate: f64, start: f64, stop: f64) -> PyResult<Bound<'_, PyArray1<f64>>> {
+pub fn py_sampled_window(
+    py: Python<'_>,
+    rate: Quantity,
+    start: Quantity,
+    stop: Quantity,
+) -> PyResult<Bound<'_, PyArray1<f64>>> {
+    let rate = rate.si("rate", Dimension::Frequency)?;
+    let (start, stop) = (start.si("start", Dimension::Time)?, stop.si("stop", Dimension::Time)?);
     Ok(py.detach(|| sampled_window(rate, start, stop)).python()?.into_pyarray(py))
 }

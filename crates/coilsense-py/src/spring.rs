@@ -3,11 +3,13 @@
 //! Next door: from wire and coil (`geometry`), what is done to it (`excitation`).
 
 use coilsense::{Spring, SpringParameters};
+use coilsense_lab::quantity::Dimension::{Force, Length, Mass, Stiffness};
 use coilsense_lab::spec::{Spec, template};
 use pyo3::prelude::*;
 
 use crate::errors::{IntoPython, unknown};
-use crate::value::{getters, named_value};
+use crate::quantity::{Quantity, si};
+use crate::value::{Arguments, getters, named_value};
 
 /// Springs of the paper's Table I.
 const OF_PAPER: [&str; 2] = ["S_T", "S_A"];
@@ -16,21 +18,21 @@ const OF_PAPER: [&str; 2] = ["S_T", "S_A"];
 ///
 /// Parameters
 /// ----------
-/// rest_length : float
+/// rest_length : float or str
 ///     l0, length without force [m].
 /// windings : float
 ///     N, active windings [1]; may be fractional.
-/// coil_radius : float
+/// coil_radius : float or str
 ///     r, from the coil's axis to the centre of the wire [m].
-/// wire_radius : float
+/// wire_radius : float or str
 ///     Radius of the wire [m].
-/// mass : float
+/// mass : float or str
 ///     m, mass of the active coil [kg].
-/// stiffness : float
+/// stiffness : float or str
 ///     k [N/m].
-/// min_length, max_length : float
+/// min_length, max_length : float or str
 ///     Shortest and longest length in use [m].
-/// nominal_force : float, optional
+/// nominal_force : float or str, optional
 ///     F_nom [N]; without it k max(\|min_length - l0\|, \|max_length - l0\|).
 /// inductance_windings : float, optional
 ///     Windings that carry the current [1]; without it the active ones.
@@ -38,8 +40,9 @@ const OF_PAPER: [&str; 2] = ["S_T", "S_A"];
 /// Raises
 /// ------
 /// Error
-///     For the first value that is not finite, not above zero, a wire that is not thinner than the coil, or an operating range that
-///     is empty or reversed.
+///     For the first value that is not finite, not above zero, a wire that is not thinner than the coil, an operating range that
+///     is empty or reversed, or a mass that no wire of these dimensions has (250 to 250,000 kg/m^3 are taken): grams for kilograms, or
+///     millimetres for metres.
 ///
 /// Notes
 /// -----
@@ -113,6 +116,41 @@ impl PySpring {
                         nominal_force=None, inductance_windings=None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per value of Table I")]
     fn new(
+        rest_length: Quantity,
+        windings: f64,
+        coil_radius: Quantity,
+        wire_radius: Quantity,
+        mass: Quantity,
+        stiffness: Quantity,
+        min_length: Quantity,
+        max_length: Quantity,
+        nominal_force: Option<Quantity>,
+        inductance_windings: Option<f64>,
+    ) -> PyResult<Self> {
+        let parameters = SpringParameters {
+            rest_length: rest_length.si("rest_length", Length)?,
+            windings,
+            coil_radius: coil_radius.si("coil_radius", Length)?,
+            wire_radius: wire_radius.si("wire_radius", Length)?,
+            mass: mass.si("mass", Mass)?,
+            stiffness: stiffness.si("stiffness", Stiffness)?,
+            min_length: min_length.si("min_length", Length)?,
+            max_length: max_length.si("max_length", Length)?,
+            nominal_force: si(nominal_force.as_ref(), "nominal_force", Force)?,
+            inductance_windings,
+            sections: None,
+        };
+        let spring = Spring::new(parameters).python()?;
+        spring.check_wire().python()?;
+        Ok(Self(spring))
+    }
+
+    /// A spring of checked values, whatever its wire would weigh: what unpickling calls.
+    #[staticmethod]
+    #[pyo3(signature = (*, rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
+                        nominal_force=None, inductance_windings=None))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per value of Table I")]
+    fn _kept(
         rest_length: f64,
         windings: f64,
         coil_radius: f64,
@@ -138,6 +176,11 @@ impl PySpring {
             sections: None,
         };
         Spring::new(parameters).python().map(Self)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
+        let py = slf.py();
+        Ok((py.import("coilsense._pickle")?.getattr("spring")?, (slf.get().arguments(py)?,)))
     }
 
     /// A spring of the paper's Table I.
@@ -178,36 +221,36 @@ impl PySpring {
     ///
     /// Parameters
     /// ----------
-    /// length : float
+    /// length : float or str
     ///     l [m].
     ///
     /// Returns
     /// -------
     /// float
     ///     l/N [m].
-    fn pitch_at(&self, length: f64) -> f64 {
-        self.0.pitch_at(length)
+    fn pitch_at(&self, length: Quantity) -> PyResult<f64> {
+        Ok(self.0.pitch_at(length.si("length", Length)?))
     }
 
     /// Whether a length lies in the operating range, its ends included.
     ///
     /// Parameters
     /// ----------
-    /// length : float
+    /// length : float or str
     ///     l [m].
     ///
     /// Returns
     /// -------
     /// bool
-    fn in_operating_range(&self, length: f64) -> bool {
-        self.0.in_operating_range(length)
+    fn in_operating_range(&self, length: Quantity) -> PyResult<bool> {
+        Ok(self.0.in_operating_range(length.si("length", Length)?))
     }
 
     /// Force of a spring without mass, tension positive.
     ///
     /// Parameters
     /// ----------
-    /// length : float
+    /// length : float or str
     ///     l [m].
     ///
     /// Returns
@@ -224,8 +267,8 @@ impl PySpring {
     /// >>> import coilsense
     /// >>> round(coilsense.Spring.of_paper("S_T").static_force(0.264), 6)
     /// 121.6
-    fn static_force(&self, length: f64) -> f64 {
-        self.0.static_force(length)
+    fn static_force(&self, length: Quantity) -> PyResult<f64> {
+        Ok(self.0.static_force(length.si("length", Length)?))
     }
 
     fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

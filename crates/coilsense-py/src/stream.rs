@@ -4,6 +4,7 @@
 
 use coilsense::Mount;
 use coilsense::motion::{ForceSample, Live, Stream};
+use coilsense_lab::quantity::Dimension::{Length, Time};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
@@ -11,6 +12,7 @@ use crate::errors::IntoPython;
 use crate::long_work::taken;
 use crate::motion::PyMotion;
 use crate::mount::PyMount;
+use crate::quantity::Quantity;
 use crate::spring::PySpring;
 
 /// t [s], F_i [N], F_o [N].
@@ -74,9 +76,9 @@ impl PyStream {
 /// ----------
 /// spring : Spring
 ///     The spring, at rest at first.
-/// mean_length : float
+/// mean_length : float or str
 ///     Its length then [m].
-/// step : float
+/// step : float or str
 ///     Time from sample to sample [s].
 /// mount : Mount, optional
 ///     What end 2 is tied to, and damping; without it both positions prescribed, no damping.
@@ -100,7 +102,13 @@ pub struct PyLive(Live);
 impl PyLive {
     #[new]
     #[pyo3(signature = (spring, mean_length, step, mount=None))]
-    fn new(spring: &PySpring, mean_length: f64, step: f64, mount: Option<PyRef<'_, PyMount>>) -> PyResult<Self> {
+    fn new(
+        spring: &PySpring,
+        mean_length: Quantity,
+        step: Quantity,
+        mount: Option<PyRef<'_, PyMount>>,
+    ) -> PyResult<Self> {
+        let (mean_length, step) = (mean_length.si("mean_length", Length)?, step.si("step", Time)?);
         let mount = mount.map_or_else(Mount::default, |mount| mount.0.clone());
         Live::new(&spring.0, &mount, mean_length, step).python().map(Self)
     }

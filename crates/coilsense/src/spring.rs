@@ -2,6 +2,8 @@
 //!
 //! Next door: its vibration modes (`modes`), its inductance (`inductance`), what is done to it (`excitation`).
 
+mod wire;
+
 use std::sync::Arc;
 
 use crate::error::{Error, above_zero, check, finite};

@@ -3,10 +3,12 @@
 //! Next door: both ends and the start together (the parent).
 
 use coilsense::excitation::{EndInput, Excitation, Harmonic, Sampled, Start};
+use coilsense_lab::quantity::Dimension::{self, Angle, Force, Frequency, Length, Time};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::Quantity;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
 
@@ -24,6 +26,9 @@ use crate::value::{Kind, value_of_kinds};
 #[pyclass(name = "EndInput", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyEndInput(pub EndInput);
+
+/// What an end is driven by: its position, or the force on it.
+const AT_AN_END: [Dimension; 2] = [Length, Force];
 
 impl PyEndInput {
     /// Lets through what an excitation would let through.
@@ -80,19 +85,21 @@ impl PyEndInput {
     ///
     /// Parameters
     /// ----------
-    /// amplitude : float
+    /// amplitude : float or str
     ///     [m], or [N] at an end under force.
-    /// frequency : float
+    /// frequency : float or str
     ///     [Hz], above zero.
-    /// phase : float, optional
+    /// phase : float or str, optional
     ///     At t = 0 [rad].
     ///
     /// Returns
     /// -------
     /// EndInput
     #[staticmethod]
-    #[pyo3(signature = (amplitude, frequency, phase=0.0))]
-    fn harmonic(amplitude: f64, frequency: f64, phase: f64) -> PyResult<Self> {
+    #[pyo3(signature = (amplitude, frequency, phase=Quantity::Number(0.0)), text_signature = "(amplitude, frequency, phase=0.0)")]
+    fn harmonic(amplitude: Quantity, frequency: Quantity, phase: Quantity) -> PyResult<Self> {
+        let amplitude = amplitude.si_of("amplitude", &AT_AN_END)?;
+        let (frequency, phase) = (frequency.si("frequency", Frequency)?, phase.si("phase", Angle)?);
         Self::checked(EndInput::harmonic(amplitude, frequency, phase))
     }
 
@@ -116,38 +123,52 @@ impl PyEndInput {
     ///
     /// Parameters
     /// ----------
-    /// amplitude : float
+    /// amplitude : float or str
     ///     [m or N].
-    /// first_frequency, last_frequency : float
+    /// first_frequency, last_frequency : float or str
     ///     At t = 0 and at the end of the chirp [Hz], not below zero.
-    /// duration : float
+    /// duration : float or str
     ///     [s], above zero.
-    /// phase : float, optional
+    /// phase : float or str, optional
     ///     At t = 0 [rad].
     ///
     /// Returns
     /// -------
     /// EndInput
     #[staticmethod]
-    #[pyo3(signature = (amplitude, first_frequency, last_frequency, duration, phase=0.0))]
-    fn chirp(amplitude: f64, first_frequency: f64, last_frequency: f64, duration: f64, phase: f64) -> PyResult<Self> {
-        Self::checked(EndInput::Chirp { amplitude, from: first_frequency, to: last_frequency, duration, phase })
+    #[pyo3(signature = (amplitude, first_frequency, last_frequency, duration, phase=Quantity::Number(0.0)),
+           text_signature = "(amplitude, first_frequency, last_frequency, duration, phase=0.0)")]
+    fn chirp(
+        amplitude: Quantity,
+        first_frequency: Quantity,
+        last_frequency: Quantity,
+        duration: Quantity,
+        phase: Quantity,
+    ) -> PyResult<Self> {
+        Self::checked(EndInput::Chirp {
+            amplitude: amplitude.si_of("amplitude", &AT_AN_END)?,
+            from: first_frequency.si("first_frequency", Frequency)?,
+            to: last_frequency.si("last_frequency", Frequency)?,
+            duration: duration.si("duration", Time)?,
+            phase: phase.si("phase", Angle)?,
+        })
     }
 
     /// A jump.
     ///
     /// Parameters
     /// ----------
-    /// height : float
+    /// height : float or str
     ///     How far [m or N].
-    /// at : float
+    /// at : float or str
     ///     When [s], not below zero.
     ///
     /// Returns
     /// -------
     /// EndInput
     #[staticmethod]
-    fn step(height: f64, at: f64) -> PyResult<Self> {
+    fn step(height: Quantity, at: Quantity) -> PyResult<Self> {
+        let (height, at) = (height.si_of("height", &AT_AN_END)?, at.si("at", Time)?);
         Self::checked(EndInput::Step { height, at })
     }
 
@@ -155,38 +176,40 @@ impl PyEndInput {
     ///
     /// Parameters
     /// ----------
-    /// height : float
+    /// height : float or str
     ///     How far [m or N].
-    /// begin : float
+    /// begin : float or str
     ///     When it begins [s], not below zero.
-    /// duration : float
+    /// duration : float or str
     ///     How long it lasts [s], above zero.
     ///
     /// Returns
     /// -------
     /// EndInput
     #[staticmethod]
-    fn ramp(height: f64, begin: f64, duration: f64) -> PyResult<Self> {
-        Self::checked(EndInput::Ramp { height, from: begin, duration })
+    fn ramp(height: Quantity, begin: Quantity, duration: Quantity) -> PyResult<Self> {
+        let (from, duration) = (begin.si("begin", Time)?, duration.si("duration", Time)?);
+        Self::checked(EndInput::Ramp { height: height.si_of("height", &AT_AN_END)?, from, duration })
     }
 
     /// Half a sine, up and back: a bump.
     ///
     /// Parameters
     /// ----------
-    /// height : float
+    /// height : float or str
     ///     How far [m or N].
-    /// begin : float
+    /// begin : float or str
     ///     When it begins [s], not below zero.
-    /// duration : float
+    /// duration : float or str
     ///     How long it lasts [s], above zero.
     ///
     /// Returns
     /// -------
     /// EndInput
     #[staticmethod]
-    fn half_sine(height: f64, begin: f64, duration: f64) -> PyResult<Self> {
-        Self::checked(EndInput::HalfSine { height, from: begin, duration })
+    fn half_sine(height: Quantity, begin: Quantity, duration: Quantity) -> PyResult<Self> {
+        let (from, duration) = (begin.si("begin", Time)?, duration.si("duration", Time)?);
+        Self::checked(EndInput::HalfSine { height: height.si_of("height", &AT_AN_END)?, from, duration })
     }
 
     /// A recorded series, straight from sample to sample, constant before the first and after the last.

@@ -3,11 +3,13 @@
 //! Next door: how the ends are driven (`input`).
 
 use coilsense::excitation::{EndInput, Excitation, Start, VelocityProfile};
+use coilsense_lab::quantity::Dimension::Velocity;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use super::profile_word;
 use crate::errors::{IntoPython, unknown};
+use crate::quantity::Quantity;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
 
@@ -87,7 +89,7 @@ impl PyStart {
     ///
     /// Parameters
     /// ----------
-    /// velocity : float
+    /// velocity : float or str
     ///     v [m/s], positive from end 1 to end 2.
     /// profile : {"uniform", "linear"}, optional
     ///     v for every winding, or v (i - 1/2)/N for winding i.
@@ -97,7 +99,8 @@ impl PyStart {
     /// Start
     #[staticmethod]
     #[pyo3(signature = (velocity, profile="uniform"))]
-    fn moving(velocity: f64, profile: &str) -> PyResult<Self> {
+    fn moving(velocity: Quantity, profile: &str) -> PyResult<Self> {
+        let velocity = velocity.si("velocity", Velocity)?;
         Self::checked(Start::Moving { velocity, profile: self::profile(profile)? })
     }
 

@@ -3,11 +3,13 @@
 //! Next door: forces that are off (`deviation`).
 
 use coilsense::measures::{Spectrum, alias_of};
+use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
+use crate::quantity::Quantity;
 use crate::series::Series;
 use crate::value::{Arguments, getters};
 
@@ -99,9 +101,9 @@ impl PySpectrum {
 ///
 /// Parameters
 /// ----------
-/// frequency : float
+/// frequency : float or str
 ///     Of the line [Hz].
-/// sample_rate : float
+/// sample_rate : float or str
 ///     Above zero [Hz].
 ///
 /// Returns
@@ -119,6 +121,7 @@ impl PySpectrum {
 /// >>> coilsense.alias_of(54.0, 100.0)  # a surge line at 54 Hz, sampled at 100 Hz
 /// 46.0
 #[pyfunction(name = "alias_of")]
-pub fn py_alias_of(frequency: f64, sample_rate: f64) -> f64 {
-    alias_of(frequency, sample_rate)
+pub fn py_alias_of(frequency: Quantity, sample_rate: Quantity) -> PyResult<f64> {
+    let frequency = frequency.si("frequency", Dimension::Frequency)?;
+    Ok(alias_of(frequency, sample_rate.si("sample_rate", Dimension::Frequency)?))
 }

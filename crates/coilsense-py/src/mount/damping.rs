@@ -3,11 +3,13 @@
 //! Next door: what end 2 is tied to (`far_end`).
 
 use coilsense::{Damping, FarEnd, Mount};
+use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::hertz::angular;
+use crate::quantity::Quantity;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
 
@@ -64,14 +66,15 @@ impl PyDamping {
     ///
     /// Parameters
     /// ----------
-    /// ratio : float
+    /// ratio : float or str
     ///     zeta [1], not below zero.
     ///
     /// Returns
     /// -------
     /// Damping
     #[staticmethod]
-    fn modal(ratio: f64) -> PyResult<Self> {
+    fn modal(ratio: Quantity) -> PyResult<Self> {
+        let ratio = ratio.si("ratio", Dimension::Share)?;
         Self::checked(Damping::Modal(ratio))
     }
 
@@ -94,14 +97,15 @@ impl PyDamping {
     ///
     /// Parameters
     /// ----------
-    /// rate : float
+    /// rate : float or str
     ///     alpha [1/s], not below zero.
     ///
     /// Returns
     /// -------
     /// Damping
     #[staticmethod]
-    fn mass_proportional(rate: f64) -> PyResult<Self> {
+    fn mass_proportional(rate: Quantity) -> PyResult<Self> {
+        let rate = rate.si("rate", Dimension::Rate)?;
         Self::checked(Damping::MassProportional { rate })
     }
 
@@ -109,14 +113,15 @@ impl PyDamping {
     ///
     /// Parameters
     /// ----------
-    /// time : float
+    /// time : float or str
     ///     beta [s], not below zero.
     ///
     /// Returns
     /// -------
     /// Damping
     #[staticmethod]
-    fn stiffness_proportional(time: f64) -> PyResult<Self> {
+    fn stiffness_proportional(time: Quantity) -> PyResult<Self> {
+        let time = time.si("time", Dimension::Time)?;
         Self::checked(Damping::StiffnessProportional { time })
     }
 

@@ -3,9 +3,11 @@
 //! Next door: what damps the windings (`damping`).
 
 use coilsense::{Damping, FarEnd, Mount};
+use coilsense_lab::quantity::Dimension;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::Quantity;
 use crate::value::{Kind, value_of_kinds};
 
 /// What end 2 is tied to.
@@ -56,15 +58,15 @@ impl PyFarEnd {
     ///
     /// Parameters
     /// ----------
-    /// mass : float
+    /// mass : float or str
     ///     [kg], above zero.
     ///
     /// Returns
     /// -------
     /// FarEnd
     #[staticmethod]
-    fn mass(mass: f64) -> PyResult<Self> {
-        let far_end = FarEnd::Mass(mass);
+    fn mass(mass: Quantity) -> PyResult<Self> {
+        let far_end = FarEnd::Mass(mass.si("mass", Dimension::Mass)?);
         Mount::new(far_end, Damping::None).python().map(|_| Self(far_end))
     }
 }

@@ -3,10 +3,12 @@
 //! Next door: the spring that carries it (the parent).
 
 use coilsense::two_port::Load;
+use coilsense_lab::quantity::Dimension;
 use num_complex::Complex64;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::Quantity;
 use crate::value::{Kind, value_of_kinds};
 
 /// A load at end 2, by the force over the displacement it answers with.
@@ -66,14 +68,15 @@ impl PyLoad {
     ///
     /// Parameters
     /// ----------
-    /// mass : float
+    /// mass : float or str
     ///     M [kg], from zero on.
     ///
     /// Returns
     /// -------
     /// Load
     #[staticmethod]
-    fn mass(mass: f64) -> PyResult<Self> {
+    fn mass(mass: Quantity) -> PyResult<Self> {
+        let mass = mass.si("mass", Dimension::Mass)?;
         // No mass is no load.
         if mass == 0.0 { Ok(Self::free()) } else { Load::mass(mass).python().map(Self) }
     }
