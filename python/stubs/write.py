@@ -58,6 +58,7 @@ TOLD: dict[str, str] = {
     "Experiment.drift": "list[dict[str, Any]]",
     "Experiment.peak": "dict[str, Any] | None",
     "Experiment.rows": "list[dict[str, Any]]",
+    "Plant.to_frd": "tuple[_Complexes, _Floats]",
     "Identification.lines": "list[dict[str, Any]]",
     "Identification.channels": "list[dict[str, Any]]",
     "Identification.explanations": "list[dict[str, Any]]",

@@ -63,6 +63,7 @@ fn python() -> Vec<(&'static str, Vec<Row>, &'static [&'static str])> {
         ("calibrate", calibration::request::OPTIONS.to_vec(), &["points", "preset", "columns", "units"]),
         ("mitigate", of_verb("mitigate"), &[]),
         ("placement", of_verb("placement"), &[]),
+        ("plant", of_verb("export"), &[]),
         ("pareto", of_verb("pareto"), &[]),
         ("sensitivity", of_verb("sensitivity"), &[]),
         ("rig", of_verb("rig"), &[]),

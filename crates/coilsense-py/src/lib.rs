@@ -31,6 +31,7 @@ mod motion;
 mod mount;
 mod neighbours;
 mod placement;
+mod plant;
 mod quantity;
 mod readout;
 mod recording;
@@ -82,6 +83,7 @@ mod _coilsense {
         mount::{PyDamping, PyFarEnd, PyMount},
         neighbours::{buckling_force, lateral_frequency, torsional_frequency},
         placement::{PyPlacement, placement},
+        plant::{PyPlant, plant},
         readout::PyReadout,
         recording::{PyRecording, open_log},
         second_order::{PySecondOrder, py_mutual_inductances},

@@ -7,7 +7,7 @@ use coilsense::plant::Order;
 use super::Form;
 use crate::mitigation::export::Precision;
 use crate::quantity::Dimension;
-use crate::request::{Allowed, Given, IfAbsent, LENGTH, OUT, Row, Takes, Wrong};
+use crate::request::{Allowed, Door, Given, IfAbsent, LENGTH, OUT, Row, Takes, Wrong};
 
 /// In what form. A form that is added is one more word here and one more of [`Form`].
 pub const AS: Row = Row {
@@ -15,6 +15,7 @@ pub const AS: Row = Row {
     takes: Takes::Word(&["c", "rust", "state-space"]),
     if_absent: IfAbsent::Refused,
     meaning: "As what: a C99 header, a Rust constant for coilsense-rt, or matrices as JSON",
+    elsewhere: &[(Door::Python, "Plant.save(form=)")],
     ..Row::PLAIN
 };
 /// Where to.
@@ -22,7 +23,7 @@ pub const FILE: Row = Row {
     takes: Takes::File("FILE"),
     if_absent: IfAbsent::Refused,
     meaning: "File to write; its name without ending is the name in C and Rust",
-    elsewhere: &[],
+    elsewhere: &[(Door::Python, "Plant.save")],
     ..OUT
 };
 /// How many modes.
@@ -56,6 +57,7 @@ pub const STEP: Row = Row {
     takes: Takes::Quantity(Dimension::Time),
     allowed: Allowed::AboveZero,
     meaning: "Adds matrices for this step to a state space; C and Rust are told theirs when they start",
+    elsewhere: &[(Door::Python, "Plant.to_state_space(step=)")],
     ..Row::PLAIN
 };
 /// Which damping.
@@ -82,6 +84,7 @@ pub const PRECISION: Row = Row {
     takes: Takes::Word(&["single", "double"]),
     if_absent: IfAbsent::Value("double"),
     meaning: "Numbers of a step in C: float or double",
+    elsewhere: &[(Door::Python, "Plant.save(precision=)")],
     ..Row::PLAIN
 };
 

@@ -1,0 +1,289 @@
+//! `coilsense.plant` and `Plant`: the spring as a part of another's simulation.
+//!
+//! Next door: the motion of one condition (`motion`), a live spring (`stream`), the spring over frequency (`two_port`).
+
+use std::path::PathBuf;
+
+use coilsense::plant::StateSpace;
+use coilsense_lab::mitigation::export::Precision;
+use coilsense_lab::output::Output;
+use coilsense_lab::plant::request::{BANDWIDTH, DAMPING_RATIO, ERROR, MEAN_LENGTH, MODES};
+use coilsense_lab::plant::{Form, Plant, Request};
+use coilsense_lab::report::export_text;
+use num_complex::Complex64;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::prelude::*;
+
+use crate::errors::{Error, IntoPython, OutputError, refused, unknown};
+use crate::hertz::{angular, in_hertz};
+use crate::long_work::interruptible;
+use crate::quantity::{Quantity, given, wrong};
+use crate::series::Series;
+use crate::spec_argument::SpecArgument;
+use crate::value::getters;
+
+/// A spring on its mount as a linear system; made by `plant`. ``str()`` of it is what ``coilsense export`` prints.
+///
+/// Inputs count from their means: u1 [m], and u2 [m] or, where end 2 is tied to a force or a mass, the force on it [N]. Outputs are F_i, F_o, F_x [N] about the mean
+/// force, and u2 [m].
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> ankle = coilsense.plant(spec, damping_ratio=0.005, error=0.01, bandwidth=100)
+/// >>> ankle.kept, ankle.available, ankle.error < 0.01
+/// (5, 52, True)
+/// >>> A, B, C, D = ankle.to_state_space()
+/// >>> A.shape, B.shape, C.shape, D.shape
+/// ((14, 14), (14, 2), (4, 14), (4, 2))
+#[pyclass(name = "Plant", module = "coilsense", frozen)]
+pub struct PyPlant(Plant);
+
+/// What its outputs are.
+const OUTPUTS: (&str, &str, &str, &str) = ("F_i", "F_o", "F_x", "u2");
+
+getters! {
+    PyPlant, self;
+    /// The inputs, in their order: ("u1", "u2"), or ("u1", "F_2") where a force moves end 2.
+    inputs: (&'static str, &'static str) = ("u1", if self.is_held() { "u2" } else { "F_2" });
+    /// The outputs, in their order: ("F_i", "F_o", "F_x", "u2").
+    outputs: (&'static str, &'static str, &'static str, &'static str) = OUTPUTS;
+    /// How many of the spring's modes are kept.
+    kept: usize = self.0.plant.kept();
+    /// How many the spring has; where these are more, two stand for all others.
+    available: usize = self.0.plant.available();
+    /// Frequencies of its modes [Hz], shape (modes,); where not all are kept, the last two stand for all others.
+    frequencies<'py>(py): Bound<'py, PyArray1<f64>> =
+        self.0.plant.modes().iter().map(|mode| in_hertz(mode.frequency)).collect::<Vec<f64>>().into_pyarray(py);
+    /// Their damping ratios [1], shape (modes,).
+    damping_ratios<'py>(py): Bound<'py, PyArray1<f64>> = self.0.plant.ratios().collect::<Vec<f64>>().into_pyarray(py);
+    /// What is missed of F_i, F_o and F_x up to the bandwidth, over k times the motion of an end or over the force at end 2 [1]; None without a bandwidth, inf where a mode in it
+    /// is left out.
+    error: Option<f64> = self.0.error.map(|(_, error)| error);
+    /// The length about which inputs count [m].
+    mean_length: f64 = self.0.plant.mean_length();
+    /// F_i = F_o = F_x there [N].
+    mean_force: f64 = self.0.plant.mean_force();
+}
+
+/// A, B, C and D.
+type Matrices<'py> =
+    (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
+/// A response and its angular frequencies.
+type Frd<'py> = (Bound<'py, PyArray3<Complex64>>, Bound<'py, PyArray1<f64>>);
+
+fn matrix<'py>(
+    py: Python<'py>,
+    rows: impl IntoIterator<Item = Vec<f64>>,
+    columns: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let all: Vec<f64> = rows.into_iter().flatten().collect();
+    let rows = all.len() / columns;
+    all.into_pyarray(py).reshape([rows, columns])
+}
+
+fn matrices<'py>(
+    py: Python<'py>,
+    a: Vec<Vec<f64>>,
+    b: &[[f64; 2]],
+    c: [Vec<f64>; 4],
+    d: &[[f64; 2]; 4],
+) -> PyResult<Matrices<'py>> {
+    let states = a.len();
+    let pairs = |rows: &[[f64; 2]]| rows.iter().map(|row| row.to_vec()).collect::<Vec<_>>();
+    Ok((matrix(py, a, states)?, matrix(py, pairs(b), 2)?, matrix(py, c, states)?, matrix(py, pairs(d), 2)?))
+}
+
+impl PyPlant {
+    fn is_held(&self) -> bool {
+        self.0.plant.far_end() == coilsense_rt::FarEnd::Position
+    }
+}
+
+#[pymethods]
+impl PyPlant {
+    /// A, B, C and D, as ``control.ss`` and ``scipy.signal.StateSpace`` take them.
+    ///
+    /// Parameters
+    /// ----------
+    /// step : float or str, optional
+    ///     The matrices of steps of this length [s], exact for inputs that move straight from sample to sample; without it, continuous.
+    ///
+    /// Returns
+    /// -------
+    /// (numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray)
+    ///     Of shapes (states, states), (states, 2), (4, states), (4, 2).
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For a step that is not above zero, and without one for dashpots at the ends: they pull with the ends' velocity, which is no input.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, numpy
+    /// >>> ankle = coilsense.plant(coilsense.Spec.parse(coilsense.Spec.template("S_T")), damping_ratio=0.005, modes=5)
+    /// >>> A, B, C, D = ankle.to_state_space("1 ms")
+    /// >>> bool(abs(numpy.linalg.eigvals(A)).max() < 1)
+    /// True
+    #[pyo3(signature = (step=None))]
+    fn to_state_space<'py>(&self, py: Python<'py>, step: Option<Quantity>) -> PyResult<Matrices<'py>> {
+        if let Some(step) = step {
+            let step = step.positive("step", coilsense_lab::quantity::Dimension::Time)?;
+            let sampled = self.0.plant.sampled(step).python()?;
+            return matrices(py, sampled.a, &sampled.b, sampled.c, &sampled.d);
+        }
+        let StateSpace { a, b, c, d, d_rate } = self.0.plant.state_space();
+        if d_rate.iter().flatten().any(|rate| *rate != 0.0) {
+            let told = "stiffness_damping pulls with the ends' velocity, which is no input of a continuous state space; give step, or another damping";
+            return Err(Error::new_err(told));
+        }
+        matrices(py, a, &b, c, &d)
+    }
+
+    /// The response of F_i, F_o and F_x to both inputs, and its frequencies in rad/s, as ``control.frd`` takes them.
+    ///
+    /// Parameters
+    /// ----------
+    /// frequencies : array_like of float, shape (samples,)
+    ///     [Hz], above zero.
+    ///
+    /// Returns
+    /// -------
+    /// (numpy.ndarray, numpy.ndarray)
+    ///     Complex, of shape (3, 2, samples), in N/m or, of a force, 1; and of shape (samples,), in rad/s.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> ankle = coilsense.plant(coilsense.Spec.parse(coilsense.Spec.template("S_T")), damping_ratio=0.005)
+    /// >>> response, omega = ankle.to_frd([1.0])
+    /// >>> response.shape, response[1, 0, 0].real.round(1)
+    /// ((3, 2, 1), -760.4)
+    fn to_frd<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Frd<'py>> {
+        let frequencies = frequencies.values();
+        let each: Vec<_> = frequencies.iter().map(|&frequency| self.0.plant.response(frequency)).collect();
+        let each = each.into_iter().collect::<Result<Vec<_>, _>>().python()?;
+        let all: Vec<Complex64> =
+            (0..6).flat_map(|place| each.iter().map(move |response| response[place / 2][place % 2])).collect();
+        let omega: Vec<f64> = frequencies.iter().copied().map(angular).collect();
+        Ok((all.into_pyarray(py).reshape([3, 2, omega.len()])?, omega.into_pyarray(py)))
+    }
+
+    /// Writes it, as ``coilsense export --out`` does.
+    ///
+    /// Parameters
+    /// ----------
+    /// path : str or os.PathLike
+    ///     The file; its name without ending is the name in C and Rust.
+    /// form : {"c", "rust", "state-space"}
+    ///     A header of C99, a constant for coilsense-rt, or matrices as JSON.
+    /// precision : {"single", "double"}
+    ///     Numbers of a step in C.
+    /// step : float or str, optional
+    ///     Adds matrices for this step [s] to a state space.
+    ///
+    /// Raises
+    /// ------
+    /// Error
+    ///     For a name that C cannot have, or more modes than a file gets.
+    /// OutputError
+    ///     Where nothing can be written.
+    #[pyo3(signature = (path, form="c", precision="double", step=None))]
+    fn save(&self, py: Python<'_>, path: PathBuf, form: &str, precision: &str, step: Option<Quantity>) -> PyResult<()> {
+        let precision = match precision {
+            "single" => Precision::Single,
+            "double" => Precision::Double,
+            _ => return Err(unknown("precision", &["single", "double"], precision)),
+        };
+        let step = step.map(|step| step.positive("step", coilsense_lab::quantity::Dimension::Time)).transpose()?;
+        let form = match form {
+            "c" => Form::C { precision },
+            "rust" => Form::Rust,
+            "state-space" => Form::StateSpace { step },
+            _ => return Err(unknown("form", &["c", "rust", "state-space"], form)),
+        };
+        if step.is_some() && !matches!(form, Form::StateSpace { .. }) {
+            return Err(Error::new_err(
+                "step goes with form \"state-space\": C and Rust are told theirs when they start",
+            ));
+        }
+        let nameless = || Error::new_err(format!("{}: is no name of a file", path.display()));
+        let name = path.file_name().and_then(std::ffi::OsStr::to_str).ok_or_else(nameless)?;
+        let stem = path.file_stem().and_then(std::ffi::OsStr::to_str).ok_or_else(nameless)?;
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let text = export_text(&Plant { form, ..self.0.clone() }, stem).map_err(refused)?;
+        py.detach(|| {
+            let mut output = Output::begin(folder.unwrap_or(std::path::Path::new(".")))?;
+            output.add(name, text.as_bytes())?;
+            output.commit()
+        })
+        .map(|_| ())
+        .map_err(|error: coilsense_lab::output::OutputError| OutputError::new_err(error.to_string()))
+    }
+
+    fn __str__(&self) -> String {
+        self.0.summary()
+    }
+
+    fn __repr__(&self) -> String {
+        let (kept, all) = (self.0.plant.kept(), self.0.plant.available());
+        format!("<Plant of {kept} of {all} modes about {} m>", self.0.plant.mean_length())
+    }
+}
+
+/// The spring of a spec as a linear system: modes, matrices, code for a controller.
+///
+/// Parameters
+/// ----------
+/// spec : Spec, str or os.PathLike
+///     Spring, mount, one damping, and the mean length of its conditions.
+/// modes : int, optional
+///     How many of the spring's modes are kept, two more stand for all others; without it, as few as `error` asks for, else all.
+/// error : float or str, optional
+///     Error of F_i, F_o and F_x up to `bandwidth`, over k times the motion of an end, or over the force at end 2 [1].
+/// bandwidth : float or str, optional
+///     Up to where it holds [Hz]; the error that is left is told up to there.
+/// damping_ratio : float, optional
+///     One of the spec's where it names any [1]; without it, the spec's, where it has one.
+/// mean_length : float or str, optional
+///     Length about which inputs count [m]; without it, that of the spec's conditions, and the middle of the operating range where they have not one.
+///
+/// Returns
+/// -------
+/// Plant
+///
+/// Raises
+/// ------
+/// Error
+///     For windings that meet, a helix, a coil of sections, several springs, several dampings of which none is named, and an order too low for the error.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> coilsense.plant(spec, damping_ratio=0.005).kept
+/// 52
+#[pyfunction]
+#[pyo3(signature = (spec, *, modes=None, error=None, bandwidth=None, damping_ratio=None, mean_length=None))]
+pub fn plant(
+    py: Python<'_>,
+    spec: SpecArgument<'_>,
+    modes: Option<u64>,
+    error: Option<Quantity>,
+    bandwidth: Option<Quantity>,
+    damping_ratio: Option<f64>,
+    mean_length: Option<Quantity>,
+) -> PyResult<PyPlant> {
+    let spec = spec.spec(py)?;
+    let given = given([
+        (&MODES, modes.into()),
+        (&ERROR, error.into()),
+        (&BANDWIDTH, bandwidth.into()),
+        (&DAMPING_RATIO, damping_ratio.into()),
+        (&MEAN_LENGTH, mean_length.into()),
+    ])?;
+    let request = Request::of(&given).map_err(wrong)?;
+    interruptible(py, move || Plant::of(spec, &request))?.map(PyPlant).map_err(refused)
+}
