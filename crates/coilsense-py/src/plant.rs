@@ -159,7 +159,7 @@ impl PyPlant {
     /// >>> import coilsense
     /// >>> ankle = coilsense.plant(coilsense.Spec.parse(coilsense.Spec.template("S_T")), damping_ratio=0.005)
     /// >>> response, omega = ankle.to_frd([1.0])
-    /// >>> response.shape, response[1, 0, 0].real.round(1)
+    /// >>> response.shape, round(float(response[1, 0, 0].real), 1)
     /// ((3, 2, 1), -760.4)
     fn to_frd<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Frd<'py>> {
         let frequencies = frequencies.values();
@@ -184,6 +184,11 @@ impl PyPlant {
     /// step : float or str, optional
     ///     Adds matrices for this step [s] to a state space.
     ///
+    /// Returns
+    /// -------
+    /// int
+    ///     How many files: one.
+    ///
     /// Raises
     /// ------
     /// Error
@@ -191,7 +196,14 @@ impl PyPlant {
     /// OutputError
     ///     Where nothing can be written.
     #[pyo3(signature = (path, form="c", precision="double", step=None))]
-    fn save(&self, py: Python<'_>, path: PathBuf, form: &str, precision: &str, step: Option<Quantity>) -> PyResult<()> {
+    fn save(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        form: &str,
+        precision: &str,
+        step: Option<Quantity>,
+    ) -> PyResult<usize> {
         let precision = match precision {
             "single" => Precision::Single,
             "double" => Precision::Double,
@@ -219,7 +231,6 @@ impl PyPlant {
             output.add(name, text.as_bytes())?;
             output.commit()
         })
-        .map(|_| ())
         .map_err(|error: coilsense_lab::output::OutputError| OutputError::new_err(error.to_string()))
     }
 
