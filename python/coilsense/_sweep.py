@@ -32,7 +32,7 @@ def sweep(
     sampling: str | None = None,
     rows: int | None = None,
     seed: int = 0,
-    columns: Iterable[str] = (),
+    columns: str | Iterable[str] = (),
     chunk: int | None = None,
     jobs: int | None = None,
     client: Client | None = None,
@@ -60,7 +60,7 @@ def sweep(
         How many rows, for each of the catalogue where there is one; a grid has its own number.
     seed : int
         Of all randomness: row k is a function of this seed and k alone.
-    columns : iterable of str, optional
+    columns : str or iterable of str, optional
         What is recorded: ``"mass"``, ``"F_o.rmsd"``, ``"F_o.max[heel strike]"``, ``"laser.combined"`` ...
     chunk : int, optional
         Rows of a file; without it by how long a row takes.
@@ -95,7 +95,7 @@ def sweep(
         sampling=sampling,
         rows=rows,
         seed=seed,
-        columns=list(columns),
+        columns=[columns] if isinstance(columns, str) else list(columns),
         chunk=chunk,
     )
     # However this ends, the folder and the workers are let go of at once: a traceback may keep everything here alive for as long as it likes.

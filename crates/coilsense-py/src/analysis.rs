@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use crate::errors::IntoPython;
 use crate::json;
 use crate::long_work::watched;
-use crate::spec::PySpec;
+use crate::spec_argument::SpecArgument;
 use crate::threads::spread;
 use crate::value::getters;
 pub use case::PyCase;
@@ -27,8 +27,8 @@ pub use together::{PyTogether, py_simulate_together};
 ///
 /// Parameters
 /// ----------
-/// spec : Spec
-///     What to simulate.
+/// spec : Spec, str or os.PathLike
+///     What to simulate: a spec, its file, or its text where that holds a line break.
 /// progress : callable, optional
 ///     Called as ``progress(done, of)`` now and then; an exception of it stops the work.
 ///
@@ -50,8 +50,12 @@ pub use together::{PyTogether, py_simulate_together};
 /// ('heel strike', True)
 #[pyfunction(name = "simulate")]
 #[pyo3(signature = (spec, progress=None))]
-pub fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<Vec<PyCase>> {
-    let spec = &spec.spec;
+pub fn py_simulate(
+    py: Python<'_>,
+    spec: SpecArgument<'_>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Vec<PyCase>> {
+    let spec = &spec.spec(py)?;
     let cases = watched(py, progress.as_ref(), |progress| simulate(spec, progress))?.python()?;
     cases.into_iter().map(|case| PyCase::of(py, spec, &spec.sensors, case)).collect()
 }
@@ -60,8 +64,8 @@ pub fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyA
 ///
 /// Parameters
 /// ----------
-/// spec : Spec
-///     What to analyze.
+/// spec : Spec, str or os.PathLike
+///     What to analyze: a spec, its file, or its text where that holds a line break.
 /// progress : callable, optional
 ///     Called as ``progress(done, of)`` now and then; an exception of it stops the work.
 ///
@@ -82,8 +86,8 @@ pub fn py_simulate(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyA
 /// True
 #[pyfunction(name = "analyze")]
 #[pyo3(signature = (spec, progress=None))]
-pub fn py_analyze(py: Python<'_>, spec: &PySpec, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
-    let spec = spec.spec.clone();
+pub fn py_analyze(py: Python<'_>, spec: SpecArgument<'_>, progress: Option<Bound<'_, PyAny>>) -> PyResult<PyAnalysis> {
+    let spec = spec.spec(py)?;
     let analysis = watched(py, progress.as_ref(), |progress| Analysis::run(spec, progress))?.python()?;
     Ok(PyAnalysis { analysis, cases: OnceLock::new() })
 }

@@ -29,6 +29,7 @@ mod mitigation;
 mod modes;
 mod motion;
 mod mount;
+mod names;
 mod neighbours;
 mod placement;
 mod plant;

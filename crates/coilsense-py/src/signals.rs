@@ -9,7 +9,7 @@ use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyDict, PyList, PyMapping};
 
 use crate::errors::{IntoPython, unknown};
 use crate::quantity::Quantity;
@@ -22,7 +22,7 @@ use crate::value::Arguments;
 /// ----------
 /// time : array_like of float, shape (samples,)
 ///     [s], strictly increasing.
-/// channels : dict of str to array_like, optional
+/// channels : mapping of str to array_like, optional
 ///     Values by channel: "u1", "u2" [m], "F_i", "F_o", "F_x", "F_L" [N], "L" [H].
 ///
 /// Raises
@@ -88,9 +88,10 @@ pub fn channel(name: &str) -> PyResult<Channel> {
 impl PySignals {
     #[new]
     #[pyo3(signature = (time, channels=None))]
-    fn new(py: Python<'_>, time: Series<'_>, channels: Option<Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn new(py: Python<'_>, time: Series<'_>, channels: Option<Bound<'_, PyMapping>>) -> PyResult<Self> {
         let mut signals = Signals::new(time.to_vec()).python()?;
-        for (name, values) in channels.into_iter().flatten() {
+        for pair in channels.map(|channels| channels.items()).transpose()?.into_iter().flatten() {
+            let (name, values): (Bound<'_, PyAny>, Bound<'_, PyAny>) = pair.extract()?;
             let values: Series<'_> = values.extract()?;
             signals.insert(channel(name.extract()?)?, values.to_vec()).python()?;
         }

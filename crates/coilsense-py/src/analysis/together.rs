@@ -10,7 +10,7 @@ use super::PyCase;
 use crate::errors::IntoPython;
 use crate::long_work::watched;
 use crate::signals::PySignals;
-use crate::spec::PySpec;
+use crate::spec_argument::SpecArgument;
 use crate::value::getters;
 
 /// Simulates every condition of a spec of several springs under every damping, on all cores: the forces of each and of all.
@@ -19,8 +19,8 @@ use crate::value::getters;
 ///
 /// Parameters
 /// ----------
-/// spec : Spec
-///     What to simulate; a spec of one spring has its forces as those of all.
+/// spec : Spec, str or os.PathLike
+///     What to simulate: a spec, its file, or its text; a spec of one spring has its forces as those of all.
 /// progress : callable, optional
 ///     Called as ``progress(done, of)`` now and then; an exception of it stops the work.
 ///
@@ -47,10 +47,10 @@ use crate::value::getters;
 #[pyo3(signature = (spec, progress=None))]
 pub fn py_simulate_together(
     py: Python<'_>,
-    spec: &PySpec,
+    spec: SpecArgument<'_>,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Vec<PyTogether>> {
-    let spec = &spec.spec;
+    let spec = &spec.spec(py)?;
     let Together { springs, all } =
         watched(py, progress.as_ref(), |progress| Together::of(spec, progress))?.python()?;
     let mut each: Vec<_> = springs.into_iter().map(|it| (it.side.sign(), it.spec, it.cases.into_iter())).collect();

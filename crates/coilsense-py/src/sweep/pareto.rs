@@ -15,6 +15,7 @@ use pyo3::types::PyDict;
 use super::{Folder, by_title};
 use crate::errors::IntoPython;
 use crate::long_work::interruptible;
+use crate::names::{Names, listed};
 use crate::results::study_result;
 use crate::value::getters;
 
@@ -97,9 +98,9 @@ impl PyPareto {
 /// ----------
 /// sweep : SweepDataset, str or os.PathLike
 ///     A folder that `sweep` made; it may still be running.
-/// minimize, maximize : sequence of str
+/// minimize, maximize : str or sequence of str, optional
 ///     Columns of which little or much is wanted, with or without their units: ``"F_o.rmsd"``, ``"mass"``, ``"f1"``. At least one.
-/// where : sequence of str
+/// where : str or sequence of str, optional
 ///     What a design has to meet: ``"mass < 100 g"``, ``"worst = \"resonance\""``, ``"laser.meets = yes"``.
 ///
 /// Returns
@@ -111,15 +112,16 @@ impl PyPareto {
 /// SweepError
 ///     For a column that is not there or holds no numbers, a condition that says nothing, and where no row is left to compare.
 #[pyfunction]
-#[pyo3(signature = (sweep, *, minimize=Vec::new(), maximize=Vec::new(), r#where=Vec::new()))]
+#[pyo3(signature = (sweep, *, minimize=None, maximize=None, r#where=None))]
 pub fn pareto(
     py: Python<'_>,
     sweep: Folder<'_>,
-    minimize: Vec<String>,
-    maximize: Vec<String>,
-    r#where: Vec<String>,
+    minimize: Option<Names>,
+    maximize: Option<Names>,
+    r#where: Option<Names>,
 ) -> PyResult<PyPareto> {
     let folder = sweep.path();
+    let [minimize, maximize, r#where] = [minimize, maximize, r#where].map(listed);
     let of = folder.clone();
     let study = interruptible(py, move || {
         let dataset = Dataset::open(&of)?;

@@ -14,6 +14,7 @@ use pyo3::types::PyDict;
 use super::Folder;
 use crate::errors::IntoPython;
 use crate::long_work::interruptible;
+use crate::names::{Names, listed};
 use crate::results::study_result;
 use crate::value::getters;
 
@@ -97,7 +98,7 @@ impl PySensitivity {
 /// ----------
 /// sweep : SweepDataset, str or os.PathLike
 ///     A folder that `sweep` made with ``sampling="saltelli"``.
-/// of : sequence of str
+/// of : str or sequence of str, optional
 ///     Columns, with or without their units; without any all that hold numbers.
 /// resamples : int
 ///     How often base rows are drawn anew for the intervals of 95 %, at least 20.
@@ -117,15 +118,15 @@ impl PySensitivity {
 /// -----
 /// Source: [Saltelli2010]; checked against SALib. An index is about the ranges and distributions of the sweep.
 #[pyfunction]
-#[pyo3(signature = (sweep, of=Vec::new(), *, resamples=1000, seed=0))]
+#[pyo3(signature = (sweep, of=None, *, resamples=1000, seed=0))]
 pub fn sensitivity(
     py: Python<'_>,
     sweep: Folder<'_>,
-    of: Vec<String>,
+    of: Option<Names>,
     resamples: usize,
     seed: u64,
 ) -> PyResult<PySensitivity> {
-    let folder = sweep.path();
+    let (folder, of) = (sweep.path(), listed(of));
     let from = folder.clone();
     let resampling = Resampling { resamples, seed, ..Resampling::default() };
     let study = interruptible(py, move || Study::of(&Dataset::open(&from)?, &of, resampling))?;
