@@ -167,6 +167,12 @@ pub(super) fn on_all_cores<T: Send>(places: Vec<f64>, solve: impl Fn(f64) -> T +
     })
 }
 
+/// Refuses a coil of more windings than are solved at once.
+fn few_enough(coil: &Coil) -> Result<(), Error> {
+    let allowed = format!("from 1 to {}", MOST_TURNS - 1);
+    check(coil.windings() <= (MOST_TURNS - 1) as f64, "windings", coil.windings(), "", allowed).map(|_| ())
+}
+
 impl SteelCoil {
     /// - `coil`: of at most 149 windings, its radius as it is at the length `measured_at` \[m\]
     /// - `range`: the shortest and the longest length in use \[m\]
@@ -187,8 +193,7 @@ impl SteelCoil {
         range: [f64; 2],
         pitch: f64,
     ) -> Result<Self, Error> {
-        let allowed = format!("from 1 to {}", MOST_TURNS - 1);
-        check(coil.windings() <= (MOST_TURNS - 1) as f64, "windings", coil.windings(), "", allowed)?;
+        few_enough(coil)?;
         leads.outside(coil.coil_radius())?;
         let shape = Shape::new(coil, measured_at)?;
         let [shortest, longest] = range;
@@ -279,6 +284,7 @@ impl SteelCoil {
         length: f64,
     ) -> Result<f64, Error> {
         check_permeability(permeability)?;
+        few_enough(coil)?;
         leads.outside(coil.coil_radius())?;
         let shape = Shape::new(coil, measured_at)?;
         shape.holds_at(length, LEAST_PITCH)?;
