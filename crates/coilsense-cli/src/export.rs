@@ -7,7 +7,7 @@ use anyhow::Context;
 use coilsense_lab::output::Output;
 use coilsense_lab::plant::request::{AS, FILE};
 use coilsense_lab::plant::{Plant, Request};
-use coilsense_lab::report::{ExportOutcome, export_text, to_json};
+use coilsense_lab::report::{ExportOutcome, export_file, to_json};
 use coilsense_lab::request::{Given, JSON, SPEC};
 use coilsense_lab::spec::Spec;
 
@@ -21,11 +21,14 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let name = file.file_name().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
     let stem = file.file_stem().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
     let made = Plant::of(Spec::read(given.needed(&SPEC)?)?, &request)?;
-    let text = export_text(&made, stem)?;
+    let written = export_file(&made, stem)?;
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut output = Output::begin(folder)?;
-    output.add(name, text.as_bytes())?;
+    output.add(name, &written.bytes)?;
     output.commit()?;
+    if let Some(left_out) = &written.left_out {
+        anstream::eprintln!("warning: {}: {left_out}", file.display());
+    }
     let plant = &made.plant;
     let told = match given.holds(&JSON) {
         true => to_json(ExportOutcome {
@@ -40,6 +43,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
             available_modes: plant.available(),
             bandwidth_hz: made.error.map(|(bandwidth, _)| bandwidth),
             error: made.error.map(|(_, error)| error).filter(|error| error.is_finite()),
+            left_out: written.left_out.as_deref(),
         })?,
         false => format!("{}{}\n", made.summary(), file.display()),
     };

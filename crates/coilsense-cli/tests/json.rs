@@ -172,6 +172,7 @@ fn what_is_printed_is_what_the_schemas_say() {
         ("mitigation", "mitigate spec.toml --seeds 1"),
         ("export", "export virtual-rig.toml --as c --out plant.h"),
         ("export", "export virtual-rig.toml --as state-space --error 1% --bandwidth 100Hz --step 1ms --out plant.json"),
+        ("export", "export virtual-rig.toml --as fmu --out plant.fmu"),
         ("placement", "placement sea-ankle.toml"),
         ("sweep-summary", &format!("{sweep} sobol --out designs")),
         ("pareto", "pareto designs --minimize F_o.rmsd --maximize stiffness"),

@@ -11,7 +11,7 @@ use coilsense::plant::{ModalPlant, Order};
 use coilsense::{Damping, FarEnd, Mount};
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::plant::{Form, Plant, Request};
-use coilsense_lab::report::export_text;
+use coilsense_lab::report::export_file;
 use coilsense_lab::spec::Spec;
 use coilsense_rt::{PlantSettings, Real};
 use rand::RngExt;
@@ -182,7 +182,7 @@ fn c_refuses_what_rust_refuses() {
 fn matrices_read_back_are_those_of_the_plant() {
     let text = format!("{S_T}[mount]\nend2 = \"force\"\nstiffness_damping = \"0.1 ms\"\n");
     let made = Plant::of(spec(&text), &request(Form::StateSpace { step: Some(1e-3) })).unwrap();
-    let json: serde_json::Value = serde_json::from_str(&export_text(&made, "x").unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&export_file(&made, "x").unwrap().bytes).unwrap();
     let numbers = |value: &serde_json::Value| -> Vec<f64> {
         let rows = value.as_array().unwrap().iter();
         rows.flat_map(|row| row.as_array().unwrap()).map(|number| number.as_f64().unwrap()).collect()
@@ -233,6 +233,27 @@ fn what_has_no_plant_is_refused_in_a_line() {
     assert!(as_it_is(&helix).contains("[spring] model = \"helix\": export takes"), "{}", as_it_is(&helix));
     let refused = Plant::of(spec(&one), &request(Form::Rust)).unwrap().constant("2x").unwrap_err().to_string();
     assert!(refused.contains("must be a lower-case letter"), "{refused}");
+}
+
+#[test]
+fn an_fmu_says_what_its_inputs_are() {
+    for (end, second, has_end) in
+        [("held\"", "u2", false), ("force\"", "F_2", true), ("mass\"\nend_mass = \"1 kg\"", "F_2", true)]
+    {
+        let text = format!("{S_T}[mount]\nend2 = \"{end}\ndamping_ratio = 0.01\n");
+        let made = Plant::of(spec(&text), &request(Form::Fmu { step: 5e-4 })).unwrap();
+        // Packed without compression.
+        let bytes = export_file(&made, "x").unwrap().bytes;
+        let told = String::from_utf8_lossy(&bytes);
+        for name in ["u1", second, "der_u1", &format!("der_{second}"), "F_i", "F_o", "F_x", "k", "m", "zeta"] {
+            assert!(told.contains(&format!("<ScalarVariable name=\"{name}\" ")), "{name}: {told}");
+        }
+        assert_eq!(told.contains("name=\"u2\" valueReference=\"8\" causality=\"output\""), has_end);
+        assert!(
+            told.contains("straight between its last two values, one step late")
+                && told.contains("stepSize=\"0.0005\"")
+        );
+    }
 }
 
 #[test]

@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use coilsense::plant::StateSpace;
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::output::Output;
-use coilsense_lab::plant::request::{BANDWIDTH, DAMPING_RATIO, ERROR, MEAN_LENGTH, MODES};
+use coilsense_lab::plant::request::{BANDWIDTH, DAMPING_RATIO, DEFAULT_STEP, ERROR, MEAN_LENGTH, MODES};
 use coilsense_lab::plant::{Form, Plant, Request};
-use coilsense_lab::report::export_text;
+use coilsense_lab::report::export_file;
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, OutputError, refused, unknown};
@@ -177,12 +178,12 @@ impl PyPlant {
     /// ----------
     /// path : str or os.PathLike
     ///     The file; its name without ending is the name in C and Rust.
-    /// form : {"c", "rust", "state-space"}
-    ///     A header of C99, a constant for coilsense-rt, or matrices as JSON.
+    /// form : {"c", "rust", "state-space", "fmu"}
+    ///     A header of C99, a constant for coilsense-rt, matrices as JSON, or an FMU of FMI 2.0 for co-simulation; a `UserWarning` says where no compiler made its binary.
     /// precision : {"single", "double"}
-    ///     Numbers of a step in C.
+    ///     Numbers of a step in C; an FMU has double ones.
     /// step : float or str, optional
-    ///     Adds matrices for this step [s] to a state space.
+    ///     Adds matrices for this step [s] to a state space; of an FMU, that of its default experiment, 1 ms without it.
     ///
     /// Returns
     /// -------
@@ -214,21 +215,31 @@ impl PyPlant {
             "c" => Form::C { precision },
             "rust" => Form::Rust,
             "state-space" => Form::StateSpace { step },
-            _ => return Err(unknown("form", &["c", "rust", "state-space"], form)),
+            "fmu" => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
+            _ => return Err(unknown("form", &["c", "rust", "state-space", "fmu"], form)),
         };
-        if step.is_some() && !matches!(form, Form::StateSpace { .. }) {
+        if step.is_some() && matches!(form, Form::C { .. } | Form::Rust) {
             return Err(Error::new_err(
-                "step goes with form \"state-space\": C and Rust are told theirs when they start",
+                "step goes with form \"state-space\" or \"fmu\": C and Rust are told theirs when they start",
             ));
         }
         let nameless = || Error::new_err(format!("{}: is no name of a file", path.display()));
         let name = path.file_name().and_then(std::ffi::OsStr::to_str).ok_or_else(nameless)?;
         let stem = path.file_stem().and_then(std::ffi::OsStr::to_str).ok_or_else(nameless)?;
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-        let text = export_text(&Plant { form, ..self.0.clone() }, stem).map_err(refused)?;
+        let made = Plant { form, ..self.0.clone() };
+        let made = interruptible(py, {
+            let stem = stem.to_owned();
+            move || export_file(&made, &stem)
+        })?
+        .map_err(refused)?;
+        if let Some(left_out) = &made.left_out {
+            let warned = std::ffi::CString::new(left_out.as_str()).unwrap_or_default();
+            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &warned, 1)?;
+        }
         py.detach(|| {
             let mut output = Output::begin(folder.unwrap_or(std::path::Path::new(".")))?;
-            output.add(name, text.as_bytes())?;
+            output.add(name, &made.bytes)?;
             output.commit()
         })
         .map_err(|error: coilsense_lab::output::OutputError| OutputError::new_err(error.to_string()))

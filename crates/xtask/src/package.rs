@@ -34,12 +34,14 @@ pub fn steps() -> anyhow::Result<bool> {
     let tests = python::environment("target/python", REQUIREMENTS)?;
     let wheel = from(&packed(&tests)?, &tests)?;
     install(&wheel, &tests)?;
+    // What is written for simulators, they read; the command writes it.
+    let command = crate::commands::executable()?;
     let checks: [&[&str]; 3] = [
         &["-m", "pytest", "-q"],
         &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
         &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
     ];
-    Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments)))?
+    Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments).env("COILSENSE_COMMAND", &command)))?
         && stubs::agree(&tests)?
         && examples(&tests)?
         && readme(&wheel)?)

@@ -45,10 +45,10 @@ fn what_cannot_be_is_one_line_and_leaves_nothing() {
         refused
     };
     for (more, says) in [
-        (&["--as", "fmu"][..], "'--as <WORD>': must be one of c, rust, state-space"),
+        (&["--as", "modelica"][..], "'--as <WORD>': must be one of c, rust, state-space, fmu"),
         (&["--as", "state-space", "--step", "0 s"], "'--step <TIME>': must be above zero"),
         (&["--as", "state-space", "--step", "-1 ms"], "'--step <TIME>': must be above zero"),
-        (&["--as", "c", "--step", "1 ms"], "--step: goes with --as state-space, got --as c"),
+        (&["--as", "c", "--step", "1 ms"], "--step: goes with --as state-space or fmu, got --as c"),
         (&["--as", "c", "--error", "1 %"], "--error: needs --bandwidth"),
         (
             &["--as", "c", "--error", "0 %", "--bandwidth", "1 Hz"],

@@ -2,6 +2,7 @@
 
 mod analyze;
 mod export;
+mod fmu;
 mod import;
 mod init_and_spring;
 mod interrupt;

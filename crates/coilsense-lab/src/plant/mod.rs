@@ -1,9 +1,11 @@
 //! A spec's spring as a part of another's model: `coilsense export`.
 //!
 //! Next door: the plant (`coilsense::plant`), a step of it (`coilsense_rt::Plant`), what may be asked (`request`), its forms (`header`,
-//! `constant`; matrices: `crate::report`), settings of filters and observers (`crate::mitigation::export`).
+//! `constant`, `fmu`; matrices: `crate::report`), settings of filters and observers (`crate::mitigation::export`).
 
 mod constant;
+#[cfg(feature = "fmu")]
+mod fmu;
 mod header;
 pub mod request;
 
@@ -30,6 +32,20 @@ pub enum Form {
         /// With those of this step \[s\], too.
         step: Option<f64>,
     },
+    /// An FMU of FMI 2.0 for co-simulation.
+    Fmu {
+        /// The step of its default experiment \[s\].
+        step: f64,
+    },
+}
+
+/// A file that is ready to be written.
+#[derive(Debug)]
+pub struct Made {
+    /// What is in it.
+    pub bytes: Vec<u8>,
+    /// What is not, though it could be, and why; one line.
+    pub left_out: Option<String>,
 }
 
 /// Why there is no plant.
@@ -126,6 +142,17 @@ impl Plant {
     /// As [`Self::header`].
     pub fn constant(&self, name: &str) -> Result<String, PlantError> {
         constant::text(self, &identifier(name))
+    }
+
+    /// An FMU of FMI 2.0 for co-simulation, with this step in its default experiment \[s\].
+    ///
+    /// # Errors
+    /// As [`Self::header`]; [`PlantError::Spec`] in a build without the feature `fmu`.
+    pub fn fmu(&self, name: &str, step: f64) -> Result<Made, PlantError> {
+        #[cfg(feature = "fmu")]
+        return fmu::archive(self, &identifier(name), step);
+        #[cfg(not(feature = "fmu"))]
+        Err(PlantError::Spec(format!("{name}, {step} s: an FMU is not in this build: feature fmu is off")))
     }
 
     /// What was made, in two lines.

@@ -12,9 +12,9 @@ use crate::request::{Allowed, Door, Given, IfAbsent, LENGTH, OUT, Row, Takes, Wr
 /// In what form. A form that is added is one more word here and one more of [`Form`].
 pub const AS: Row = Row {
     name: "as",
-    takes: Takes::Word(&["c", "rust", "state-space"]),
+    takes: Takes::Word(&["c", "rust", "state-space", "fmu"]),
     if_absent: IfAbsent::Refused,
-    meaning: "As what: a C99 header, a Rust constant for coilsense-rt, or matrices as JSON",
+    meaning: "As what: a C99 header, a Rust constant for coilsense-rt, matrices as JSON, or an FMU (FMI 2.0, co-simulation)",
     elsewhere: &[(Door::Python, "Plant.save(form=)")],
     ..Row::PLAIN
 };
@@ -22,7 +22,7 @@ pub const AS: Row = Row {
 pub const FILE: Row = Row {
     takes: Takes::File("FILE"),
     if_absent: IfAbsent::Refused,
-    meaning: "File to write; its name without ending is the name in C and Rust",
+    meaning: "File to write; its name without ending is the name in C, Rust and the FMU",
     elsewhere: &[(Door::Python, "Plant.save")],
     ..OUT
 };
@@ -56,7 +56,8 @@ pub const STEP: Row = Row {
     name: "step",
     takes: Takes::Quantity(Dimension::Time),
     allowed: Allowed::AboveZero,
-    meaning: "Adds matrices for this step to a state space; C and Rust are told theirs when they start",
+    if_absent: IfAbsent::Found("no such matrices, and 1 ms in an FMU"),
+    meaning: "Adds matrices for this step to a state space, is the default one of an FMU; C and Rust are told theirs when they start",
     elsewhere: &[(Door::Python, "Plant.to_state_space(step=)")],
     ..Row::PLAIN
 };
@@ -87,6 +88,9 @@ pub const PRECISION: Row = Row {
     elsewhere: &[(Door::Python, "Plant.save(precision=)")],
     ..Row::PLAIN
 };
+
+/// The step of an FMU's default experiment where none is asked for \[s\].
+pub const DEFAULT_STEP: f64 = 1e-3;
 
 /// Its options, in the order in which they are told.
 pub const OPTIONS: [Row; 9] = [AS, FILE, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION];
@@ -122,10 +126,12 @@ impl Request {
         let precision = if single { Precision::Single } else { Precision::Double };
         let form = match (given.text(&AS).as_deref(), step) {
             (Some("state-space"), step) => Form::StateSpace { step },
+            (Some("fmu"), _) if single => return Err(PRECISION.wrong("must be double with --as fmu, got single")),
+            (Some("fmu"), step) => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
             (Some(word), Some(_)) => {
-                return Err(
-                    STEP.wrong(format!("goes with --as state-space, got --as {word}, which is told when it starts"))
-                );
+                return Err(STEP.wrong(format!(
+                    "goes with --as state-space or fmu, got --as {word}, which is told when it starts"
+                )));
             }
             (Some("rust"), None) => Form::Rust,
             (_, None) => Form::C { precision },

@@ -6,18 +6,20 @@ use coilsense_rt::FarEnd;
 use serde::Serialize;
 
 use super::outcome::{Outcome, to_json};
-use crate::plant::{Form, Plant, PlantError};
+use crate::plant::{Form, Made, Plant, PlantError};
 
-/// The text of the file that was asked for; `name` is what C and Rust call it.
+/// The file that was asked for; `name` is what C, Rust and an FMU call it.
 ///
 /// # Errors
 /// As [`Plant::header`], and [`PlantError`] for a step that is too long for the fastest mode.
-pub fn export_text(made: &Plant, name: &str) -> Result<String, PlantError> {
-    match made.form {
-        Form::C { precision } => made.header(name, precision),
-        Form::Rust => made.constant(name),
-        Form::StateSpace { step } => matrices(made, step),
-    }
+pub fn export_file(made: &Plant, name: &str) -> Result<Made, PlantError> {
+    let text = match made.form {
+        Form::C { precision } => made.header(name, precision)?,
+        Form::Rust => made.constant(name)?,
+        Form::StateSpace { step } => matrices(made, step)?,
+        Form::Fmu { step } => return made.fmu(name, step),
+    };
+    Ok(Made { bytes: text.into_bytes(), left_out: None })
 }
 
 /// A spring as matrices: `x' = A x + B u`, `y = C x + D u + D_v u'`, about its mean.

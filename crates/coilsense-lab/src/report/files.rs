@@ -34,7 +34,7 @@ pub struct ExportOutcome<'a> {
     pub spec_file: &'a str,
     /// What was written.
     pub file: &'a Path,
-    /// As what: c, rust or state-space.
+    /// As what: c, rust, state-space or fmu.
     pub r#as: &'a str,
     /// What damps it.
     pub damping: &'a str,
@@ -53,6 +53,8 @@ pub struct ExportOutcome<'a> {
     /// Of F_i, F_o and F_x, over k times the motion of an end or over the force at end 2; null where that was not asked for, or where modes of the
     /// band are left out.
     pub error: Option<f64>,
+    /// What is not in the file though it could be, and why: an FMU's binary, where this machine has no C compiler; else null.
+    pub left_out: Option<&'a str>,
 }
 
 impl Outcome for ExportOutcome<'_> {

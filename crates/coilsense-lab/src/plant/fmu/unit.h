@@ -1,0 +1,175 @@
+/* One spring that others step, whichever standard asks: numbered values, stages, checks, and words where something cannot be.
+ * Next door: the spring ({{ name }}.h), what a standard calls all this (its .c). */
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "{{ name }}.h"
+
+#define UNIT_ID "{{ id }}"
+/* The step for which forces at rest are made ready; any other will do. */
+#define UNIT_STEP {{ step }}
+
+enum { UNIT_INSTANTIATED, UNIT_INITIALIZING, UNIT_STEPPING, UNIT_TERMINATED };
+
+/* Values by their numbers in modelDescription.xml. */
+enum { UNIT_TIME, UNIT_INPUT, UNIT_RATE = 3, UNIT_OUTPUT = 5, UNIT_PARAMETER = 9, UNIT_VALUES = 12 };
+
+/* All that changes. */
+typedef struct {
+    int stage;
+    double time, inputs[2], rates[2], parameters[3], outputs[4];
+    {{ name }}_state spring;
+} unit_state;
+
+typedef struct {
+    unit_state now;
+    {{ name }}_plant plant;
+    /* k, m, zeta and the step for which the plant is made. */
+    double made[4];
+    /* What went wrong last. */
+    char told[200];
+} unit;
+
+static int unit_is_finite(double value)
+{
+    return value >= -DBL_MAX && value <= DBL_MAX;
+}
+
+/* Keeps words for the log; they hold no per cent sign. */
+static int unit_refuses(unit *u, const char *what, double value)
+{
+    (void)snprintf(u->told, sizeof u->told, "%s, got %.17g", what, value);
+    return 1;
+}
+
+static void unit_reset(unit *u)
+{
+    memset(&u->now, 0, sizeof u->now);
+    u->now.parameters[0] = {{ upper }}_STIFFNESS;
+    u->now.parameters[1] = {{ upper }}_MASS;
+    u->now.parameters[2] = {{ upper }}_DAMPING_RATIO;
+    {{ name }}_settle(&u->now.spring, 0.0, 0.0);
+}
+
+/* Makes the plant for a step, where it is not the one of last time. Places and paces of the modes do not depend on it. */
+static int unit_make(unit *u, double step)
+{
+    static const char *const words[5] = {
+        "", "k must be above zero and finite", "m must be above zero and finite",
+        "zeta must be from zero on, and that of no mode above 1000", "the step is too long or too short for the modes"
+    };
+    const double wanted[4] = { u->now.parameters[0], u->now.parameters[1], u->now.parameters[2], step };
+    int wrong;
+    if (memcmp(wanted, u->made, sizeof wanted) == 0) {
+        return 0;
+    }
+    memset(u->made, 0, sizeof u->made);
+    wrong = {{ name }}_init(&u->plant, wanted[0], wanted[1], wanted[2], wanted[3]);
+    if (wrong != 0) {
+        return unit_refuses(u, words[wrong], wanted[wrong - 1]);
+    }
+    memcpy(u->made, wanted, sizeof wanted);
+    return 0;
+}
+
+static void unit_keep(unit *u, {{ name }}_output out)
+{
+    u->now.outputs[0] = out.input;
+    u->now.outputs[1] = out.output;
+    u->now.outputs[2] = out.deflection;
+    u->now.outputs[3] = out.end;
+}
+
+/* A spring at rest under the inputs as they are. */
+static int unit_settle(unit *u)
+{
+    {{ name }}_state once;
+    if (unit_make(u, UNIT_STEP) != 0) {
+        return 1;
+    }
+    {{ name }}_settle(&u->now.spring, u->now.inputs[0], u->now.inputs[1]);
+    once = u->now.spring;
+    unit_keep(u, {{ name }}_step(&u->plant, &once, u->now.inputs[0], u->now.inputs[1]));
+    return 0;
+}
+
+static int unit_has(unsigned int number)
+{
+    return number < UNIT_VALUES{% if is_position %} && number != UNIT_OUTPUT + 3{% endif %};
+}
+
+static int unit_set(unit *u, unsigned int number, double value)
+{
+    if (!unit_has(number)) {
+        return unit_refuses(u, "there is no value of this reference", number);
+    }
+    if (!unit_is_finite(value)) {
+        return unit_refuses(u, "a value must be finite", value);
+    }
+    if (number >= UNIT_INPUT && number < UNIT_RATE) {
+        u->now.inputs[number - UNIT_INPUT] = value;
+        return 0;
+    }
+    if (number >= UNIT_RATE && number < UNIT_OUTPUT) {
+        u->now.rates[number - UNIT_RATE] = value;
+        return 0;
+    }
+    if (number < UNIT_PARAMETER{% if has_mass %} || number == UNIT_PARAMETER + 1{% endif %}) {
+        return unit_refuses(u, "only inputs and parameters can be set: a value of this reference is neither", number);
+    }
+    if (u->now.stage > UNIT_INITIALIZING) {
+        return unit_refuses(u, "parameters can be set up to the end of initialization only", value);
+    }
+    u->now.parameters[number - UNIT_PARAMETER] = value;
+    return 0;
+}
+
+static int unit_get(unit *u, unsigned int number, double *value)
+{
+    if (!unit_has(number)) {
+        return unit_refuses(u, "there is no value of this reference", number);
+    }
+    if (number == UNIT_TIME) {
+        *value = u->now.time;
+    } else if (number < UNIT_RATE) {
+        *value = u->now.inputs[number - UNIT_INPUT];
+    } else if (number < UNIT_OUTPUT) {
+        *value = u->now.rates[number - UNIT_RATE];
+    } else if (number >= UNIT_PARAMETER) {
+        *value = u->now.parameters[number - UNIT_PARAMETER];
+    } else {
+        if (u->now.stage <= UNIT_INITIALIZING && unit_settle(u) != 0) {
+            return 1;
+        }
+        *value = u->now.outputs[number - UNIT_OUTPUT];
+    }
+    return 0;
+}
+
+/* Goes from where the inputs were straight to where their rates lead by the step's end; without rates, to where they are. */
+static int unit_advance(unit *u, double time, double step)
+{
+    const double reached[2] = { u->now.inputs[0] + u->now.rates[0] * step, u->now.inputs[1] + u->now.rates[1] * step };
+    const {{ name }}_state before = u->now.spring;
+    const double slack = 1e-2 * step + 1e-9 * (time < 0.0 ? -time : time);
+    {{ name }}_output out;
+    if (!(step > 0.0 && step <= DBL_MAX)) {
+        return unit_refuses(u, "a communication step must be above zero and finite", step);
+    }
+    if (!(time >= u->now.time - slack && time <= u->now.time + slack)) {
+        return unit_refuses(u, "a step must begin where the last one ended", time);
+    }
+    if (unit_make(u, step) != 0) {
+        return 1;
+    }
+    out = {{ name }}_step(&u->plant, &u->now.spring, reached[0], reached[1]);
+    if (!(unit_is_finite(out.input) && unit_is_finite(out.output) && unit_is_finite(out.deflection) && unit_is_finite(out.end))) {
+        u->now.spring = before;
+        return unit_refuses(u, "inputs lead beyond what numbers hold at the end of the step", reached[0]);
+    }
+    unit_keep(u, out);
+    u->now.time = time + step;
+    return 0;
+}
