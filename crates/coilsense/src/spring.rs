@@ -1,41 +1,16 @@
 //! The spring: what Table I of the paper gives, checked, and what follows from it alone.
 //!
-//! Next door: its vibration modes (`modes`), its inductance (`inductance`), what is done to it (`excitation`).
+//! Next door: how fast a wave runs through it (`surge`), its vibration modes (`modes`), its inductance (`inductance`), what is done to it (`excitation`).
 
+mod parameters;
+mod surge;
 mod wire;
 
 use std::sync::Arc;
 
 use crate::error::{Error, above_zero, check, finite};
 use crate::sections::Sections;
-
-/// What describes a spring, by name and in SI units; [`Spring::new`] checks it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpringParameters {
-    /// l0: length without force \[m\]; catalogues call it the free length.
-    pub rest_length: f64,
-    /// N: active windings \[1\], may be fractional.
-    pub windings: f64,
-    /// r: radius of the coil, from its axis to the centre of the wire \[m\].
-    pub coil_radius: f64,
-    /// ρ: radius of the wire \[m\].
-    pub wire_radius: f64,
-    /// m: mass of the active coil \[kg\].
-    pub mass: f64,
-    /// k: stiffness \[N/m\].
-    pub stiffness: f64,
-    /// Shortest length in use \[m\].
-    pub min_length: f64,
-    /// Longest length in use \[m\].
-    pub max_length: f64,
-    /// F_nom \[N\] where it is known otherwise; `None` takes eq. (14), see [`Spring::nominal_force`].
-    pub nominal_force: Option<f64>,
-    /// Windings that carry the current \[1\]; `None` takes `windings`. See [`crate::inductance::MaxwellSum`] for the rule of fractions.
-    pub inductance_windings: Option<f64>,
-    /// Of a coil that is not uniform, its sections: the static curve, the masses of the chain, and where windings close are then theirs, and
-    /// `stiffness` and `mass` are those of the coil with all windings open, which they scale. `None` for a uniform coil.
-    pub sections: Option<Arc<Sections>>,
-}
+pub use parameters::SpringParameters;
 
 /// A spring whose every value has been checked.
 ///
@@ -274,40 +249,6 @@ impl Spring {
         self.whole_windings() * self.masses_per_winding
     }
 
-    /// First surge frequency of the chain with both ends held \[Hz\].
-    ///
-    /// f = M/(πτ) sin(π/2M), M the chain's masses; [`Self::surge_frequency`] is its limit for many
-    ///
-    /// Source:   `[Weijde2017]` eqs. 5–6, as [`crate::modes::ChainModes`].
-    /// Valid:    no damping, windings that never touch.
-    /// Accuracy: 4e-16 relative.
-    pub fn chain_frequency(&self) -> f64 {
-        let Some(sections) = self.sections() else { return chain_frequency(self.chain_masses(), self.transit_time()) };
-        let [stiffer, heavier] = self.scales(sections);
-        let lumps = sections.lumps(self.masses_per_winding);
-        crate::bidiagonal::first_frequency(&lumps.masses, &lumps.stiffnesses) * (stiffer / heavier).sqrt()
-            / std::f64::consts::TAU
-    }
-
-    /// The band in which the first surge frequency of the real coil lies, both ends held \[Hz\].
-    ///
-    /// From that of a chain of one mass per winding to that of the continuous bar, and beyond both by max(0.2 %, 25 %/N)
-    ///
-    /// Source:   helical rods with prestress, two formulations: valve spring of 5.75 windings 388.7 Hz held, 391.4 Hz free to turn, where the
-    ///           chain has 399.0 and the bar 403.6 Hz; car spring of 6.5 windings 50.7 Hz (52.3, 52.7); S_T −0.11 to +0.16 %.
-    /// Valid:    round wire, N from some 5 windings on; for fewer the width is a guess.
-    /// Accuracy: holds all the springs above.
-    pub fn first_frequency_band(&self) -> (f64, f64) {
-        let windings = self.whole_windings();
-        let beyond = (0.25 / windings as f64).max(0.002);
-        let chain = match self.sections() {
-            Some(_) => Self { masses_per_winding: 1, ..self.clone() }.chain_frequency(),
-            None => chain_frequency(windings, self.transit_time()),
-        };
-        let bar = self.surge_frequency();
-        (chain * (1.0 - beyond), bar * (1.0 + beyond))
-    }
-
     /// Shortest and longest length in use \[m\].
     pub fn operating_range(&self) -> (f64, f64) {
         (self.parameters.min_length, self.parameters.max_length)
@@ -323,31 +264,6 @@ impl Spring {
         (self.parameters.min_length..=self.parameters.max_length).contains(&length)
     }
 
-    /// Dynamic spring characteristic \[s\]: the time in which a surge wave runs through the coil once.
-    ///
-    /// τ = √(m/k); of a coil of sections half a period of its first surge, π/ω_1
-    ///
-    /// Source:   `[Weijde2017]` eq. 2; [`Sections::first_frequency`].
-    /// Valid:    a uniform coil; of sections, while all windings are open.
-    /// Accuracy: 2e-16 relative (one division, one root).
-    pub fn transit_time(&self) -> f64 {
-        let Some(sections) = self.sections() else { return (self.parameters.mass / self.parameters.stiffness).sqrt() };
-        let [stiffer, heavier] = self.scales(sections);
-        std::f64::consts::PI / sections.first_frequency() * (heavier / stiffer).sqrt()
-    }
-
-    /// f1: first surge frequency of the continuous coil with both ends held \[Hz\], everywhere in coilsense.
-    ///
-    /// f1 = ω_1 / 2π = 1 / (2τ)
-    ///
-    /// Source:   `[Weijde2017]` eq. 3 with n = 1.
-    /// Valid:    a uniform undamped coil, windings that never touch.
-    /// Accuracy: 3e-16 relative.
-    /// Differs:  the chain's own first mode ([`crate::modes::ChainModes::frequencies`]) lies lower, 0.015 % for S_T.
-    pub fn surge_frequency(&self) -> f64 {
-        0.5 / self.transit_time()
-    }
-
     /// F_nom: largest static force in use \[N\].
     ///
     /// F_nom = k max(|l_min − l0|, |l_max − l0|), or the parameter `nominal_force` where it is given.
@@ -358,17 +274,6 @@ impl Spring {
     /// Differs:  eq. 14 takes l_max only; the absolute value makes compression springs work and is the same for S_T and S_A.
     pub fn nominal_force(&self) -> f64 {
         self.nominal_force
-    }
-
-    /// Wave impedance \[N s/m\]: what an impact adds to an end force, per m/s.
-    ///
-    /// Z = √(k m)
-    ///
-    /// Source:   d'Alembert's solution of the one-dimensional wave equation: an impact at v changes an end force by ±v Z.
-    /// Valid:    a uniform coil, times below τ, N → ∞.
-    /// Accuracy: 2e-16 relative.
-    pub fn wave_impedance(&self) -> f64 {
-        (self.parameters.stiffness * self.parameters.mass).sqrt()
     }
 
     /// Length with all active windings touching \[m\].
@@ -426,12 +331,6 @@ impl Spring {
     pub(crate) fn open_force(&self, length: f64) -> f64 {
         self.parameters.stiffness * (length - self.parameters.rest_length)
     }
-}
-
-/// First frequency of a chain of so many masses with both ends held \[Hz\].
-fn chain_frequency(masses: usize, transit_time: f64) -> f64 {
-    let masses = masses as f64;
-    masses / (std::f64::consts::PI * transit_time) * (0.5 * std::f64::consts::PI / masses).sin()
 }
 
 /// Most masses for a winding: far beyond what any figure still moves by.

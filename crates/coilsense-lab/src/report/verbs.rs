@@ -3,8 +3,12 @@
 //! Next door: the tables of those verbs that Python or the page ask, too (`recording::request`, `identification::request`,
 //! `calibration::request`, `mitigation::request`, `sweep::request`, `speed::request`), what a row says (`crate::request`), the page of the book (`reference`).
 
-use crate::request::{Allowed, DATE, Door, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
+mod sweeps;
+
+use crate::request::{Allowed, DATE, DATE_OF_OUT, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
 use crate::{calibration, identification, mitigation, plant, recording, speed, sweep};
+pub use sweeps::{DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_ROW, WHERE};
+use sweeps::{PARETO, SENSITIVITY, SWEEP, VARIED};
 
 /// The verbs, in the order of the command's help.
 pub const VERBS: [Verb; 18] = [
@@ -143,8 +147,6 @@ pub const VERBS: [Verb; 18] = [
 /// The folder of a report with figures.
 const FIGURES: Row =
     out("Folder for report.html, results.json and figures; its other files are left alone", IfAbsent::Nothing);
-/// The date of a report that is written only where a folder is named.
-const DATE_OF_OUT: Row = Row { requires: &["out"], ..DATE };
 
 /// A spring of the paper.
 pub const FROM: Row = Row {
@@ -282,99 +284,6 @@ const MODELLED: Row = Row {
     meaning: "The spec: its spring, what end 2 is tied to, one damping, and the mean length of its conditions",
     ..SPEC
 };
-const VARIED: Row = Row { meaning: "The spec whose values are varied", ..SPEC };
-const SWEEP: [Row; 2] = [
-    Row { meaning: "Print the summary as JSON", ..JSON },
-    out(
-        "Folder for the manifest and one Parquet file a chunk; a folder of the same sweep is continued",
-        IfAbsent::Refused,
-    ),
-];
-
-/// A sweep that was made.
-pub const DATASET: Row = Row {
-    name: "sweep",
-    takes: Takes::File("DIR"),
-    if_absent: IfAbsent::Refused,
-    meaning: "Folder of a sweep, as `coilsense sweep --out` makes it",
-    by_place: true,
-    ..Row::PLAIN
-};
-/// Columns that are asked for.
-pub const OF: Row = Row {
-    name: "of",
-    takes: Takes::Text("COLUMN"),
-    if_absent: IfAbsent::Found("all that hold numbers"),
-    meaning: "Column to ask for, such as F_o.rmsd; may be given several times",
-    repeated: true,
-    ..Row::PLAIN
-};
-/// Draws of the intervals.
-pub const RESAMPLES: Row = Row {
-    name: "resamples",
-    takes: Takes::Count,
-    if_absent: IfAbsent::Value("1000"),
-    meaning: "How often base rows are drawn anew for the intervals",
-    ..Row::PLAIN
-};
-/// Seed of these draws.
-pub const DRAWS_SEED: Row = Row {
-    name: "seed",
-    takes: Takes::Count,
-    if_absent: IfAbsent::Value("0"),
-    meaning: "Seed of these draws",
-    ..Row::PLAIN
-};
-const SENSITIVITY: [Row; 7] = [
-    Row { meaning: "Folder of a sweep that was made with --sampling saltelli", ..DATASET },
-    OF,
-    RESAMPLES,
-    DRAWS_SEED,
-    out("Folder for report.html and results.json; its other files are left alone", IfAbsent::Nothing),
-    JSON,
-    DATE_OF_OUT,
-];
-
-/// A row of columns or conditions.
-const COLUMN: Row = Row { takes: Takes::Text("COLUMN"), repeated: true, ..Row::PLAIN };
-/// Columns to minimise.
-pub const MINIMIZE: Row = Row {
-    name: "minimize",
-    meaning: "Column to minimise, such as F_o.rmsd or mass; may be given several times",
-    ..COLUMN
-};
-/// Columns to maximise.
-pub const MAXIMIZE: Row = Row { name: "maximize", meaning: "Column to maximise, such as f1", ..COLUMN };
-/// What designs have to meet.
-pub const WHERE: Row = Row {
-    name: "where",
-    takes: Takes::Text("CONDITION"),
-    meaning: "What a design has to meet, such as 'mass < 100 g' or 'F_o.rmsd <= 2'; may be given several times",
-    ..COLUMN
-};
-/// Rows whose specs are written.
-pub const SPEC_ROW: Row = Row {
-    name: "spec_row",
-    takes: Takes::Text("ROW|knee"),
-    meaning: "Write the spec of a row, or of the knee, into the folder of --out, for `coilsense analyze`; may be given several times",
-    requires: &["out"],
-    elsewhere: &[(Door::Python, "SweepPlan.spec_of")],
-    ..COLUMN
-};
-const PARETO: [Row; 8] = [
-    DATASET,
-    MINIMIZE,
-    MAXIMIZE,
-    WHERE,
-    out(
-        "Folder for report.html, pareto.csv, pareto.parquet, results.json and the figure; its other files are left alone",
-        IfAbsent::Nothing,
-    ),
-    SPEC_ROW,
-    JSON,
-    DATE_OF_OUT,
-];
-
 /// Where the experiment lies.
 pub const FOLDER: Row = Row {
     name: "folder",

@@ -49,6 +49,8 @@ pub const DATE: Row = Row {
     elsewhere: &[(Door::Python, "the result's method `save`"), (Door::Page, "today")],
     ..Row::PLAIN
 };
+/// The date of a report that is written only where a folder is named.
+pub const DATE_OF_OUT: Row = Row { requires: &["out"], ..DATE };
 
 /// The folder of a verb's files.
 pub const fn out(meaning: &'static str, if_absent: IfAbsent) -> Row {

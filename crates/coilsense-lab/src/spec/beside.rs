@@ -8,7 +8,8 @@ use super::SpecError;
 use super::condition::ConditionSpec;
 use super::mount::MountSpec;
 use super::section::Section;
-use super::spring::{SpringSpec, millimetres};
+use super::spring::{ROUNDING, SpringSpec};
+use super::spring_table::millimetres;
 use crate::quantity::Dimension;
 
 /// How a spring acts beside the first.
@@ -117,8 +118,6 @@ impl Beside {
 
 /// The key that sets a parameter of an excitation.
 const LENGTHS: [(&str, &str); 1] = [("mean_length", "length_at_mid")];
-/// Rounding of lengths as they are written.
-const ROUNDING: f64 = 1e-9;
 
 /// Springs that do not act on one another: each has a name of its own, both ends of all have prescribed positions, and all are chains.
 pub(super) fn check_together(sections: &[Section<'_>], each: &[&SpringSpec], far_end: FarEnd) -> Result<(), SpecError> {

@@ -38,6 +38,7 @@ mod setting;
 mod size;
 mod spline;
 mod spring;
+mod spring_table;
 mod strength;
 mod synonyms;
 mod template;

@@ -7,7 +7,7 @@
 //! | `neighbours::Column` | figures of an independent program, the helix, the formula of buckling (`column`) |
 //! | `helix::Helix` | closed forms of a wire that neither shears nor extends, textbook couple of the unloaded helix (`limits`) |
 //! | `helix::Modes` | straight beam, bar, shaft, column that buckles (`limits`) |
-//! | `helix::Surge` | `helix::Response`, the chain of a long flat spring, work and energy (`motion`) |
+//! | `helix::Surge` | `helix::Response`, the chain of a long flat spring (`motion`), work and energy (`energy`) |
 //! | `helix::ChangedSurge`, `helix::StaticCurve` | helices found anew (`changed`) |
 //! | `helix::Response` | the static state at a length nearby, residues of its own modes (`laws`) |
 
@@ -15,6 +15,7 @@ mod cases;
 mod changed;
 mod column;
 mod elements;
+mod energy;
 mod figures;
 mod laws;
 mod limits;
