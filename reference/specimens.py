@@ -39,7 +39,7 @@ from scipy.stats import qmc
 from specimens_motion import OUTPUT, STRETCH, Case, Chains, nominal, readout
 from specimens_random import SPRING, random_spec, toml
 
-EXPANSION = 12e-6  # of steel [1/K]; it raises k with temperature
+EXPANSION = 12e-6  # of steel [1/K]; it raises k and l0 with temperature
 TEMPERATURE_CHANGE = 10.0  # K, the default of [uncertainty]
 LARGEST_ERROR = 0.01  # standard error of an rms
 GRID_SPECIMENS = 8192  # in each replicate, where a grid does the motion
@@ -79,7 +79,8 @@ def mean_squares(case, s, y, mean, square):
     warmth, unit = TEMPERATURE_CHANGE * y["temperature"], k if deflection else 1.0  # unit: newtons in a native unit
     gain = s.get("accuracy_reading", 0) * y["reading"] + s.get("calibration_uncertainty", 0) * y["calibration"]
     gain = gain + s.get("temperature_coefficient", 0) * warmth
-    true = y["k"] * (1 + EXPANSION * warmth) * (stretch - y["late"])
+    grown = EXPANSION * warmth
+    true = y["k"] * (1 + grown) * (stretch - y["late"] - grown * case.spec["spring"]["rest_length"])
     static = k * stretch * (1 + gain) - true if deflection else gain * (force + true - k * stretch)
     static = static + unit * s.get("accuracy_full_scale", 0) * s["range"] * y["full_scale"]
     noise, step = (unit * s.get(name, 0) * s["range"] for name in ("noise", "resolution"))

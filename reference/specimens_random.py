@@ -70,7 +70,7 @@ def random_spring(chance):
     else:
         low = chance.even(1.2 * rest, 1.5 * rest)
         high = chance.even(low + 0.2 * rest, low + 0.6 * rest)
-    table = {"windings": n, "rest_length": rest, "min_length": low, "max_length": high, "shear_modulus_temperature": 0.0}
+    table = {"windings": n, "rest_length": rest, "min_length": low, "max_length": high, "shear_modulus_temperature": 0.0, "model": "chain"}
     if chance.even(0, 1) < 0.3:
         table |= {"wire_diameter": wire, "coil_diameter": coil, "end_type": "closed-ground" if pushed else "hooks"}
         table |= {"shear_modulus": SHEAR_MODULUS, "density": DENSITY}
