@@ -31,9 +31,9 @@ pub(super) enum Zero {
     ByInductance(f64),
 }
 
-/// By which share of their own motion lengths by inductance may leave those of the ends.
+/// How far from 1 the slope of lengths by inductance over u2 − u1 may be: a turned sign has −1, channels that do not belong together 0.
 const ANOTHER: f64 = 0.5;
-/// How many standard uncertainties are no disagreement.
+/// How many standard errors of that slope are no disagreement: a log at rest tells none.
 const AGREES: f64 = 3.0;
 
 impl Ends {
@@ -50,35 +50,28 @@ impl Ends {
     ) -> Result<Self, RecordingError> {
         let is_held = asked.end2_held.unwrap_or(held);
         let nothing = || vec![0.0; log.signals().time().len()];
-        let recorded = |channel: Channel| log.signals().channel(channel).ok().map(<[f64]>::to_vec);
-        let (first, second) = (recorded(Channel::U1), recorded(Channel::U2));
+        let (first, second) = (log.channel(Channel::U1), log.channel(Channel::U2));
         let Some(applied) = by_inductance else {
-            let first = log.channel(Channel::U1)?.to_vec();
             let second = match second {
-                Some(second) => second,
-                None if is_held => nothing(),
-                None => return Err(without_second(log)),
+                Ok(second) => second.to_vec(),
+                Err(_) if is_held => nothing(),
+                Err(missing) => return Err(without_second(missing)),
             };
             let zero = asked.length_at_zero.map_or(Zero::Unknown, Zero::Told);
-            return Ok(Self { positions: [first, second], zero, notes: Vec::new() });
+            return Ok(Self { positions: [first?.to_vec(), second], zero, notes: Vec::new() });
         };
-        let lengths = &applied.lengths;
         let beside = |ends: &[f64], sign: f64| -> Vec<f64> {
-            ends.iter().zip(lengths).map(|(end, length)| end + sign * length).collect()
+            ends.iter().zip(&applied.lengths).map(|(end, length)| end + sign * length).collect()
         };
-        let (positions, told) = match (first, second, is_held) {
-            (Some(first), Some(second), _) => return Self::both(stiffness, log, [first, second], applied),
-            (Some(first), None, true) => return Self::both(stiffness, log, [first, nothing()], applied),
-            (Some(first), None, false) => {
-                let second = beside(&first, 1.0);
-                ([first, second], "u2 is u1 and the length by L")
+        let (positions, told) = match (first, second) {
+            (Ok(first), Ok(second)) => return Self::both(stiffness, log, [first.to_vec(), second.to_vec()], applied),
+            (Ok(first), Err(_)) if is_held => return Self::both(stiffness, log, [first.to_vec(), nothing()], applied),
+            (Ok(first), Err(_)) => ([first.to_vec(), beside(first, 1.0)], "u2 is u1 and the length by L"),
+            (Err(_), Ok(second)) => ([beside(second, -1.0), second.to_vec()], "u1 is u2 less the length by L"),
+            (Err(_), Err(_)) if is_held => {
+                ([beside(&nothing(), -1.0), nothing()], "u1 is the length by L, end 2 is held")
             }
-            (None, Some(second), _) => {
-                let first = beside(&second, -1.0);
-                ([first, second], "u1 is u2 less the length by L")
-            }
-            (None, None, true) => ([beside(&nothing(), -1.0), nothing()], "u1 is the length by L, end 2 is held"),
-            (None, None, false) => return Err(without_both(log)),
+            (Err(missing), Err(_)) => return Err(without_both(missing)),
         };
         let mut notes = vec![format!("{told}: {}.", doubt(stiffness, applied))];
         notes.push(RINGING.to_owned());
@@ -92,18 +85,21 @@ impl Ends {
         positions: [Vec<f64>; 2],
         applied: &Applied,
     ) -> Result<Self, RecordingError> {
-        let count = applied.lengths.len() as f64;
-        let apart = positions[0].iter().zip(&positions[1]).map(|(first, second)| second - first);
-        let missing: Vec<f64> = apart.clone().zip(&applied.lengths).map(|(apart, length)| length - apart).collect();
+        let apart: Vec<f64> = positions[0].iter().zip(&positions[1]).map(|(first, second)| second - first).collect();
+        let missing: Vec<f64> = apart.iter().zip(&applied.lengths).map(|(apart, length)| length - apart).collect();
+        let count = apart.len() as f64;
         let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
-        let spread = |values: &[f64]| {
-            let middle = mean(values);
-            (values.iter().map(|value| (value - middle).powi(2)).sum::<f64>() / count).sqrt()
-        };
-        let (zero, left, moved) = (mean(&missing), spread(&missing), spread(&apart.collect::<Vec<f64>>()));
-        let doubt_of_one = applied.lengths_u.as_deref().map_or(0.0, mean);
-        let [left_mm, moved_mm] = [left, moved].map(|metres| digits(1e3 * metres));
-        if left > ANOTHER * moved.max(spread(&applied.lengths)) && left > AGREES * doubt_of_one {
+        let (zero, middle) = (mean(&missing), mean(&apart));
+        // By how much what is missing changes with u2 − u1, less what noise makes of that.
+        let moved = apart.iter().map(|apart| (apart - middle).powi(2)).sum::<f64>();
+        let slope =
+            apart.iter().zip(&missing).map(|(apart, missing)| (apart - middle) * (missing - zero)).sum::<f64>() / moved;
+        let rest =
+            apart.iter().zip(&missing).map(|(apart, missing)| (missing - zero - slope * (apart - middle)).powi(2));
+        let error = (rest.sum::<f64>() / (count * moved)).sqrt();
+        let left = (missing.iter().map(|missing| (missing - zero).powi(2)).sum::<f64>() / count).sqrt();
+        let [left_mm, moved_mm] = [left, (moved / count).sqrt()].map(|metres| digits(1e3 * metres));
+        if slope.abs() > ANOTHER.max(AGREES * error) {
             return Err(RecordingError::of_file(
                 &log.account().file,
                 format!(
@@ -135,18 +131,16 @@ fn doubt(stiffness: f64, applied: &Applied) -> String {
     }
 }
 
-fn without_second(log: &Recording) -> RecordingError {
-    let missing = log.channel(Channel::U2).err().map(Message::from).unwrap_or_else(|| Message::from(""));
+fn without_second(missing: RecordingError) -> RecordingError {
     let or = Message::from("; where that end is held, ") + Hint::Value(END2.name, "held".to_owned()) + " says so";
-    RecordingError::of_words(missing + or)
+    RecordingError::of_words(Message::from(missing) + or)
 }
 
-fn without_both(log: &Recording) -> RecordingError {
-    let missing = log.channel(Channel::U1).err().map(Message::from).unwrap_or_else(|| Message::from(""));
+fn without_both(missing: RecordingError) -> RecordingError {
     let or = Message::from("; ")
         + Hint::Option(CALIBRATION.name, "FILE")
         + " tells the length alone, not where both ends are: one of them must be recorded, or end 2 held ("
         + Hint::Value(END2.name, "held".to_owned())
         + ")";
-    RecordingError::of_words(missing + or)
+    RecordingError::of_words(Message::from(missing) + or)
 }

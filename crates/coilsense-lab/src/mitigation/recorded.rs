@@ -210,32 +210,35 @@ fn spring(
 
 /// What is said of the length of the coil where positions read zero.
 fn where_zero(spring: &Spring, zero: Zero, found: f64, is_length: bool) -> Option<String> {
-    let (told, given) = match zero {
-        Zero::Unknown if is_length => {
-            return Some(
-                "u2 − u1 is taken for the coil's length: the mean of F_i agrees with it to 0.1 % of F_nom.".to_owned(),
-            );
-        }
-        Zero::Unknown => {
-            return Some(format!(
-                "The coil is {:.3} mm long where u1 and u2 read zero, by the mean of F_i; a constant error of F_i is not seen so.",
-                1e3 * found
-            ));
-        }
-        Zero::Told(given) => {
-            (Some(format!("The coil is {:.3} mm long where u1 and u2 read zero, as told", 1e3 * given)), given)
-        }
-        Zero::ByInductance(given) => (None, given),
+    let is_off = |given: f64| {
+        let error = spring.stiffness() * (found - given);
+        (error.abs() > LARGE * spring.nominal_force()).then(|| {
+            format!(
+                "F_i is {} N off k·Δl on average then, which no filter takes away. By the mean of F_i",
+                digits(error)
+            )
+        })
     };
-    let error = spring.stiffness() * (found - given);
-    if error.abs() <= LARGE * spring.nominal_force() {
-        return told.map(|told| told + ".");
-    }
-    let by = told.unwrap_or_else(|| "The length is by L".to_owned());
-    Some(format!(
-        "Warning: {by}; F_i is {} N off k·Δl on average then, which no filter takes away. By the mean of F_i it is {:.3} mm {}.",
-        digits(error),
-        1e3 * (found - if matches!(zero, Zero::Told(_)) { 0.0 } else { given }),
-        if matches!(zero, Zero::Told(_)) { "there" } else { "longer" },
-    ))
+    Some(match zero {
+        Zero::Unknown if is_length => {
+            "u2 − u1 is taken for the coil's length: the mean of F_i agrees with it to 0.1 % of F_nom.".to_owned()
+        }
+        Zero::Unknown => format!(
+            "The coil is {:.3} mm long where u1 and u2 read zero, by the mean of F_i; a constant error of F_i is not seen so.",
+            1e3 * found
+        ),
+        Zero::Told(given) => {
+            let told = format!("The coil is {:.3} mm long where u1 and u2 read zero, as told", 1e3 * given);
+            match is_off(given) {
+                None => told + ".",
+                Some(off) => format!("Warning: {told}; {off} it is {:.3} mm.", 1e3 * found),
+            }
+        }
+        Zero::ByInductance(given) => {
+            let off = is_off(given)?;
+            let longer = 1e3 * (found - given);
+            let word = if longer < 0.0 { "shorter" } else { "longer" };
+            format!("Warning: the length is by L; {off} the coil is {:.3} mm {word}.", longer.abs())
+        }
+    })
 }

@@ -105,12 +105,34 @@ fn inductance_tells_where_positions_count_from_and_that_a_force_is_off() {
     // The mean of F_i would take its error for a length.
     let off = study(&with_inductance(&all, 1.0, 15.2), true).unwrap().run().unwrap();
     assert!(
-        notes(&off).contains("Warning: The length is by L; F_i is 15.2 N off k·Δl on average")
-            && notes(&off).contains("20.00"),
+        notes(&off).contains("Warning: the length is by L; F_i is 15.2 N off k·Δl on average")
+            && notes(&off).contains("the coil is 20.00"),
         "{}",
         notes(&off)
     );
     assert!((off.study.recorded.as_ref().unwrap().length_at_zero - LENGTH).abs() < 2e-5);
+}
+
+#[test]
+fn a_log_at_rest_is_no_disagreement_of_length_and_ends() {
+    // Nothing moves but the noise of L, of which this calibration does not say how much there may be.
+    let text = calibration().to_text("2026-11-27").replace(", 3e-5]", ", nan]");
+    let untold = StoredCalibration::of_text("calibration.toml", &text).unwrap();
+    assert!(untold.doubts([0.22, 0.24]).is_none());
+    let still = changed(0.0, |_, values| values);
+    let of = |channel: Channel| still.signals().channel(channel).unwrap().to_vec();
+    let mut signals = coilsense::Signals::new(still.signals().time().to_vec()).unwrap();
+    for channel in [InputForce, U1, U2] {
+        signals.insert(channel, of(channel)).unwrap();
+    }
+    let count = still.signals().time().len();
+    let noise = (0..count).map(|index| ALPHA / LENGTH + 100.0 * NOISE * (1.7 * index as f64).sin()).collect();
+    signals.insert(Inductance, noise).unwrap();
+    let log = Recording::of_signals("rig.csv", signals);
+    let applied = Applied::new(&untold, log.signals(), "rig.csv").unwrap();
+    let study = Study::on_lengths(&spec(""), &Request { end2_held: Some(true), ..asked() }, &log, &applied).unwrap();
+    let notes = study.recorded.unwrap().notes.join("\n");
+    assert!(notes.contains("the coil is 230.0") && notes.contains("its uncertainty unknown"), "{notes}");
 }
 
 #[test]
