@@ -128,13 +128,13 @@ test('a slider says what wire of each permeability would leave of the points, th
   await expect(wire).toHaveCount(0);
   await page.locator('#panel-log summary:text-is("The spring")').click();
   await page.getByLabel('It is', { exact: true }).selectOption('tab');
-  await expect(wire).toContainText('Least is left at', { timeout: 60_000 });
+  await expect(wire).toContainText('Least remains at', { timeout: 60_000 });
   await settled(page);
   const there = JSON.parse(
     told('calibrate', 'magnetic.csv', '--spec', join(examples, 'sea-ankle.toml'), '--theory', 'steel', '--json'),
   ) as { steel: { relative_permeability: number; offset_h: number } };
   const said = async (pattern: RegExp) => Number(pattern.exec(await wire.innerText())?.[1]?.replace('−', '-'));
-  const [best, left, air] = [/Least is left at ([\d.]+)\./, /nH ([\d.e−-]+) nH rms/, /αL \+ β leaves ([\d.]+) nH/];
+  const [best, left, air] = [/Least remains at ([\d.]+)\./, /nH, ([\d.e−-]+) nH rms/, /αL \+ β leaves ([\d.]+) nH/];
   // To a hundredth, and what a straight line between tenths is off.
   expect(Math.abs((await said(best)) - there.steel.relative_permeability)).toBeLessThan(0.03);
   expect(Math.abs((await said(/constant of (\S+) nH/)) - 1e9 * there.steel.offset_h)).toBeLessThan(10);
@@ -142,7 +142,7 @@ test('a slider says what wire of each permeability would leave of the points, th
   expect(least).toBeLessThan(0.5 * (await said(air)));
   const slider = wire.getByLabel('Relative permeability', { exact: true });
   await slider.fill('1');
-  await expect(wire).toContainText('At 1 (not magnetic)');
+  await expect(wire).toContainText('With a permeability of 1 (not magnetic)');
   expect(await said(left)).toBeGreaterThan(1.5 * least);
   for (const [width, colorScheme] of [
     [390, 'dark'],

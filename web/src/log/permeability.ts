@@ -68,12 +68,12 @@ export function permeability(wire: Wire): HTMLElement {
     told.textContent = digits(chosen, 3);
     slider.setAttribute('aria-valuetext', digits(chosen, 3));
     words.textContent =
-      `At ${digits(chosen, 3)}${chosen === 1 ? ' (not magnetic)' : ''} and a constant of ${digits(1e9 * constant, 3)} nH ` +
-      `${digits(1e9 * rms(left), 3)} nH rms are left, ${digits(ofRange(wire, left), 2)} % of the range; ` +
+      `With a permeability of ${digits(chosen, 3)}${chosen === 1 ? ' (not magnetic)' : ''} and a constant of ${digits(1e9 * constant, 3)} nH, ` +
+      `${digits(1e9 * rms(left), 3)} nH rms remain, ${digits(ofRange(wire, left), 2)} % of the range; ` +
       `1/l = αL + β leaves ${digits(1e9 * rms(wire.left), 3)} nH. ` +
       (nearest === 1 || nearest === last
-        ? `Least is left at ${digits(nearest, 3)}, where the slider ends: the theory may not be that of this coil.`
-        : `Least is left at ${digits(nearest, 3)}.`);
+        ? `Least remains at ${digits(nearest, 3)}, the end of the slider: the theory may not be that of this coil.`
+        : `Least remains at ${digits(nearest, 3)}.`);
     figure.replaceChildren();
     curves(figure, {
       title: 'Measured inductance less that of the coil',
@@ -98,8 +98,8 @@ export function permeability(wire: Wire): HTMLElement {
     make(
       'p',
       { class: 'hint' },
-      'The coil by its windings and radii, their wire of that permeability, and one constant for leads, hooks and what is not known of the coil. Drawn stainless ' +
-        'wire was found at 1 to 3; magnetic wire is fitted by “Theory: steel” above.',
+      'Computed from windings, radii and the permeability of the wire, with one constant for leads, hooks and what is not known of the coil. Drawn stainless wire was ' +
+        'found at 1 to 3. To fit it, choose the theory of magnetic wire above.',
     ),
     figure,
   );

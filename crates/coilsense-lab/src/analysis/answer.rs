@@ -324,7 +324,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Doubt, "values of the spring do not fit together"),
         (Subject::Alias, "surge lines alias"),
         (Subject::Range, "a load cell is overloaded"),
-        (Subject::Magnetisation, "wire may be magnetic beyond what is computed"),
+        (Subject::Magnetisation, "the wire may be more magnetic than what is computed"),
         (Subject::Temperature, "a drift with temperature is not known"),
         (Subject::Neighbour, "the coil rings in other modes too"),
     ];

@@ -28,27 +28,29 @@ pub(super) fn uneven(spec: &Spec, cases: &[&Case]) -> Option<String> {
     })
 }
 
+/// The names of sensors that look at the inductance; none where there are none.
+fn by_inductance(sensors: &[SensorSpec]) -> Option<String> {
+    let each = sensors.iter().filter(|sensor| matches!(sensor.quantity, Quantity::Inductance { .. }));
+    let names: Vec<&str> = each.map(|sensor| sensor.name.as_str()).collect();
+    (!names.is_empty()).then(|| names.join(", "))
+}
+
 /// Sensors by the inductance of wire that may be magnetic, of which the spec tells no permeability.
 pub(super) fn untold(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
     let found = spec.spring.permeability_found()?;
-    let by_inductance = sensors.iter().filter(|sensor| matches!(sensor.quantity, Quantity::Inductance { .. }));
-    let names: Vec<&str> = by_inductance.map(|sensor| sensor.name.as_str()).collect();
-    if names.is_empty() {
-        return None;
-    }
-    let (names, material) = (names.join(", "), &spec.spring.material);
+    let (names, material) = (by_inductance(sensors)?, &spec.spring.material);
     Some(match found {
         PermeabilityFound::Above(least) => format!(
-            "{names}: {material} has a relative permeability above {least} at a meter's field, falling with frequency. L and F_L here are those of wire that is not magnetic; the real L is \
-             far larger, and what eq. (13) leaves of it at least what stands in the budget. Calibrate at the frequency in use and give calibration_form.",
+            "{names}: {material} is strongly magnetic, its relative permeability above {least} at a meter's field and less at higher frequencies. L and F_L are computed for wire that is not \
+             magnetic; the real L is far larger, and the error of the calibration's form in the budget is a lower bound. Calibrate at the frequency you use and give calibration_form.",
         ),
         PermeabilityFound::Between(least, most) => {
             let more = larger(&spec.spring, most).map_or_else(String::new, |share| {
-                format!(", at {most} the real L is up to {} % larger", digits(100.0 * share))
+                format!("; at {most} the real L is up to {} % larger", digits(100.0 * share))
             });
             format!(
-                "{names}: the permeability of its wire is not told. Springs of such wire had {least} to {most}; L and F_L here are those of 1{more}. What eq. (13) leaves at {most} is \
-                 in the budget. relative_permeability tells it; coilsense calibrate --theory steel finds it."
+                "{names}: the spec does not tell the permeability of its wire. Springs of such wire had {least} to {most}. L and F_L are computed for 1{more}. The budget includes what \
+                 eq. (13) leaves at {most}. Tell relative_permeability, or find it with coilsense calibrate --theory steel."
             )
         }
     })
@@ -64,24 +66,20 @@ fn larger(spring: &SpringSpec, permeability: f64) -> Option<f64> {
 
 /// How an inductance of magnetic wire drifts with temperature, which nobody knows.
 pub(super) fn drift(spec: &Spec, sensors: &[SensorSpec]) -> Option<String> {
-    let magnetic = spec.spring.is_magnetic() || spec.spring.permeability_found().is_some();
+    let found = spec.spring.permeability_found();
+    let magnetic = spec.spring.is_magnetic() || found.is_some();
     if !cfg!(feature = "steel") || !magnetic || spec.uncertainty.temperature_change == 0.0 {
         return None;
     }
-    let by_inductance = sensors.iter().filter(|sensor| matches!(sensor.quantity, Quantity::Inductance { .. }));
-    let names: Vec<&str> = by_inductance.map(|sensor| sensor.name.as_str()).collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            "{}: how the permeability of its wire drifts with temperature is not known, so the budget has the expansion alone{}.",
-            names.join(", "),
-            // Of S1 to S3, found at 2.0 to 3.0.
-            if spec.spring.permeability_found().is_some_and(|found| matches!(found, PermeabilityFound::Above(_))) {
-                ""
-            } else {
-                "; each per cent of permeability is 0.12 to 0.18 % of L"
-            }
-        )
-    })
+    let names = by_inductance(sensors)?;
+    // Of springs found at 2.0 to 3.0.
+    let share = match found {
+        Some(PermeabilityFound::Above(_)) => "",
+        _ => ", and 1 % of permeability is 0.12 to 0.18 % of L",
+    };
+    Some(format!(
+        "{names}: how the permeability of its wire changes with temperature is not known; the budget includes thermal expansion alone{share}."
+    ))
 }
 
 /// A meter at whose frequency the current crowds in the wire's skin.

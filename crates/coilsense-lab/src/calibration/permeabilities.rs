@@ -13,7 +13,7 @@ pub struct ByPermeability {
     pub inductances: Vec<Vec<f64>>,
 }
 
-/// From 1 to 4 in tenths: a straight line between two is 5e-5 of L off; three measured springs were at 2.1, 2.7 and 3.0.
+/// From 1 to 4 in tenths: a straight line between two is 6e-5 of L off (test); three measured springs were at 2.1, 2.7 and 3.0.
 const STEPS: usize = 31;
 const STEP: f64 = 0.1;
 

@@ -195,7 +195,7 @@ pub fn materials() -> Result<String, SpecError> {
         }
         if let Some(found) = material.get("permeability_found") {
             text.push_str(&format!(
-                "  {:16} {found}, see the note; L is computed as of 1 unless relative_permeability is told\n",
+                "  {:16} {found}, see the note; L is computed for 1 unless relative_permeability is told\n",
                 "permeability"
             ));
         }
