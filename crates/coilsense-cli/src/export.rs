@@ -1,13 +1,10 @@
 //! `coilsense export`.
 
 use std::io::Write;
-use std::path::Path;
 
-use anyhow::Context;
-use coilsense_lab::output::Output;
 use coilsense_lab::plant::request::{AS, FILE};
 use coilsense_lab::plant::{Plant, Request};
-use coilsense_lab::report::{ExportOutcome, export_file, to_json};
+use coilsense_lab::report::{ExportOutcome, to_json, write_export};
 use coilsense_lab::request::{Given, JSON, SPEC};
 use coilsense_lab::spec::Spec;
 
@@ -17,16 +14,9 @@ use crate::options;
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let request = Request::of(given).map_err(options::wrong)?;
     let file = given.needed(&FILE)?;
-    let no_name = || format!("{}: is no name of a file", file.display());
-    let name = file.file_name().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
-    let stem = file.file_stem().and_then(std::ffi::OsStr::to_str).with_context(no_name)?;
     let made = Plant::of(Spec::read(given.needed(&SPEC)?)?, &request)?;
-    let written = export_file(&made, stem)?;
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut output = Output::begin(folder)?;
-    output.add(name, &written.bytes)?;
-    output.commit()?;
-    if let Some(left_out) = &written.left_out {
+    let left_out = write_export(&made, file)?;
+    if let Some(left_out) = &left_out {
         anstream::eprintln!("warning: {}: {left_out}", file.display());
     }
     let plant = &made.plant;
@@ -43,7 +33,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
             available_modes: plant.available(),
             bandwidth_hz: made.error.map(|(bandwidth, _)| bandwidth),
             error: made.error.map(|(_, error)| error).filter(|error| error.is_finite()),
-            left_out: written.left_out.as_deref(),
+            left_out: left_out.as_deref(),
         })?,
         false => format!("{}{}\n", made.summary(), file.display()),
     };

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Context, bail};
+use anyhow::Context;
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::calibration::Applied;
 use coilsense_lab::output::Output;
@@ -24,14 +24,11 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let ending = path.extension().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
     let wrong = || format!("{}: must end in one of {known}", path.display());
     let format = Format::of_ending(ending).with_context(wrong)?;
-    let Some(name) = path.file_name().and_then(std::ffi::OsStr::to_str) else {
-        bail!("{}: is no name of a file", path.display());
-    };
     let (mapping, cleaning) = (log::mapping(given)?, Cleaning::of(given));
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("reading")?;
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut output = Output::begin(folder)?;
+    let (mut output, name) = Output::of_file(path)?;
+    let name = name.as_str();
     let stored = log::stored_calibration(given)?;
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
     let mut told = Vec::new();

@@ -44,12 +44,8 @@ pub fn write_one(
     path: &Path,
     write: impl FnOnce(&mut std::io::BufWriter<std::fs::File>) -> std::io::Result<()>,
 ) -> anyhow::Result<()> {
-    let Some(name) = path.file_name().and_then(std::ffi::OsStr::to_str) else {
-        bail!("{}: is no name of a file", path.display());
-    };
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut output = Output::begin(folder)?;
-    output.write(name, write)?;
+    let (mut output, name) = Output::of_file(path)?;
+    output.write(&name, write)?;
     output.commit()?;
     Ok(())
 }

@@ -44,6 +44,17 @@ impl Output {
         Ok(Self { target: target.to_owned(), staging, files: Vec::new(), removed: Vec::new() })
     }
 
+    /// Prepares to write one file: the folder that it is in, and its name there.
+    ///
+    /// # Errors
+    /// As [`Self::begin`], and for a path that does not end in a name.
+    pub fn of_file(path: &Path) -> Result<(Self, String), OutputError> {
+        let name = path.file_name().and_then(std::ffi::OsStr::to_str);
+        let name = name.ok_or_else(|| fault(path, "is no name of a file"))?;
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Ok((Self::begin(folder)?, name.to_owned()))
+    }
+
     /// Adds a file by its path inside the folder.
     ///
     /// # Errors

@@ -5,17 +5,16 @@
 use std::path::PathBuf;
 
 use coilsense::plant::StateSpace;
-use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::output::Output;
-use coilsense_lab::plant::request::{BANDWIDTH, DAMPING_RATIO, DEFAULT_STEP, ERROR, MEAN_LENGTH, MODES};
+use coilsense_lab::plant::request::{AS, BANDWIDTH, DAMPING_RATIO, ERROR, MEAN_LENGTH, MODES, PRECISION, STEP};
 use coilsense_lab::plant::{Form, Plant, Request};
-use coilsense_lab::report::export_file;
+use coilsense_lab::report::write_export;
+use coilsense_lab::request::Takes;
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 
-use crate::errors::{Error, IntoPython, OutputError, refused, unknown};
+use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::hertz::{angular, in_hertz};
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, given, wrong};
@@ -205,44 +204,18 @@ impl PyPlant {
         precision: &str,
         step: Option<Quantity>,
     ) -> PyResult<usize> {
-        let precision = match precision {
-            "single" => Precision::Single,
-            "double" => Precision::Double,
-            _ => return Err(unknown("precision", &["single", "double"], precision)),
-        };
-        let step = step.map(|step| step.positive("step", coilsense_lab::quantity::Dimension::Time)).transpose()?;
-        let form = match form {
-            "c" => Form::C { precision },
-            "rust" => Form::Rust,
-            "state-space" => Form::StateSpace { step },
-            "fmu" => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
-            _ => return Err(unknown("form", &["c", "rust", "state-space", "fmu"], form)),
-        };
-        if step.is_some() && matches!(form, Form::C { .. } | Form::Rust) {
-            return Err(Error::new_err(
-                "step goes with form \"state-space\" or \"fmu\": C and Rust are told theirs when they start",
-            ));
+        let words: &[&str] = if let Takes::Word(words) = AS.takes { words } else { &[] };
+        if !words.contains(&form) {
+            return Err(unknown("form", words, form));
         }
-        let nameless = || Error::new_err(format!("{}: is no name of a file", path.display()));
-        let name = path.file_name().and_then(std::ffi::OsStr::to_str).ok_or_else(nameless)?;
-        let stem = path.file_stem().and_then(std::ffi::OsStr::to_str).ok_or_else(nameless)?;
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-        let made = Plant { form, ..self.0.clone() };
-        let made = interruptible(py, {
-            let stem = stem.to_owned();
-            move || export_file(&made, &stem)
-        })?
-        .map_err(refused)?;
-        if let Some(left_out) = &made.left_out {
-            let warned = std::ffi::CString::new(left_out.as_str()).unwrap_or_default();
+        let given = given([(&AS, form.into()), (&STEP, step.into()), (&PRECISION, precision.into())])?;
+        let made = Plant { form: Form::of(&given).map_err(wrong)?, ..self.0.clone() };
+        let left_out = interruptible(py, move || write_export(&made, &path))?.python()?;
+        if let Some(left_out) = left_out {
+            let warned = std::ffi::CString::new(left_out).unwrap_or_default();
             PyErr::warn(py, &py.get_type::<PyUserWarning>(), &warned, 1)?;
         }
-        py.detach(|| {
-            let mut output = Output::begin(folder.unwrap_or(std::path::Path::new(".")))?;
-            output.add(name, &made.bytes)?;
-            output.commit()
-        })
-        .map_err(|error: coilsense_lab::output::OutputError| OutputError::new_err(error.to_string()))
+        Ok(1)
     }
 
     fn __str__(&self) -> String {

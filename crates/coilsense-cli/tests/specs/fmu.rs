@@ -85,7 +85,9 @@ fn what_cannot_be_an_fmu_is_one_line_and_leaves_nothing() {
     let name = "must be a lower-case letter and then letters, digits or underscores";
     assert!(told(&spec, "2x.fmu", &[]).contains(name));
     assert!(told(&spec, "Ä.fmu", &[]).contains(name));
-    assert!(told(&spec, "a.fmu", &["--precision", "single"]).contains("--precision: must be double with --as fmu"));
+    assert!(
+        told(&spec, "a.fmu", &["--precision", "single"]).contains("--precision: must be double of an fmu, got single")
+    );
     assert!(told(&spec, "a.fmu", &["--step", "0 s"]).contains("'--step <TIME>': must be above zero"));
     let (_other, several) = place("");
     assert!(told(&several, "a.fmu", &[]).contains("one damping makes a plant"));

@@ -90,7 +90,7 @@ pub const PRECISION: Row = Row {
 };
 
 /// The step of an FMU's default experiment where none is asked for \[s\].
-pub const DEFAULT_STEP: f64 = 1e-3;
+const DEFAULT_STEP: f64 = 1e-3;
 
 /// Its options, in the order in which they are told.
 pub const OPTIONS: [Row; 9] = [AS, FILE, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION];
@@ -112,6 +112,32 @@ pub struct Request {
     pub mean_length: Option<f64>,
 }
 
+impl Form {
+    /// What was given of it.
+    ///
+    /// # Errors
+    /// [`Wrong`] for a step or a precision that the form has not.
+    pub fn of(given: &Given) -> Result<Self, Wrong> {
+        let step = given.number(&STEP);
+        let single = given.text(&PRECISION).as_deref() == Some("single");
+        let precision = if single { Precision::Single } else { Precision::Double };
+        let form = match (given.text(&AS).as_deref(), step) {
+            (Some("state-space"), step) => Form::StateSpace { step },
+            (Some("fmu"), _) if single => return Err(PRECISION.wrong("must be double of an fmu, got single")),
+            (Some("fmu"), step) => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
+            (Some(word), Some(_)) => {
+                return Err(STEP.wrong(format!(
+                    "goes with state-space or fmu, got {word}, which is told its step when it starts"
+                )));
+            }
+            (Some("rust"), None) => Form::Rust,
+            (_, None) => Form::C { precision },
+            (None, Some(_)) => return Err(AS.wrong("must be given")),
+        };
+        Ok(form)
+    }
+}
+
 impl Request {
     /// What was given.
     ///
@@ -121,24 +147,8 @@ impl Request {
         if given.holds(&ERROR) && !given.holds(&BANDWIDTH) {
             return Err(ERROR.wrong("needs --bandwidth, up to where it holds"));
         }
-        let step = given.number(&STEP);
-        let single = given.text(&PRECISION).as_deref() == Some("single");
-        let precision = if single { Precision::Single } else { Precision::Double };
-        let form = match (given.text(&AS).as_deref(), step) {
-            (Some("state-space"), step) => Form::StateSpace { step },
-            (Some("fmu"), _) if single => return Err(PRECISION.wrong("must be double with --as fmu, got single")),
-            (Some("fmu"), step) => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
-            (Some(word), Some(_)) => {
-                return Err(STEP.wrong(format!(
-                    "goes with --as state-space or fmu, got --as {word}, which is told when it starts"
-                )));
-            }
-            (Some("rust"), None) => Form::Rust,
-            (_, None) => Form::C { precision },
-            (None, Some(_)) => return Err(AS.wrong("must be given")),
-        };
         Ok(Self {
-            form,
+            form: Form::of(given)?,
             modes: given.count(&MODES).map(|modes| modes as usize),
             error: given.number(&ERROR),
             bandwidth: given.number(&BANDWIDTH),

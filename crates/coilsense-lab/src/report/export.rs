@@ -2,10 +2,14 @@
 //!
 //! Next door: the plant and its code (`crate::plant`), the matrices (`coilsense::plant::StateSpace`), the form of all JSON (`outcome`).
 
+use std::path::Path;
+
 use coilsense_rt::FarEnd;
 use serde::Serialize;
 
+use super::ReportError;
 use super::outcome::{Outcome, to_json};
+use crate::output::Output;
 use crate::plant::{Form, Made, Plant, PlantError};
 
 /// The file that was asked for; `name` is what C, Rust and an FMU call it.
@@ -20,6 +24,19 @@ pub fn export_file(made: &Plant, name: &str) -> Result<Made, PlantError> {
         Form::Fmu { step } => return made.fmu(name, step),
     };
     Ok(Made { bytes: text.into_bytes(), left_out: None })
+}
+
+/// Writes that file, named as it is; tells what is not in it, though it could be.
+///
+/// # Errors
+/// As [`export_file`], and where nothing can be written.
+pub fn write_export(made: &Plant, file: &Path) -> Result<Option<String>, ReportError> {
+    let (mut output, name) = Output::of_file(file)?;
+    let stem = file.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
+    let written = export_file(made, stem)?;
+    output.add(&name, &written.bytes)?;
+    output.commit()?;
+    Ok(written.left_out)
 }
 
 /// A spring as matrices: `x' = A x + B u`, `y = C x + D u + D_v u'`, about its mean.

@@ -31,7 +31,7 @@ pub use analysis::{AnalysisOutcome, add_analysis, analysis_json, analysis_text};
 pub use calibration::{CalibrationOutcome, add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{DataSheetOutcome, data_sheet_json, data_sheet_text};
 pub use experiment::{ExperimentOutcome, add_experiment, experiment_json, experiment_text};
-pub use export::{StateSpaceFile, export_file};
+pub use export::{StateSpaceFile, export_file, write_export};
 pub use files::{ExportOutcome, ImportOutcome, InitOutcome, RigOutcome, SimulationOutcome};
 #[cfg(feature = "parquet")]
 pub use files::{ReasonRow, SweepOutcome};
@@ -75,6 +75,9 @@ pub enum ReportError {
     /// JSON cannot be written.
     #[error("JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// A spec has no plant that could be written.
+    #[error(transparent)]
+    Plant(#[from] crate::plant::PlantError),
     /// Settings cannot be exported.
     #[error("export: {0}")]
     Export(#[from] crate::mitigation::export::ExportError),
