@@ -67,11 +67,16 @@ fn install(wheel: &Path, environment: &Environment) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The wheel that pip builds from the packed source, which it unpacks elsewhere.
+/// The wheel that pip builds from the packed source, unpacked elsewhere.
 fn from(source: &Path, environment: &Environment) -> anyhow::Result<PathBuf> {
-    let folder = root().join("target/wheels");
+    let (folder, place) = (root().join("target/wheels"), tempfile::tempdir()?);
+    // With the date of today: packed files all have one old date, by which what was built of other files before would be taken for theirs.
+    let mut unpack = Command::new("tar");
+    if !succeeds(unpack.args(["xzmf"]).arg(source).args(["--strip-components", "1", "-C"]).arg(place.path()))? {
+        bail!("the packed source cannot be unpacked");
+    }
     let mut build = environment.python();
-    build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(source);
+    build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(place.path());
     if !succeeds(build.env("CARGO_TARGET_DIR", crate::target_folder()))? {
         bail!("the packed source cannot be built");
     }

@@ -24,22 +24,17 @@ pub fn steps() -> anyhow::Result<bool> {
     let place = tempfile::tempdir()?;
     unpack(&crates, place.path())?;
     let built = target_folder().join("packed");
-    // Packed files all have one old date, so that an earlier run's build of other files would be taken for theirs; and a test knows its folder from when it was
-    // compiled, in which the golden tables travel with the crate.
-    let mut clean = lean(&["clean", "--quiet"]);
-    clean.args(crates.iter().flat_map(|(name, _)| ["--package", name.as_str()]));
-    clean.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
-    if !clean.status()?.success() {
-        return Ok(false);
-    }
     let mut build = lean(&["build", "--quiet", "--package", "coilsense-cli"]);
     build.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
     if !build.status()?.success() {
         return Ok(false);
     }
+    // The golden tables travel with the crate. A test knows its folder from when it was compiled, so nothing of an earlier run's is taken.
+    let mut clean = lean(&["clean", "--quiet", "--package", "coilsense"]);
+    clean.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
     let mut test = lean(&["test", "--quiet", "--package", "coilsense", "--test", "golden", "--test", "trend"]);
     test.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
-    Ok(ask(&built.join("debug/coilsense"), place.path())? && test.status()?.success())
+    Ok(ask(&built.join("debug/coilsense"), place.path())? && clean.status()?.success() && test.status()?.success())
 }
 
 /// Cargo for a build that is run once: nothing kept for the next one or for a debugger, which is most of its disk.
@@ -66,7 +61,8 @@ fn unpack(crates: &[(String, String)], place: &Path) -> anyhow::Result<()> {
         let file = target_folder().join(format!("package/{name}-{version}.crate"));
         let size = file.metadata().with_context(|| format!("{} is not there", file.display()))?.len();
         println!("{name} {version}: {:.0} kB", 1e-3 * size as f64);
-        let unpacked = Command::new("tar").arg("xzf").arg(&file).arg("-C").arg(place).status();
+        // With the date of today: packed files all have one old date, by which an earlier run's build of other files would be taken for theirs.
+        let unpacked = Command::new("tar").arg("xzmf").arg(&file).arg("-C").arg(place).status();
         if !unpacked.context("tar cannot be started")?.success() {
             bail!("{} cannot be unpacked", file.display());
         }

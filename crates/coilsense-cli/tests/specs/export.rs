@@ -60,6 +60,7 @@ fn what_cannot_be_is_one_line_and_leaves_nothing() {
         ),
         (&["--as", "c", "--modes", "53"], "modes must be from 1 to 52, got 53"),
         (&["--as", "c", "--damping-ratio", "0.1"], "--damping-ratio must be one of ζ = 0.005, got 0.1"),
+        (&["--as", "c", "--mean-length", "9 m"], "mm, the lengths in use, got 9000.000 mm"),
         (&["--as", "c", "--mean-length", "-1 mm"], "'--mean-length <LENGTH>': must be above zero"),
     ] {
         let refused = told(more);

@@ -107,6 +107,12 @@ impl Plant {
         let (mount, damping) = mount(&spec, request)?;
         let mean_length = request.mean_length.unwrap_or_else(|| mean_length(&spec));
         let spring = &spec.spring.spring;
+        if !spring.in_operating_range(mean_length) {
+            let (shortest, longest) = spring.operating_range();
+            let [from, to, got] = [shortest, longest, mean_length].map(|length| 1e3 * length);
+            let told = format!("mean length must be from {from:.3} to {to:.3} mm, the lengths in use, got {got:.3} mm");
+            return Err(PlantError::Spec(format!("{file}: {told}")));
+        }
         let made = |order| ModalPlant::new(spring, &mount, mean_length, order).map_err(&science);
         let plant = made(request.order())?;
         let error = match request.bandwidth {
