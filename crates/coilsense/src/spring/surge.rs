@@ -43,7 +43,7 @@ impl Spring {
     ///
     /// τ = √(m/k); of a coil of sections half a period of its first surge, π/ω_1
     ///
-    /// Source:   `[Weijde2017]` eq. 2; [`Sections::first_frequency`].
+    /// Source:   `[Weijde2017]` eq. 2; [`crate::sections::Sections::first_frequency`].
     /// Valid:    a uniform coil; of sections, while all windings are open.
     /// Accuracy: 2e-16 relative (one division, one root).
     pub fn transit_time(&self) -> f64 {
