@@ -13,6 +13,8 @@
 //! | F_o from F_i, u1, u2 by modes | [`ModalKalman`], a [`Bank`] of them | [`Measured`] | [`Estimate`] |
 //! | F_i made unbiased by F_L | [`Fusion`] | both forces | the force fused |
 //! | the spring itself, in a simulation | [`Plant`] | u1, and u2 or a force | F_i, F_o, F_x ([`PlantOutput`]) |
+//! | its inductance, and the force by it | [`PlantCoil`] | a [`PlantState`] | L, F_L, their bounds ([`CoilReading`]) |
+//! | how near its windings are | [`PlantWindings`] | a [`PlantState`] | the smallest pitch |
 //! | commands that do not ring | [`Shaper`], [`Boxcar`], [`DoubleBoxcar`] | a command | the command shaped |
 //!
 //! Units are SI, force is tension-positive, positions grow from end 1 to end 2. A state starts `settled`: as if what it is given had been
@@ -45,7 +47,9 @@ mod fusion;
 mod kalman;
 mod oscillator;
 mod plant;
+mod plant_coil;
 mod plant_settings;
+mod plant_windings;
 mod real;
 mod shaper;
 mod window;
@@ -60,7 +64,9 @@ pub use fusion::{Fusion, FusionState};
 pub use kalman::{Estimate, KalmanState, Measured, ModalKalman, Mode};
 pub use oscillator::ModeStep;
 pub use plant::{Plant, PlantOutput, PlantState};
+pub use plant_coil::{CoilReading, PlantCoil};
 pub use plant_settings::{FarEnd, PlantMode, PlantSettings, Refused};
+pub use plant_windings::PlantWindings;
 pub use real::Real;
 pub use shaper::{Impulse, Shaper};
 pub use window::Window;

@@ -1,6 +1,7 @@
 //! The spring itself, step by step: its modes turned exactly, its ends moving straight from sample to sample.
 //!
-//! Next door: what it is made of (`plant_settings`), an observer of it (`kalman`).
+//! Next door: what it is made of (`plant_settings`), how near its windings are (`plant_windings`), what their inductance tells (`plant_coil`), an
+//! observer of it (`kalman`).
 
 use crate::plant_settings::FarEnd;
 use crate::real::Real;
@@ -129,6 +130,39 @@ impl<T: Real, const MODES: usize> Plant<T, MODES> {
         }
         let still = self.preload + second;
         [still, still + self.stiffness * swing, first + self.compliance * second + swing]
+    }
+}
+
+impl<T: Real, const MODES: usize> Plant<T, MODES> {
+    /// How much further apart the ends are than where all inputs are zero \[m\].
+    #[inline]
+    pub(crate) fn longer(&self, state: &PlantState<T, MODES>) -> T {
+        let [_, _, end] = self.ends(state, state.inputs);
+        end - state.inputs[0]
+    }
+
+    /// The force \[N\] of the spring without mass, so much longer than where all inputs are zero.
+    #[inline]
+    pub(crate) fn force_at(&self, longer: T) -> T {
+        self.preload + self.stiffness * longer
+    }
+
+    /// k \[N/m\].
+    #[inline]
+    pub(crate) fn stiffness(&self) -> T {
+        self.stiffness
+    }
+}
+
+impl<T: Real, const MODES: usize> PlantState<T, MODES> {
+    /// Σ_j w_j q_j.
+    #[inline]
+    pub(crate) fn sum(&self, weights: &[f64; MODES]) -> T {
+        let mut sum = T::ZERO;
+        for (place, weight) in self.modes.iter().zip(weights) {
+            sum = sum + T::nearest(*weight) * place[0];
+        }
+        sum
     }
 }
 

@@ -25,6 +25,10 @@ pub trait Real:
     const ONE: Self;
     /// 2⁻⁸.
     const TWO_TO_MINUS_8: Self;
+    /// The largest finite number.
+    const LARGEST: Self;
+    /// What a last digit is of a number, at most.
+    const ROUNDING: f64;
     /// 64 in single precision: after so many steps a mode makes up for what the rounding of its coefficients has added up to. 0 where that
     /// is not needed.
     const STEPS_TO_MEND: u32;
@@ -40,6 +44,8 @@ impl Real for f32 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
+    const LARGEST: Self = f32::MAX;
+    const ROUNDING: f64 = f32::EPSILON as f64;
     const STEPS_TO_MEND: u32 = 64;
 
     #[inline]
@@ -57,6 +63,8 @@ impl Real for f64 {
     const ZERO: Self = 0.0;
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
+    const LARGEST: Self = f64::MAX;
+    const ROUNDING: f64 = f64::EPSILON;
     const STEPS_TO_MEND: u32 = 0;
 
     #[inline]

@@ -2,6 +2,8 @@
 //!
 //! Next door: instructions on a robot's processor (`cargo xtask test`, part no_std).
 
+use coilsense::calibrate::Calibration;
+use coilsense::inductance::{MaxwellSum, SelfDistance};
 use coilsense::mitigation::{
     BankDesign, KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, observer_bank, surge_mean, surge_notches,
 };
@@ -63,6 +65,20 @@ fn steps(criterion: &mut Criterion) {
     bench(criterion, "plant, 52 modes", all.settled([0.0; 2]), |state, sample| {
         let out = all.step(state, [sample.ends[0], 0.0]);
         out.input + out.output
+    });
+    let spring = coilsense::paper::s_t();
+    let sum = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
+    let calibration = Calibration::theoretical(&spring, &sum, 0.23).unwrap();
+    let coil = plant(Order::All).coil(&sum, calibration, [0.19, 0.27]).unwrap();
+    let coil = coil.settings::<52, 51, 13>().unwrap();
+    bench(criterion, "plant, 52 modes and F_L", all.settled([0.0; 2]), |state, sample| {
+        all.step(state, [sample.ends[0], 0.0]);
+        coil.reading(&all, state).force
+    });
+    let near = plant(Order::All).windings(2e-3).unwrap().settings::<52, 51>().unwrap();
+    bench(criterion, "plant, 52 modes and closest pitch", all.settled([0.0; 2]), |state, sample| {
+        all.step(state, [sample.ends[0], 0.0]);
+        near.closest_pitch(&all, state)
     });
     let few = plant(Order::Modes(6)).settings::<8>().unwrap().plant::<f64>(4e-4).unwrap();
     bench(criterion, "plant, 8 modes", few.settled([0.0; 2]), |state, sample| {

@@ -147,6 +147,17 @@ impl MaxwellSum {
         Carry::new(&self.places, masses, self.windings == masses as f64)
     }
 
+    /// Which nodes of a chain of so many masses carry each turn, with their weights: end 1, the masses, end 2.
+    pub(crate) fn carriers(&self, masses: usize) -> Vec<[(usize, f64); 2]> {
+        let carry = self.carry(masses);
+        (0..self.places.len()).map(|turn| carry.of_turn(turn)).collect()
+    }
+
+    /// N_L, as [`Self::at_length`] divides a length by it.
+    pub(crate) fn turns(&self) -> f64 {
+        self.windings
+    }
+
     pub(super) fn of_turns(&self, turns: &[f64]) -> f64 {
         if let Some(rings) = self.rings() {
             return self.self_part + 2.0 * rings.pairs(turns);

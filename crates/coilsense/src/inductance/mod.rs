@@ -4,6 +4,7 @@
 //!
 //! Next door: where the windings are (`motion`), what a meter makes of L (`calibrate`, `sensors`).
 
+mod by_pitch;
 mod carry;
 mod chebyshev;
 mod coil;
@@ -33,6 +34,7 @@ mod turn_block;
 mod uniform;
 mod within;
 
+pub(crate) use by_pitch::ByPitch;
 pub use derivatives::{MutualDerivatives, mutual_inductance_derivatives};
 pub use maxwell::MaxwellSum;
 pub use mutual::{MU_0, mutual_inductance, mutual_inductances};

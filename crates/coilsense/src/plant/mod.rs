@@ -1,8 +1,10 @@
 //! The spring on its mount as a part of another's model: modes, what drives them and what they pull with, as plain numbers.
 //!
-//! Next door: how many modes an error needs and what stands for the others (`order`), the same as matrices (`state_space`), a step of it
+//! Next door: how many modes an error needs and what stands for the others (`order`), the same as matrices (`state_space`), how near its windings are
+//! and what their inductance tells (`coil`), a step of it
 //! (`coilsense_rt::Plant`), a whole force loop (`crate::control`).
 
+mod coil;
 mod order;
 mod state_space;
 
@@ -13,6 +15,7 @@ use crate::error::{Error, above_zero, check, count};
 use crate::modes::ModalModel;
 use crate::mount::{FarEnd, Mount};
 use crate::spring::Spring;
+pub use coil::{ModalCoil, ModalWindings};
 pub use order::Order;
 pub use state_space::{Sampled, StateSpace};
 

@@ -5,8 +5,10 @@
 //! | steps of `coilsense_rt::Plant`, both precisions | `Motion` of recordings, which shares modes but no step |
 //! | the same, in double precision | exponential of the masses' equations in mpmath, 20 digits, no modes |
 //! | `ModalPlant::response` | `TwoPort`, in closed form |
+//! | `coilsense_rt::{PlantWindings, PlantCoil}`, both precisions | `Clash` and Maxwell's sum over the motion's positions |
 //! | `StateSpace`, `Sampled` | the modal sums, the steps |
 
+mod coil;
 mod forms;
 mod steps;
 

@@ -12,7 +12,7 @@ const LENGTHS: f64 = 4.656_612_873_077_393e-10;
 const FORCES: f64 = 9.536_743_164_062_5e-7;
 
 /// Inputs at samples, the second in newtons where it is a force.
-fn inputs(course: Course, spring: &Spring, mount: &Mount, count: usize) -> Vec<[f64; 2]> {
+pub fn inputs(course: Course, spring: &Spring, mount: &Mount, count: usize) -> Vec<[f64; 2]> {
     let scale = if mount.far_end() == FarEnd::Position { 1.0 } else { spring.stiffness() };
     // As an encoder counts: single precision holds them, and what lies half way between two.
     let on = |grid: f64, value: f64| (value / grid).round() * grid;
@@ -21,16 +21,21 @@ fn inputs(course: Course, spring: &Spring, mount: &Mount, count: usize) -> Vec<[
     (0..count).map(|k| counted(course.at(k, count))).collect()
 }
 
-/// F_i, F_o, F_x of the motion half a step after each sample but the last: there no force of a dashpot jumps.
-fn by_motion(spring: &Spring, mount: &Mount, step: f64, inputs: &[[f64; 2]]) -> [Vec<f64>; 3] {
+/// The motion of inputs that are straight between samples.
+pub fn motion(spring: &Spring, mount: &Mount, step: f64, inputs: &[[f64; 2]]) -> Motion {
     let times: Vec<f64> = (0..inputs.len()).map(|k| k as f64 * step).collect();
     let recorded = |end: usize| {
         let values = inputs.iter().map(|both| both[end]).collect();
         EndInput::Sampled(coilsense::excitation::Sampled::new(times.clone(), values).unwrap())
     };
     let excitation = Excitation::new(0.23, recorded(0), recorded(1), Start::Rest).unwrap();
-    let motion = Motion::mounted(spring, mount, &excitation).unwrap();
-    let between: Vec<f64> = times[..times.len() - 1].iter().map(|time| time + 0.5 * step).collect();
+    Motion::mounted(spring, mount, &excitation).unwrap()
+}
+
+/// F_i, F_o, F_x of the motion half a step after each sample but the last: there no force of a dashpot jumps.
+fn by_motion(spring: &Spring, mount: &Mount, step: f64, inputs: &[[f64; 2]]) -> [Vec<f64>; 3] {
+    let motion = motion(spring, mount, step, inputs);
+    let between: Vec<f64> = (0..inputs.len() - 1).map(|k| k as f64 * step + 0.5 * step).collect();
     let signals = motion.signals(&between).unwrap();
     [Channel::InputForce, Channel::OutputForce, Channel::DeflectionForce]
         .map(|channel| signals.channel(channel).unwrap().to_vec())
