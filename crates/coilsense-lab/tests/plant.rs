@@ -187,7 +187,7 @@ fn matrices_read_back_are_those_of_the_plant() {
         let rows = value.as_array().unwrap().iter();
         rows.flat_map(|row| row.as_array().unwrap()).map(|number| number.as_f64().unwrap()).collect()
     };
-    let (space, sampled) = (made.plant.state_space(), made.plant.sampled(1e-3).unwrap());
+    let (space, sampled) = (made.plant.state_space(None), made.plant.sampled(1e-3).unwrap());
     // A reader of JSON may be off by a last digit.
     let assert_read = |value: &serde_json::Value, expected: Vec<f64>| {
         let found = numbers(value);

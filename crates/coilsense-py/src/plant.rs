@@ -131,10 +131,10 @@ impl PyPlant {
     fn to_state_space<'py>(&self, py: Python<'py>, step: Option<Quantity>) -> PyResult<Matrices<'py>> {
         if let Some(step) = step {
             let step = step.positive("step", coilsense_lab::quantity::Dimension::Time)?;
-            let sampled = self.0.plant.sampled(step).python()?;
+            let sampled = self.0.plant.sampled(step, None).python()?;
             return matrices(py, sampled.a, &sampled.b, sampled.c, &sampled.d);
         }
-        let StateSpace { a, b, c, d, d_rate } = self.0.plant.state_space();
+        let StateSpace { a, b, c, d, d_rate } = self.0.plant.state_space(None);
         if d_rate.iter().flatten().any(|rate| *rate != 0.0) {
             let told = "stiffness_damping pulls with the ends' velocity, which is no input of a continuous state space; give step, or another damping";
             return Err(Error::new_err(told));

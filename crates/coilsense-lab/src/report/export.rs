@@ -138,8 +138,9 @@ impl Outcome for StateSpaceFile<'_> {
 /// Everything of a plant as matrices.
 fn matrices(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
     let plant = &made.plant;
-    let sampled = step.map(|step| plant.sampled(step)).transpose().map_err(PlantError::science(&made.spec_file))?;
-    let continuous = plant.state_space();
+    let sampled =
+        step.map(|step| plant.sampled(step, None)).transpose().map_err(PlantError::science(&made.spec_file))?;
+    let continuous = plant.state_space(None);
     let (second, unit) = if plant.far_end() == FarEnd::Position { ("u2", "m") } else { ("force_at_end_2", "N") };
     let modes = plant.modes().iter().zip(plant.ratios()).map(|(mode, damping_ratio)| Mode {
         frequency_rad_per_s: mode.frequency,

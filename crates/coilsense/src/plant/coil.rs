@@ -11,6 +11,7 @@ use super::{LOOKS, ModalPlant, Order};
 use crate::calibrate::Calibration;
 use crate::error::{Error, above_zero, check, count};
 use crate::inductance::{ByPitch, MaxwellSum};
+use crate::mount::FarEnd;
 
 /// How far neighbouring windings of a plant are from each other; [`ModalPlant::windings`].
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +30,10 @@ pub struct ModalCoil {
     calibration: Calibration,
     by_pitch: ByPitch,
     gaps: Vec<Vec<f64>>,
-    /// F_L per q of each mode at the mean length \[N/m\].
+    /// F_L per q of each mode off the line between the ends, at the mean length \[N/m\].
     weights: Vec<f64>,
+    /// F_L per distance between the ends there \[N/m\]: k, but for what the calibration's form leaves.
+    slope: f64,
 }
 
 impl ModalPlant {
@@ -88,9 +91,9 @@ impl ModalPlant {
             nodes.iter().map(|shape| place(shape, &turns[1]) - place(shape, &turns[0])).collect()
         };
         let gaps = carriers.windows(2).map(gap).collect();
-        let weights = self.coil_weights(coil, &calibration, &nodes)?;
+        let (weights, slope) = self.coil_slopes(coil, &calibration, &nodes)?;
         let (mean_length, windings) = (self.mean_length, coil.turns());
-        Ok(ModalCoil { mean_length, windings, calibration, by_pitch, gaps, weights })
+        Ok(ModalCoil { mean_length, windings, calibration, by_pitch, gaps, weights, slope })
     }
 
     /// What [`ModalCoil`]'s force misses of that with all modes, at most, up to a frequency \[Hz\]: of its response about the mean length to
@@ -108,16 +111,29 @@ impl ModalPlant {
         }
         let lengths = [0.99 * self.mean_length, 1.01 * self.mean_length];
         let all = Self::new(&self.spring, &self.mount, self.mean_length, Order::All)?;
-        let ours = self.coil(coil, calibration, lengths)?.weights;
-        let theirs = all.coil(coil, calibration, lengths)?.weights;
+        let ours = self.coil(coil, calibration, lengths)?;
+        let theirs = all.coil(coil, calibration, lengths)?;
         let scales = self.of_line()[0].map(|line| if line == 0.0 { self.spring.stiffness() } else { line.abs() });
         let missed = |look: usize| {
-            let drive = TAU * bandwidth * look as f64 / LOOKS as f64;
-            let (few, many) = (self.swings(&ours, drive), all.swings(&theirs, drive));
+            let frequency = bandwidth * look as f64 / LOOKS as f64;
+            let (few, many) = (self.coil_response(&ours, frequency)?, all.coil_response(&theirs, frequency)?);
             let each = few.iter().zip(&many).zip(scales);
-            each.map(|((few, many), scale)| (few - many).norm() / scale).fold(0.0, f64::max)
+            Ok(each.map(|((few, many), scale)| (few - many).norm() / scale).fold(0.0, f64::max))
         };
-        Ok((1..=LOOKS).map(missed).fold(0.0, f64::max))
+        let each = (1..=LOOKS).map(missed).collect::<Result<Vec<f64>, Error>>()?;
+        Ok(each.into_iter().fold(0.0, f64::max))
+    }
+
+    /// F_L over each input at one frequency \[Hz\] about the mean length, in \[N/m\] or, of a force, \[1\]: as [`Self::response`].
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a frequency that is not above zero.
+    pub fn coil_response(&self, coil: &ModalCoil, frequency: f64) -> Result<[Complex64; 2], Error> {
+        above_zero("frequency", frequency, "Hz")?;
+        let pulls: Vec<f64> = self.modes.iter().enumerate().map(|(index, mode)| coil.pull(index, mode.end)).collect();
+        let [first, second] = self.swings(&pulls, TAU * frequency);
+        let straight = coil.straight(self);
+        Ok([straight[0] + first, straight[1] + second])
     }
 
     /// Σ_j w_j c_j Ω²/(ω_j² − Ω² + 2iζ_jω_jΩ) for each input.
@@ -133,20 +149,22 @@ impl ModalPlant {
         sums
     }
 
-    /// F_L per q about the mean length: −k α l² Σ_n ∂L/∂x_n φ_n, l the length that is read there.
-    fn coil_weights(
+    /// F_L about the mean length, per q and per distance between the ends: −k α l² times ∂L/∂x_n φ_n and dL/dl, l the length that is read there.
+    fn coil_slopes(
         &self,
         coil: &MaxwellSum,
         calibration: &Calibration,
         nodes: &[Vec<f64>],
-    ) -> Result<Vec<f64>, Error> {
+    ) -> Result<(Vec<f64>, f64), Error> {
         let masses = self.model.masses();
-        let even: Vec<f64> = (1..=masses).map(|mass| self.model.place_at(mass) * self.mean_length).collect();
+        let places: Vec<f64> = (1..=masses).map(|mass| self.model.place_at(mass)).collect();
+        let even: Vec<f64> = places.iter().map(|place| place * self.mean_length).collect();
         let gradient = coil.gradient([0.0, self.mean_length], &even)?;
         let length = calibration.length(coil.at_length(self.mean_length));
         let scale = -self.spring.stiffness() * calibration.alpha() * length * length;
-        let of = |shape: &Vec<f64>| scale * gradient.iter().zip(shape).map(|(slope, way)| slope * way).sum::<f64>();
-        Ok(nodes.iter().map(of).collect())
+        let of = |shape: &[f64]| scale * gradient.iter().zip(shape).map(|(slope, way)| slope * way).sum::<f64>();
+        let stretched: Vec<f64> = std::iter::once(0.0).chain(places).chain([1.0]).collect();
+        Ok((nodes.iter().map(|shape| of(shape)).collect(), of(&stretched)))
     }
 
     /// How far each node moves off the line between the ends per q of each mode: end 1, masses 1…N, end 2. Shape `modes × (N + 2)`.
@@ -242,6 +260,19 @@ impl ModalCoil {
     /// How much the distance of each turn to the next grows per q of each mode \[1\], shape `gaps × modes`.
     pub fn gaps(&self) -> &[Vec<f64>] {
         &self.gaps
+    }
+
+    /// F_L over each input of a spring that moves slowly.
+    pub(super) fn straight(&self, plant: &ModalPlant) -> [f64; 2] {
+        match plant.mount.far_end() {
+            FarEnd::Position => [-self.slope, self.slope],
+            _ => [0.0, self.slope / plant.spring.stiffness()],
+        }
+    }
+
+    /// F_L per q of one of the plant's modes, whose end 2 moves by `end`.
+    pub(super) fn pull(&self, mode: usize, end: f64) -> f64 {
+        self.weights[mode] + self.slope * end
     }
 
     /// What a processor is given, for as many modes, gaps and coefficients as there are.

@@ -4,13 +4,13 @@
 
 use coilsense_rt::ModeStep;
 
-use super::ModalPlant;
+use super::{ModalCoil, ModalPlant};
 use crate::error::{Error, above_zero};
 use crate::mount::FarEnd;
 
 /// `ẋ = A x + B u, y = C x + D u + D_v u̇`, about the mean.
 ///
-/// Inputs: u1, and u2 or the force at end 2. Outputs: F_i, F_o, F_x, u2. States, two a mode: z = q + c·u, the motion relative to the mean
+/// Inputs: u1, and u2 or the force at end 2. Outputs: F_i, F_o, F_x, u2, and where a coil is given F_L in a straight line about its mean. States, two a mode: z = q + c·u, the motion relative to the mean
 /// instead of the line between the ends, and (ż − 2ζω c·u)/ω; so no input's acceleration is asked for.
 ///
 /// A_j = ω [[0, 1], [−1, −2ζ]], B_j = ω [2ζ, 1 − 4ζ²] c
@@ -24,12 +24,12 @@ pub struct StateSpace {
     pub a: Vec<Vec<f64>>,
     /// B, shape `states × 2`.
     pub b: Vec<[f64; 2]>,
-    /// C, shape `4 × states`.
-    pub c: [Vec<f64>; 4],
-    /// D.
-    pub d: [[f64; 2]; 4],
-    /// D_v \[per m/s or N/s\].
-    pub d_rate: [[f64; 2]; 4],
+    /// C, shape `outputs × states`.
+    pub c: Vec<Vec<f64>>,
+    /// D, shape `outputs × 2`.
+    pub d: Vec<[f64; 2]>,
+    /// D_v \[per m/s or N/s\], likewise.
+    pub d_rate: Vec<[f64; 2]>,
 }
 
 /// `x⁺ = A x + B u, y = C x + D u`, exact at the samples for inputs that move straight between them.
@@ -48,32 +48,35 @@ pub struct Sampled {
     pub a: Vec<Vec<f64>>,
     /// B, shape `states × 2`.
     pub b: Vec<[f64; 2]>,
-    /// C, shape `4 × states`.
-    pub c: [Vec<f64>; 4],
-    /// D.
-    pub d: [[f64; 2]; 4],
+    /// C, shape `outputs × states`.
+    pub c: Vec<Vec<f64>>,
+    /// D, shape `outputs × 2`.
+    pub d: Vec<[f64; 2]>,
 }
 
 /// A mode's two rows of everything.
 struct Block {
-    pulls: [f64; 4],
+    /// Of each output per q.
+    pulls: Vec<f64>,
     participations: [f64; 2],
     natural: f64,
     ratio: f64,
 }
 
 impl ModalPlant {
-    /// The plant as matrices.
-    pub fn state_space(&self) -> StateSpace {
+    /// The plant as matrices, with F_L by `coil` as a fifth output where that is given.
+    pub fn state_space(&self, coil: Option<&ModalCoil>) -> StateSpace {
         let (states, dashpot) = (2 * self.count(), self.dashpot_time());
         let mut space = StateSpace {
             a: vec![vec![0.0; states]; states],
             b: Vec::with_capacity(states),
-            c: std::array::from_fn(|_| Vec::with_capacity(states)),
-            d: self.straight(),
-            d_rate: [[0.0; 2]; 4],
+            c: Vec::new(),
+            d: self.straight(coil),
+            d_rate: Vec::new(),
         };
-        for (index, block) in self.blocks().enumerate() {
+        space.c = vec![Vec::with_capacity(states); space.d.len()];
+        space.d_rate = vec![[0.0; 2]; space.d.len()];
+        for (index, block) in self.blocks(coil).enumerate() {
             let Block { pulls, participations, natural, ratio } = block;
             let (upper, lower) = (2 * index, 2 * index + 1);
             space.a[upper][lower] = natural;
@@ -97,13 +100,13 @@ impl ModalPlant {
     ///
     /// # Errors
     /// [`Error::Value`] for a step that is not above zero, or too long for where in its turn the fastest mode is (ωh above 1e9).
-    pub fn sampled(&self, step: f64) -> Result<Sampled, Error> {
+    pub fn sampled(&self, step: f64, coil: Option<&ModalCoil>) -> Result<Sampled, Error> {
         above_zero("step", step, "s")?;
-        let continuous = self.state_space();
+        let continuous = self.state_space(coil);
         let states = 2 * self.count();
         let (mut a, mut b) = (vec![vec![0.0; states]; states], Vec::with_capacity(states));
         let mut holds = Vec::with_capacity(states);
-        for (index, block) in self.blocks().enumerate() {
+        for (index, block) in self.blocks(None).enumerate() {
             let Block { participations, natural, ratio, .. } = block;
             let angle = natural * step;
             crate::error::check(angle <= 1e9, "step", step, "s", format!("at most {} s", 1e9 / natural))?;
@@ -135,20 +138,21 @@ impl ModalPlant {
     }
 
     /// What each output has of each input without any mode.
-    fn straight(&self) -> [[f64; 2]; 4] {
+    fn straight(&self, coil: Option<&ModalCoil>) -> Vec<[f64; 2]> {
         let [input, output, deflection] = self.of_line();
         let end = match self.mount().far_end() {
             FarEnd::Position => [0.0, 1.0],
             _ => [1.0, 1.0 / self.spring().stiffness()],
         };
-        [input, output, deflection, end]
+        [input, output, deflection, end].into_iter().chain(coil.map(|coil| coil.straight(self))).collect()
     }
 
-    fn blocks(&self) -> impl Iterator<Item = Block> + '_ {
-        self.modes().iter().zip(self.ratios()).map(|(mode, ratio)| {
+    fn blocks<'a>(&'a self, coil: Option<&'a ModalCoil>) -> impl Iterator<Item = Block> + 'a {
+        self.modes().iter().zip(self.ratios()).enumerate().map(move |(index, (mode, ratio))| {
             let [input, output, deflection] = self.pulls(mode);
+            let by_coil = coil.map(|coil| coil.pull(index, mode.end));
             Block {
-                pulls: [input, output, deflection, mode.end],
+                pulls: [input, output, deflection, mode.end].into_iter().chain(by_coil).collect(),
                 participations: mode.participations,
                 natural: mode.frequency,
                 ratio,
@@ -159,7 +163,7 @@ impl ModalPlant {
 
 impl Sampled {
     /// Adds the inputs of the sample before as states, and what outputs have of the inputs' rates.
-    fn remember(&mut self, d_rate: &[[f64; 2]; 4]) {
+    fn remember(&mut self, d_rate: &[[f64; 2]]) {
         let states = self.a.len();
         self.a.iter_mut().for_each(|row| row.extend([0.0; 2]));
         self.a.extend([vec![0.0; states + 2], vec![0.0; states + 2]]);

@@ -8,6 +8,7 @@ use coilsense::sensors::InductanceSensor;
 use coilsense::{Clash, Damping, FarEnd, Motion, Mount, Spring};
 use coilsense_rt::Real;
 
+use super::forms::by_matrices;
 use super::steps::{inputs, motion};
 use super::{Course, FAR_ENDS, mounts, s_t};
 
@@ -271,4 +272,44 @@ fn what_has_no_neighbours_or_no_lengths_is_refused() {
     let (_, calibration, lengths) = coil(&s_t(12.0));
     let told = plant(&s_t(6.0)).coil(&other, calibration, lengths).unwrap_err().to_string();
     assert!(told.contains("coil of sections"), "{told}");
+}
+
+#[test]
+fn f_l_in_a_straight_line_is_that_of_small_motions() {
+    let spring = s_t(12.0);
+    let (sum, calibration, lengths) = coil(&spring);
+    for mount in mounts() {
+        let plant = ModalPlant::new(&spring, &mount, 0.23, Order::All).unwrap();
+        let made = plant.coil(&sum, calibration, lengths).unwrap();
+        let space = plant.state_space(Some(&made));
+        assert_eq!((space.c.len(), space.d.len(), space.d_rate[4]), (5, 5, [0.0; 2]));
+        for hertz in [1.0, 40.0, 130.0] {
+            let theirs = plant.coil_response(&made, hertz).unwrap();
+            for (input, expected) in theirs.iter().enumerate() {
+                let ours = by_matrices(&space, std::f64::consts::TAU * hertz, 4, input);
+                assert!((ours - expected).norm() < 1e-10 * theirs[0].norm().max(theirs[1].norm()), "{mount:?} {hertz}");
+            }
+        }
+        // Both ways of a motion so small that its square does not show, against Maxwell's sum at the motion's positions.
+        let sampled = plant.sampled(STEP, Some(&made)).unwrap();
+        let courses = inputs(Course::Slow, &spring, &mount, 300);
+        let small = |sign: f64| courses.iter().map(|row| row.map(|value| 1e-3 * sign * value)).collect::<Vec<_>>();
+        let (plus, minus) = (by_positions(&spring, &mount, &small(1.0)), by_positions(&spring, &mount, &small(-1.0)));
+        let mut x = vec![0.0; sampled.a.len()];
+        let (mut worst, mut peak) = (0.0_f64, 0.0_f64);
+        // A motion begins under the inputs of its first sample, and so do states.
+        let first = small(1.0)[0];
+        for (u, (plus, minus)) in small(1.0).iter().zip(plus.iter().zip(&minus)) {
+            let u = [u[0] - first[0], u[1] - first[1]];
+            let dot = |row: &[f64]| row.iter().zip(&x).map(|(a, x)| a * x).sum::<f64>();
+            let ours = dot(&sampled.c[4]) + sampled.d[4][0] * u[0] + sampled.d[4][1] * u[1];
+            let theirs = 0.5 * (plus[2] - minus[2]);
+            worst = worst.max((ours - theirs).abs());
+            peak = peak.max(theirs.abs());
+            let next = sampled.a.iter().zip(&sampled.b).map(|(row, b)| dot(row) + b[0] * u[0] + b[1] * u[1]);
+            let next: Vec<f64> = next.collect();
+            x = next;
+        }
+        assert!(worst < 1e-6 * peak && peak > 1e-5, "{mount:?}: {worst:e} of {peak:e}");
+    }
 }

@@ -120,7 +120,7 @@ fn matrices_are_the_same_plant() {
     for mount in mounts() {
         let plant = ModalPlant::new(&spring, &mount, 0.23, Order::Modes(4)).unwrap();
         assert_eq!((plant.kept(), plant.count()), (4, 6));
-        let space = plant.state_space();
+        let space = plant.state_space(None);
         for hertz in [1.0, 40.0, 130.0] {
             let drive = std::f64::consts::TAU * hertz;
             let theirs = plant.response(hertz).unwrap();
@@ -135,7 +135,7 @@ fn matrices_are_the_same_plant() {
 }
 
 /// C (iΩ − A)⁻¹ B + D + iΩ D_v.
-fn by_matrices(space: &StateSpace, drive: f64, output: usize, input: usize) -> num_complex::Complex64 {
+pub fn by_matrices(space: &StateSpace, drive: f64, output: usize, input: usize) -> num_complex::Complex64 {
     use num_complex::Complex64;
     let s = Complex64::new(0.0, drive);
     let states = space.a.len();
@@ -155,7 +155,7 @@ fn matrices_of_a_step_give_what_steps_give() {
         let plant = ModalPlant::new(&spring, &mount, 0.23, Order::Modes(5)).unwrap();
         let count = plant.count();
         let (step, samples) = (2e-4, 10_000);
-        let sampled = plant.sampled(step).unwrap();
+        let sampled = plant.sampled(step, None).unwrap();
         let mut x = vec![0.0; sampled.a.len()];
         let steps = plant.settings::<7>().map(|settings| settings.plant::<f64>(step).unwrap()).unwrap();
         assert_eq!(count, 7);
@@ -192,7 +192,7 @@ fn what_no_plant_can_have_is_refused_in_a_line() {
     let refused = ModalPlant::new(&spring, &creeping, 0.23, Order::All).unwrap_err().to_string();
     assert!(refused.starts_with("damping ratio of mode 1 must be at most 1000, got 16"), "{refused}");
     let plant = ModalPlant::new(&spring, &Mount::default(), 0.23, Order::All).unwrap();
-    assert_eq!(plant.sampled(0.0).unwrap_err().to_string(), "step must be above zero and finite, got 0 s");
+    assert_eq!(plant.sampled(0.0, None).unwrap_err().to_string(), "step must be above zero and finite, got 0 s");
     assert_eq!(plant.settings::<7>().unwrap_err().to_string(), "modes must hold 7 values, got 8");
     let settings = plant.settings::<8>().unwrap();
     for (k, m, ratio, step, refused) in [
