@@ -739,7 +739,7 @@ class Plant:
     @property
     def mean_length(self) -> float: ...
     @property
-    def outputs(self) -> tuple[str, str, str, str]: ...
+    def outputs(self) -> tuple[str, ...]: ...
     def save(
         self,
         path: str | PathLike[str],
@@ -1324,6 +1324,7 @@ def placement(spec: Spec | str | PathLike[str]) -> Placement: ...
 def plant(
     spec: Spec | str | PathLike[str],
     *,
+    also: str | Sequence[str] | None = None,
     modes: int | None = None,
     error: float | str | None = None,
     bandwidth: float | str | None = None,

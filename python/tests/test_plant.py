@@ -78,28 +78,59 @@ def stable(gain: float, force: int, matrices: tuple[np.ndarray, ...], step: floa
     return bool(np.abs(poles).max() < 1.0)
 
 
+def limit(force: int, matrices: tuple[np.ndarray, ...], step: float) -> float:
+    """The gain above which the loop no longer settles."""
+    low, high = 1e-4, 1.2e-4
+    assert stable(low, force, matrices, step)
+    while stable(high, force, matrices, step):
+        low, high = high, 1.2 * high
+    while high / low - 1 > 1e-6:
+        middle = (low * high) ** 0.5
+        low, high = (middle, high) if stable(middle, force, matrices, step) else (low, middle)
+    return high
+
+
 def test_python_control_finds_the_limits_of_placement() -> None:
     text = EXAMPLE.read_text()
     assert 'sample_time = "0.5 ms"' in text and 'delay = "0.5 ms"' in text and 'drive = "velocity"' in text
     found = coilsense.placement(EXAMPLE).to_dict()["candidates"]
     worst = 0.0
     for ratio in (0.005, 0.02):
-        matrices = coilsense.plant(EXAMPLE, damping_ratio=ratio).to_state_space(5e-4)
-        for force, name in enumerate(["F_i", "F_o", "F_x"]):
+        plant = coilsense.plant(EXAMPLE, damping_ratio=ratio, also="F_L")
+        A, B, C, D = plant.to_state_space(5e-4)
+        # placement's F_L is k times the stretch when all moves slowly; a meter's departs from it by its calibration's form.
+        slowly = C[4] @ np.linalg.solve(np.eye(len(A)) - A, B) + D[4]
+        form = slowly[1] / ankle_spring().stiffness
+        assert 0.9 < form < 1.1 and np.isclose(slowly[0], -slowly[1], rtol=1e-9)
+        C[4], D[4] = C[4] / form, D[4] / form
+        for name, force in {"F_i": 0, "F_o": 1, "F_x": 2, "F_L": 4}.items():
             candidate = next(one for one in found if one["force"] == name)
             judged = next(one for one in candidate["dampings"] if one["damping"] == f"ζ = {ratio}")
-            low, high = 1e-4, 1.2e-4
-            assert stable(low, force, matrices, 5e-4)
-            while stable(high, force, matrices, 5e-4):
-                low, high = high, 1.2 * high
-            while high / low - 1 > 1e-6:
-                middle = (low * high) ** 0.5
-                low, high = (middle, high) if stable(middle, force, matrices, 5e-4) else (low, middle)
+            high = limit(force, (A, B, C, D), 5e-4)
             off = high / judged["gain_limit"] - 1
             print(f"{name}, ζ = {ratio}: {high:.6g} beside {judged['gain_limit']:.6g}, {100 * off:+.4f} %")
             worst = max(worst, abs(off))
     # Asked: 0.5 %. The search ends at 1e-6.
     assert worst < 1e-5
+
+
+def test_f_l_is_the_fifth_output_where_it_is_asked_for(ankle: coilsense.Plant, tmp_path: Path) -> None:
+    assert ankle.outputs == ("F_i", "F_o", "F_x", "u2") and ankle.warnings == []
+    by_coil = coilsense.plant(EXAMPLE, damping_ratio=RATIO, also=["F_L", "closest_pitch"])
+    assert by_coil.outputs == ("F_i", "F_o", "F_x", "u2", "F_L")
+    _, _, C, D = by_coil.to_state_space()
+    assert C.shape[0] == D.shape[0] == 5
+    response, omega = by_coil.to_frd([20.0, 70.0])
+    system = control.ss(*by_coil.to_state_space())
+    assert response.shape == (4, 2, 2)
+    assert np.abs(system(1j * omega)[4] - response[3]).max() < 1e-9 * np.abs(response).max()
+    by_coil.save(tmp_path / "ankle.h")
+    header = (tmp_path / "ankle.h").read_text()
+    assert "ankle_coil(" in header and "ankle_closest_pitch(" in header
+    with pytest.raises(coilsense.Error, match="closest_pitch is no straight line"):
+        by_coil.save(tmp_path / "ankle.json", "state-space")
+    with pytest.raises(coilsense.Error, match="also must be of F_L, closest_pitch, with commas between, got \"F_l\""):
+        coilsense.plant(EXAMPLE, damping_ratio=RATIO, also="F_l")
 
 
 def test_what_has_no_plant_or_no_matrices_says_so_in_a_line(tmp_path: Path) -> None:

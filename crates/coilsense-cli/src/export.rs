@@ -16,6 +16,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let file = given.needed(&FILE)?;
     let made = Plant::of(Spec::read(given.needed(&SPEC)?)?, &request)?;
     let left_out = write_export(&made, file)?;
+    for warning in &made.warnings {
+        anstream::eprintln!("warning: {}: {warning}", made.spec_file);
+    }
     if let Some(left_out) = &left_out {
         anstream::eprintln!("warning: {}: {left_out}", file.display());
     }
@@ -34,6 +37,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
             bandwidth_hz: made.error.map(|(bandwidth, _)| bandwidth),
             error: made.error.map(|(_, error)| error).filter(|error| error.is_finite()),
             left_out: left_out.as_deref(),
+            warnings: &made.warnings,
         })?,
         false => format!("{}{}\n", made.summary(), file.display()),
     };

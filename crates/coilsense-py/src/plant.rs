@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 
 use coilsense::plant::StateSpace;
-use coilsense_lab::plant::request::{AS, BANDWIDTH, DAMPING_RATIO, ERROR, MEAN_LENGTH, MODES, PRECISION, STEP};
+use coilsense_lab::plant::request::{ALSO, AS, BANDWIDTH, DAMPING_RATIO, ERROR, MEAN_LENGTH, MODES, PRECISION, STEP};
 use coilsense_lab::plant::{Form, Plant, Request};
 use coilsense_lab::report::write_export;
 use coilsense_lab::request::Takes;
@@ -13,10 +13,12 @@ use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::hertz::{angular, in_hertz};
 use crate::long_work::interruptible;
+use crate::names::Names;
 use crate::quantity::{Quantity, given, wrong};
 use crate::series::Series;
 use crate::spec_argument::SpecArgument;
@@ -25,7 +27,7 @@ use crate::value::getters;
 /// A spring on its mount as a linear system; made by `plant`. ``str()`` of it is what ``coilsense export`` prints.
 ///
 /// Inputs count from their means: u1 [m], and u2 [m] or, where end 2 is tied to a force or a mass, the force on it [N]. Outputs are F_i, F_o, F_x [N] about the mean
-/// force, and u2 [m].
+/// force, u2 [m], and where ``also`` asks for it F_L [N] in a straight line about the mean.
 ///
 /// Examples
 /// --------
@@ -40,15 +42,18 @@ use crate::value::getters;
 #[pyclass(name = "Plant", module = "coilsense", frozen)]
 pub struct PyPlant(Plant);
 
-/// What its outputs are.
-const OUTPUTS: (&str, &str, &str, &str) = ("F_i", "F_o", "F_x", "u2");
+/// What its outputs are, beside F_L.
+const OUTPUTS: [&str; 4] = ["F_i", "F_o", "F_x", "u2"];
 
 getters! {
     PyPlant, self;
     /// The inputs, in their order: ("u1", "u2"), or ("u1", "F_2") where a force moves end 2.
     inputs: (&'static str, &'static str) = ("u1", if self.is_held() { "u2" } else { "F_2" });
-    /// The outputs, in their order: ("F_i", "F_o", "F_x", "u2").
-    outputs: (&'static str, &'static str, &'static str, &'static str) = OUTPUTS;
+    /// The outputs of its matrices, in their order: "F_i", "F_o", "F_x", "u2", and "F_L" where that was asked for.
+    outputs<'py>(py): PyResult<Bound<'py, PyTuple>> =
+        PyTuple::new(py, OUTPUTS.into_iter().chain(self.0.coil.as_ref().map(|_| "F_L")));
+    /// What to know of them, each in a line.
+    warnings: Vec<String> = self.0.warnings.clone();
     /// How many of the spring's modes are kept.
     kept: usize = self.0.plant.kept();
     /// How many the spring has; where these are more, two stand for all others.
@@ -58,7 +63,7 @@ getters! {
         self.0.plant.modes().iter().map(|mode| in_hertz(mode.frequency)).collect::<Vec<f64>>().into_pyarray(py);
     /// Their damping ratios [1], shape (modes,).
     damping_ratios<'py>(py): Bound<'py, PyArray1<f64>> = self.0.plant.ratios().collect::<Vec<f64>>().into_pyarray(py);
-    /// What is missed of F_i, F_o and F_x up to the bandwidth, over k times the motion of an end or over the force at end 2 [1]; None without a bandwidth, inf where a mode in it
+    /// What is missed of F_i, F_o and F_x, and of F_L where that was asked for, up to the bandwidth, over k times the motion of an end or over the force at end 2 [1]; None without a bandwidth, inf where a mode in it
     /// is left out.
     error: Option<f64> = self.0.error.map(|(_, error)| error);
     /// The length about which inputs count [m].
@@ -87,8 +92,8 @@ fn matrices<'py>(
     py: Python<'py>,
     a: Vec<Vec<f64>>,
     b: &[[f64; 2]],
-    c: [Vec<f64>; 4],
-    d: &[[f64; 2]; 4],
+    c: Vec<Vec<f64>>,
+    d: &[[f64; 2]],
 ) -> PyResult<Matrices<'py>> {
     let states = a.len();
     let pairs = |rows: &[[f64; 2]]| rows.iter().map(|row| row.to_vec()).collect::<Vec<_>>();
@@ -113,7 +118,7 @@ impl PyPlant {
     /// Returns
     /// -------
     /// (numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray)
-    ///     Of shapes (states, states), (states, 2), (4, states), (4, 2).
+    ///     Of shapes (states, states), (states, 2), (outputs, states), (outputs, 2).
     ///
     /// Raises
     /// ------
@@ -131,10 +136,10 @@ impl PyPlant {
     fn to_state_space<'py>(&self, py: Python<'py>, step: Option<Quantity>) -> PyResult<Matrices<'py>> {
         if let Some(step) = step {
             let step = step.positive("step", coilsense_lab::quantity::Dimension::Time)?;
-            let sampled = self.0.plant.sampled(step, None).python()?;
+            let sampled = self.0.plant.sampled(step, self.0.coil.as_ref()).python()?;
             return matrices(py, sampled.a, &sampled.b, sampled.c, &sampled.d);
         }
-        let StateSpace { a, b, c, d, d_rate } = self.0.plant.state_space(None);
+        let StateSpace { a, b, c, d, d_rate } = self.0.plant.state_space(self.0.coil.as_ref());
         if d_rate.iter().flatten().any(|rate| *rate != 0.0) {
             let told = "stiffness_damping pulls with the ends' velocity, which is no input of a continuous state space; give step, or another damping";
             return Err(Error::new_err(told));
@@ -142,7 +147,7 @@ impl PyPlant {
         matrices(py, a, &b, c, &d)
     }
 
-    /// The response of F_i, F_o and F_x to both inputs, and its frequencies in rad/s, as ``control.frd`` takes them.
+    /// The response of F_i, F_o and F_x, and of F_L where that was asked for, to both inputs, and its frequencies in rad/s, as ``control.frd`` takes them.
     ///
     /// Parameters
     /// ----------
@@ -152,7 +157,7 @@ impl PyPlant {
     /// Returns
     /// -------
     /// (numpy.ndarray, numpy.ndarray)
-    ///     Complex, of shape (3, 2, samples), in N/m or, of a force, 1; and of shape (samples,), in rad/s.
+    ///     Complex, of shape (3 or 4, 2, samples), in N/m or, of a force, 1; and of shape (samples,), in rad/s.
     ///
     /// Examples
     /// --------
@@ -163,12 +168,17 @@ impl PyPlant {
     /// ((3, 2, 1), -760.4)
     fn to_frd<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Frd<'py>> {
         let frequencies = frequencies.values();
-        let each: Vec<_> = frequencies.iter().map(|&frequency| self.0.plant.response(frequency)).collect();
-        let each = each.into_iter().collect::<Result<Vec<_>, _>>().python()?;
+        let (plant, coil) = (&self.0.plant, self.0.coil.as_ref());
+        let rows = |&frequency: &f64| {
+            let by_coil = coil.map(|coil| plant.coil_response(coil, frequency)).transpose()?;
+            Ok(plant.response(frequency)?.into_iter().chain(by_coil).flatten().collect::<Vec<Complex64>>())
+        };
+        let each = frequencies.iter().map(rows).collect::<Result<Vec<_>, coilsense::Error>>().python()?;
+        let outputs = if coil.is_some() { 4 } else { 3 };
         let all: Vec<Complex64> =
-            (0..6).flat_map(|place| each.iter().map(move |response| response[place / 2][place % 2])).collect();
+            (0..2 * outputs).flat_map(|place| each.iter().map(move |response| response[place])).collect();
         let omega: Vec<f64> = frequencies.iter().copied().map(angular).collect();
-        Ok((all.into_pyarray(py).reshape([3, 2, omega.len()])?, omega.into_pyarray(py)))
+        Ok((all.into_pyarray(py).reshape([outputs, 2, omega.len()])?, omega.into_pyarray(py)))
     }
 
     /// Writes it, as ``coilsense export --out`` does.
@@ -237,9 +247,11 @@ impl PyPlant {
 /// modes : int, optional
 ///     How many of the spring's modes are kept, two more stand for all others; without it, as few as `error` asks for, else all.
 /// error : float or str, optional
-///     Error of F_i, F_o and F_x up to `bandwidth`, over k times the motion of an end, or over the force at end 2 [1].
+///     Error of F_i, F_o, F_x (and F_L, where `also` asks for it) up to `bandwidth`, over k times the motion of an end, or over the force at end 2 [1].
 /// bandwidth : float or str, optional
 ///     Up to where it holds [Hz]; the error that is left is told up to there.
+/// also : str or sequence of str, optional
+///     Further outputs: "F_L", by the spring's inductance, and for C, Rust and an FMU "closest_pitch", of the windings; without it, F_i, F_o, F_x and u2 only.
 /// damping_ratio : float, optional
 ///     One of the spec's where it names any [1]; without it, the spec's, where it has one.
 /// mean_length : float or str, optional
@@ -261,10 +273,11 @@ impl PyPlant {
 /// >>> coilsense.plant(spec, damping_ratio=0.005).kept
 /// 52
 #[pyfunction]
-#[pyo3(signature = (spec, *, modes=None, error=None, bandwidth=None, damping_ratio=None, mean_length=None))]
+#[pyo3(signature = (spec, *, also=None, modes=None, error=None, bandwidth=None, damping_ratio=None, mean_length=None))]
 pub fn plant(
     py: Python<'_>,
     spec: SpecArgument<'_>,
+    also: Option<Names>,
     modes: Option<u64>,
     error: Option<Quantity>,
     bandwidth: Option<Quantity>,
@@ -273,6 +286,7 @@ pub fn plant(
 ) -> PyResult<PyPlant> {
     let spec = spec.spec(py)?;
     let given = given([
+        (&ALSO, also.map(|names| names.listed().join(",")).into()),
         (&MODES, modes.into()),
         (&ERROR, error.into()),
         (&BANDWIDTH, bandwidth.into()),

@@ -14,6 +14,7 @@
 //! | F_i made unbiased by F_L | [`Fusion`] | both forces | the force fused |
 //! | the spring itself, in a simulation | [`Plant`] | u1, and u2 or a force | F_i, F_o, F_x ([`PlantOutput`]) |
 //! | its inductance, and the force by it | [`PlantCoil`] | a [`PlantState`] | L, F_L, their bounds ([`CoilReading`]) |
+//! | what an instrument makes of any of these | [`Readout`] | a quantity | the reading |
 //! | how near its windings are | [`PlantWindings`] | a [`PlantState`] | the smallest pitch |
 //! | commands that do not ring | [`Shaper`], [`Boxcar`], [`DoubleBoxcar`] | a command | the command shaped |
 //!
@@ -45,11 +46,13 @@ mod delay_line;
 mod elementary;
 mod fusion;
 mod kalman;
+mod noise;
 mod oscillator;
 mod plant;
 mod plant_coil;
 mod plant_settings;
 mod plant_windings;
+mod readout;
 mod real;
 mod shaper;
 mod window;
@@ -67,6 +70,7 @@ pub use plant::{Plant, PlantOutput, PlantState};
 pub use plant_coil::{CoilReading, PlantCoil};
 pub use plant_settings::{FarEnd, PlantMode, PlantSettings, Refused};
 pub use plant_windings::PlantWindings;
+pub use readout::{Readout, ReadoutMean, ReadoutPole, ReadoutState};
 pub use real::Real;
 pub use shaper::{Impulse, Shaper};
 pub use window::Window;

@@ -157,10 +157,10 @@ impl<T: Real, const MODES: usize> Plant<T, MODES> {
 impl<T: Real, const MODES: usize> PlantState<T, MODES> {
     /// Σ_j w_j q_j.
     #[inline]
-    pub(crate) fn sum(&self, weights: &[f64; MODES]) -> T {
+    pub(crate) fn sum(&self, weights: &[T; MODES]) -> T {
         let mut sum = T::ZERO;
         for (place, weight) in self.modes.iter().zip(weights) {
-            sum = sum + T::nearest(*weight) * place[0];
+            sum = sum + *weight * place[0];
         }
         sum
     }

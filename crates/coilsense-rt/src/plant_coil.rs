@@ -5,11 +5,12 @@
 use crate::plant::{Plant, PlantState};
 use crate::real::Real;
 
-/// A spring in `MODES` modes as a coil of `GAPS` + 1 turns, in polynomials of `TERMS` coefficients: plain numbers that the host finds.
+/// A spring in `MODES` modes as a coil of `GAPS` + 1 turns, in polynomials of `TERMS` coefficients: plain numbers that the host finds, in the
+/// precision of the plant's steps.
 ///
 /// Coefficients are those of 1, z, z² …, z = (p − p0)/w from −1 to 1, p the mean pitch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlantCoil<const MODES: usize, const GAPS: usize, const TERMS: usize> {
+pub struct PlantCoil<T, const MODES: usize, const GAPS: usize, const TERMS: usize> {
     /// The distance between the ends where all inputs are zero \[m\].
     pub mean_length: f64,
     /// N_L: over how many windings that distance is divided.
@@ -21,15 +22,15 @@ pub struct PlantCoil<const MODES: usize, const GAPS: usize, const TERMS: usize> 
     /// What polynomials leave of L, at most \[1\].
     pub left: f64,
     /// L of evenly spaced turns \[H\].
-    pub inductance: [f64; TERMS],
+    pub inductance: [T; TERMS],
     /// 2M′(ap) \[H/m\] of turns a = 1, 2 … apart.
-    pub slopes: [[f64; TERMS]; GAPS],
+    pub slopes: [[T; TERMS]; GAPS],
     /// M″(ap) \[H/m²\].
-    pub curvatures: [[f64; TERMS]; GAPS],
+    pub curvatures: [[T; TERMS]; GAPS],
     /// ⅓ |M‴(ap)| ap \[H/m²\].
-    pub remainders: [[f64; TERMS]; GAPS],
+    pub remainders: [[T; TERMS]; GAPS],
     /// How much the distance of each turn to the next grows per q of each mode \[1\].
-    pub gaps: [[f64; MODES]; GAPS],
+    pub gaps: [[T; MODES]; GAPS],
 }
 
 /// What the coil of a plant reads.
@@ -49,7 +50,7 @@ pub struct CoilReading<T> {
 /// Operations that one after the other may each leave half a last digit: of the largest terms, some dozens.
 const ROUNDINGS: f64 = 64.0;
 
-impl<const MODES: usize, const GAPS: usize, const TERMS: usize> PlantCoil<MODES, GAPS, TERMS> {
+impl<T: Real, const MODES: usize, const GAPS: usize, const TERMS: usize> PlantCoil<T, MODES, GAPS, TERMS> {
     /// L and F_L of a state, one sample.
     ///
     /// L ≈ L0(p) + Σ_a (2M′(ap) Σ_i d_ia + M″(ap) Σ_i d_ia²), d_ia how much turns i and i + a are further apart than a·p;
@@ -59,7 +60,7 @@ impl<const MODES: usize, const GAPS: usize, const TERMS: usize> PlantCoil<MODES,
     /// Valid:    as [`Plant`]; wire that is not magnetic, direct current, a coil of one radius.
     /// Accuracy: its bound, which the tests hold against Maxwell's sum (`coilsense`, `tests/plant`).
     #[inline]
-    pub fn reading<T: Real>(&self, plant: &Plant<T, MODES>, state: &PlantState<T, MODES>) -> CoilReading<T> {
+    pub fn reading(&self, plant: &Plant<T, MODES>, state: &PlantState<T, MODES>) -> CoilReading<T> {
         let pitch = (T::nearest(self.mean_length) + plant.longer(state)) * T::nearest(1.0 / self.windings);
         let z = (pitch - T::nearest(self.pitches[0])) * T::nearest(1.0 / self.pitches[1]);
         let mut nearer = [T::ZERO; GAPS];
@@ -92,7 +93,7 @@ impl<const MODES: usize, const GAPS: usize, const TERMS: usize> PlantCoil<MODES,
 
     /// What unevenly spaced turns add to L, and Σ_a ⅓ |M‴(ap)| ap Σ_i d².
     #[inline]
-    fn uneven<T: Real>(&self, nearer: &[T; GAPS], z: T) -> (T, T) {
+    fn uneven(&self, nearer: &[T; GAPS], z: T) -> (T, T) {
         let (mut uneven, mut remainder) = (T::ZERO, T::ZERO);
         let mut distances = [T::ZERO; GAPS];
         let coefficients = self.slopes.iter().zip(&self.curvatures).zip(&self.remainders);
@@ -112,10 +113,10 @@ impl<const MODES: usize, const GAPS: usize, const TERMS: usize> PlantCoil<MODES,
 
 /// Horner's scheme.
 #[inline]
-fn polynomial<T: Real>(coefficients: &[f64], z: T) -> T {
+fn polynomial<T: Real>(coefficients: &[T], z: T) -> T {
     let mut value = T::ZERO;
     for coefficient in coefficients.iter().rev() {
-        value = value * z + T::nearest(*coefficient);
+        value = value * z + *coefficient;
     }
     value
 }

@@ -5,9 +5,10 @@
 use crate::plant::{Plant, PlantState};
 use crate::real::Real;
 
-/// The distances between windings of a spring in `MODES` modes, at `GAPS` places along it: plain numbers that the host finds.
+/// The distances between windings of a spring in `MODES` modes, at `GAPS` places along it: plain numbers that the host finds, in the
+/// precision of the plant's steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlantWindings<const MODES: usize, const GAPS: usize> {
+pub struct PlantWindings<T, const MODES: usize, const GAPS: usize> {
     /// The distance between the ends where all inputs are zero \[m\].
     pub mean_length: f64,
     /// Which share of that distance is between neighbouring windings of a spring that moves slowly \[1\].
@@ -15,10 +16,10 @@ pub struct PlantWindings<const MODES: usize, const GAPS: usize> {
     /// At this distance windings touch \[m\], centre to centre.
     pub contact_pitch: f64,
     /// How much each distance grows per q of each mode \[1\].
-    pub gaps: [[f64; MODES]; GAPS],
+    pub gaps: [[T; MODES]; GAPS],
 }
 
-impl<const MODES: usize, const GAPS: usize> PlantWindings<MODES, GAPS> {
+impl<T: Real, const MODES: usize, const GAPS: usize> PlantWindings<T, MODES, GAPS> {
     /// The smallest distance between neighbouring windings \[m\] of a state, centre to centre; below [`Self::contact_pitch`] they would have met,
     /// and the plant, whose windings pass through one another, is no longer the spring.
     ///
@@ -28,7 +29,7 @@ impl<const MODES: usize, const GAPS: usize> PlantWindings<MODES, GAPS> {
     /// Valid:    as [`Plant`]; at samples: between two of them windings may come nearer.
     /// Accuracy: that of q; 1e-10 of the largest way of an end in `f64` with all modes (`coilsense`, `tests/plant`).
     #[inline]
-    pub fn closest_pitch<T: Real>(&self, plant: &Plant<T, MODES>, state: &PlantState<T, MODES>) -> T {
+    pub fn closest_pitch(&self, plant: &Plant<T, MODES>, state: &PlantState<T, MODES>) -> T {
         let even = T::nearest(self.share) * (T::nearest(self.mean_length) + plant.longer(state));
         let mut least = T::LARGEST;
         for gap in &self.gaps {

@@ -27,6 +27,11 @@ pub trait Real:
     const TWO_TO_MINUS_8: Self;
     /// The largest finite number.
     const LARGEST: Self;
+    /// 1.5 · 2^n, so large that numbers near it have no digits after the point: a sum with it is rounded
+    /// to whole numbers, halves to the even one.
+    const ROUNDS: Self;
+    /// Up to here a number has a digit after the point, and [`Self::ROUNDS`] rounds it.
+    const HALF_WHOLE: Self;
     /// What a last digit is of a number, at most.
     const ROUNDING: f64;
     /// 64 in single precision: after so many steps a mode makes up for what the rounding of its coefficients has added up to. 0 where that
@@ -45,6 +50,8 @@ impl Real for f32 {
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
     const LARGEST: Self = f32::MAX;
+    const ROUNDS: Self = 12_582_912.0;
+    const HALF_WHOLE: Self = 4_194_304.0;
     const ROUNDING: f64 = f32::EPSILON as f64;
     const STEPS_TO_MEND: u32 = 64;
 
@@ -64,6 +71,8 @@ impl Real for f64 {
     const ONE: Self = 1.0;
     const TWO_TO_MINUS_8: Self = 0.003_906_25;
     const LARGEST: Self = f64::MAX;
+    const ROUNDS: Self = 6_755_399_441_055_744.0;
+    const HALF_WHOLE: Self = 2_251_799_813_685_248.0;
     const ROUNDING: f64 = f64::EPSILON;
     const STEPS_TO_MEND: u32 = 0;
 

@@ -70,12 +70,12 @@ fn steps(criterion: &mut Criterion) {
     let sum = MaxwellSum::new(&spring, SelfDistance::AsPrinted);
     let calibration = Calibration::theoretical(&spring, &sum, 0.23).unwrap();
     let coil = plant(Order::All).coil(&sum, calibration, [0.19, 0.27]).unwrap();
-    let coil = coil.settings::<52, 51, 13>().unwrap();
+    let coil = coil.settings::<f64, 52, 51, 13>().unwrap();
     bench(criterion, "plant, 52 modes and F_L", all.settled([0.0; 2]), |state, sample| {
         all.step(state, [sample.ends[0], 0.0]);
         coil.reading(&all, state).force
     });
-    let near = plant(Order::All).windings(2e-3).unwrap().settings::<52, 51>().unwrap();
+    let near = plant(Order::All).windings(2e-3).unwrap().settings::<f64, 52, 51>().unwrap();
     bench(criterion, "plant, 52 modes and closest pitch", all.settled([0.0; 2]), |state, sample| {
         all.step(state, [sample.ends[0], 0.0]);
         near.closest_pitch(&all, state)

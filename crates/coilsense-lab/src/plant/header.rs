@@ -6,7 +6,8 @@ use coilsense::plant::ModalPlant;
 use coilsense_rt::FarEnd;
 use minijinja::{AutoEscape, Environment, context};
 
-use super::{Plant, PlantError};
+use super::windings::{of_coil, of_windings};
+use super::{Plant, PlantError, digits};
 use crate::mitigation::export::{ExportError, Precision, check_name};
 
 /// What a plant has beside its modes.
@@ -78,6 +79,8 @@ pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<Str
             upper => name.to_ascii_uppercase(),
             real => precision.c(),
             zero => precision.literal(0.0),
+            largest => if precision == Precision::Single { "FLT_MAX" } else { "DBL_MAX" },
+            rounding => if precision == Precision::Single { "(double)FLT_EPSILON" } else { "DBL_EPSILON" },
             is_single => precision == Precision::Single,
             mends => if precision == Precision::Single { <f32 as coilsense_rt::Real>::STEPS_TO_MEND } else { 0 },
             second => second_input(plant),
@@ -90,12 +93,9 @@ pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<Str
             damped_frequency => digits(numbers.damped_frequency),
             stretch => digits(numbers.stretch),
             modes => modes,
+            coil => made.coil.as_ref().map(|coil| of_coil(coil, precision)),
+            windings => made.windings.as_ref().map(|windings| of_windings(windings, precision)),
         })
     };
     Ok(render().map_err(ExportError::from)? + "\n")
-}
-
-/// The shortest decimal that means a double number.
-fn digits(value: f64) -> String {
-    format!("{value:?}")
 }

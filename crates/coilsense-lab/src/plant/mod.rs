@@ -1,21 +1,26 @@
 //! A spec's spring as a part of another's model: `coilsense export`.
 //!
-//! Next door: the plant (`coilsense::plant`), a step of it (`coilsense_rt::Plant`), what may be asked (`request`), its forms (`header`,
-//! `constant`, `fmu`; matrices: `crate::report`), settings of filters and observers (`crate::mitigation::export`).
+//! Next door: the plant (`coilsense::plant`), a step of it (`coilsense_rt::Plant`), what may be asked (`request`), how many modes it takes (`order`),
+//! what it tells beside forces (`windings`), its forms (`header`, `constant`, `fmu`; matrices: `crate::report`), settings of filters and observers (`crate::mitigation::export`).
 
 mod constant;
 #[cfg(feature = "fmu")]
 mod fmu;
 mod header;
+mod order;
 pub mod request;
+mod windings;
 
-use coilsense::plant::{ModalPlant, Order};
+use coilsense::plant::{ModalCoil, ModalPlant, ModalWindings};
 use coilsense::{Damping, Error, Mount};
 
 use crate::mitigation::export::{ExportError, Precision};
 use crate::spec::{Spec, SpecError};
 use crate::study;
+use order::Wanted;
 pub use request::Request;
+pub use windings::Also;
+use windings::Meter;
 
 /// As what a plant is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +31,10 @@ pub enum Form {
         precision: Precision,
     },
     /// A constant for `coilsense-rt`, which is stepped in either.
-    Rust,
+    Rust {
+        /// In which numbers F_L and the closest pitch are found.
+        precision: Precision,
+    },
     /// JSON with A, B, C, D.
     StateSpace {
         /// With those of this step \[s\], too.
@@ -83,6 +91,12 @@ pub struct Plant {
     pub damping: String,
     /// The plant.
     pub plant: ModalPlant,
+    /// F_L, where it was asked for.
+    pub coil: Option<ModalCoil>,
+    /// How near its windings are, where that was asked for.
+    pub windings: Option<ModalWindings>,
+    /// What a reader must know of these, each in a line.
+    pub warnings: Vec<String>,
     /// Bandwidth \[Hz\] and the error up to there, where they were asked for.
     pub error: Option<(f64, f64)>,
     /// As what it is written.
@@ -113,25 +127,27 @@ impl Plant {
             let told = format!("mean length must be from {from:.3} to {to:.3} mm, the lengths in use, got {got:.3} mm");
             return Err(PlantError::Spec(format!("{file}: {told}")));
         }
-        let made = |order| ModalPlant::new(spring, &mount, mean_length, order).map_err(&science);
-        let plant = made(request.order())?;
-        let error = match request.bandwidth {
-            Some(bandwidth) => Some((bandwidth, plant.error(bandwidth).map_err(&science)?)),
-            None => None,
-        };
-        if let (Some(wanted), Some((bandwidth, left))) = (request.error, error)
-            && left > wanted
-        {
-            let enough = made(Order::Within { error: wanted, bandwidth })?.kept();
-            let left = if left.is_finite() { format!("an error of {}", percent(left)) } else { "modes out".to_owned() };
-            let told = format!("modes = {} leaves {left} up to {bandwidth} Hz", plant.kept());
-            return Err(PlantError::Spec(format!("{file}: {told}: {} takes {enough} modes", percent(wanted))));
-        }
+        let meter = if request.also.inductance { Some(Meter::of(&spec, mean_length)?) } else { None };
+        let wanted = Wanted { file: &file, spring, mount: &mount, mean_length, meter: meter.as_ref() };
+        let (plant, error) = wanted.plant(request)?;
         if plant.count() > MOST_MODES {
             let told = format!("modes must be at most {MOST_MODES} for an export, got {}", plant.count());
             return Err(PlantError::Spec(format!("{file}: {told}; --error and --bandwidth find how few are enough")));
         }
-        Ok(Self { spec_file: spec.file, spring: spec.spring.name, damping, plant, error, form: request.form })
+        let coil = meter.as_ref().map(|meter| meter.on(&plant)).transpose().map_err(&science)?;
+        let pitch = spec.spring.contact_pitch();
+        let windings = request.also.closest_pitch.then(|| plant.windings(pitch)).transpose().map_err(&science)?;
+        Ok(Self {
+            spec_file: spec.file,
+            spring: spec.spring.name,
+            damping,
+            plant,
+            coil,
+            windings,
+            warnings: meter.and_then(|meter| meter.doubt).into_iter().collect(),
+            error,
+            form: request.form,
+        })
     }
 
     /// A header of C99; `name` is what it is called, and is that of the file.
@@ -142,12 +158,12 @@ impl Plant {
         header::text(self, &identifier(name), precision)
     }
 
-    /// A Rust constant.
+    /// A Rust constant; those of F_L and the closest pitch are in this precision.
     ///
     /// # Errors
     /// As [`Self::header`].
-    pub fn constant(&self, name: &str) -> Result<String, PlantError> {
-        constant::text(self, &identifier(name))
+    pub fn constant(&self, name: &str, precision: Precision) -> Result<String, PlantError> {
+        constant::text(self, &identifier(name), precision)
     }
 
     /// An FMU of FMI 2.0 for co-simulation, with this step in its default experiment \[s\].
@@ -188,6 +204,11 @@ impl Plant {
 /// A file's name as C and Rust can have it.
 fn identifier(name: &str) -> String {
     name.replace(['-', '.', ' '], "_").to_ascii_lowercase()
+}
+
+/// The shortest decimal that means a double number.
+fn digits(value: f64) -> String {
+    format!("{value:?}")
 }
 
 /// Three digits of a share.

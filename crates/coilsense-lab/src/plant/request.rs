@@ -4,7 +4,7 @@
 
 use coilsense::plant::Order;
 
-use super::Form;
+use super::{Also, Form};
 use crate::mitigation::export::Precision;
 use crate::quantity::Dimension;
 use crate::request::{Allowed, Door, Given, IfAbsent, LENGTH, OUT, Row, Takes, Wrong};
@@ -40,7 +40,7 @@ pub const ERROR: Row = Row {
     name: "error",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Between(0.0, 1.0),
-    meaning: "Error of F_i, F_o and F_x up to --bandwidth, over k times the motion of an end, or over the force at end 2",
+    meaning: "Error of F_i, F_o, F_x (and F_L, where also asks for it) up to --bandwidth, over k times the motion of an end, or over the force at end 2",
     ..Row::PLAIN
 };
 /// Up to where.
@@ -79,12 +79,20 @@ pub const MEAN_LENGTH: Row = Row {
     meaning: "Length about which inputs count",
     ..LENGTH
 };
+/// Which outputs beside the forces.
+pub const ALSO: Row = Row {
+    name: "also",
+    takes: Takes::Form("WORDS", |text| Also::of(text).map(|_| ())),
+    if_absent: IfAbsent::Found("F_i, F_o, F_x and u2 only"),
+    meaning: "Further outputs, with commas between: F_L (with L, to second order, and the bounds of both), closest_pitch (of the windings)",
+    ..Row::PLAIN
+};
 /// In which numbers it is stepped.
 pub const PRECISION: Row = Row {
     name: "precision",
     takes: Takes::Word(&["single", "double"]),
     if_absent: IfAbsent::Value("double"),
-    meaning: "Numbers of a step in C: float or double",
+    meaning: "Numbers of a step in C, float or double; in Rust those of F_L and closest_pitch, f32 or f64",
     elsewhere: &[(Door::Python, "Plant.save(precision=)")],
     ..Row::PLAIN
 };
@@ -93,13 +101,15 @@ pub const PRECISION: Row = Row {
 const DEFAULT_STEP: f64 = 1e-3;
 
 /// Its options, in the order in which they are told.
-pub const OPTIONS: [Row; 9] = [AS, FILE, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION];
+pub const OPTIONS: [Row; 10] = [AS, FILE, ALSO, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION];
 
 /// What was asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
     /// As what.
     pub form: Form,
+    /// What it tells beside the forces.
+    pub also: Also,
     /// How many modes, where that is said.
     pub modes: Option<usize>,
     /// The error that is wanted.
@@ -130,7 +140,7 @@ impl Form {
                     "goes with state-space or fmu, got {word}, which is told its step when it starts"
                 )));
             }
-            (Some("rust"), None) => Form::Rust,
+            (Some("rust"), None) => Form::Rust { precision },
             (_, None) => Form::C { precision },
             (None, Some(_)) => return Err(AS.wrong("must be given")),
         };
@@ -149,6 +159,10 @@ impl Request {
         }
         Ok(Self {
             form: Form::of(given)?,
+            also: given
+                .text(&ALSO)
+                .map_or_else(|| Ok(Also::default()), |text| Also::of(&text))
+                .map_err(|why| ALSO.wrong(why))?,
             modes: given.count(&MODES).map(|modes| modes as usize),
             error: given.number(&ERROR),
             bandwidth: given.number(&BANDWIDTH),

@@ -19,7 +19,7 @@ use crate::plant::{Form, Made, Plant, PlantError};
 pub fn export_file(made: &Plant, name: &str) -> Result<Made, PlantError> {
     let text = match made.form {
         Form::C { precision } => made.header(name, precision)?,
-        Form::Rust => made.constant(name)?,
+        Form::Rust { precision } => made.constant(name, precision)?,
         Form::StateSpace { step } => matrices(made, step)?,
         Form::Fmu { step } => return made.fmu(name, step),
     };
@@ -53,7 +53,7 @@ pub struct StateSpaceFile<'a> {
     pub inputs: Vec<Signal>,
     /// See `inputs`.
     pub outputs: Vec<Signal>,
-    /// F_i = F_o = F_x at the mean, to which outputs come.
+    /// F_i = F_o = F_x at the mean, to which outputs come; F_L, too, as its meter reads zero there.
     pub mean_force_n: f64,
     /// The length about which inputs count.
     pub mean_length_m: f64,
@@ -61,7 +61,7 @@ pub struct StateSpaceFile<'a> {
     pub kept_modes: usize,
     /// … of how many; where these are more, the last two of `modes` stand for all others.
     pub available_modes: usize,
-    /// What is missed of F_i, F_o and F_x up to a bandwidth; null where none was asked for, or where modes in it are left out.
+    /// What is missed of F_i, F_o, F_x and F_L up to a bandwidth; null where none was asked for, or where modes in it are left out.
     pub error: Option<f64>,
     /// Up to there; null where none was asked for.
     pub bandwidth_hz: Option<f64>,
@@ -108,11 +108,11 @@ pub struct Continuous {
     /// Rows.
     b: Vec<[f64; 2]>,
     /// Rows.
-    c: [Vec<f64>; 4],
+    c: Vec<Vec<f64>>,
     /// Rows.
-    d: [[f64; 2]; 4],
+    d: Vec<[f64; 2]>,
     /// Of the inputs' rates: dashpots at the ends; null of all other damping.
-    d_rate: Option<[[f64; 2]; 4]>,
+    d_rate: Option<Vec<[f64; 2]>>,
 }
 
 /// `x⁺ = A x + B u`, `y = C x + D u`.
@@ -126,9 +126,9 @@ pub struct Discrete {
     /// Rows.
     b: Vec<[f64; 2]>,
     /// Rows.
-    c: [Vec<f64>; 4],
+    c: Vec<Vec<f64>>,
     /// Rows.
-    d: [[f64; 2]; 4],
+    d: Vec<[f64; 2]>,
 }
 
 impl Outcome for StateSpaceFile<'_> {
@@ -138,9 +138,14 @@ impl Outcome for StateSpaceFile<'_> {
 /// Everything of a plant as matrices.
 fn matrices(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
     let plant = &made.plant;
+    if made.windings.is_some() {
+        let told = "closest_pitch is no straight line of the inputs: a state space has none; C, Rust and an FMU have";
+        return Err(PlantError::Spec(format!("{}: {told}", made.spec_file)));
+    }
+    let coil = made.coil.as_ref();
     let sampled =
-        step.map(|step| plant.sampled(step, None)).transpose().map_err(PlantError::science(&made.spec_file))?;
-    let continuous = plant.state_space(None);
+        step.map(|step| plant.sampled(step, coil)).transpose().map_err(PlantError::science(&made.spec_file))?;
+    let continuous = plant.state_space(coil);
     let (second, unit) = if plant.far_end() == FarEnd::Position { ("u2", "m") } else { ("force_at_end_2", "N") };
     let modes = plant.modes().iter().zip(plant.ratios()).map(|(mode, damping_ratio)| Mode {
         frequency_rad_per_s: mode.frequency,
@@ -156,8 +161,10 @@ fn matrices(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
         damping: &made.damping,
         inputs: vec![Signal { name: "u1", unit: "m" }, Signal { name: second, unit }],
         outputs: [("F_i", "N"), ("F_o", "N"), ("F_x", "N"), ("u2", "m")]
+            .into_iter()
+            .chain(coil.map(|_| ("F_L", "N")))
             .map(|(name, unit)| Signal { name, unit })
-            .into(),
+            .collect(),
         mean_force_n: plant.mean_force(),
         mean_length_m: plant.mean_length(),
         kept_modes: plant.kept(),

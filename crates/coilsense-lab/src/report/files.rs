@@ -50,11 +50,13 @@ pub struct ExportOutcome<'a> {
     pub available_modes: usize,
     /// Up to where the error is told; null where that was not asked for.
     pub bandwidth_hz: Option<f64>,
-    /// Of F_i, F_o and F_x, over k times the motion of an end or over the force at end 2; null where that was not asked for, or where modes of the
+    /// Of F_i, F_o and F_x, and F_L where that is asked for, over k times the motion of an end or over the force at end 2; null where that was not asked for, or where modes of the
     /// band are left out.
     pub error: Option<f64>,
     /// What is not in the file though it could be, and why: an FMU's binary, where this machine has no C compiler; else null.
     pub left_out: Option<&'a str>,
+    /// What a reader must know of it, each in a line.
+    pub warnings: &'a [String],
 }
 
 impl Outcome for ExportOutcome<'_> {

@@ -108,6 +108,8 @@ fn main() -> ! {
         "plant, 8 modes",
         count(&mut timer, &mut |measured| spring.step(&mut state, [measured.ends[0], 0.0]).output),
     );
+    tell("its F_L, 51 gaps", count(&mut timer, &mut |_| plant::PLANT_COIL.reading(&spring, &state).force));
+    tell("its closest pitch", count(&mut timer, &mut |_| plant::PLANT_WINDINGS.closest_pitch(&spring, &state)));
 
     exit(EXIT_SUCCESS);
     loop {}

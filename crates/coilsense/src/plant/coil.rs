@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use coilsense_rt::{PlantCoil, PlantWindings};
+use coilsense_rt::{PlantCoil, PlantWindings, Real};
 use num_complex::Complex64;
 
 use super::{LOOKS, ModalPlant, Order};
@@ -211,11 +211,13 @@ impl ModalWindings {
         &self.gaps
     }
 
-    /// What a processor is given, for as many modes and gaps as there are.
+    /// What a processor is given, for as many modes and gaps as there are, in the precision of its steps.
     ///
     /// # Errors
     /// [`Error::Count`] for other numbers.
-    pub fn settings<const MODES: usize, const GAPS: usize>(&self) -> Result<PlantWindings<MODES, GAPS>, Error> {
+    pub fn settings<T: Real, const MODES: usize, const GAPS: usize>(
+        &self,
+    ) -> Result<PlantWindings<T, MODES, GAPS>, Error> {
         let Self { mean_length, share, contact_pitch, .. } = *self;
         Ok(PlantWindings { mean_length, share, contact_pitch, gaps: table("gaps", &self.gaps)? })
     }
@@ -275,13 +277,13 @@ impl ModalCoil {
         self.weights[mode] + self.slope * end
     }
 
-    /// What a processor is given, for as many modes, gaps and coefficients as there are.
+    /// What a processor is given, for as many modes, gaps and coefficients as there are, in the precision of its steps.
     ///
     /// # Errors
     /// [`Error::Count`] for other numbers.
-    pub fn settings<const MODES: usize, const GAPS: usize, const TERMS: usize>(
+    pub fn settings<T: Real, const MODES: usize, const GAPS: usize, const TERMS: usize>(
         &self,
-    ) -> Result<PlantCoil<MODES, GAPS, TERMS>, Error> {
+    ) -> Result<PlantCoil<T, MODES, GAPS, TERMS>, Error> {
         let [slopes, curvatures, remainders] = self.by_lag();
         Ok(PlantCoil {
             mean_length: self.mean_length,
@@ -298,16 +300,16 @@ impl ModalCoil {
     }
 }
 
-fn row<const N: usize>(name: &'static str, values: &[f64]) -> Result<[f64; N], Error> {
+fn row<T: Real, const N: usize>(name: &'static str, values: &[f64]) -> Result<[T; N], Error> {
     count(name, values.len(), N)?;
-    let mut row = [0.0; N];
-    row.copy_from_slice(values);
+    let mut row = [T::ZERO; N];
+    row.iter_mut().zip(values).for_each(|(out, value)| *out = T::nearest(*value));
     Ok(row)
 }
 
-fn table<const N: usize, const M: usize>(name: &'static str, rows: &[Vec<f64>]) -> Result<[[f64; N]; M], Error> {
+fn table<T: Real, const N: usize, const M: usize>(name: &'static str, rows: &[Vec<f64>]) -> Result<[[T; N]; M], Error> {
     count(name, rows.len(), M)?;
-    let mut table = [[0.0; N]; M];
+    let mut table = [[T::ZERO; N]; M];
     for (out, values) in table.iter_mut().zip(rows) {
         *out = row(name, values)?;
     }

@@ -25,7 +25,7 @@ pub use deflection::deflection_force;
 pub use inductance::{FormBy, InductanceSensor, magnetic_form, usual_form};
 pub use instrument::Instrument;
 pub use measurement::{Limits, Measurement, SpringDoubt};
-pub use readout::{MAX_ORDER, Readout, ReadoutParameters};
+pub use readout::{MAX_ORDER, Readout, ReadoutParameters, ReadoutSteps};
 pub use sensor::{Native, Sensor, Site};
 pub use two_encoder::{TwoEncoder, USUAL_COMPLIANCE_TOLERANCE};
 

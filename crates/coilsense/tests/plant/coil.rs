@@ -50,7 +50,7 @@ fn by_steps<T: Real + Into<f64>, const MODES: usize, const PITCHES: usize, const
     inputs: &[[f64; 2]],
 ) -> Vec<(Read, [f64; 2])> {
     let (sum, calibration, lengths) = coil(plant.spring());
-    let near = plant.windings(2e-3).unwrap().settings::<MODES, PITCHES>().unwrap();
+    let near = plant.windings(2e-3).unwrap().settings::<T, MODES, PITCHES>().unwrap();
     let made = plant.coil(&sum, calibration, lengths).unwrap();
     assert!(made.left() <= 1e-11, "{} {}", made.inductance().len(), made.left());
     let steps = plant.settings::<MODES>().unwrap().plant::<T>(STEP).unwrap();
@@ -59,11 +59,11 @@ fn by_steps<T: Real + Into<f64>, const MODES: usize, const PITCHES: usize, const
         steps.step(&mut state, row.map(T::nearest));
         // As many coefficients as were needed, each a type of its own.
         let reading = match made.inductance().len() {
-            9 => made.settings::<MODES, GAPS, 9>().unwrap().reading(&steps, &state),
-            10 => made.settings::<MODES, GAPS, 10>().unwrap().reading(&steps, &state),
-            11 => made.settings::<MODES, GAPS, 11>().unwrap().reading(&steps, &state),
-            12 => made.settings::<MODES, GAPS, 12>().unwrap().reading(&steps, &state),
-            13 => made.settings::<MODES, GAPS, 13>().unwrap().reading(&steps, &state),
+            9 => made.settings::<T, MODES, GAPS, 9>().unwrap().reading(&steps, &state),
+            10 => made.settings::<T, MODES, GAPS, 10>().unwrap().reading(&steps, &state),
+            11 => made.settings::<T, MODES, GAPS, 11>().unwrap().reading(&steps, &state),
+            12 => made.settings::<T, MODES, GAPS, 12>().unwrap().reading(&steps, &state),
+            13 => made.settings::<T, MODES, GAPS, 13>().unwrap().reading(&steps, &state),
             terms => panic!("{terms} coefficients: one more row here"),
         };
         let pitch = near.closest_pitch(&steps, &state);
@@ -220,7 +220,7 @@ fn by_count<const MODES: usize>(
     inputs: &[[f64; 2]],
 ) -> Vec<f64> {
     let steps = plant.settings::<MODES>().unwrap().plant::<f64>(FINE).unwrap();
-    let coil = made.settings::<MODES, 51, 13>().unwrap();
+    let coil = made.settings::<f64, MODES, 51, 13>().unwrap();
     let mut state = steps.settled(inputs[0]);
     let each = inputs.iter().map(|row| {
         steps.step(&mut state, *row);

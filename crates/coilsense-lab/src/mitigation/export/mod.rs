@@ -21,7 +21,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    fn rust(self) -> &'static str {
+    pub(crate) fn rust(self) -> &'static str {
         match self {
             Self::Single => "f32",
             Self::Double => "f64",

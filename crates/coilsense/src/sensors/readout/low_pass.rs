@@ -4,6 +4,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use coilsense_rt::ReadoutPole;
 use num_complex::Complex64;
 
 /// One pole, or a pair of conjugate poles.
@@ -72,6 +73,17 @@ impl Butterworth {
             }
             values[sample] = output;
         }
+    }
+
+    /// Its poles over one interval \[s\].
+    pub(super) fn steps(&self, interval: f64) -> Vec<ReadoutPole<f64>> {
+        let pair = |value: Complex64| [value.re, value.im];
+        let of = |pole: &Pole| {
+            let mut step = Step::default();
+            step.cover(self.cutoff * interval * pole.place);
+            ReadoutPole { decay: pair(step.decay), drag: pair(step.drag), share: pair(pole.share) }
+        };
+        self.poles.iter().map(of).collect()
     }
 
     /// H at a frequency \[Hz\].

@@ -1,7 +1,7 @@
 //! What an instrument makes of a physical quantity: low-pass ► delay ► averaging ► sampling ► noise ► resolution.
 //!
 //! One file per element, each with its closed form; this one holds the settings and runs the chain over time. Next door: the chain
-//! over frequency (`response`), what the quantity is (`crate::motion`), the estimate made of it (`super`).
+//! over frequency (`response`) and step by step (`steps`), what the quantity is (`crate::motion`), the estimate made of it (`super`).
 
 mod boxcar;
 mod delay;
@@ -10,11 +10,13 @@ mod noise;
 mod quantiser;
 mod response;
 mod sample_hold;
+mod steps;
 mod straight;
 
 use crate::error::{Error, above_zero, all_bounded, called, check, count, from_zero};
 use crate::signals::increasing;
 use low_pass::Butterworth;
+pub use steps::ReadoutSteps;
 
 /// Highest order of a readout's low-pass.
 pub const MAX_ORDER: usize = 8;

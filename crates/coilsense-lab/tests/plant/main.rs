@@ -3,6 +3,8 @@
 //!
 //! Next door: the steps against the motion (`coilsense`, `tests/plant.rs`), the Rust constant in the firmware (`exports`).
 
+mod coil;
+
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -10,7 +12,7 @@ use std::process::{Command, Stdio};
 use coilsense::plant::{ModalPlant, Order};
 use coilsense::{Damping, FarEnd, Mount};
 use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::plant::{Form, Plant, Request};
+use coilsense_lab::plant::{Also, Form, Plant, Request};
 use coilsense_lab::report::export_file;
 use coilsense_lab::spec::Spec;
 use coilsense_rt::{PlantSettings, Real};
@@ -18,6 +20,7 @@ use rand::RngExt;
 
 const SAMPLES: usize = 20_000;
 const STEP: f64 = 2e-4;
+const RUST: Form = Form::Rust { precision: Precision::Double };
 
 /// S_T; a mount follows.
 const S_T: &str = r#"[spring]
@@ -38,7 +41,15 @@ fn spec(text: &str) -> Spec {
 }
 
 fn request(form: Form) -> Request {
-    Request { form, modes: Some(6), error: None, bandwidth: None, damping_ratio: None, mean_length: None }
+    Request {
+        form,
+        also: Also::default(),
+        modes: Some(6),
+        error: None,
+        bandwidth: None,
+        damping_ratio: None,
+        mean_length: None,
+    }
 }
 
 /// Every end with every kind of damping: the spec's words, the mount, and another ζ to begin with.
@@ -76,11 +87,17 @@ fn inputs() -> Vec<[f64; 2]> {
 
 /// Compiles a header with a program around it that begins with k, m, ζ and h, feeds it the inputs, and gives what it writes.
 fn run_in_c(header: &str, [k, m, ratio]: [f64; 3], input: &[u8]) -> Vec<u8> {
+    let wanted = "x_output out = x_step(&plant, &state, row[0], row[1]);";
+    run_in_c_for(wanted, header, [k, m, ratio], input)
+}
+
+/// The same for what is read after each row into `out`.
+fn run_in_c_for(wanted: &str, header: &str, [k, m, ratio]: [f64; 3], input: &[u8]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let program = format!(
         "#include <stdio.h>\n#include \"x.h\"\nint main(void)\n{{\n    static x_plant plant;\n    static x_state state;\n    x_real row[2];\n    \
          if (x_init(&plant, {k:?}, {m:?}, {ratio:?}, {STEP:?}) != 0) return 2;\n    x_settle(&state, 0, 0);\n    \
-         while (fread(row, sizeof row, 1, stdin) == 1) {{\n        x_output out = x_step(&plant, &state, row[0], row[1]);\n        \
+         while (fread(row, sizeof row, 1, stdin) == 1) {{\n        {wanted}\n        \
          if (fwrite(&out, sizeof out, 1, stdout) != 1) return 1;\n    }}\n    return 0;\n}}\n"
     );
     std::fs::write(folder.path().join("x.h"), header).unwrap();
@@ -187,7 +204,7 @@ fn matrices_read_back_are_those_of_the_plant() {
         let rows = value.as_array().unwrap().iter();
         rows.flat_map(|row| row.as_array().unwrap()).map(|number| number.as_f64().unwrap()).collect()
     };
-    let (space, sampled) = (made.plant.state_space(None), made.plant.sampled(1e-3).unwrap());
+    let (space, sampled) = (made.plant.state_space(None), made.plant.sampled(1e-3, None).unwrap());
     // A reader of JSON may be off by a last digit.
     let assert_read = |value: &serde_json::Value, expected: Vec<f64>| {
         let found = numbers(value);
@@ -209,7 +226,7 @@ fn matrices_read_back_are_those_of_the_plant() {
 fn what_has_no_plant_is_refused_in_a_line() {
     let s_t = S_T;
     let told = |text: &str, change: &dyn Fn(&mut Request)| {
-        let mut asked = request(Form::Rust);
+        let mut asked = request(RUST);
         asked.modes = None;
         change(&mut asked);
         let refused = Plant::of(spec(text), &asked).map(|_| ()).unwrap_err().to_string();
@@ -231,7 +248,8 @@ fn what_has_no_plant_is_refused_in_a_line() {
     assert!(as_it_is(&format!("{apart}[contact]\nwindings = \"hard\"\n")).contains("[contact]: export takes windings"));
     let helix = one.replace("\"chain\"", "\"helix\"");
     assert!(as_it_is(&helix).contains("[spring] model = \"helix\": export takes"), "{}", as_it_is(&helix));
-    let refused = Plant::of(spec(&one), &request(Form::Rust)).unwrap().constant("2x").unwrap_err().to_string();
+    let refused =
+        Plant::of(spec(&one), &request(RUST)).unwrap().constant("2x", Precision::Double).unwrap_err().to_string();
     assert!(refused.contains("must be a lower-case letter"), "{refused}");
 }
 
@@ -259,7 +277,7 @@ fn an_fmu_says_what_its_inputs_are() {
 #[test]
 fn a_large_chain_needs_an_order() {
     let text = format!("{S_T}masses_per_winding = 16\n[mount]\ndamping_ratio = 0.005\n");
-    let asked = Request { modes: None, ..request(Form::Rust) };
+    let asked = Request { modes: None, ..request(RUST) };
     let refused = Plant::of(spec(&text), &asked).map(|_| ()).unwrap_err().to_string();
     assert!(refused.contains("modes must be at most 512 for an export, got 832; --error and --bandwidth"), "{refused}");
     let few = Request { error: Some(0.001), bandwidth: Some(200.0), ..asked };
