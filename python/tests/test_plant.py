@@ -129,7 +129,7 @@ def test_f_l_is_the_fifth_output_where_it_is_asked_for(ankle: coilsense.Plant, t
     assert "ankle_coil(" in header and "ankle_closest_pitch(" in header
     with pytest.raises(coilsense.Error, match="closest_pitch is no straight line"):
         by_coil.save(tmp_path / "ankle.json", "state-space")
-    with pytest.raises(coilsense.Error, match="also must be of F_L, closest_pitch, with commas between, got \"F_l\""):
+    with pytest.raises(coilsense.Error, match="also must be of F_L, closest_pitch, readings, with commas between, got \"F_l\""):
         coilsense.plant(EXAMPLE, damping_ratio=RATIO, also="F_l")
 
 

@@ -225,15 +225,15 @@ fn plant() -> String {
     let spec = format!("{S_T}[mount]\nend2 = \"held\"\ndamping_ratio = 0.005\n");
     let spec = Spec::parse("plant.toml", &spec, &|_: &str| unreachable!()).unwrap();
     let request = plant::Request {
-        form: plant::Form::Rust { precision: Precision::Single },
-        also: plant::Also { inductance: true, closest_pitch: true },
+        form: plant::Form::Rust { precision: Precision::Single, step: None },
+        also: plant::Also { inductance: true, closest_pitch: true, readings: false },
         modes: Some(6),
         error: None,
         bandwidth: None,
         damping_ratio: None,
         mean_length: None,
     };
-    plant::Plant::of(spec, &request).unwrap().constant("plant", Precision::Single).unwrap()
+    plant::Plant::of(spec, &request).unwrap().constant("plant", Precision::Single, None).unwrap()
 }
 
 /// The settings that the firmware is compiled with, by file name.

@@ -106,7 +106,7 @@ fn steps_that_cannot_be_are_refused() {
         assert!(readout(0.0).steps(step, 0).unwrap_err().to_string().starts_with("step must be above zero"));
     }
     let refused = readout(10.0).steps(1e-6, 0).unwrap_err().to_string();
-    assert_eq!(refused, "step must be at least 1e-5 s, a millionth of what it looks back, got 0.000001 s");
+    assert_eq!(refused, "step must be at least 1.000e-5 s, a millionth of what it looks back, got 0.000001 s");
     let two = Readout::new(ReadoutParameters { bandwidth: Some(10.0), order: 4, ..ReadoutParameters::default() });
     assert!(two.unwrap().steps(1e-3, 0).unwrap().settings::<f64, 1>().is_err());
 }

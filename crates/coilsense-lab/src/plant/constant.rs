@@ -6,11 +6,12 @@ use std::fmt::Write as _;
 
 use coilsense::plant::ModalCoil;
 
+use super::readings::{Sensor, in_rust};
 use super::{Plant, PlantError, header};
 use crate::mitigation::export::{Precision, check_name};
 
 /// `<name>.rs`.
-pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<String, PlantError> {
+pub(super) fn text(made: &Plant, name: &str, precision: Precision, sensors: &[Sensor]) -> Result<String, PlantError> {
     let real = precision.rust();
     check_name(name)?;
     let (plant, upper) = (&made.plant, name.to_ascii_uppercase());
@@ -63,6 +64,7 @@ pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<Str
     if let Some(coil) = &made.coil {
         let _ = write!(text, "{}", of_coil(&upper, coil, precision));
     }
+    text += &in_rust(&upper, sensors, precision);
     Ok(text)
 }
 

@@ -1,11 +1,12 @@
 //! A plant as a header of C99.
 //!
-//! Next door: the header's text (`plant.h`), of which every line computes what `coilsense-rt` computes.
+//! Next door: the header's text (`plant.h` and what it includes), of which every line computes what `coilsense-rt` computes.
 
 use coilsense::plant::ModalPlant;
 use coilsense_rt::FarEnd;
 use minijinja::{AutoEscape, Environment, context};
 
+use super::readings::{Sensor, in_c};
 use super::windings::{of_coil, of_windings};
 use super::{Plant, PlantError, digits};
 use crate::mitigation::export::{ExportError, Precision, check_name};
@@ -55,8 +56,16 @@ pub(super) fn second_input(plant: &ModalPlant) -> &'static str {
     }
 }
 
+/// The header's text, and what it includes.
+const PARTS: [(&str, &str); 4] = [
+    ("plant", include_str!("plant.h")),
+    ("windings_tables", include_str!("windings_tables.h")),
+    ("windings", include_str!("windings.h")),
+    ("readout", include_str!("readout.h")),
+];
+
 /// `<name>.h`.
-pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<String, PlantError> {
+pub(super) fn text(made: &Plant, name: &str, precision: Precision, sensors: &[Sensor]) -> Result<String, PlantError> {
     check_name(name)?;
     let plant = &made.plant;
     let numbers = Numbers::of(plant);
@@ -72,7 +81,9 @@ pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<Str
     let render = || -> Result<String, minijinja::Error> {
         let mut environment = Environment::new();
         environment.set_auto_escape_callback(|_| AutoEscape::None);
-        environment.add_template("plant", include_str!("plant.h"))?;
+        for (part, text) in PARTS {
+            environment.add_template(part, text)?;
+        }
         environment.get_template("plant")?.render(context! {
             title => title(made, name),
             name => name,
@@ -92,7 +103,11 @@ pub(super) fn text(made: &Plant, name: &str, precision: Precision) -> Result<Str
             damping_ratio => digits(numbers.damping_ratio),
             damped_frequency => digits(numbers.damped_frequency),
             stretch => digits(numbers.stretch),
+            half_whole => if precision == Precision::Single { "4194304.0" } else { "2251799813685248.0" },
+            rounds => if precision == Precision::Single { "12582912.0" } else { "6755399441055744.0" },
             modes => modes,
+            mean_length => digits(plant.mean_length()),
+            sensors => (!sensors.is_empty()).then(|| in_c(name, sensors, precision)),
             coil => made.coil.as_ref().map(|coil| of_coil(coil, precision)),
             windings => made.windings.as_ref().map(|windings| of_windings(windings, precision)),
         })

@@ -8,6 +8,7 @@ mod constant;
 mod fmu;
 mod header;
 mod order;
+mod readings;
 pub mod request;
 mod windings;
 
@@ -15,9 +16,10 @@ use coilsense::plant::{ModalCoil, ModalPlant, ModalWindings};
 use coilsense::{Damping, Error, Mount};
 
 use crate::mitigation::export::{ExportError, Precision};
-use crate::spec::{Spec, SpecError};
+use crate::spec::{SensorSpec, Spec, SpecError};
 use crate::study;
 use order::Wanted;
+use readings::{Seen, Sensor};
 pub use request::Request;
 pub use windings::Also;
 use windings::Meter;
@@ -29,11 +31,15 @@ pub enum Form {
     C {
         /// In which numbers it is stepped.
         precision: Precision,
+        /// In which steps instruments are read \[s\], where they are.
+        step: Option<f64>,
     },
     /// A constant for `coilsense-rt`, which is stepped in either.
     Rust {
-        /// In which numbers F_L and the closest pitch are found.
+        /// In which numbers F_L, the closest pitch and readings are found.
         precision: Precision,
+        /// In which steps instruments are read \[s\], where they are.
+        step: Option<f64>,
     },
     /// JSON with A, B, C, D.
     StateSpace {
@@ -95,6 +101,8 @@ pub struct Plant {
     pub coil: Option<ModalCoil>,
     /// How near its windings are, where that was asked for.
     pub windings: Option<ModalWindings>,
+    /// The sensors that are read, where that was asked for.
+    pub sensors: Option<Vec<SensorSpec>>,
     /// What a reader must know of these, each in a line.
     pub warnings: Vec<String>,
     /// Bandwidth \[Hz\] and the error up to there, where they were asked for.
@@ -127,7 +135,10 @@ impl Plant {
             let told = format!("mean length must be from {from:.3} to {to:.3} mm, the lengths in use, got {got:.3} mm");
             return Err(PlantError::Spec(format!("{file}: {told}")));
         }
-        let meter = if request.also.inductance { Some(Meter::of(&spec, mean_length)?) } else { None };
+        let (sensors, mut warnings) = if request.also.readings { read(&spec)? } else { (None, Vec::new()) };
+        let reads_coil = sensors.iter().flatten().any(|sensor| Seen::of(sensor) == Some(Seen::Inductance));
+        let meter = if request.also.inductance || reads_coil { Some(Meter::of(&spec, mean_length)?) } else { None };
+        warnings.extend(meter.as_ref().and_then(|meter| meter.doubt.clone()));
         let wanted = Wanted { file: &file, spring, mount: &mount, mean_length, meter: meter.as_ref() };
         let (plant, error) = wanted.plant(request)?;
         if plant.count() > MOST_MODES {
@@ -144,26 +155,54 @@ impl Plant {
             plant,
             coil,
             windings,
-            warnings: meter.and_then(|meter| meter.doubt).into_iter().collect(),
+            sensors,
+            warnings,
             error,
             form: request.form,
         })
     }
 
-    /// A header of C99; `name` is what it is called, and is that of the file.
+    /// A header of C99; `name` is what it is called, and is that of the file; `step`: that of the instruments \[s\], where these are read.
     ///
     /// # Errors
-    /// [`PlantError::Export`] for a name that is none in C or Rust.
-    pub fn header(&self, name: &str, precision: Precision) -> Result<String, PlantError> {
-        header::text(self, &identifier(name), precision)
+    /// [`PlantError::Export`] for a name that is none in C or Rust; [`PlantError::Spec`] for readings without a step, or a step without readings.
+    pub fn header(&self, name: &str, precision: Precision, step: Option<f64>) -> Result<String, PlantError> {
+        let sensors = self.read_in("c", step)?;
+        header::text(self, &identifier(name), precision, &sensors)
     }
 
     /// A Rust constant; those of F_L and the closest pitch are in this precision.
     ///
     /// # Errors
     /// As [`Self::header`].
-    pub fn constant(&self, name: &str, precision: Precision) -> Result<String, PlantError> {
-        constant::text(self, &identifier(name), precision)
+    pub fn constant(&self, name: &str, precision: Precision, step: Option<f64>) -> Result<String, PlantError> {
+        let sensors = self.read_in("rust", step)?;
+        constant::text(self, &identifier(name), precision, &sensors)
+    }
+
+    /// The sensors that are read in these steps.
+    fn read_in(&self, form: &str, step: Option<f64>) -> Result<Vec<Sensor>, PlantError> {
+        let refused = |told: String| Err(PlantError::Spec(format!("{}: {told}", self.spec_file)));
+        match (&self.sensors, step) {
+            (Some(sensors), Some(step)) => readings::of(&self.spec_file, sensors, step),
+            (Some(_), None) => refused("readings need --step, in which the instruments are read".to_owned()),
+            (None, None) => Ok(Vec::new()),
+            (None, Some(_)) => refused(format!(
+                "--step goes with state-space, fmu or readings, got {form}, which is told its step when it starts"
+            )),
+        }
+    }
+
+    /// Refuses readings where they are not.
+    ///
+    /// # Errors
+    /// [`PlantError::Spec`] where they were asked for.
+    pub fn needs_no_readings(&self, form: &str) -> Result<(), PlantError> {
+        if self.sensors.is_none() {
+            return Ok(());
+        }
+        let told = format!("readings go with c and rust, got {form}: an instrument has steps of its own");
+        Err(PlantError::Spec(format!("{}: {told}", self.spec_file)))
     }
 
     /// An FMU of FMI 2.0 for co-simulation, with this step in its default experiment \[s\].
@@ -171,6 +210,7 @@ impl Plant {
     /// # Errors
     /// As [`Self::header`]; [`PlantError::Spec`] in a build without the feature `fmu`.
     pub fn fmu(&self, name: &str, step: f64) -> Result<Made, PlantError> {
+        self.needs_no_readings("fmu")?;
         #[cfg(feature = "fmu")]
         return fmu::archive(self, &identifier(name), step);
         #[cfg(not(feature = "fmu"))]
@@ -199,6 +239,23 @@ impl Plant {
             plant.mean_force()
         )
     }
+}
+
+/// The sensors of a spec that look at what a plant has, and what is left out.
+fn read(spec: &Spec) -> Result<(Option<Vec<SensorSpec>>, Vec<String>), PlantError> {
+    let (seen, not): (Vec<&SensorSpec>, Vec<&SensorSpec>) =
+        spec.sensors.iter().partition(|sensor| Seen::of(sensor).is_some());
+    if seen.is_empty() {
+        let told = "readings: no [[sensor]] looks at a force, a length or the inductance of the spring";
+        return Err(PlantError::Spec(format!("{}: {told}", spec.file)));
+    }
+    let left_out = |sensor: &SensorSpec| {
+        format!(
+            "{} is not read: the drive train that a two-encoder sensor looks through is not in a plant",
+            sensor.name
+        )
+    };
+    Ok((Some(seen.into_iter().cloned().collect()), not.into_iter().map(left_out).collect()))
 }
 
 /// A file's name as C and Rust can have it.

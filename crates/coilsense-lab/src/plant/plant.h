@@ -14,6 +14,9 @@
 #define {{ upper }}_H
 
 #include <float.h>
+{%- if sensors %}
+#include <stdint.h>
+{%- endif %}
 
 #if defined(__clang__) || !defined(__GNUC__)
 #pragma STDC FP_CONTRACT OFF
@@ -35,48 +38,7 @@ static const double {{ name }}_modes[{{ upper }}_MODES][7] = {
 {%- endfor %}
 };
 
-{%- if windings %}
-
-/* The ends' distance [m] where inputs are zero; which share of it is between neighbouring windings of a spring that moves slowly; at which
- * distance, centre to centre, windings touch [m]; how much each distance grows per mode. */
-#define {{ upper }}_MEAN_LENGTH {{ windings.mean_length }}
-#define {{ upper }}_PITCH_SHARE {{ windings.share }}
-#define {{ upper }}_CONTACT_PITCH {{ windings.contact_pitch }}
-#define {{ upper }}_PITCHES {{ windings.gaps | length }}
-static const {{ name }}_real {{ name }}_pitches[{{ upper }}_PITCHES][{{ upper }}_MODES] = {
-{%- for row in windings.gaps %}
-    { {{ row | join(', ') }} },
-{%- endfor %}
-};
-{%- endif %}
-{%- if coil %}
-
-/* The coil: L to second order about windings evenly spaced, for ends from {{ coil.shortest }} to {{ coil.longest }} m apart; polynomials in the mean
- * pitch, by how many turns two are apart. 1/l = ALPHA L + BETA is the meter's calibration, by Maxwell's sum of wire that is not magnetic. */
-{%- if not windings %}
-#define {{ upper }}_MEAN_LENGTH {{ coil.mean_length }}
-{%- endif %}
-#define {{ upper }}_WINDINGS {{ coil.windings }}
-#define {{ upper }}_ALPHA {{ coil.alpha }}
-#define {{ upper }}_BETA {{ coil.beta }}
-#define {{ upper }}_GAPS {{ coil.gaps | length }}
-#define {{ upper }}_TERMS {{ coil.inductance | length }}
-static const {{ name }}_real {{ name }}_even_inductance[{{ upper }}_TERMS] = {
-    {{ coil.inductance | join(', ') }}
-};
-{%- for part, table in [("slopes", coil.slopes), ("curvatures", coil.curvatures), ("remainders", coil.remainders)] %}
-static const {{ name }}_real {{ name }}_{{ part }}[{{ upper }}_GAPS][{{ upper }}_TERMS] = {
-{%- for row in table %}
-    { {{ row | join(', ') }} },
-{%- endfor %}
-};
-{%- endfor %}
-static const {{ name }}_real {{ name }}_gaps[{{ upper }}_GAPS][{{ upper }}_MODES] = {
-{%- for row in coil.gaps %}
-    { {{ row | join(', ') }} },
-{%- endfor %}
-};
-{%- endif %}
+{%- include "windings_tables" %}
 
 /* What a step does to a mode: quarter turns, the rest of the turn, what the ends' way takes along, what it pulls. */
 typedef struct {
@@ -234,7 +196,8 @@ static inline void {{ name }}_mode_step(double angle, double ratio, double quart
 }
 
 /* Begins with a stiffness [N/m], a mass [kg], a damping ratio and a step [s]. Gives 0, or what cannot be: 1 the stiffness, 2 the mass{% if has_mass %}, which
- * must be the spring's, as the modes belong to the mass at end 2{% endif %}, 3 the damping ratio (no mode's may be above 1000), 4 the step. */
+ * must be the spring's, as the modes belong to the mass at end 2{% endif %}, 3 the damping ratio (no mode's may be above 1000), 4 the step{% if sensors %}, which must be
+ * {{ upper }}_READ_STEP, for which the instruments are made{% endif %}. */
 static inline int {{ name }}_init({{ name }}_plant *plant, double stiffness, double mass, double damping_ratio, double step)
 {
     double harder, faster{% if dashpots %}, dashpot{% endif %}{% if not is_position %}, softer{% endif %};
@@ -248,7 +211,7 @@ static inline int {{ name }}_init({{ name }}_plant *plant, double stiffness, dou
     if (!(damping_ratio >= 0.0)) {
         return 3;
     }
-    if (!(step > 0.0 && step <= DBL_MAX)) {
+    if (!(step > 0.0 && step <= DBL_MAX){% if sensors %} || step != {{ upper }}_READ_STEP{% endif %}) {
         return 4;
     }
     harder = stiffness / {{ upper }}_STIFFNESS;
@@ -390,113 +353,7 @@ static inline {{ name }}_output {{ name }}_step(const {{ name }}_plant *plant, {
     out.output = still + output;
     return out;
 }
-{%- if windings or coil %}
-
-/* How much further apart the ends are than where inputs are zero. */
-static inline {{ name }}_real {{ name }}_longer(const {{ name }}_plant *plant, const {{ name }}_state *state)
-{
-{%- if is_position %}
-    (void)plant;
-    return state->inputs[1] - state->inputs[0];
-{%- else %}
-    {{ name }}_real swing = {{ zero }};
-    int j;
-    for (j = 0; j < {{ upper }}_MODES; j++) {
-        swing = swing + plant->modes[j].end * state->modes[j][0];
-    }
-    return (state->inputs[0] + plant->compliance * state->inputs[1] + swing) - state->inputs[0];
-{%- endif %}
-}
-
-static inline {{ name }}_real {{ name }}_sum(const {{ name }}_state *state, const {{ name }}_real *weights)
-{
-    {{ name }}_real sum = {{ zero }};
-    int j;
-    for (j = 0; j < {{ upper }}_MODES; j++) {
-        sum = sum + weights[j] * state->modes[j][0];
-    }
-    return sum;
-}
-{%- endif %}
-{%- if windings %}
-
-/* The smallest distance between neighbouring windings [m]; below {{ upper }}_CONTACT_PITCH they would have met, and this is no longer the spring. */
-static inline {{ name }}_real {{ name }}_closest_pitch(const {{ name }}_plant *plant, const {{ name }}_state *state)
-{
-    const {{ name }}_real even = ({{ name }}_real){{ upper }}_PITCH_SHARE * (({{ name }}_real){{ upper }}_MEAN_LENGTH + {{ name }}_longer(plant, state));
-    {{ name }}_real least = {{ largest }};
-    int i;
-    for (i = 0; i < {{ upper }}_PITCHES; i++) {
-        const {{ name }}_real grown = {{ name }}_sum(state, {{ name }}_pitches[i]);
-        if (grown < least) {
-            least = grown;
-        }
-    }
-    return even + least;
-}
-{%- endif %}
-{%- if coil %}
-
-static inline {{ name }}_real {{ name }}_by_pitch(const {{ name }}_real *coefficients, {{ name }}_real z)
-{
-    {{ name }}_real value = {{ zero }};
-    int i;
-    for (i = {{ upper }}_TERMS - 1; i >= 0; i--) {
-        value = value * z + coefficients[i];
-    }
-    return value;
-}
-
-/* L [H] and how far it may be from Maxwell's sum over these windings; F_L [N] and how far it may be off by that. Where nothing is known, beyond the
- * lengths above or where windings would meet, bounds are {{ largest }}. What the calibration is off is F_L's own. */
-typedef struct {
-    {{ name }}_real inductance, inductance_bound, force, force_bound;
-} {{ name }}_reading;
-
-static inline {{ name }}_reading {{ name }}_coil(const {{ name }}_plant *plant, const {{ name }}_state *state)
-{
-    const {{ name }}_real one = ({{ name }}_real)1.0;
-    const {{ name }}_real pitch = (({{ name }}_real){{ upper }}_MEAN_LENGTH + {{ name }}_longer(plant, state)) * ({{ name }}_real)(1.0 / {{ upper }}_WINDINGS);
-    const {{ name }}_real z = (pitch - ({{ name }}_real){{ coil.middle }}) * ({{ name }}_real)(1.0 / {{ coil.half }});
-    const {{ name }}_real alpha = ({{ name }}_real){{ upper }}_ALPHA, beta = ({{ name }}_real){{ upper }}_BETA;
-    {{ name }}_real nearer[{{ upper }}_GAPS], distances[{{ upper }}_GAPS];
-    {{ name }}_real largest = {{ zero }}, uneven = {{ zero }}, remainder = {{ zero }}, strain, room, length, steep, share;
-    {{ name }}_reading out;
-    int i, lag;
-    for (i = 0; i < {{ upper }}_GAPS; i++) {
-        const {{ name }}_real change = {{ name }}_sum(state, {{ name }}_gaps[i]);
-        const {{ name }}_real size = change < {{ zero }} ? -change : change;
-        nearer[i] = change;
-        distances[i] = {{ zero }};
-        largest = size <= largest ? largest : size;
-    }
-    for (lag = 0; lag < {{ upper }}_GAPS; lag++) {
-        {{ name }}_real sum = {{ zero }}, squares = {{ zero }};
-        for (i = 0; i + lag < {{ upper }}_GAPS; i++) {
-            distances[i] = distances[i] + nearer[i + lag];
-            sum = sum + distances[i];
-            squares = squares + distances[i] * distances[i];
-        }
-        uneven = uneven + ({{ name }}_by_pitch({{ name }}_slopes[lag], z) * sum + {{ name }}_by_pitch({{ name }}_curvatures[lag], z) * squares);
-        remainder = remainder + {{ name }}_by_pitch({{ name }}_remainders[lag], z) * squares;
-    }
-    out.inductance = {{ name }}_by_pitch({{ name }}_even_inductance, z) + uneven;
-    strain = largest / pitch;
-    room = one - strain;
-    if (pitch > {{ zero }} && room > {{ zero }} && z <= one && -one <= z) {
-        const {{ name }}_real cube = room * room * room;
-        out.inductance_bound = strain * remainder / (cube * cube) + ({{ name }}_real)({{ coil.left }} + 64.0 * {{ rounding }}) * out.inductance;
-    } else {
-        out.inductance_bound = {{ largest }};
-    }
-    length = one / (alpha * out.inductance + beta);
-    out.force = plant->preload + plant->stiffness * (length - ({{ name }}_real){{ upper }}_MEAN_LENGTH);
-    steep = alpha < {{ zero }} ? -alpha : alpha;
-    share = steep * length * out.inductance_bound;
-    room = one - share;
-    out.force_bound = room > {{ zero }} ? plant->stiffness * (length * share) / room : {{ largest }};
-    return out;
-}
-{%- endif %}
+{%- include "windings" %}
+{%- include "readout" %}
 
 #endif

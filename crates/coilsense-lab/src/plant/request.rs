@@ -57,7 +57,7 @@ pub const STEP: Row = Row {
     takes: Takes::Quantity(Dimension::Time),
     allowed: Allowed::AboveZero,
     if_absent: IfAbsent::Found("no such matrices, and 1 ms in an FMU"),
-    meaning: "Adds matrices for this step to a state space, is the default one of an FMU; C and Rust are told theirs when they start",
+    meaning: "Adds matrices for this step to a state space, is the default one of an FMU, and that in which readings are made; C and Rust without these are told theirs when they start",
     elsewhere: &[(Door::Python, "Plant.to_state_space(step=)")],
     ..Row::PLAIN
 };
@@ -84,7 +84,7 @@ pub const ALSO: Row = Row {
     name: "also",
     takes: Takes::Form("WORDS", |text| Also::of(text).map(|_| ())),
     if_absent: IfAbsent::Found("F_i, F_o, F_x and u2 only"),
-    meaning: "Further outputs, with commas between: F_L (with L, to second order, and the bounds of both), closest_pitch (of the windings)",
+    meaning: "Further outputs, with commas between: F_L (with L, to second order, and the bounds of both), closest_pitch (of the windings), readings (of the spec's sensors; C and Rust, with --step)",
     ..Row::PLAIN
 };
 /// In which numbers it is stepped.
@@ -92,7 +92,7 @@ pub const PRECISION: Row = Row {
     name: "precision",
     takes: Takes::Word(&["single", "double"]),
     if_absent: IfAbsent::Value("double"),
-    meaning: "Numbers of a step in C, float or double; in Rust those of F_L and closest_pitch, f32 or f64",
+    meaning: "Numbers of a step in C, float or double; in Rust those of F_L, closest_pitch and readings, f32 or f64",
     elsewhere: &[(Door::Python, "Plant.save(precision=)")],
     ..Row::PLAIN
 };
@@ -135,14 +135,10 @@ impl Form {
             (Some("state-space"), step) => Form::StateSpace { step },
             (Some("fmu"), _) if single => return Err(PRECISION.wrong("must be double of an fmu, got single")),
             (Some("fmu"), step) => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
-            (Some(word), Some(_)) => {
-                return Err(STEP.wrong(format!(
-                    "goes with state-space or fmu, got {word}, which is told its step when it starts"
-                )));
-            }
-            (Some("rust"), None) => Form::Rust { precision },
-            (_, None) => Form::C { precision },
+            (Some("rust"), step) => Form::Rust { precision, step },
+            (Some("c"), step) => Form::C { precision, step },
             (None, Some(_)) => return Err(AS.wrong("must be given")),
+            (_, step) => Form::C { precision, step },
         };
         Ok(form)
     }

@@ -12,7 +12,7 @@ use crate::mitigation::export::Precision;
 use crate::spec::{PermeabilityFound, Spec, SpringSpec};
 
 /// The words of `also`, in the order in which outputs are told.
-const WORDS: [&str; 2] = ["F_L", "closest_pitch"];
+const WORDS: [&str; 3] = ["F_L", "closest_pitch", "readings"];
 
 /// What is asked for beside the forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,6 +21,8 @@ pub struct Also {
     pub inductance: bool,
     /// The smallest distance between neighbouring windings.
     pub closest_pitch: bool,
+    /// What the spec's sensors read.
+    pub readings: bool,
 }
 
 impl Also {
@@ -34,6 +36,7 @@ impl Also {
             match word {
                 "F_L" => also.inductance = true,
                 "closest_pitch" => also.closest_pitch = true,
+                "readings" => also.readings = true,
                 other => return Err(format!("must be of {}, with commas between, got {other:?}", WORDS.join(", "))),
             }
         }
@@ -107,7 +110,6 @@ fn doubt(spring: &SpringSpec) -> Option<String> {
 /// The windings as a template has them.
 pub(super) fn of_windings(windings: &ModalWindings, precision: Precision) -> Value {
     context! {
-        mean_length => digits(windings.mean_length()),
         share => digits(windings.share()),
         contact_pitch => digits(windings.contact_pitch()),
         gaps => rows(windings.gaps(), precision),
@@ -121,7 +123,6 @@ pub(super) fn of_coil(coil: &ModalCoil, precision: Precision) -> Value {
     let [slopes, curvatures, remainders] = coil.by_lag();
     let calibration = coil.calibration();
     context! {
-        mean_length => digits(coil.mean_length()),
         windings => digits(coil.windings()),
         middle => digits(middle),
         half => digits(half),

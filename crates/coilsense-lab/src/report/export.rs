@@ -18,8 +18,8 @@ use crate::plant::{Form, Made, Plant, PlantError};
 /// As [`Plant::header`], and [`PlantError`] for a step that is too long for the fastest mode.
 pub fn export_file(made: &Plant, name: &str) -> Result<Made, PlantError> {
     let text = match made.form {
-        Form::C { precision } => made.header(name, precision)?,
-        Form::Rust { precision } => made.constant(name, precision)?,
+        Form::C { precision, step } => made.header(name, precision, step)?,
+        Form::Rust { precision, step } => made.constant(name, precision, step)?,
         Form::StateSpace { step } => matrices(made, step)?,
         Form::Fmu { step } => return made.fmu(name, step),
     };
@@ -138,6 +138,7 @@ impl Outcome for StateSpaceFile<'_> {
 /// Everything of a plant as matrices.
 fn matrices(made: &Plant, step: Option<f64>) -> Result<String, PlantError> {
     let plant = &made.plant;
+    made.needs_no_readings("state-space")?;
     if made.windings.is_some() {
         let told = "closest_pitch is no straight line of the inputs: a state space has none; C, Rust and an FMU have";
         return Err(PlantError::Spec(format!("{}: {told}", made.spec_file)));

@@ -41,16 +41,18 @@ fn c_reads_the_bits_that_rust_reads() {
         let settings = plant.settings::<8>().unwrap();
         let other = if let FarEnd::Mass(_) = mount.far_end() { settings.mass } else { 0.05 };
         for begun in [[settings.stiffness, settings.mass, settings.damping_ratio], [900.0, other, 0.02]] {
-            let made = |precision| Plant::of(spec(&text), &asked(Form::C { precision }, "F_L, closest_pitch")).unwrap();
+            let made = |precision| {
+                Plant::of(spec(&text), &asked(Form::C { precision, step: None }, "F_L, closest_pitch")).unwrap()
+            };
             let double = made(Precision::Double);
             let rows = || inputs().into_iter().take(2000).flatten();
             let bytes: Vec<u8> = rows().flat_map(f64::to_ne_bytes).collect();
-            let theirs = run_in_c_for(IN_C, &double.header("x", Precision::Double).unwrap(), begun, &bytes);
+            let theirs = run_in_c_for(IN_C, &double.header("x", Precision::Double, None).unwrap(), begun, &bytes);
             let ours: Vec<u8> = read_here::<f64>(&plant, &double, begun).iter().flat_map(|y| y.to_ne_bytes()).collect();
             assert!(ours == theirs, "double: {text}{begun:?}");
 
             let bytes: Vec<u8> = rows().flat_map(|value| (value as f32).to_ne_bytes()).collect();
-            let single = made(Precision::Single).header("x", Precision::Single).unwrap();
+            let single = made(Precision::Single).header("x", Precision::Single, None).unwrap();
             let theirs = run_in_c_for(IN_C, &single, begun, &bytes);
             let ours: Vec<u8> = read_here::<f32>(&plant, &double, begun).iter().flat_map(|y| y.to_ne_bytes()).collect();
             assert!(ours == theirs, "single: {text}{begun:?}");
@@ -63,8 +65,8 @@ fn either_goes_without_the_other() {
     let text = format!("{S_T}[mount]\ndamping_ratio = 0.005\n");
     let bytes: Vec<u8> = [0.0_f64; 2].iter().flat_map(|value| value.to_ne_bytes()).collect();
     let of = |also: &str, wanted: &str| {
-        let made = Plant::of(spec(&text), &asked(Form::C { precision: Precision::Double }, also)).unwrap();
-        let header = made.header("x", Precision::Double).unwrap();
+        let made = Plant::of(spec(&text), &asked(Form::C { precision: Precision::Double, step: None }, also)).unwrap();
+        let header = made.header("x", Precision::Double, None).unwrap();
         let begun = [760.0, 0.065, 0.005];
         let out = run_in_c_for(wanted, &header, begun, &bytes);
         let numbers = out.chunks_exact(8).map(|eight| f64::from_ne_bytes(eight.try_into().unwrap()));
@@ -124,7 +126,7 @@ fn an_error_is_one_of_f_l_too() {
 fn words_that_are_no_outputs_and_wire_that_is_magnetic_are_refused() {
     for wrong in ["", "F_l", "F_L;closest_pitch", "F_L,", "L"] {
         let refused = Also::of(wrong).unwrap_err();
-        assert!(refused.starts_with("must be of F_L, closest_pitch, with commas between, got"), "{refused}");
+        assert!(refused.starts_with("must be of F_L, closest_pitch, readings, with commas between, got"), "{refused}");
     }
     let wire = |line: &str| format!("{S_T}{line}\n[mount]\ndamping_ratio = 0.005\n");
     let of = |line: &str, also: &str| Plant::of(spec(&wire(line)), &asked(RUST, also));

@@ -4,6 +4,7 @@
 //! Next door: the steps against the motion (`coilsense`, `tests/plant.rs`), the Rust constant in the firmware (`exports`).
 
 mod coil;
+mod readings;
 
 use std::io::Write;
 use std::path::Path;
@@ -20,7 +21,7 @@ use rand::RngExt;
 
 const SAMPLES: usize = 20_000;
 const STEP: f64 = 2e-4;
-const RUST: Form = Form::Rust { precision: Precision::Double };
+const RUST: Form = Form::Rust { precision: Precision::Double, step: None };
 
 /// S_T; a mount follows.
 const S_T: &str = r#"[spring]
@@ -132,7 +133,7 @@ fn run_here<T: Real, const MODES: usize>(settings: &PlantSettings<MODES>, [k, m,
 }
 
 fn header(text: &str, precision: Precision) -> String {
-    Plant::of(spec(text), &request(Form::C { precision })).unwrap().header("x", precision).unwrap()
+    Plant::of(spec(text), &request(Form::C { precision, step: None })).unwrap().header("x", precision, None).unwrap()
 }
 
 #[test]
@@ -162,8 +163,8 @@ fn the_books_c_is_compiled() {
     let code = page.split("```c\n").nth(1).and_then(|rest| rest.split("\n```").next()).expect("a block of C");
     let folder = tempfile::tempdir().unwrap();
     let text = format!("{S_T}[mount]\ndamping_ratio = 0.005\n");
-    let made = Plant::of(spec(&text), &request(Form::C { precision: Precision::Double })).unwrap();
-    std::fs::write(folder.path().join("ankle_spring.h"), made.header("ankle_spring", Precision::Double).unwrap())
+    let made = Plant::of(spec(&text), &request(Form::C { precision: Precision::Double, step: None })).unwrap();
+    std::fs::write(folder.path().join("ankle_spring.h"), made.header("ankle_spring", Precision::Double, None).unwrap())
         .unwrap();
     let program =
         format!("{code}\nint main(void)\n{{\n    return begin() != 0 || force_at_the_leg(0.0, 0.0) < 95.0;\n}}\n");
@@ -249,7 +250,7 @@ fn what_has_no_plant_is_refused_in_a_line() {
     let helix = one.replace("\"chain\"", "\"helix\"");
     assert!(as_it_is(&helix).contains("[spring] model = \"helix\": export takes"), "{}", as_it_is(&helix));
     let refused =
-        Plant::of(spec(&one), &request(RUST)).unwrap().constant("2x", Precision::Double).unwrap_err().to_string();
+        Plant::of(spec(&one), &request(RUST)).unwrap().constant("2x", Precision::Double, None).unwrap_err().to_string();
     assert!(refused.contains("must be a lower-case letter"), "{refused}");
 }
 

@@ -44,7 +44,7 @@ pub(super) fn archive(made: &Plant, name: &str, step: f64) -> Result<Made, Plant
 
 /// All text, under an identity that is its hash.
 fn source(made: &Plant, name: &str, step: f64) -> Result<Source, PlantError> {
-    let spring = header::text(made, name, Precision::Double)?;
+    let spring = header::text(made, name, Precision::Double, &[])?;
     let told = description::Told::of(made, name, step);
     let render = |id: &str| -> Result<[String; 3], minijinja::Error> {
         let mut environment = Environment::new();

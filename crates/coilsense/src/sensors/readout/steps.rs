@@ -48,7 +48,7 @@ impl Readout {
         above_zero("step", step, "s")?;
         let p = &self.parameters;
         for time in [p.delay, p.averaging.unwrap_or(0.0)] {
-            let allowed = format!("at least {:e} s, a millionth of what it looks back", time / MOST_STEPS);
+            let allowed = format!("at least {:.3e} s, a millionth of what it looks back", time / MOST_STEPS);
             check(time / step <= MOST_STEPS, "step", step, "s", allowed)?;
         }
         let split = |time: f64| {
@@ -85,6 +85,36 @@ impl ReadoutSteps {
     /// Of the low-pass, in `f64`.
     pub fn poles(&self) -> &[ReadoutPole<f64>] {
         &self.poles
+    }
+
+    /// By how many steps it comes late.
+    pub fn delay(&self) -> Delay<f64> {
+        self.delay
+    }
+
+    /// Over which time it averages; none takes the moment.
+    pub fn mean(&self) -> Option<ReadoutMean<f64>> {
+        self.mean
+    }
+
+    /// How many of its samples a step has; none follows every step.
+    pub fn samples(&self) -> Option<f64> {
+        self.samples
+    }
+
+    /// σ, in the quantity's unit.
+    pub fn noise(&self) -> f64 {
+        self.noise
+    }
+
+    /// q, in the quantity's unit; none does not round.
+    pub fn resolution(&self) -> Option<f64> {
+        self.resolution
+    }
+
+    /// Of its noise.
+    pub fn seed(&self) -> u64 {
+        self.seed
     }
 
     /// How many past samples a state of it holds.
