@@ -38,3 +38,20 @@ fn a_hundred_thousand_steps_allocate_nothing() {
     assert!(f64::is_finite(sum));
     assert_eq!(least, 0, "bytes allocated by 10 000 steps");
 }
+
+#[test]
+fn a_clone_of_a_live_spring_costs_its_coordinates_and_rates() {
+    let spring = paper_springs::s_t();
+    let live = Live::new(&spring, &Mount::default(), 0.23, 1e-4).unwrap();
+    // The other test's thread allocates as well: the least of ten.
+    let least = (0..10).map(|_| {
+        let region = Region::new(ALLOCATOR);
+        let clones: Vec<Live> = (0..100).map(|_| live.clone()).collect();
+        let bytes = region.change().bytes_allocated / clones.len();
+        assert_eq!(clones[99].time(), 0.0);
+        bytes
+    });
+    // 56 padded modes, two numbers each, to whole cache lines; and what stands in the struct.
+    let allowed = 2 * 56 * 8 + size_of::<Live>() + 256;
+    assert!(least.min().unwrap() <= allowed, "{allowed}");
+}

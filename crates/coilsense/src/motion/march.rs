@@ -2,6 +2,8 @@
 //!
 //! Next door: the closed solution, where there is one (`closed`), the vector kernel of one step (`stride`).
 
+use std::sync::Arc;
+
 use super::closed::ModalState;
 use super::oscillator::Oscillator;
 use super::stride::{Stride, Sums};
@@ -17,7 +19,8 @@ const PANEL_ANGLE: f64 = 8.0;
 /// State and settings of a march.
 #[derive(Debug, Clone)]
 pub(super) struct March {
-    oscillators: Vec<Oscillator>,
+    /// Shared by copies.
+    oscillators: Arc<[Oscillator]>,
     stride: Stride,
     /// Jumps still to come, the next one last.
     kicks: Vec<(usize, Kick)>,
@@ -57,7 +60,7 @@ impl March {
         nominal: f64,
     ) -> Self {
         let each = modes.frequencies().iter().zip(ratios);
-        let oscillators: Vec<Oscillator> = each.map(|(&natural, &ratio)| Oscillator { natural, ratio }).collect();
+        let oscillators: Arc<[Oscillator]> = each.map(|(&natural, &ratio)| Oscillator { natural, ratio }).collect();
         let mut kicks = EndInput::kicks_of_both(inputs);
         kicks.reverse();
         let fastest_mode = oscillators.iter().fold(0.0, |fastest: f64, mode| fastest.max(mode.fastest()));
@@ -141,6 +144,16 @@ impl March {
         self.stride.state()
     }
 
+    /// q_j and q̇_j at a sample, shape `count` each; what no step has taken up yet is not in them.
+    pub(super) fn at_sample(&self) -> [&[f64]; 2] {
+        self.stride.at_sample()
+    }
+
+    /// Goes on from q_j and q̇_j, shape `count` each.
+    pub(super) fn begin_at(&mut self, coordinates: &[f64], rates: &[f64]) {
+        self.stride.begin_at(coordinates, rates);
+    }
+
     /// What the inputs' accelerations within a panel that begins at `from` leave at its end.
     fn push_inputs(&mut self, from: f64) {
         let Some(transition) = &self.transition else {
@@ -158,7 +171,7 @@ impl March {
     }
 
     /// Finds the transition of a step, unless it is that of the step before.
-    fn prepare(&mut self, step: f64) {
+    pub(super) fn prepare(&mut self, step: f64) {
         if self.transition.as_ref().is_some_and(|transition| transition.step == step) {
             return;
         }

@@ -9,6 +9,7 @@ mod ends;
 mod exponentials;
 mod forces;
 mod kicked_blocks;
+mod live;
 mod march;
 mod modal_block;
 mod modal_rows;
@@ -30,9 +31,10 @@ mod truncated;
 mod turns;
 mod windings;
 
+pub use live::Live;
 pub(crate) use modal_rows::WIDTH;
 use placing::Placing;
-pub use stream::{ForceSample, Live, Stream};
+pub use stream::{ForceSample, Stream};
 pub use windings::Windings;
 
 pub use forces::EndForces;

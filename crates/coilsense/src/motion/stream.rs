@@ -1,16 +1,14 @@
-//! The motion step by step, in constant memory: of a known excitation, or of inputs as they come.
+//! The motion of a known excitation step by step, in constant memory.
 //!
-//! Next door: the same for all times at once (`forces`), what makes a step (`march`, `sines`).
+//! Next door: the same for all times at once (`forces`), for inputs as they come (`live`), what makes a step (`march`, `sines`).
 
 use std::borrow::Cow;
 
 use super::Motion;
 use super::march::March;
 use super::sines::Sines;
-use crate::error::{Error, above_zero, finite};
-use crate::excitation::{EndInput, Excitation};
-use crate::mount::{FarEnd, Mount};
-use crate::spring::Spring;
+use crate::error::{Error, above_zero};
+use crate::excitation::EndInput;
 
 /// Both forces at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,71 +98,5 @@ impl Iterator for Stream<'_> {
         let [slow_input, slow_output] = self.forces_beside_march(time);
         self.sample += 1;
         Some(ForceSample { time, input: slow_input + input, output: slow_output + output })
-    }
-}
-
-/// A spring whose inputs come one sample at a time, straight from sample to sample (first-order hold).
-#[derive(Debug, Clone)]
-pub struct Live {
-    motion: Motion,
-    march: March,
-    step: f64,
-    sample: u64,
-    inputs: [f64; 2],
-    slopes: [f64; 2],
-}
-
-impl Live {
-    /// A spring at rest at a mean length \[m\], with inputs at steps of h \[s\].
-    ///
-    /// # Errors
-    /// [`Error::Value`] for a length or step that is not above zero; those of [`crate::Damping::ratios`].
-    pub fn new(spring: &Spring, mount: &Mount, mean_length: f64, step: f64) -> Result<Self, Error> {
-        above_zero("step", step, "s")?;
-        let (held, start) = (EndInput::Held, crate::excitation::Start::Rest);
-        let excitation = Excitation::new(mean_length, held.clone(), held, start)?;
-        let motion = Motion::mounted(spring, mount, &excitation)?;
-        let march = motion.march(step);
-        Ok(Self { motion, march, step, sample: 0, inputs: [0.0; 2], slopes: [0.0; 2] })
-    }
-
-    /// Goes on by one step, to ends as [`crate::Signals`] has them: u1 and u2 \[m\], or the force on end 2 \[N\], tension positive.
-    ///
-    /// At first they are 0 and the mean length l, or k (l − l0).
-    ///
-    /// # Errors
-    /// [`Error::Value`] for a number that is not finite, or ends that have passed each other; the spring then stays where it is.
-    pub fn advance_to(&mut self, ends: [f64; 2]) -> Result<ForceSample, Error> {
-        let [first, second] = ends;
-        finite("u1", first, "m")?;
-        let mean = if self.motion.mount().far_end() == FarEnd::Position {
-            finite("u2", second, "m")?;
-            above_zero("u2 - u1, the spring's length,", second - first, "m")?;
-            self.motion.excitation().mean_length()
-        } else {
-            finite("force on end 2", second, "N")?;
-            self.motion.static_force_of([0.0; 2])
-        };
-        self.advance([first, second - mean])
-    }
-
-    /// Goes on by one step, to the inputs `next` (u1 \[m\] and u2 \[m\], or the force at end 2 \[N\], from their means).
-    ///
-    /// # Errors
-    /// [`Error::Value`] for an input that is not finite; the spring then stays where it is.
-    pub fn advance(&mut self, next: [f64; 2]) -> Result<ForceSample, Error> {
-        finite("input 1", next[0], "m")?;
-        finite("input 2", next[1], if self.motion.mount().far_end() == FarEnd::Position { "m" } else { "N" })?;
-        for (end, next) in next.into_iter().enumerate() {
-            let slope = (next - self.inputs[end]) / self.step;
-            self.march.kick(end, slope - self.slopes[end]);
-            (self.inputs[end], self.slopes[end]) = (next, slope);
-        }
-        self.march.move_by(self.step);
-        self.sample += 1;
-        let static_force = self.motion.static_force_of(self.inputs);
-        let [input, output] = self.motion.surge_forces(self.march.sums());
-        let time = self.sample as f64 * self.step;
-        Ok(ForceSample { time, input: static_force + input, output: static_force + output })
     }
 }

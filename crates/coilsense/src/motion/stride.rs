@@ -2,6 +2,8 @@
 //!
 //! Next door: when to step, and how far (`march`).
 
+use std::sync::Arc;
+
 use aligned_vec::AVec;
 use pulp::{Simd, WithSimd};
 
@@ -17,17 +19,24 @@ pub(super) struct Stride {
     count: usize,
     coordinates: AVec<f64>,
     rates: AVec<f64>,
-    /// What a step adds: r11 − 1, r12, r21, r22 − 1.
-    transition: [AVec<f64>; 4],
-    participations: [AVec<f64>; 2],
-    /// a_j and b_j.
-    weights: [AVec<f64>; 2],
+    /// Shared by copies, until one of them takes another step.
+    tables: Arc<Tables>,
     /// Σ_j a_j c1_j, Σ_j a_j c2_j; Σ_j b_j c1_j, Σ_j b_j c2_j: what a jump of an input's rate does to the sums.
     pulls: [[f64; 2]; 2],
     /// Velocity kicks of both inputs that the next step begins with.
     pending: [f64; 2],
     sums: Sums,
     sums_are_current: bool,
+}
+
+/// What does not move.
+#[derive(Debug, Clone)]
+struct Tables {
+    /// What a step adds: r11 − 1, r12, r21, r22 − 1.
+    transition: [AVec<f64>; 4],
+    participations: [AVec<f64>; 2],
+    /// a_j and b_j.
+    weights: [AVec<f64>; 2],
 }
 
 /// Sums over the modes at both ends.
@@ -53,9 +62,11 @@ impl Stride {
             count: modes.count(),
             coordinates: padded(&start.coordinates),
             rates: padded(&start.rates),
-            transition: [still.clone(), still.clone(), still.clone(), still],
-            participations: modes.participations().map(padded),
-            weights: weights.map(padded),
+            tables: Arc::new(Tables {
+                transition: [still.clone(), still.clone(), still.clone(), still],
+                participations: modes.participations().map(padded),
+                weights: weights.map(padded),
+            }),
             pulls: weights.map(|weights| modes.participations().map(|participations| dot(weights, participations))),
             pending: [0.0; 2],
             sums: Sums::default(),
@@ -65,8 +76,9 @@ impl Stride {
 
     /// What a step does to each mode, row by row.
     pub(super) fn set(&mut self, transitions: impl Iterator<Item = [f64; 4]>) {
+        let tables = Arc::make_mut(&mut self.tables);
         for (mode, rows) in transitions.enumerate() {
-            for (table, value) in self.transition.iter_mut().zip(rows) {
+            for (table, value) in tables.transition.iter_mut().zip(rows) {
                 table[mode] = value;
             }
         }
@@ -82,14 +94,14 @@ impl Stride {
 
     /// Velocities with the kicks that no step has taken up yet.
     fn kicked_rates(&self) -> impl Iterator<Item = f64> {
-        let [first, second] = &self.participations;
+        let [first, second] = &self.tables.participations;
         let each = self.rates.iter().zip(first.iter()).zip(second.iter());
         each.map(|((rate, first), second)| rate - first * self.pending[0] - second * self.pending[1])
     }
 
     /// What an input's acceleration, or a jump of it, leaves: `kick` times what one takes off, per mode.
     pub(super) fn push(&mut self, end: usize, kick: f64, coordinates: &[f64], rates: &[f64]) {
-        let each = self.participations[end].iter().zip(coordinates.iter().zip(rates));
+        let each = self.tables.participations[end].iter().zip(coordinates.iter().zip(rates));
         for (mode, (participation, (coordinate, rate))) in each.enumerate() {
             self.coordinates[mode] -= participation * kick * coordinate;
             self.rates[mode] -= participation * kick * rate;
@@ -101,7 +113,7 @@ impl Stride {
     pub(super) fn sums(&mut self) -> Sums {
         if !self.sums_are_current {
             let mut sums = Sums::default();
-            let weights = self.weights[0].iter().zip(self.weights[1].iter());
+            let weights = self.tables.weights[0].iter().zip(self.tables.weights[1].iter());
             for ((coordinate, rate), (input, output)) in self.coordinates.iter().zip(self.kicked_rates()).zip(weights) {
                 sums.coordinates[0] += input * coordinate;
                 sums.coordinates[1] += output * coordinate;
@@ -118,6 +130,19 @@ impl Stride {
     pub(super) fn state(&self) -> ModalState {
         let rates = self.kicked_rates().take(self.count).collect();
         ModalState { coordinates: self.coordinates().to_vec(), rates }
+    }
+
+    /// q_j and q̇_j without kicks that no step has taken up yet, shape `count` each.
+    pub(super) fn at_sample(&self) -> [&[f64]; 2] {
+        [&self.coordinates[..self.count], &self.rates[..self.count]]
+    }
+
+    /// Goes on from q_j and q̇_j, shape `count` each, without kicks.
+    pub(super) fn begin_at(&mut self, coordinates: &[f64], rates: &[f64]) {
+        self.coordinates[..self.count].copy_from_slice(coordinates);
+        self.rates[..self.count].copy_from_slice(rates);
+        self.pending = [0.0; 2];
+        self.sums_are_current = false;
     }
 
     /// q_j, shape `count`.
@@ -138,11 +163,11 @@ impl WithSimd for &mut Stride {
         let (coordinates, _) = S::as_mut_simd_f64s(&mut self.coordinates);
         let (rates, _) = S::as_mut_simd_f64s(&mut self.rates);
         // Spelled out: what a closure is handed to (an array's `map`, say) is not compiled for the wider instructions.
-        let [t0, t1, t2, t3] = &self.transition;
+        let Tables { transition: [t0, t1, t2, t3], participations, weights } = &*self.tables;
         let (r11, r12) = (S::as_simd_f64s(t0).0, S::as_simd_f64s(t1).0);
         let (r21, r22) = (S::as_simd_f64s(t2).0, S::as_simd_f64s(t3).0);
-        let (c1, c2) = (S::as_simd_f64s(&self.participations[0]).0, S::as_simd_f64s(&self.participations[1]).0);
-        let (input, output) = (S::as_simd_f64s(&self.weights[0]).0, S::as_simd_f64s(&self.weights[1]).0);
+        let (c1, c2) = (S::as_simd_f64s(&participations[0]).0, S::as_simd_f64s(&participations[1]).0);
+        let (input, output) = (S::as_simd_f64s(&weights[0]).0, S::as_simd_f64s(&weights[1]).0);
         let kicks = [simd.splat_f64s(-self.pending[0]), simd.splat_f64s(-self.pending[1])];
         let mut sums = [simd.splat_f64s(0.0); 4];
         let state = coordinates.iter_mut().zip(rates).zip(c1.iter().zip(c2));
