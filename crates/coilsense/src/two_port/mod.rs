@@ -17,18 +17,22 @@
 //!
 //! Next door: the motion over time (`motion`), the modes (`modes`).
 
+mod cascade;
 mod load;
 mod loaded;
 mod modal;
 mod phase;
 mod propagation;
 mod response;
+mod transmission;
 mod trigonometry;
 
 use num_complex::Complex64;
 
+pub use cascade::Cascade;
 pub use load::Load;
 pub use response::{DynamicStiffness, Matrix};
+pub use transmission::Transmission;
 
 use crate::damping::Damping;
 use crate::error::{Error, check, number_of};

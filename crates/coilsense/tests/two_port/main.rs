@@ -5,7 +5,9 @@
 //! | `TwoPort::chain` | LU of the windings' complex equations in Arb, no dispersion relation, `reference/two_port.py` |
 //! | `TwoPort::wave` | boundary-value problem and digamma functions in mpmath, the same script |
 //! | `DynamicStiffness::transmittance` | `coilsense::transmittance` |
+//! | `Cascade` | LU of all parts' equations at once, assembled in the test |
 
+mod cascades;
 mod golden;
 mod laws;
 mod limits;
