@@ -5,6 +5,8 @@ import statistics
 import timeit
 from collections.abc import Callable
 
+import numpy
+
 import coilsense
 
 
@@ -24,3 +26,14 @@ tell("call", "Spring.surge_frequency", median_ms(lambda: spring.surge_frequency,
 motion = coilsense.Motion(spring, coilsense.Excitation.impact(spring.mid_length, 0.25))
 times = coilsense.sampled_window(10_000, 0.0, 1.0)
 tell("impact-10001", "Motion.end_forces", median_ms(lambda: motion.end_forces(times), 2000))
+
+# A step of a spring of 52 modes, by itself and with others.
+live = coilsense.Live(spring, spring.mid_length, 1e-4)
+length = spring.mid_length
+tell("live-step", "Live.advance", median_ms(lambda: live.advance(0.0, length), 1000, 100))
+for count in (1, 16, 1000):
+    batch, still, long = live.batch(count), numpy.zeros(count), numpy.full(count, length)
+    calls = max(100_000 // count, 100)
+    tell("live-step", f"LiveBatch.advance, each of {count}", median_ms(lambda: batch.advance(still, long), calls) / count)
+batch, still, long = live.batch(100), numpy.zeros((100, 1000)), numpy.full((100, 1000), length)
+tell("live-step", "LiveBatch.rollout, each step of 1000 of each of 100", median_ms(lambda: batch.rollout(still, long), 20) / 100_000)

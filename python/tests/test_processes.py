@@ -53,6 +53,11 @@ def experimented():
     return coilsense.experiment(place)
 
 
+def rolled():
+    batch = coilsense.Live(samples.SPRING, 0.23, 1e-4).batch(20)
+    return batch.rollout(numpy.zeros((20, 1000)), numpy.full((20, 1000), 0.2301))[1].tolist()
+
+
 DOORS = {{
     "simulate": lambda: float(coilsense.simulate(SPEC)[0].signals["F_o"].max()),
     "analyze": lambda: coilsense.analyze(SPEC).to_dict("2026-11-22"),
@@ -68,6 +73,7 @@ DOORS = {{
     "data_sheet": lambda: SPEC.data_sheet(),
     "rig, experiment": lambda: experimented().rows,
     "Experiment.save": lambda: saved(experimented()),
+    "LiveBatch.rollout": rolled,
 }}
 
 

@@ -21,6 +21,8 @@ mod html;
 mod identification;
 mod inductance_sensor;
 mod json;
+mod live;
+mod live_batch;
 mod log_options;
 mod long_work;
 mod maxwell_sum;
@@ -73,6 +75,8 @@ mod _coilsense {
         geometry::{PyGeometry, PyMaterial, material::materials},
         identification::{PyIdentification, identify},
         inductance_sensor::{PyInductanceSensor, theories},
+        live::PyLive,
+        live_batch::PyLiveBatch,
         maxwell_sum::PyMaxwellSum,
         measures::{PyClash, PyDeviation, spectrum::PySpectrum, spectrum::py_alias_of},
         mitigation::{PyMitigation, PyRemedy, mitigate},
@@ -93,7 +97,7 @@ mod _coilsense {
         spec::{PyCondition, PySpec},
         speed::{PySpeedMap, speed},
         spring::PySpring,
-        stream::{PyLive, PyStream},
+        stream::PyStream,
         sweep::{
             dataset::PySweepDataset, pareto::PyPareto, pareto::pareto, plan::PySweepPlan, sensitivity::PySensitivity,
             sensitivity::sensitivity,

@@ -1,27 +1,23 @@
-//! `coilsense.Stream` and `Live`: the motion step by step, in constant memory.
+//! `coilsense.Stream`: the motion step by step, in constant memory.
 //!
-//! Next door: the same for all times at once (`motion`).
+//! Next door: the same for all times at once (`motion`), for inputs as they come (`live`).
 
-use coilsense::Mount;
-use coilsense::motion::{ForceSample, Live, Stream};
-use coilsense_lab::quantity::Dimension::{Length, Time};
+use coilsense::motion::{ForceSample, Stream};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::long_work::taken;
 use crate::motion::PyMotion;
-use crate::mount::PyMount;
-use crate::quantity::Quantity;
-use crate::spring::PySpring;
 
 /// t [s], F_i [N], F_o [N].
-type Sample = (f64, f64, f64);
+pub type Sample = (f64, f64, f64);
 
 /// The same for many samples.
-type Samples<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+pub type Samples<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-fn sample(forces: ForceSample) -> Sample {
+/// As Python has it.
+pub fn sample(forces: ForceSample) -> Sample {
     (forces.time, forces.input, forces.output)
 }
 
@@ -67,72 +63,5 @@ impl PyStream {
 
     fn __next__(&mut self) -> Option<Sample> {
         self.0.next().map(sample)
-    }
-}
-
-/// A spring whose inputs come one sample at a time, straight from sample to sample (first-order hold).
-///
-/// Parameters
-/// ----------
-/// spring : Spring
-///     The spring, at rest at first.
-/// mean_length : float or str
-///     Its length then [m].
-/// step : float or str
-///     Time from sample to sample [s].
-/// mount : Mount, optional
-///     What end 2 is tied to, and damping; without it both positions prescribed, no damping.
-///
-/// Raises
-/// ------
-/// Error
-///     For a length or step that is not above zero, and damping as `Motion`.
-///
-/// Examples
-/// --------
-/// >>> import coilsense
-/// >>> live = coilsense.Live(coilsense.Spring.of_paper("S_T"), 0.23, 1e-3)
-/// >>> t, F_i, F_o = live.advance(0.0, 0.2301)  # end 2 moves by 0.1 mm within a millisecond
-/// >>> t, round(F_o - 95.76, 3)
-/// (0.001, 0.565)
-#[pyclass(name = "Live", module = "coilsense")]
-pub struct PyLive(Live);
-
-#[pymethods]
-impl PyLive {
-    #[new]
-    #[pyo3(signature = (spring, mean_length, step, mount=None))]
-    fn new(
-        spring: &PySpring,
-        mean_length: Quantity,
-        step: Quantity,
-        mount: Option<PyRef<'_, PyMount>>,
-    ) -> PyResult<Self> {
-        let (mean_length, step) = (mean_length.si("mean_length", Length)?, step.si("step", Time)?);
-        let mount = mount.map_or_else(Mount::default, |mount| mount.0.clone());
-        Live::new(&spring.0, &mount, mean_length, step).python().map(Self)
-    }
-
-    /// Goes on by one step.
-    ///
-    /// Parameters
-    /// ----------
-    /// u1 : float
-    ///     Where end 1 then is [m], as `Signals` has it: 0 at first.
-    /// end2 : float
-    ///     u2 [m], as `Signals` has it: the mean length at first. Where end 2's position is not prescribed, the force on it [N], tension positive:
-    ///     k (mean length - l0) at first.
-    ///
-    /// Returns
-    /// -------
-    /// t, F_i, F_o : float
-    ///     [s], [N], [N].
-    ///
-    /// Raises
-    /// ------
-    /// Error
-    ///     For a number that is not finite, or ends that have passed each other; the spring then stays where it is.
-    fn advance(&mut self, u1: f64, end2: f64) -> PyResult<Sample> {
-        self.0.advance_to([u1, end2]).python().map(sample)
     }
 }
