@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from coilsense._coilsense import Excitation, Motion, Mount, Spring
+from coilsense._coilsense import Cascade, Excitation, Motion, Mount, Spring, TwoPort
 
 
 def spring(arguments: dict[str, Any]) -> Spring:
@@ -14,3 +14,8 @@ def motion(spring: Spring, excitation: Excitation, mount: Mount, modes: int | No
     """A motion, truncated to its first ``modes`` where that is given."""
     full = Motion(spring, excitation, mount)
     return full if modes is None else full.truncated(modes)
+
+
+def cascade(parts: list[tuple[str, dict[str, Any]]]) -> Cascade:
+    """A cascade of parts by kind and arguments."""
+    return Cascade([TwoPort(**made) if kind == "spring" else getattr(Cascade, kind)(**made) for kind, made in parts])

@@ -48,6 +48,9 @@ WIDTH = 120
 TOLD: dict[str, str] = {
     "Analysis.uncertainties": "dict[str, float]",
     "Calibration.theories": "list[dict[str, Any]]",
+    "Cascade.__matmul__.other": "TwoPort | Cascade",
+    "Cascade.__reduce__": "tuple[Any, tuple[list[tuple[str, dict[str, Any]]]]]",
+    "Cascade.parts": "list[TwoPort | Cascade]",
     "Case.contact": "dict[str, Any] | None",
     "Case.deviations": "dict[str, Deviation]",
     "Case.forces": "dict[str, _Floats]",
@@ -94,6 +97,7 @@ TOLD: dict[str, str] = {
     "SweepPlan.rows_of": "range",
     "Together.signs": "dict[str, float]",
     "Together.springs": "dict[str, Case]",
+    "TwoPort.__matmul__.other": "TwoPort | Cascade",
     "analyze.progress": "Callable[[int, int], object] | None",
     "calibrate.columns": "Mapping[str, str | int] | None",
     "calibrate.units": "Mapping[str, str] | None",

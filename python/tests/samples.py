@@ -48,6 +48,8 @@ def values() -> list[object]:
         steel,
         coilsense.Geometry.of_spring(SPRING, "hooks", steel),
         coilsense.TwoPort(SPRING, dampings[1], "wave"),
+        coilsense.TwoPort(SPRING) @ coilsense.Cascade.mass(0.5) @ coilsense.Cascade.link(3e4, 20.0),
+        coilsense.Cascade.mass(0.5),
         coilsense.Readout(bandwidth=1e3, order=2, noise=0.1),
         coilsense.Spec.parse(coilsense.Spec.template("S_T")),
     ]

@@ -103,7 +103,7 @@ mod _coilsense {
             sensitivity::sensitivity,
         },
         two_encoder::PyTwoEncoder,
-        two_port::{PyLoad, PyTwoPort},
+        two_port::{PyCascade, PyLoad, PyTwoPort},
         windings::PyWindings,
     };
 

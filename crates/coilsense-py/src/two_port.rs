@@ -1,7 +1,8 @@
 //! `coilsense.TwoPort` and `Load`: the spring over frequency, for whole arrays of frequencies.
 //!
-//! Next door: the motion over time (`motion`).
+//! Next door: several in series (`cascade`), the motion over time (`motion`).
 
+mod cascade;
 mod load;
 
 use coilsense::two_port::{DynamicStiffness, TwoPort};
@@ -17,6 +18,8 @@ use crate::mount::PyDamping;
 use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
+use cascade::Joined;
+pub use cascade::PyCascade;
 pub use load::PyLoad;
 
 const MODELS: [&str; 2] = ["chain", "wave"];
@@ -56,7 +59,10 @@ type Matrices<'py> = PyResult<Bound<'py, PyArray3<Complex64>>>;
 /// >>> ends = TwoPort(Spring.of_paper("S_T"), Damping.modal(0.005))
 /// >>> ends.transmittance([10], Load.mass(1.0)).real.round(3)
 /// array([1.114])
+/// >>> (ends @ ends).drive_point([0]).real  # two in series, a `Cascade`
+/// array([380.])
 #[pyclass(name = "TwoPort", module = "coilsense", frozen)]
+#[derive(Clone, PartialEq)]
 pub struct PyTwoPort {
     two_port: TwoPort,
     spring: coilsense::Spring,
@@ -83,10 +89,14 @@ impl PyTwoPort {
         frequencies: &Series<'_>,
         part: impl Fn(&DynamicStiffness) -> [[Complex64; 2]; 2] + Sync,
     ) -> Matrices<'py> {
-        let matrices = self.each(py, frequencies, part)?;
-        let count = matrices.len();
-        matrices.into_flattened().into_flattened().into_pyarray(py).reshape([count, 2, 2])
+        matrices(py, self.each(py, frequencies, part)?)
     }
+}
+
+/// Matrices as an array of shape `count × 2 × 2`.
+fn matrices(py: Python<'_>, matrices: Vec<[[Complex64; 2]; 2]>) -> Matrices<'_> {
+    let count = matrices.len();
+    matrices.into_flattened().into_flattened().into_pyarray(py).reshape([count, 2, 2])
 }
 
 getters! {
@@ -265,10 +275,11 @@ impl PyTwoPort {
         self.matrices(py, &frequencies, DynamicStiffness::transmission)
     }
 
+    fn __matmul__(slf: PyRef<'_, Self>, other: Joined<'_>) -> PyResult<PyCascade> {
+        PyCascade::joined(&Joined::Spring(slf), &other)
+    }
+
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        other.cast::<Self>().is_ok_and(|other| {
-            let parts = |port: &Self| (port.spring.clone(), port.damping.clone(), port.model);
-            parts(self) == parts(other.get())
-        })
+        other.cast::<Self>().is_ok_and(|other| self == other.get())
     }
 }
