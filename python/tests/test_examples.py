@@ -105,3 +105,22 @@ def test_the_spring_that_was_chosen_is_the_best_of_all() -> None:
     # What must not be chosen: a spring that is better and does not fit.
     beyond = best * [0.97, 1, 1]
     assert choose.wave(beyond) < choose.wave(best) and (choose.room(beyond) < -1e-2).any()
+
+
+def test_the_notebook_runs_from_top_to_bottom_and_is_kept_without_outputs(monkeypatch: pytest.MonkeyPatch) -> None:
+    nbformat = pytest.importorskip("nbformat")
+    client = pytest.importorskip("nbclient")
+    notebook = nbformat.read(EXAMPLES / "first_hour.ipynb", as_version=4)
+    nbformat.validate(notebook)
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    assert len(code) >= 6
+    for cell in code:
+        assert not cell.outputs and cell.execution_count is None, "kept with outputs: strip them"
+    monkeypatch.delenv("MPLBACKEND", raising=False)  # a notebook's own: pictures between the cells
+    client.NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    pictures = [output for cell in code for output in cell.outputs if "image/png" in output.get("data", {})]
+    texts = [output["text"] for cell in code for output in cell.outputs if output.output_type == "stream" and output.name == "stdout"]
+    assert len(pictures) == 4
+    assert any(text.startswith("spring: ") for text in texts) and any("best filter: mean over 2\u03c4" in text for text in texts)
+    # Nothing is told on the side: no warning of a library stands between the cells.
+    assert not [output for cell in code for output in cell.outputs if output.output_type == "stream" and output.name == "stderr"]
