@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Over frequency no mode is left out: the spring is [`crate::two_port::TwoPort`]. The sampled loop ([`SampledLoop`]) sums all modes of the
-//! chain, sample to sample without error for an ideal velocity source, and [`simulate()`] runs it on the engine of [`crate::motion::Live`].
+//! chain, sample to sample without error for an ideal velocity source. [`OverTime`] runs every one of these loops, in samples or continuous,
+//! on every force and behind every estimator, by poles that share no code with the response over frequency.
 //!
 //! ```
 //! # let spring = coilsense::paper::s_t();
@@ -26,8 +27,8 @@
 //!
 //! Next door: the spring over frequency (`two_port`), its motion (`motion`).
 //!
+//! [`OverTime`]: crate::control::OverTime
 //! [`SampledLoop`]: crate::control::SampledLoop
-//! [`simulate()`]: crate::control::simulate
 
 mod coil;
 mod controller;
@@ -37,11 +38,15 @@ mod estimator;
 mod force_loop;
 mod kicked;
 mod margins;
+mod matrices;
+mod over_time;
 mod plant;
+mod poles;
 mod rational;
 mod rendered;
+mod run;
 mod sampled;
-mod simulate;
+mod stepped;
 mod trace;
 
 pub use controller::{Controller, Gains};
@@ -50,8 +55,9 @@ pub use environment::Environment;
 pub use estimator::Estimator;
 pub use force_loop::ForceLoop;
 pub use margins::Margins;
+pub use over_time::{OverTime, simulate};
 pub use plant::{Plant, Response};
 pub use rendered::{Passivity, rendered_stiffness};
+pub use run::Run;
 pub use sampled::SampledLoop;
-pub use simulate::{Run, simulate};
 pub use trace::{Point, Trace};

@@ -9,6 +9,7 @@ use super::drive::Drive;
 use super::environment::Environment;
 use crate::damping::Damping;
 use crate::error::{Error, check};
+use crate::modes::ChainModes;
 use crate::signals::Channel;
 use crate::spring::Spring;
 use crate::two_port::{DynamicStiffness, Load, TwoPort};
@@ -101,6 +102,28 @@ impl Plant {
     pub(super) fn lines(&self) -> impl Iterator<Item = (f64, f64)> {
         let held = self.coil.frequencies.iter().zip(&self.coil.ratios);
         held.map(|(frequency, ratio)| (*frequency, (ratio * frequency).max(1e-9 * frequency)))
+    }
+
+    /// ω_j \[rad/s\] and ζ_j of the modes with both ends held.
+    pub(super) fn held_modes(&self) -> [&[f64]; 2] {
+        [&self.coil.frequencies, &self.coil.ratios]
+    }
+
+    /// What a force jumps by with the command \[N per m/s\]: where dashpots hang on an end that an ideal velocity source moves, β Σ p_j c1_j.
+    pub(super) fn jump(&self, force: Channel) -> f64 {
+        let dashpot = self.damping.dashpot_time();
+        if dashpot == 0.0 || self.drive != Drive::IDEAL_VELOCITY {
+            return 0.0;
+        }
+        let modes = ChainModes::of(&self.spring);
+        let weights = match force {
+            Channel::InputForce => modes.input_weights(),
+            Channel::OutputForce => modes.output_weights(),
+            _ => return 0.0,
+        };
+        let by_segment = 2.0 * modes.masses() as f64 * self.spring.stiffness();
+        let [drive, _] = modes.participations();
+        dashpot * by_segment * weights.iter().zip(drive).map(|(weight, drive)| weight * drive).sum::<f64>()
     }
 
     /// A line of no width cannot be followed: every mode must be damped.

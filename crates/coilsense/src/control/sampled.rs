@@ -1,21 +1,19 @@
 //! The loop as a computer closes it: a force every h seconds, a command held in between.
 //!
-//! Next door: the continuous loop (`force_loop`), the same run over time (`simulate`).
+//! Next door: the continuous loop (`force_loop`), the same run over time (`over_time`).
 
 use std::f64::consts::{PI, TAU};
 
 use num_complex::Complex64;
 
-use super::drive::Drive;
 use super::environment::Environment;
 use super::estimator::Estimator;
 use super::force_loop::ForceLoop;
-use super::kicked::{Mode, modes};
+use super::kicked::{Kicked, Mode, modes};
 use super::margins::Margins;
 use super::rational::Difference;
 use super::trace::Trace;
 use crate::error::{Error, above_zero, called, check};
-use crate::mount::FarEnd;
 use crate::signals::Channel;
 
 /// A loop in samples.
@@ -75,16 +73,15 @@ impl SampledLoop {
         })
     }
 
-    /// The same with what an estimator makes of F_i and the ends' positions fed back in place of F_i.
+    /// The same with what an estimator makes of F_i and the ends' positions fed back in place of F_i. A drive's position is measured with F_i.
     ///
     /// # Errors
-    /// [`Error::MissingSignal`] unless F_i is fed back and end 2 held; [`Error::Value`] for a drive that is no ideal velocity source, whose
-    /// position is not known from sample to sample.
+    /// [`Error::MissingSignal`] unless F_i is fed back and end 2 held.
     pub fn behind(self, estimator: Estimator) -> Result<Self, Error> {
         if self.continuous.feedback() != Channel::InputForce {
             return Err(Error::MissingSignal(Channel::InputForce.name()));
         }
-        if far_end(&self)? != FarEnd::Position {
+        if *self.continuous.plant().environment() != Environment::Held {
             return Err(Error::MissingSignal(Channel::U2.name()));
         }
         Ok(Self { estimator: Some(estimator), ..self })
@@ -93,12 +90,13 @@ impl SampledLoop {
     /// Loop response at one angular frequency below π/h \[rad/s\].
     ///
     /// F(z)/c(z) = h z⁻¹/(1 − z⁻¹) k + (1 − z⁻¹) Σ_j (a mode kicked by each change of velocity), z = e^(jωh), for an ideal velocity source with
-    /// end 2 held or carrying a mass: no approximation. Otherwise (1/h) Σ_m P(j(ω + 2πm/h)) (1 − z⁻¹)/(j(ω + 2πm/h)) over 81 copies.
+    /// end 2 held or carrying a mass: no approximation. Otherwise (1/h) Σ_m P(j(ω + 2πm/h)) (1 − z⁻¹)/(j(ω + 2πm/h)) over 81 copies and, past
+    /// twice the chain's cut-off, the power of frequency with which the rest falls. A force that jumps with the command (dashpots at an end that
+    /// an ideal velocity source moves) is measured before it does.
     ///
     /// Source:   definition of the z-transform; `[Oppenheim2010]` for the sum over copies.
     /// Valid:    small motions. With a mass on end 2 damping is that of the mounted modes ([`crate::Damping`]).
-    /// Accuracy: exact but for rounding, 1e-12; the sum over copies drops terms of 1e-3 of the response at π/h for F_i of a velocity source,
-    /// far less for the others.
+    /// Accuracy: exact but for rounding, 1e-12; the sum over copies finds limits of stability to 1e-4 (test).
     ///
     /// # Errors
     /// [`Error::Value`] for a frequency that is not above zero and at most π/h.
@@ -107,15 +105,15 @@ impl SampledLoop {
         let holds = angular_frequency > 0.0 && angular_frequency <= nyquist;
         check(holds, "angular_frequency", angular_frequency, "rad/s", format!("above zero and at most {nyquist}"))?;
         let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
-        let force = match &self.modes {
-            Some(modes) => self.by_modes(modes, delay),
+        let [force, stroke] = match &self.modes {
+            Some(modes) => [self.by_modes(modes, delay), self.step * delay / (1.0 - delay)],
             None => self.by_copies(angular_frequency, delay)?,
         };
         let force = match &self.estimator {
             None => force,
             Some(estimator) => {
                 let [by_force, by_stroke] = estimator.response(delay);
-                by_force * force + by_stroke * self.step * delay / (1.0 - delay)
+                by_force * force + by_stroke * stroke
             }
         };
         Ok(force * self.control.at(delay) * delay.powu(self.late as u32))
@@ -129,15 +127,57 @@ impl SampledLoop {
         straight + (1.0 - delay) * ringing
     }
 
-    fn by_copies(&self, angular_frequency: f64, delay: Complex64) -> Result<Complex64, Error> {
-        let mut sum = Complex64::ZERO;
+    /// F and y over the command, in samples.
+    fn by_copies(&self, angular_frequency: f64, delay: Complex64) -> Result<[Complex64; 2], Error> {
+        let rate = TAU / self.step;
+        let plant = self.continuous.plant();
+        let jump = plant.jump(self.continuous.feedback());
+        let one = |copy: i32| {
+            let frequency = angular_frequency + rate * f64::from(copy);
+            let ahead = plant.at(frequency.abs())?;
+            let both = [ahead.of(self.continuous.feedback())? - jump, ahead.stroke];
+            let found = if frequency < 0.0 { both.map(|value| value.conj()) } else { both };
+            Ok::<_, Error>(found.map(|value| value / Complex64::new(0.0, frequency)))
+        };
+        let mut sum = [Complex64::ZERO; 2];
+        let mut edges = [[[Complex64::ZERO; 2]; 2]; 2];
         for copy in -COPIES..=COPIES {
-            let frequency = angular_frequency + TAU * f64::from(copy) / self.step;
-            let ahead = self.continuous.plant().at(frequency.abs())?.of(self.continuous.feedback())?;
-            let plant = if frequency < 0.0 { ahead.conj() } else { ahead };
-            sum += plant / Complex64::new(0.0, frequency);
+            let terms = one(copy)?;
+            sum = [sum[0] + terms[0], sum[1] + terms[1]];
+            if copy.abs() >= COPIES - 1 {
+                edges[usize::from(copy > 0)][(copy.unsigned_abs() == COPIES as u32) as usize] = terms;
+            }
         }
-        Ok(sum * (1.0 - delay) / self.step)
+        for (side, [inner, outer]) in edges.into_iter().enumerate() {
+            let at = |copies: f64| (if side == 1 { angular_frequency } else { -angular_frequency }) + rate * copies;
+            let frequencies = [-1.0, 0.0, 0.5].map(|further| at(f64::from(COPIES) + further));
+            for (sum, ends) in sum.iter_mut().zip(inner.into_iter().zip(outer)) {
+                *sum += self.rest(ends, frequencies);
+            }
+        }
+        let [force, stroke] = sum.map(|sum| sum * (1.0 - delay) / self.step);
+        // What jumps with the command is measured just before it does.
+        Ok([force + jump * delay, stroke])
+    }
+
+    /// What copies past the last two add up to: beyond the chain's cut-off a term falls with a whole power of frequency.
+    fn rest(&self, (inner, outer): (Complex64, Complex64), [before, last, from]: [f64; 3]) -> Complex64 {
+        let spring = self.continuous.plant().spring();
+        let cut_off = 2.0 * spring.chain_masses() as f64 / spring.transit_time();
+        if before < 2.0 * cut_off || outer.norm() == 0.0 {
+            return Complex64::ZERO;
+        }
+        let power = ((inner.norm() / outer.norm()).ln() / (last / before).ln()).round().max(2.0);
+        // Σ ω_m^−p over every step of 2π/h is the integral from half a step on.
+        outer * from * (last / from).powf(power) * self.step / (TAU * (power - 1.0))
+    }
+
+    /// Modes at work where F_x is not k times the drive's stroke.
+    pub(super) fn kicked(&self) -> Option<Kicked> {
+        let plant = self.continuous.plant();
+        let follows =
+            self.continuous.feedback() == Channel::DeflectionForce && *plant.environment() != Environment::Held;
+        self.modes.as_deref().filter(|_| follows).map(Kicked::new)
     }
 
     /// The response as finely as it turns, up to π/h.
@@ -163,33 +203,4 @@ impl SampledLoop {
     pub fn margins(&self) -> Result<Margins, Error> {
         Margins::of(&self.trace()?, |frequency| self.at(frequency))
     }
-}
-
-/// What end 2 of a loop that can be run is tied to.
-pub(super) fn far_end(sampled: &SampledLoop) -> Result<FarEnd, Error> {
-    let plant = sampled.continuous.plant();
-    let bandwidth = match plant.drive() {
-        Drive::Velocity { bandwidth } => bandwidth.unwrap_or(f64::INFINITY),
-        Drive::Force { bandwidth, .. } => bandwidth.unwrap_or(0.0),
-    };
-    let only = "that of an ideal velocity source for a run over time";
-    check(bandwidth.is_infinite(), called("bandwidth", "drive bandwidth"), bandwidth, "Hz", only)?;
-    let far_end = match *plant.environment() {
-        Environment::Held => FarEnd::Position,
-        Environment::Impedance { mass, damping, stiffness } => {
-            check(damping == 0.0, called("damping", "load damping"), damping, "N s/m", "zero for a run over time")?;
-            check(
-                stiffness == 0.0,
-                called("stiffness", "load stiffness"),
-                stiffness,
-                "N/m",
-                "zero for a run over time",
-            )?;
-            FarEnd::Mass(mass)
-        }
-    };
-    let feedback = sampled.continuous.feedback();
-    let simple = [Channel::InputForce, Channel::OutputForce].contains(&feedback)
-        || (feedback == Channel::DeflectionForce && far_end == FarEnd::Position);
-    if simple { Ok(far_end) } else { Err(Error::MissingSignal(feedback.name())) }
 }

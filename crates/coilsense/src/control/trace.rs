@@ -59,9 +59,11 @@ impl Trace {
         frequencies.dedup();
         let point = |angular_frequency| Ok(Point { angular_frequency, response: response(angular_frequency)? });
         let mut points = vec![point(frequencies[0])?];
+        let mut largest = points[0].response.norm();
         for pair in frequencies.windows(2) {
             let (first, last) = (points[points.len() - 1], point(pair[1])?);
-            refine(&point, first, last, &mut points)?;
+            largest = largest.max(last.response.norm());
+            refine(&point, [first, last], NOISE * largest, &mut points)?;
         }
         let (low, next) = (points[0], point(1.01 * points[0].angular_frequency)?);
         let integrators = -(next.response.norm() / low.response.norm()).ln() / 1.01_f64.ln();
@@ -130,11 +132,15 @@ impl Trace {
     }
 }
 
-/// Appends points between `first`, which is there, and `last` until each turns by at most [`Trace::TURN`] and grows by at most a half.
+/// Below this share of what came before, a response may be what rounding leaves of terms that cancel; its phase then says nothing.
+const NOISE: f64 = 1e-13;
+
+/// Appends points between the first, which is there, and the last until each turns by at most [`Trace::TURN`] and grows by at most a half;
+/// responses below `noise` are let be.
 fn refine(
     point: &impl Fn(f64) -> Result<Point, Error>,
-    first: Point,
-    last: Point,
+    [first, last]: [Point; 2],
+    noise: f64,
     points: &mut Vec<Point>,
 ) -> Result<(), Error> {
     let mut pending = vec![last];
@@ -142,7 +148,8 @@ fn refine(
     while let Some(&to) = pending.last() {
         let (width, ratio) = (to.angular_frequency - from.angular_frequency, to.response / from.response);
         let smooth = ratio.arg().abs() <= Trace::TURN && (0.7..=1.5).contains(&ratio.norm());
-        if smooth || width <= 1e-13 * to.angular_frequency {
+        let silent = from.response.norm().max(to.response.norm()) <= noise;
+        if smooth || silent || width <= 1e-13 * to.angular_frequency {
             points.push(to);
             from = to;
             pending.pop();

@@ -6,6 +6,7 @@ mod paper_springs;
 mod bad_input;
 mod estimators;
 mod laws;
+mod over_time;
 mod placement;
 mod sampled;
 
