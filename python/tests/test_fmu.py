@@ -1,160 +1,41 @@
-"""`coilsense export --as fmu` in a simulator that others wrote: FMPy reads, checks, compiles and steps it, and gets the forces of `simulate`.
+"""`coilsense export --as fmu` for co-simulation in a simulator that others wrote: FMPy reads, checks, compiles and steps it, and gets the forces of
+`simulate`.
 
-Next door: the command's words and refusals (`crates/coilsense-cli/tests/specs/fmu.rs`), the spring's step itself (`coilsense`, `tests/plant.rs`).
+Next door: what is shared (`fmus`), model exchange (`test_fmu_equations`), the command's words and refusals (`crates/coilsense-cli/tests/specs/fmu.rs`),
+the spring's step itself (`coilsense`, `tests/plant.rs`).
 """
 
-import csv
 import ctypes
+import inspect
 import os
 import pathlib
 import random
-import subprocess
+import re
 import sys
 import warnings
 import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
+import coilsense
 import fmpy
 import numpy as np
 import pytest
 from fmpy.build import build_platform_binary
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
+from fmpy.fmi3 import FMU3Model, FMU3ScheduledExecution, FMU3Slave
 from fmpy.validation import validate_fmu
+from fmus import DAMPINGS, ENDS, ERROR, SAMPLES, STEP, Slave, assert_near, exported, names, refused, shaken, simulated
 
-# Forces of S_T are 1e2 N and inputs 1e-3 m; the rates lose a digit or two in a difference of samples.
-NEAR = 1e-10
-STEP = 1e-3
-SAMPLES = 300
-ERROR = 3
-
-S_T = """[spring]
-name = "S_T"
-model = "chain"
-rest_length = "104 mm"
-windings = 52
-masses_per_winding = 1
-coil_radius = "8 mm"
-wire_radius = "1 mm"
-mass = "65 g"
-stiffness = "760 N/m"
-min_length = "196 mm"
-max_length = "264 mm"
-[mount]
-"""
-ENDS = {"held": 'end2 = "held"\n', "force": 'end2 = "force"\n', "mass": 'end2 = "mass"\nend_mass = "0.3 kg"\n'}
-DAMPINGS = ["damping_ratio = 0", "damping_ratio = 0.005", "damping_ratio = 1", 'mass_damping = "20 1/s"', 'stiffness_damping = "0.3 ms"']
-SHAKEN = """
-[[condition]]
-name = "shaken"
-kind = "recorded"
-file = "shaken.csv"
-length = "230 mm"
-sample_rate = "1 kHz"
-"""
+VERSIONS = ["2.0", "3.0"]
+# Where the standards have a binary for this machine.
+BINARIES = {"2.0": "binaries/linux64/spring.so", "3.0": "binaries/x86_64-linux/spring.so"}
 
 
-def coilsense(folder: pathlib.Path, *words: str) -> None:
-    """Runs the command: that of `COILSENSE_COMMAND`, which `cargo xtask test` sets."""
-    command = os.environ.get("COILSENSE_COMMAND")
-    assert command, "COILSENSE_COMMAND must name the command that cargo built"
-    subprocess.run([command, *words], cwd=folder, check=True, capture_output=True)
-
-
-def exported(folder: pathlib.Path, mount: str) -> pathlib.Path:
-    """An FMU of S_T."""
-    (folder / "spec.toml").write_text(S_T + mount + "\n")
-    coilsense(folder, "export", "spec.toml", "--as", "fmu", "--out", "spring.fmu")
-    return folder / "spring.fmu"
-
-
-class Slave:
-    """An instance from its start to the end of its initialization, and what it says."""
-
-    def __init__(self, file: pathlib.Path, name: str = "one", **start: float) -> None:
-        self.said: list[tuple[int, str]] = []
-        self.description = fmpy.read_model_description(str(file))
-        folder = fmpy.extract(str(file))
-        identifier = self.description.coSimulation.modelIdentifier
-        self.fmu = FMU2Slave(guid=self.description.guid, unzipDirectory=folder, modelIdentifier=identifier, instanceName=name)
-        def log(_: Any, __: bytes, status: int, ___: bytes, message: bytes) -> None:
-            self.said.append((status, message.decode()))
-
-        host = fmi2CallbackFunctions()
-        host.logger = fmi2CallbackLoggerTYPE(log)
-        self.host = host
-        self.numbers = {variable.name: variable.valueReference for variable in self.description.modelVariables}
-        self.fmu.instantiate(callbacks=host)
-        self.fmu.setupExperiment(startTime=0.0)
-        self.set(**start)
-        self.fmu.enterInitializationMode()
-        self.fmu.exitInitializationMode()
-
-    def set(self, **values: float) -> None:
-        self.fmu.setReal([self.numbers[name] for name in values], list(values.values()))
-
-    def get(self, *names: str) -> list[float]:
-        found: list[float] = self.fmu.getReal([self.numbers[name] for name in names])
-        return found
-
-    def step(self, time: float, step: float) -> None:
-        self.fmu.doStep(currentCommunicationPoint=time, communicationStepSize=step)
-
-    def close(self) -> None:
-        self.fmu.terminate()
-        self.fmu.freeInstance()
-
-
-@contextmanager
-def refused(slave: Slave, says: str) -> Iterator[None]:
-    """What is done inside is an error of which the log has a line."""
-    slave.said.clear()
-    with pytest.raises(FMICallException) as caught:
-        yield
-    assert caught.value.status == ERROR
-    assert len(slave.said) == 1 and slave.said[0][0] == ERROR and says in slave.said[0][1], slave.said
-
-
-def shaken(end: str) -> "np.ndarray[Any, Any]":
-    """Inputs as rough as can be, of which the first is zero: [m], and [m] or [N]."""
-    source = random.Random(7)
-    second = 1e-3 if end == "held" else 1.0
-    rows = [[0.0, 0.0]] + [[1e-3 * source.uniform(-1, 1), second * source.uniform(-1, 1)] for _ in range(SAMPLES - 1)]
-    return np.array(rows)
-
-
-def simulated(folder: pathlib.Path, end: str, inputs: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
-    """F_i, F_o, F_x and u2 that `coilsense simulate` has of the spec in the folder."""
-    head = "time [s],u1 [m]," + ("u2 [m]" if end == "held" else "F_2 [N]")
-    lines = [f"{STEP * k!r},{float(a)!r},{float(b)!r}" for k, (a, b) in enumerate(inputs)]
-    (folder / "shaken.csv").write_text("\n".join([head, *lines]) + "\n")
-    with open(folder / "spec.toml", "a") as spec:
-        spec.write(SHAKEN)
-    coilsense(folder, "simulate", "spec.toml", "--out", "out.csv")
-    with open(folder / "out.csv") as file:
-        rows = list(csv.DictReader(file))
-    assert len(rows) == SAMPLES
-    return np.array([[float(row["F_i [N]"]), float(row["F_o [N]"]), float(row["F_x [N]"]), float(row["u2 [m]"]) - 0.23] for row in rows])
-
-
-def names(end: str) -> list[str]:
-    return ["F_i", "F_o", "F_x"] if end == "held" else ["F_i", "F_o", "F_x", "u2"]
-
-
-def assert_near(found: "np.ndarray[Any, Any]", expected: "np.ndarray[Any, Any]") -> None:
-    for column in range(found.shape[1]):
-        peak = np.abs(expected[:, column]).max()
-        # What `simulate` writes of u2 counts from end 1, and so has lost what 0.23 m cannot hold.
-        slack = NEAR * peak + (1e-16 if column == 3 else 0.0)
-        assert np.abs(found[:, column] - expected[:, column]).max() <= slack, column
-
-
+@pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("damping", DAMPINGS)
 @pytest.mark.parametrize("end", ENDS)
-def test_forces_with_rates_are_those_of_simulate_in_any_steps(tmp_path: pathlib.Path, end: str, damping: str) -> None:
-    file = exported(tmp_path, ENDS[end] + damping)
+def test_forces_with_rates_are_those_of_simulate_in_any_steps(tmp_path: pathlib.Path, end: str, damping: str, version: str) -> None:
+    file = exported(tmp_path, ENDS[end] + damping, version)
     assert validate_fmu(str(file)) == []
     inputs = shaken(end)
     # Dashpots pull with the ends' velocity, which jumps at every other sample: there `simulate` tells the force after, a step that before it.
@@ -171,7 +52,7 @@ def test_forces_with_rates_are_those_of_simulate_in_any_steps(tmp_path: pathlib.
             for part in parts:
                 at = inputs[k] + rate * (gone * STEP)
                 slave.set(**{"u1": at[0], second: at[1]})
-                if len(parts) == 2:
+                if len(parts) == 2 and version == "2.0":
                     slave.fmu.setRealInputDerivatives([slave.numbers["u1"], slave.numbers[second]], [1, 1], list(rate))
                 else:
                     slave.set(**{"der_u1": rate[0], f"der_{second}": rate[1]})
@@ -182,9 +63,10 @@ def test_forces_with_rates_are_those_of_simulate_in_any_steps(tmp_path: pathlib.
         assert_near(np.array(found)[told], expected[told])
 
 
+@pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize("end", ENDS)
-def test_without_rates_the_forces_are_one_step_late(tmp_path: pathlib.Path, end: str) -> None:
-    file = exported(tmp_path, ENDS[end] + DAMPINGS[1])
+def test_without_rates_the_forces_are_one_step_late(tmp_path: pathlib.Path, end: str, version: str) -> None:
+    file = exported(tmp_path, ENDS[end] + DAMPINGS[1], version)
     inputs = shaken(end)
     expected = simulated(tmp_path, end, inputs)
     slave = Slave(file)
@@ -199,8 +81,9 @@ def test_without_rates_the_forces_are_one_step_late(tmp_path: pathlib.Path, end:
     assert_near(np.array(found), expected)
 
 
-def test_fmpy_simulates_it_from_a_table(tmp_path: pathlib.Path) -> None:
-    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+@pytest.mark.parametrize("version", VERSIONS)
+def test_fmpy_simulates_it_from_a_table(tmp_path: pathlib.Path, version: str) -> None:
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
     inputs = shaken("held")
     expected = simulated(tmp_path, "held", inputs)
     table = np.zeros(SAMPLES, dtype=[("time", float), ("u1", float), ("u2", float)])
@@ -213,8 +96,9 @@ def test_fmpy_simulates_it_from_a_table(tmp_path: pathlib.Path) -> None:
     assert len(forces) == SAMPLES - 1
 
 
-def test_a_step_taken_back_gives_the_same_bits(tmp_path: pathlib.Path) -> None:
-    slave = Slave(exported(tmp_path, ENDS["mass"] + DAMPINGS[4]))
+@pytest.mark.parametrize("version", VERSIONS)
+def test_a_step_taken_back_gives_the_same_bits(tmp_path: pathlib.Path, version: str) -> None:
+    slave = Slave(exported(tmp_path, ENDS["mass"] + DAMPINGS[4], version))
     source = random.Random(3)
 
     def go(start: int) -> list[list[float]]:
@@ -226,25 +110,26 @@ def test_a_step_taken_back_gives_the_same_bits(tmp_path: pathlib.Path) -> None:
         return out
 
     go(0)
-    kept = slave.fmu.getFMUstate()
-    packed = slave.fmu.serializeFMUstate(kept)
+    kept = slave.fmu.getFMUState()
+    packed = slave.fmu.serializeFMUState(kept)
     first = go(20)
     # A step of another size in between changes coefficients, not what is kept.
     slave.step(40 * STEP, source.random() * STEP)
-    slave.fmu.setFMUstate(kept)
+    slave.fmu.setFMUState(kept)
     assert go(20) == first
-    slave.fmu.freeFMUstate(kept)
-    unpacked = slave.fmu.deSerializeFMUstate(packed)
-    slave.fmu.setFMUstate(unpacked)
+    slave.fmu.freeFMUState(kept)
+    unpacked = slave.fmu.deserializeFMUState(packed)
+    slave.fmu.setFMUState(unpacked)
     assert go(20) == first
-    slave.fmu.freeFMUstate(unpacked)
+    slave.fmu.freeFMUState(unpacked)
     with refused(slave, "no state of this FMU"):
-        slave.fmu.deSerializeFMUstate(bytes(len(packed)))
+        slave.fmu.deserializeFMUState(bytes(len(packed)))
     slave.close()
 
 
-def test_two_instances_do_not_know_of_each_other(tmp_path: pathlib.Path) -> None:
-    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+@pytest.mark.parametrize("version", VERSIONS)
+def test_two_instances_do_not_know_of_each_other(tmp_path: pathlib.Path, version: str) -> None:
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
     alone = Slave(file, u1=1e-3)
     one, two = Slave(file, "one", u1=1e-3), Slave(file, "two", k=900.0, m=0.05, zeta=0.5)
     for k in range(50):
@@ -261,8 +146,9 @@ def test_two_instances_do_not_know_of_each_other(tmp_path: pathlib.Path) -> None
         slave.close()
 
 
-def test_what_cannot_be_is_an_error_with_a_line_in_the_log(tmp_path: pathlib.Path) -> None:
-    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+@pytest.mark.parametrize("version", VERSIONS)
+def test_what_cannot_be_is_an_error_with_a_line_in_the_log(tmp_path: pathlib.Path, version: str) -> None:
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
     slave = Slave(file)
     for step in [0.0, -STEP, float("nan"), float("inf")]:
         with refused(slave, "communication step must be above zero and finite"):
@@ -280,12 +166,22 @@ def test_what_cannot_be_is_an_error_with_a_line_in_the_log(tmp_path: pathlib.Pat
         slave.set(k=800.0)
     with refused(slave, "only inputs and parameters"):
         slave.set(F_i=1.0)
-    with refused(slave, "no value of this reference"):
-        slave.fmu.getReal([8])
-    with refused(slave, "no value of this reference"):
-        slave.fmu.getReal([2**32 - 1])
-    with refused(slave, "no integer values"):
-        slave.fmu.getInteger([1])
+    for number in [len(slave.numbers) + 1, 2**32 - 1]:
+        with refused(slave, "no value of this reference"):
+            slave.read([number])
+        with refused(slave, "no value of this reference"):
+            slave.put([number], [0.0])
+    if version == "2.0":
+        with refused(slave, "no integer values"):
+            slave.fmu.getInteger([1])
+    else:
+        for kind in ["Float32", "Int8", "UInt64", "Boolean", "String", "Clock"]:
+            with refused(slave, "all values are Float64"):
+                getattr(slave.fmu, "get" + kind)([1])
+        with refused(slave, "no event mode"):
+            slave.fmu.enterEventMode()
+        with refused(slave, "each reference has one value"):
+            slave.fmu.getFloat64([1, 2], nValues=1)
     with refused(slave, "comes once"):
         slave.fmu.enterInitializationMode()
     slave.set(u1=1.7e308)
@@ -298,11 +194,12 @@ def test_what_cannot_be_is_an_error_with_a_line_in_the_log(tmp_path: pathlib.Pat
     slave.close()
 
 
+@pytest.mark.parametrize("version", VERSIONS)
 @pytest.mark.parametrize(
     ("start", "says"),
     [({"k": 0.0}, "k must be above zero"), ({"m": -1.0}, "m must be above zero"), ({"zeta": -0.1}, "zeta must be from zero on")],
 )
-def test_parameters_that_cannot_be_end_the_initialization(tmp_path: pathlib.Path, start: dict[str, float], says: str) -> None:
+def test_parameters_that_cannot_be_end_the_initialization(tmp_path: pathlib.Path, start: dict[str, float], says: str, version: str) -> None:
     said: list[str] = []
 
     class Told(Slave):
@@ -312,14 +209,15 @@ def test_parameters_that_cannot_be_end_the_initialization(tmp_path: pathlib.Path
             finally:
                 said.extend(message for _, message in self.said)
 
-    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
     with pytest.raises(FMICallException) as caught:
         Told()
     assert caught.value.status == ERROR and len(said) == 1 and says in said[0], said
 
 
-def test_the_mass_of_a_spring_with_an_end_mass_stays(tmp_path: pathlib.Path) -> None:
-    slave = Slave(exported(tmp_path, ENDS["mass"] + DAMPINGS[1]))
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_mass_of_a_spring_with_an_end_mass_stays(tmp_path: pathlib.Path, version: str) -> None:
+    slave = Slave(exported(tmp_path, ENDS["mass"] + DAMPINGS[1], version))
     mass = next(variable for variable in slave.description.modelVariables if variable.name == "m")
     assert (mass.causality, mass.variability) == ("local", "constant")
     with refused(slave, "only inputs and parameters"):
@@ -327,35 +225,103 @@ def test_the_mass_of_a_spring_with_an_end_mass_stays(tmp_path: pathlib.Path) -> 
     slave.close()
 
 
-def test_another_guid_makes_no_instance(tmp_path: pathlib.Path) -> None:
-    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+def test_what_a_step_tells_beside_in_3(tmp_path: pathlib.Path) -> None:
+    slave = Slave(exported(tmp_path, ENDS["held"] + DAMPINGS[1], "3.0"))
+    # No event, no end, no early return, and until when it went.
+    assert slave.step(0.0, 0.25) == (False, False, False, 0.25)
+    assert slave.read([0]) == [0.25]
+    # Again from the start, which is another time.
+    slave.fmu.reset()
+    slave.fmu.enterInitializationMode(startTime=3.0)
+    slave.fmu.exitInitializationMode()
+    assert slave.step(3.0, 1.0) == (False, False, False, 4.0)
+    slave.close()
+
+
+def test_interfaces_that_are_not_in_3_make_no_instance(tmp_path: pathlib.Path) -> None:
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], "3.0")
+    slave = Slave(file)
+    said: list[str] = []
+
+    def log(_: object, __: int, ___: bytes, message: bytes) -> None:
+        said.append(message.decode())
+
+    asked: list[tuple[dict[str, Any], str]] = [
+        ({"eventModeUsed": True}, "no event mode"),
+        ({"requiredIntermediateVariables": [8]}, "no intermediate update"),
+    ]
+    for arguments, says in asked:
+        with pytest.raises(Exception, match="Failed to instantiate"):
+            FMU3Slave(guid=slave.fmu.guid, unzipDirectory=slave.fmu.unzipDirectory, modelIdentifier="spring").instantiate(logMessage=log, **arguments)
+        assert len(said) == 1 and says in said.pop()
+    for other in [FMU3Model, FMU3ScheduledExecution]:
+        with pytest.raises(Exception, match="Failed to instantiate"):
+            other(guid=slave.fmu.guid, unzipDirectory=slave.fmu.unzipDirectory, modelIdentifier="spring").instantiate(logMessage=log)
+        assert len(said) == 1 and "only co-simulation" in said.pop()
+    slave.close()
+
+
+def test_all_functions_of_3_are_there(tmp_path: pathlib.Path) -> None:
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], "3.0")
     with zipfile.ZipFile(file) as archive:
-        archive.extract("binaries/linux64/spring.so", tmp_path)
-    library = ctypes.CDLL(str(tmp_path / "binaries/linux64/spring.so"))
-    library.fmi2Instantiate.restype = ctypes.c_void_p
+        archive.extract(BINARIES["3.0"], tmp_path)
+    library = ctypes.CDLL(str(tmp_path / BINARIES["3.0"]))
+    wanted = re.findall(r"def (fmi3[A-Z]\w+)\(", inspect.getsource(fmpy.fmi3))
+    assert len(wanted) == 75
+    assert [name for name in wanted if not hasattr(library, name)] == []
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_another_guid_makes_no_instance(tmp_path: pathlib.Path, version: str) -> None:
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
+    with zipfile.ZipFile(file) as archive:
+        archive.extract(BINARIES[version], tmp_path)
+    library = ctypes.CDLL(str(tmp_path / BINARIES[version]))
     for guid in [b"{00000000-0000-0000-0000-000000000000}", b"", None]:
-        assert library.fmi2Instantiate(b"one", 1, guid, b"", None, 0, 0) is None
-    assert library.fmi2DoStep(None, ctypes.c_double(0.0), ctypes.c_double(1.0), 0) == ERROR
+        if version == "2.0":
+            library.fmi2Instantiate.restype = ctypes.c_void_p
+            assert library.fmi2Instantiate(b"one", 1, guid, b"", None, 0, 0) is None
+        else:
+            library.fmi3InstantiateCoSimulation.restype = ctypes.c_void_p
+            assert library.fmi3InstantiateCoSimulation(b"one", guid, b"", 0, 0, 0, 0, None, 0, None, None, None) is None
+    if version == "2.0":
+        assert library.fmi2DoStep(None, ctypes.c_double(0.0), ctypes.c_double(1.0), 0) == ERROR
+    else:
+        assert library.fmi3DoStep(None, ctypes.c_double(0.0), ctypes.c_double(1.0), 0, None, None, None, None) == ERROR
 
 
-def test_the_guid_is_that_of_the_content(tmp_path: pathlib.Path) -> None:
-    first = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_guid_is_that_of_the_content(tmp_path: pathlib.Path, version: str) -> None:
+    first = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
     bytes_of_first, guid = first.read_bytes(), fmpy.read_model_description(str(first)).guid
-    assert exported(tmp_path, ENDS["held"] + DAMPINGS[1]).read_bytes() == bytes_of_first
-    assert fmpy.read_model_description(str(exported(tmp_path, ENDS["held"] + DAMPINGS[2]))).guid != guid
+    assert exported(tmp_path, ENDS["held"] + DAMPINGS[1], version).read_bytes() == bytes_of_first
+    assert fmpy.read_model_description(str(exported(tmp_path, ENDS["held"] + DAMPINGS[2], version))).guid != guid
 
 
-def test_the_sources_build_in_another_s_hands(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_sources_build_in_another_s_hands(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch, version: str) -> None:
     # Where pip lays the CMake that FMPy brings.
     monkeypatch.setenv("PATH", os.pathsep.join([str(pathlib.Path(sys.executable).parent), os.environ["PATH"]]))
-    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1])
+    file = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version)
     folder = tmp_path / "unpacked"
     with zipfile.ZipFile(file) as archive:
         archive.extractall(folder)
-    (folder / "binaries/linux64/spring.so").unlink()
+    (folder / BINARIES[version]).unlink()
     with warnings.catch_warnings():
         # FMPy leaves its temporary folder to the collector.
         warnings.simplefilter("ignore", ResourceWarning)
         build_platform_binary(folder)
     found = fmpy.simulate_fmu(str(folder), stop_time=0.01, start_values={"u1": 1e-3})
     assert found["F_i"] == pytest.approx(95.76 - 0.76, rel=1e-14)
+
+
+def test_python_writes_what_the_command_writes(tmp_path: pathlib.Path) -> None:
+    for version in VERSIONS:
+        expected = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version).read_bytes()
+        plant = coilsense.plant(tmp_path / "spec.toml")
+        plant.save(tmp_path / "spring.fmu", "fmu", fmi=version)
+        assert (tmp_path / "spring.fmu").read_bytes() == expected
+    with pytest.raises(coilsense.Error, match="fmi.*goes with fmu, got 3.0 with c"):
+        plant.save(tmp_path / "a.h", "c", fmi="3.0")
+    with pytest.raises(coilsense.Error, match="fmi.*must be one of 2.0, 3.0"):
+        plant.save(tmp_path / "a.fmu", "fmu", fmi="1.0")

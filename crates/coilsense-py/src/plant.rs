@@ -5,7 +5,9 @@
 use std::path::PathBuf;
 
 use coilsense::plant::StateSpace;
-use coilsense_lab::plant::request::{ALSO, AS, BANDWIDTH, DAMPING_RATIO, ERROR, MEAN_LENGTH, MODES, PRECISION, STEP};
+use coilsense_lab::plant::request::{
+    ALSO, AS, BANDWIDTH, DAMPING_RATIO, ERROR, FMI, MEAN_LENGTH, MODES, PRECISION, STEP,
+};
 use coilsense_lab::plant::{Form, Plant, Request};
 use coilsense_lab::report::write_export;
 use coilsense_lab::request::Takes;
@@ -188,11 +190,13 @@ impl PyPlant {
     /// path : str or os.PathLike
     ///     The file; its name without ending is the name in C and Rust.
     /// form : {"c", "rust", "state-space", "fmu"}
-    ///     A header of C99, a constant for coilsense-rt, matrices as JSON, or an FMU of FMI 2.0 for co-simulation; a `UserWarning` says where no compiler made its binary.
+    ///     A header of C99, a constant for coilsense-rt, matrices as JSON, or an FMU for co-simulation and, in FMI 2.0, model exchange; a `UserWarning` says where no compiler made its binary.
     /// precision : {"single", "double"}
     ///     Numbers of a step in C; an FMU has double ones.
     /// step : float or str, optional
     ///     Adds matrices for this step [s] to a state space; of an FMU, that of its default experiment, 1 ms without it.
+    /// fmi : {"2.0", "3.0"}, optional
+    ///     Version of the standard that an FMU keeps to, 2.0 without it.
     ///
     /// Returns
     /// -------
@@ -202,10 +206,10 @@ impl PyPlant {
     /// Raises
     /// ------
     /// Error
-    ///     For a name that C cannot have, or more modes than a file gets.
+    ///     For a name that C cannot have, more modes than a file gets, or a step, a precision or a version of FMI that goes with another form.
     /// OutputError
     ///     Where nothing can be written.
-    #[pyo3(signature = (path, form="c", precision="double", step=None))]
+    #[pyo3(signature = (path, form="c", precision="double", step=None, fmi=None))]
     fn save(
         &self,
         py: Python<'_>,
@@ -213,12 +217,14 @@ impl PyPlant {
         form: &str,
         precision: &str,
         step: Option<Quantity>,
+        fmi: Option<&str>,
     ) -> PyResult<usize> {
         let words: &[&str] = if let Takes::Word(words) = AS.takes { words } else { &[] };
         if !words.contains(&form) {
             return Err(unknown("form", words, form));
         }
-        let given = given([(&AS, form.into()), (&STEP, step.into()), (&PRECISION, precision.into())])?;
+        let given =
+            given([(&AS, form.into()), (&STEP, step.into()), (&PRECISION, precision.into()), (&FMI, fmi.into())])?;
         let made = Plant { form: Form::of(&given).map_err(wrong)?, ..self.0.clone() };
         let left_out = interruptible(py, move || write_export(&made, &path))?.python()?;
         if let Some(left_out) = left_out {

@@ -12,6 +12,8 @@ mod readings;
 pub mod request;
 mod windings;
 
+use std::fmt;
+
 use coilsense::plant::{ModalCoil, ModalPlant, ModalWindings};
 use coilsense::{Damping, Error, Mount};
 
@@ -46,11 +48,31 @@ pub enum Form {
         /// With those of this step \[s\], too.
         step: Option<f64>,
     },
-    /// An FMU of FMI 2.0 for co-simulation.
+    /// An FMU.
     Fmu {
+        /// Of which FMI.
+        version: Fmi,
         /// The step of its default experiment \[s\].
         step: f64,
     },
+}
+
+/// A version of the standard of FMUs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fmi {
+    /// FMI 2.0, for co-simulation and model exchange.
+    Two,
+    /// FMI 3.0, for co-simulation.
+    Three,
+}
+
+impl fmt::Display for Fmi {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        to.write_str(match self {
+            Self::Two => "2.0",
+            Self::Three => "3.0",
+        })
+    }
 }
 
 /// A file that is ready to be written.
@@ -205,16 +227,18 @@ impl Plant {
         Err(PlantError::Spec(format!("{}: {told}", self.spec_file)))
     }
 
-    /// An FMU of FMI 2.0 for co-simulation, with this step in its default experiment \[s\].
+    /// An FMU, with this step in its default experiment \[s\].
     ///
     /// # Errors
     /// As [`Self::header`]; [`PlantError::Spec`] in a build without the feature `fmu`.
-    pub fn fmu(&self, name: &str, step: f64) -> Result<Made, PlantError> {
+    pub fn fmu(&self, name: &str, version: Fmi, step: f64) -> Result<Made, PlantError> {
         self.needs_no_readings("fmu")?;
         #[cfg(feature = "fmu")]
-        return fmu::archive(self, &identifier(name), step);
+        return fmu::archive(self, &identifier(name), version, step);
         #[cfg(not(feature = "fmu"))]
-        Err(PlantError::Spec(format!("{name}, {step} s: an FMU is not in this build: feature fmu is off")))
+        Err(PlantError::Spec(format!(
+            "{name}, FMI {version}, {step} s: an FMU is not in this build: feature fmu is off"
+        )))
     }
 
     /// What was made, in two lines.

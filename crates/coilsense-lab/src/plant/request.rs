@@ -4,7 +4,7 @@
 
 use coilsense::plant::Order;
 
-use super::{Also, Form};
+use super::{Also, Fmi, Form};
 use crate::mitigation::export::Precision;
 use crate::quantity::Dimension;
 use crate::request::{Allowed, Door, Given, IfAbsent, LENGTH, OUT, Row, Takes, Wrong};
@@ -14,7 +14,7 @@ pub const AS: Row = Row {
     name: "as",
     takes: Takes::Word(&["c", "rust", "state-space", "fmu"]),
     if_absent: IfAbsent::Refused,
-    meaning: "As what: a C99 header, a Rust constant for coilsense-rt, matrices as JSON, or an FMU (FMI 2.0, co-simulation)",
+    meaning: "As what: a C99 header, a Rust constant for coilsense-rt, matrices as JSON, or an FMU (co-simulation; FMI 2.0 also has model exchange)",
     elsewhere: &[(Door::Python, "Plant.save(form=)")],
     ..Row::PLAIN
 };
@@ -97,11 +97,22 @@ pub const PRECISION: Row = Row {
     ..Row::PLAIN
 };
 
+/// Of which standard an FMU is.
+pub const FMI: Row = Row {
+    name: "fmi",
+    takes: Takes::Word(&["2.0", "3.0"]),
+    if_absent: IfAbsent::Found("2.0 of an FMU"),
+    meaning: "Version of the standard that an FMU keeps to",
+    elsewhere: &[(Door::Python, "Plant.save(fmi=)")],
+    ..Row::PLAIN
+};
+
 /// The step of an FMU's default experiment where none is asked for \[s\].
 const DEFAULT_STEP: f64 = 1e-3;
 
 /// Its options, in the order in which they are told.
-pub const OPTIONS: [Row; 10] = [AS, FILE, ALSO, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION];
+pub const OPTIONS: [Row; 11] =
+    [AS, FILE, ALSO, MODES, ERROR, BANDWIDTH, STEP, DAMPING_RATIO, MEAN_LENGTH, PRECISION, FMI];
 
 /// What was asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,15 +137,21 @@ impl Form {
     /// What was given of it.
     ///
     /// # Errors
-    /// [`Wrong`] for a step or a precision that the form has not.
+    /// [`Wrong`] for a step, a precision or a version of FMI that the form has not.
     pub fn of(given: &Given) -> Result<Self, Wrong> {
         let step = given.number(&STEP);
+        let word = given.text(&AS);
+        let fmi = given.text(&FMI);
+        if let (Some(word), Some(fmi)) = (word.as_deref().filter(|word| *word != "fmu"), &fmi) {
+            return Err(FMI.wrong(format!("goes with fmu, got {fmi} with {word}")));
+        }
+        let version = if fmi.as_deref() == Some("3.0") { Fmi::Three } else { Fmi::Two };
         let single = given.text(&PRECISION).as_deref() == Some("single");
         let precision = if single { Precision::Single } else { Precision::Double };
-        let form = match (given.text(&AS).as_deref(), step) {
+        let form = match (word.as_deref(), step) {
             (Some("state-space"), step) => Form::StateSpace { step },
             (Some("fmu"), _) if single => return Err(PRECISION.wrong("must be double of an fmu, got single")),
-            (Some("fmu"), step) => Form::Fmu { step: step.unwrap_or(DEFAULT_STEP) },
+            (Some("fmu"), step) => Form::Fmu { version, step: step.unwrap_or(DEFAULT_STEP) },
             (Some("rust"), step) => Form::Rust { precision, step },
             (Some("c"), step) => Form::C { precision, step },
             (None, Some(_)) => return Err(AS.wrong("must be given")),

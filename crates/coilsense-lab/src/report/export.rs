@@ -21,7 +21,7 @@ pub fn export_file(made: &Plant, name: &str) -> Result<Made, PlantError> {
         Form::C { precision, step } => made.header(name, precision, step)?,
         Form::Rust { precision, step } => made.constant(name, precision, step)?,
         Form::StateSpace { step } => matrices(made, step)?,
-        Form::Fmu { step } => return made.fmu(name, step),
+        Form::Fmu { version, step } => return made.fmu(name, version, step),
     };
     Ok(Made { bytes: text.into_bytes(), left_out: None })
 }

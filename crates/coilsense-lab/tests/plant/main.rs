@@ -13,7 +13,7 @@ use std::process::{Command, Stdio};
 use coilsense::plant::{ModalPlant, Order};
 use coilsense::{Damping, FarEnd, Mount};
 use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::plant::{Also, Form, Plant, Request};
+use coilsense_lab::plant::{Also, Fmi, Form, Plant, Request};
 use coilsense_lab::report::export_file;
 use coilsense_lab::spec::Spec;
 use coilsense_rt::{PlantSettings, Real};
@@ -260,18 +260,21 @@ fn an_fmu_says_what_its_inputs_are() {
         [("held\"", "u2", false), ("force\"", "F_2", true), ("mass\"\nend_mass = \"1 kg\"", "F_2", true)]
     {
         let text = format!("{S_T}[mount]\nend2 = \"{end}\ndamping_ratio = 0.01\n");
-        let made = Plant::of(spec(&text), &request(Form::Fmu { step: 5e-4 })).unwrap();
-        // Packed without compression.
-        let bytes = export_file(&made, "x").unwrap().bytes;
-        let told = String::from_utf8_lossy(&bytes);
-        for name in ["u1", second, "der_u1", &format!("der_{second}"), "F_i", "F_o", "F_x", "k", "m", "zeta"] {
-            assert!(told.contains(&format!("<ScalarVariable name=\"{name}\" ")), "{name}: {told}");
+        for (version, element) in [(Fmi::Two, "ScalarVariable"), (Fmi::Three, "Float64")] {
+            let made = Plant::of(spec(&text), &request(Form::Fmu { version, step: 5e-4 })).unwrap();
+            // Packed without compression.
+            let bytes = export_file(&made, "x").unwrap().bytes;
+            let told = String::from_utf8_lossy(&bytes);
+            for name in ["u1", second, "der_u1", &format!("der_{second}"), "F_i", "F_o", "F_x", "k", "m", "zeta"] {
+                assert!(told.contains(&format!("<{element} name=\"{name}\" ")), "{name}: {told}");
+            }
+            assert_eq!(told.contains("name=\"u2\" valueReference=\"11\" causality=\"output\""), has_end);
+            assert!(
+                told.contains("straight between its last two values, one step late")
+                    && told.contains("stepSize=\"0.0005\"")
+            );
+            assert_eq!(told.contains("fmi2SetRealInputDerivatives)"), version == Fmi::Two);
         }
-        assert_eq!(told.contains("name=\"u2\" valueReference=\"8\" causality=\"output\""), has_end);
-        assert!(
-            told.contains("straight between its last two values, one step late")
-                && told.contains("stepSize=\"0.0005\"")
-        );
     }
 }
 

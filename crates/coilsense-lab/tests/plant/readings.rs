@@ -4,7 +4,7 @@
 use coilsense::plant::{ModalPlant, Order};
 use coilsense::sensors::Readout;
 use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::plant::{Also, Form, Plant, Request};
+use coilsense_lab::plant::{Also, Fmi, Form, Plant, Request};
 use coilsense_lab::report::export_file;
 use coilsense_rt::Real;
 
@@ -148,7 +148,9 @@ fn readings_go_with_their_step_and_with_c_and_rust() {
         "{}",
         told(c(Some(1e-9)))
     );
-    for (form, word) in [(Form::StateSpace { step: Some(STEP) }, "state-space"), (Form::Fmu { step: STEP }, "fmu")] {
+    for (form, word) in
+        [(Form::StateSpace { step: Some(STEP) }, "state-space"), (Form::Fmu { version: Fmi::Two, step: STEP }, "fmu")]
+    {
         assert!(told(form).contains(&format!("readings go with c and rust, got {word}")), "{}", told(form));
     }
     let none = format!("{S_T}[mount]\ndamping_ratio = 0.005\n");

@@ -5,22 +5,33 @@
 use std::io::ErrorKind;
 use std::process::{Command, Stdio};
 
+use super::Fmi;
+
 /// A shared library and where it lies in an FMU.
 pub(super) struct Binary {
     pub path: String,
     pub bytes: Vec<u8>,
 }
 
-/// What FMI 2.0 calls this machine, and how its shared libraries end; none where it has no name, or where a compiler is not called `cc`.
-const MACHINE: Option<(&str, &str)> = if cfg!(all(target_os = "linux", target_arch = "x86_64")) {
-    Some(("linux64", "so"))
-} else if cfg!(all(target_os = "linux", target_arch = "x86")) {
-    Some(("linux32", "so"))
-} else if cfg!(all(target_os = "macos", target_arch = "x86_64")) {
-    Some(("darwin64", "dylib"))
-} else {
-    None
-};
+impl Fmi {
+    /// What the standard calls this machine, and how its shared libraries end; none where it has no name, or where a compiler is not called `cc`.
+    const fn machine(self) -> Option<(&'static str, &'static str)> {
+        let is_two = matches!(self, Self::Two);
+        if cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+            Some((if is_two { "linux64" } else { "x86_64-linux" }, "so"))
+        } else if cfg!(all(target_os = "linux", target_arch = "x86")) {
+            Some((if is_two { "linux32" } else { "x86-linux" }, "so"))
+        } else if cfg!(all(target_os = "linux", target_arch = "aarch64")) && !is_two {
+            Some(("aarch64-linux", "so"))
+        } else if cfg!(all(target_os = "macos", target_arch = "x86_64")) {
+            Some((if is_two { "darwin64" } else { "x86_64-darwin" }, "dylib"))
+        } else if cfg!(all(target_os = "macos", target_arch = "aarch64")) && !is_two {
+            Some(("aarch64-darwin", "dylib"))
+        } else {
+            None
+        }
+    }
+}
 
 /// `-ffp-contract=off` keeps the bits of `coilsense-rt`.
 const OPTIONS: [&str; 6] = ["-O2", "-shared", "-fPIC", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden"];
@@ -29,9 +40,9 @@ const OPTIONS: [&str; 6] = ["-O2", "-shared", "-fPIC", "-std=c99", "-ffp-contrac
 ///
 /// # Errors
 /// One line that says why there is no binary.
-pub(super) fn binary(name: &str, files: &[(String, String)]) -> Result<Binary, String> {
-    let Some((machine, ending)) = MACHINE else {
-        return Err("FMI 2.0 has no name for this machine, or a compiler is not at hand on it".to_owned());
+pub(super) fn binary(name: &str, version: Fmi, files: &[(String, String)]) -> Result<Binary, String> {
+    let Some((machine, ending)) = version.machine() else {
+        return Err(format!("FMI {version} has no name for this machine, or a compiler is not at hand on it"));
     };
     let folder = tempfile::tempdir().map_err(|error| format!("no temporary folder: {}", error.kind()))?;
     for (file, text) in files {

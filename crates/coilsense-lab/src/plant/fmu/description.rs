@@ -1,11 +1,12 @@
-//! What an FMU says of itself: its values, their numbers, units and words.
+//! What an FMU says of itself: its values, their units and words.
 //!
-//! Next door: the same numbers in C (`unit.h`), the form of the file (`fmi2.xml`).
+//! Next door: the same numbers in C (`unit.h`), the form of the file (`fmi2.xml`, `fmi3.xml`).
 
+use coilsense::plant::ModalPlant;
 use coilsense_rt::FarEnd;
 use minijinja::{Value, context};
 
-use super::super::{Plant, header};
+use super::super::{Fmi, Plant, header};
 
 /// All that the templates tell.
 pub(super) struct Told<'a> {
@@ -13,18 +14,42 @@ pub(super) struct Told<'a> {
     step: String,
     title: String,
     description: String,
-    far_end: FarEnd,
+    has_mass: bool,
     variables: Vec<Variable>,
+    outputs: Vec<Output>,
+    states: Vec<State>,
 }
 
-/// A value of the FMU.
+/// A value of the FMU; its number is its place among all, counted from one.
+#[derive(Default)]
 struct Variable {
-    name: &'static str,
-    number: u32,
+    name: String,
     causality: &'static str,
     variability: &'static str,
     unit: &'static str,
     start: Option<String>,
+    /// Its usual size, by which a solver's tolerance counts.
+    nominal: Option<String>,
+    /// Of a derivative: the number of its state, and the numbers of what it depends on.
+    derivative: Option<(usize, Vec<usize>)>,
+    description: String,
+}
+
+/// A state of a mode, for a solver.
+struct State {
+    name: String,
+    nominal: String,
+    description: String,
+    /// Places among all states of those on which its derivative depends.
+    dependencies: Vec<usize>,
+}
+
+/// A value that the spring gives. One that is added is one more row here and one more field of what a step of the header gives.
+struct Output {
+    name: &'static str,
+    unit: &'static str,
+    /// What the header calls it.
+    field: &'static str,
     description: String,
 }
 
@@ -33,6 +58,10 @@ struct Unit {
     name: &'static str,
     powers: &'static [(&'static str, i8)],
 }
+
+/// A motion of an end \[m\] that matters: what it pulls is what a solver's tolerance is a share of, in every mode. With 1 mm in its place, forces of
+/// S_T shaken by 1 mm were 20 times as far off at a tolerance of 1e-6.
+const SMALL_MOTION: f64 = 1e-5;
 
 const UNITS: [Unit; 7] = [
     Unit { name: "m", powers: &[("m", 1)] },
@@ -44,11 +73,6 @@ const UNITS: [Unit; 7] = [
     Unit { name: "1", powers: &[] },
 ];
 
-/// How inputs go between two communication points.
-const INPUTS: &str = "Inputs count from their means and run straight within a communication step: from where they were at its start to u + du/dt h at \
-    its end, with the rates der_... (or fmi2SetRealInputDerivatives), where a step is exact. Where a host sets no rate, they run to the value that is set, \
-    that is, straight between its last two values, one step late. Rates stay until they are set again.";
-
 impl Unit {
     fn value(&self) -> Value {
         let powers = self.powers.iter().map(|(base, power)| Value::from(vec![Value::from(*base), Value::from(*power)]));
@@ -57,33 +81,66 @@ impl Unit {
 }
 
 impl Variable {
+    /// Where its value comes from when it starts; an input's always from outside.
+    fn initial(&self) -> Option<&'static str> {
+        match (self.causality, &self.start) {
+            ("input", _) => None,
+            (_, Some(_)) => Some("exact"),
+            (_, None) => Some("calculated"),
+        }
+    }
+
     fn value(&self) -> Value {
-        let Self { name, number, causality, variability, unit, start, description } = self;
+        let Self { name, causality, variability, unit, start, nominal, derivative, description } = self;
         context! {
-            name => *name,
-            number => *number,
+            name => name.as_str(),
             causality => *causality,
             variability => *variability,
+            initial => self.initial(),
             unit => *unit,
             start => start.clone(),
+            nominal => nominal.clone(),
+            derivative => derivative.as_ref().map(|(state, _)| *state),
+            dependencies => derivative.as_ref().map(|(_, numbers)| numbers.clone()),
             description => description.as_str(),
         }
     }
 }
 
+impl Output {
+    fn variable(&self) -> Variable {
+        Variable {
+            name: self.name.to_owned(),
+            causality: "output",
+            variability: "continuous",
+            unit: self.unit,
+            description: self.description.clone(),
+            ..Variable::default()
+        }
+    }
+}
+
 impl<'a> Told<'a> {
-    pub fn of(made: &Plant, name: &'a str, step: f64) -> Self {
+    pub fn of(made: &Plant, name: &'a str, version: Fmi, step: f64) -> Self {
         let plant = &made.plant;
         let description = format!(
-            "Forces of the coil spring {}, {}, {} modes, about {} mm. {INPUTS}",
+            "Forces of the coil spring {}, {}, {} modes, about {} mm. {}",
             made.spring,
             made.damping,
             plant.count(),
-            1e3 * plant.mean_length()
+            1e3 * plant.mean_length(),
+            how_inputs_go(version, plant.dashpot_time() > 0.0)
         );
-        let step = format!("{step:?}");
-        let (title, far_end) = (header::title(made, name), plant.far_end());
-        Self { name, step, title, description, far_end, variables: variables(made) }
+        let outputs = outputs(made);
+        let mut variables = inputs(plant.far_end() == FarEnd::Position);
+        variables.extend(parameters(made));
+        variables.extend(outputs.iter().map(Output::variable));
+        let states = if version == Fmi::Two { states(&made.plant) } else { Vec::new() };
+        let before = variables.len() + 1;
+        variables.extend(states.iter().map(State::variable));
+        variables.extend(states.iter().enumerate().map(|(place, state)| state.derivative(before, place)));
+        let (title, has_mass) = (header::title(made, name), plant.far_end() == FarEnd::Mass);
+        Self { name, step: format!("{step:?}"), title, description, has_mass, variables, outputs, states }
     }
 
     pub fn context(&self) -> Value {
@@ -94,70 +151,169 @@ impl<'a> Told<'a> {
             title => self.title.as_str(),
             description => self.description.as_str(),
             tool => concat!("coilsense ", env!("CARGO_PKG_VERSION")),
-            is_position => self.far_end == FarEnd::Position,
-            has_mass => self.far_end == FarEnd::Mass,
+            has_mass => self.has_mass,
+            outputs => self.outputs.iter().map(|output| output.field).collect::<Vec<_>>(),
+            nominals => self.states.iter().map(|state| state.nominal.clone()).collect::<Vec<_>>(),
             variables => self.variables.iter().map(Variable::value).collect::<Vec<_>>(),
             units => UNITS.map(|unit| unit.value()).to_vec(),
         }
     }
 }
 
-fn variables(made: &Plant) -> Vec<Variable> {
-    let plant = &made.plant;
-    let numbers = header::Numbers::of(plant);
-    let is_position = plant.far_end() == FarEnd::Position;
-    let mut variables = inputs(is_position);
-    let force = format!(
-        "tension positive; {:?} N where all inputs are zero and nothing moves, with the spring's own k",
-        plant.mean_force()
-    );
-    let output = |number, name, unit, description: String| {
-        let (causality, variability) = ("output", "continuous");
-        Variable { name, number, causality, variability, unit, start: None, description }
+/// How inputs go between two communication points, and what rates are to equations.
+fn how_inputs_go(version: Fmi, has_dashpots: bool) -> String {
+    let rates = match version {
+        Fmi::Two => "the rates der_... (or fmi2SetRealInputDerivatives)",
+        Fmi::Three => "the rates der_...",
     };
-    variables.extend([
-        output(5, "F_i", "N", format!("Force at end 1, {force}")),
-        output(6, "F_o", "N", format!("Force at end 2, {force}")),
-        output(7, "F_x", "N", format!("k times the stretch between the ends, {force}")),
-    ]);
-    if !is_position {
-        variables.push(output(8, "u2", "m", "Position of end 2 from its mean".to_owned()));
-    }
-    let parameter = |number, name, unit, start: f64, description: &str| {
-        let (causality, variability) = ("parameter", "fixed");
-        Variable {
-            name,
-            number,
-            causality,
-            variability,
-            unit,
-            start: Some(format!("{start:?}")),
-            description: description.to_owned(),
+    let steps = format!(
+        "Inputs count from their means and run straight within a communication step: from where they were at its start to u + du/dt h at its end, \
+         with {rates}, where a step is exact. Where a host sets no rate, they run to the value that is set, that is, straight between its last two \
+         values, one step late. Rates stay until they are set again."
+    );
+    let equations = match (version, has_dashpots) {
+        (Fmi::Three, _) => "",
+        (Fmi::Two, true) => {
+            " In model exchange inputs are what is set at each moment, and der_... their true rates then: the dashpots at the ends pull with them, \
+             and where a host sets none, F_i and F_o lack that part."
+        }
+        (Fmi::Two, false) => {
+            " In model exchange inputs are what is set at each moment, and the rates der_... are not used: only dashpots at the ends would need them."
         }
     };
-    variables.push(parameter(9, "k", "N/m", numbers.stiffness, "Stiffness"));
-    variables.push(parameter(10, "m", "kg", numbers.mass, "Mass of the windings"));
-    if let (FarEnd::Mass, Some(mass)) = (plant.far_end(), variables.last_mut()) {
-        (mass.causality, mass.variability) = ("local", "constant");
-        mass.description += "; fixed, as the modes belong to the mass at end 2";
+    steps + equations
+}
+
+impl State {
+    fn variable(&self) -> Variable {
+        Variable {
+            name: self.name.clone(),
+            causality: "local",
+            variability: "continuous",
+            unit: "m",
+            nominal: Some(self.nominal.clone()),
+            description: self.description.clone(),
+            ..Variable::default()
+        }
     }
-    let ratio = "Damping ratio of the first mode that is damped; the others keep their share of it";
-    variables.push(parameter(11, "zeta", "1", numbers.damping_ratio, ratio));
-    variables
+
+    /// - `first`: the number of the first state; `place`: this one's place among them
+    fn derivative(&self, first: usize, place: usize) -> Variable {
+        let inputs = [1, 2].into_iter();
+        let numbers = inputs.chain(self.dependencies.iter().map(|state| first + state)).collect();
+        Variable {
+            name: format!("der_{}", self.name),
+            causality: "local",
+            variability: "continuous",
+            unit: "m/s",
+            derivative: Some((first + place, numbers)),
+            description: format!("Rate of {}", self.name),
+            ..Variable::default()
+        }
+    }
+}
+
+/// Two states a mode, each so large that a solver's tolerance is about that share of what a small motion of an end pulls.
+fn states(plant: &ModalPlant) -> Vec<State> {
+    let (stiffness, has_dashpots) = (plant.spring().stiffness(), plant.dashpot_time() > 0.0);
+    let each = plant.modes().iter().zip(plant.ratios()).enumerate().flat_map(|(index, (mode, ratio))| {
+        let [input, output] = mode.weights;
+        let pull = input.abs().max(output.abs()).max((stiffness * mode.end).abs());
+        let size = if pull > 0.0 { SMALL_MOTION * stiffness / pull } else { SMALL_MOTION };
+        // A mode that creeps forgives what is wrong with its pace; dashpots pull with that.
+        let creeps = (2.0 * ratio).max(1.0);
+        let of_pace = if has_dashpots { size / creeps } else { size * creeps };
+        let (number, hertz) = (index + 1, mode.frequency / std::f64::consts::TAU);
+        let of = if index < plant.kept() { "Mode" } else { "For all modes left out, mode" };
+        let (place, pace) = (2 * index, 2 * index + 1);
+        [
+            State {
+                name: format!("z_{number}"),
+                nominal: format!("{size:e}"),
+                description: format!("{of} {number}, {hertz:.4} Hz: its motion relative to the mean"),
+                dependencies: vec![pace],
+            },
+            State {
+                name: format!("w_{number}"),
+                nominal: format!("{of_pace:e}"),
+                description: format!(
+                    "{of} {number}: its pace over its angular frequency, less 2 zeta times what the ends drag along"
+                ),
+                dependencies: vec![place, pace],
+            },
+        ]
+    });
+    each.collect()
 }
 
 /// Inputs and their rates.
 fn inputs(is_position: bool) -> Vec<Variable> {
-    let input = |number, name, unit, description: &str| {
+    let input = |name: &str, unit, description: &str| {
         let (causality, variability, start) = ("input", "continuous", Some("0.0".to_owned()));
-        Variable { name, number, causality, variability, unit, start, description: description.to_owned() }
+        Variable {
+            name: name.to_owned(),
+            causality,
+            variability,
+            unit,
+            start,
+            description: description.to_owned(),
+            ..Variable::default()
+        }
     };
-    let first = input(1, "u1", "m", "Position of end 1 from its mean");
-    let rate = input(3, "der_u1", "m/s", "Rate of u1 during the next communication step");
+    let first = input("u1", "m", "Position of end 1 from its mean");
+    let rate = input("der_u1", "m/s", "Rate of u1, in co-simulation during the next step");
     if is_position {
-        let second = input(2, "u2", "m", "Position of end 2 from its mean");
-        return vec![first, second, rate, input(4, "der_u2", "m/s", "Rate of u2 during the next communication step")];
+        let second = input("u2", "m", "Position of end 2 from its mean");
+        return vec![first, second, rate, input("der_u2", "m/s", "Rate of u2, in co-simulation during the next step")];
     }
-    let second = input(2, "F_2", "N", "Force on end 2 away from end 1, from its mean");
-    vec![first, second, rate, input(4, "der_F_2", "N/s", "Rate of F_2 during the next communication step")]
+    let second = input("F_2", "N", "Force on end 2 away from end 1, from its mean");
+    vec![first, second, rate, input("der_F_2", "N/s", "Rate of F_2, in co-simulation during the next step")]
+}
+
+/// k, m and ζ.
+fn parameters(made: &Plant) -> [Variable; 3] {
+    let numbers = header::Numbers::of(&made.plant);
+    let parameter = |name: &str, unit, start: f64, description: &str| {
+        let (causality, variability, start) = ("parameter", "fixed", Some(format!("{start:?}")));
+        Variable {
+            name: name.to_owned(),
+            causality,
+            variability,
+            unit,
+            start,
+            description: description.to_owned(),
+            ..Variable::default()
+        }
+    };
+    let mut mass = parameter("m", "kg", numbers.mass, "Mass of the windings");
+    if made.plant.far_end() == FarEnd::Mass {
+        (mass.causality, mass.variability) = ("local", "constant");
+        mass.description += "; fixed, as the modes belong to the mass at end 2";
+    }
+    let ratio = "Damping ratio of the first mode that is damped; the others keep their share of it";
+    [parameter("k", "N/m", numbers.stiffness, "Stiffness"), mass, parameter("zeta", "1", numbers.damping_ratio, ratio)]
+}
+
+fn outputs(made: &Plant) -> Vec<Output> {
+    let mean = made.plant.mean_force();
+    let force = |what: &str| {
+        format!(
+            "{what}, tension positive; {mean:?} N where all inputs are zero and nothing moves, with the spring's own k"
+        )
+    };
+    let mut outputs = vec![
+        Output { name: "F_i", unit: "N", field: "input", description: force("Force at end 1") },
+        Output { name: "F_o", unit: "N", field: "output", description: force("Force at end 2") },
+        Output {
+            name: "F_x",
+            unit: "N",
+            field: "deflection",
+            description: force("k times the stretch between the ends"),
+        },
+    ];
+    if made.plant.far_end() != FarEnd::Position {
+        let description = "Position of end 2 from its mean".to_owned();
+        outputs.push(Output { name: "u2", unit: "m", field: "end", description });
+    }
+    outputs
 }

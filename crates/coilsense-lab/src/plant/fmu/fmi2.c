@@ -1,9 +1,10 @@
 /* {{ title }}
- * FMI 2.0 for co-simulation, C99, no library beside C's own. To build: this file alone, as a shared library; -ffp-contract=off keeps the bits.
+ * FMI 2.0 for co-simulation and model exchange, C99, no library beside C's own. To build: this file alone, as a shared library; -ffp-contract=off keeps the bits.
  * Types and functions are those of the standard (fmi-standard.org, 2.0.5). */
 #include <stddef.h>
 
 #include "unit.h"
+#include "exchange.h"
 
 #if defined(_WIN32)
 #define FMI2_EXPORT __declspec(dllexport)
@@ -46,6 +47,7 @@ typedef struct {
 
 typedef struct {
     unit unit;
+    exchange exchange;
     fmi2CallbackFunctions host;
     char name[128];
 } instance;
@@ -63,11 +65,6 @@ static fmi2Status refused(instance *me, const char *what)
 static fmi2Status status(instance *me, int wrong)
 {
     return wrong != 0 ? refused(me, me->unit.told) : fmi2OK;
-}
-
-static int is_at(const instance *me, int stage)
-{
-    return me != NULL && me->unit.now.stage == stage;
 }
 
 static fmi2Status out_of_turn(instance *me, const char *what)
@@ -97,8 +94,8 @@ G(fmi2Component, fmi2Instantiate)(fmi2String name, fmi2Type type, fmi2String gui
     if (name != NULL) {
         (void)snprintf(unborn.name, sizeof unborn.name, "%s", name);
     }
-    if (type != fmi2CoSimulation) {
-        (void)refused(&unborn, "only co-simulation is in here");
+    if (type != fmi2CoSimulation && type != fmi2ModelExchange) {
+        (void)refused(&unborn, "only co-simulation and model exchange are in here");
         return NULL;
     }
     if (guid == NULL || strcmp(guid, UNIT_ID) != 0) {
@@ -112,7 +109,7 @@ G(fmi2Component, fmi2Instantiate)(fmi2String name, fmi2Type type, fmi2String gui
     }
     me->host = unborn.host;
     memcpy(me->name, unborn.name, sizeof me->name);
-    unit_reset(&me->unit);
+    unit_reset(&me->unit, type == fmi2ModelExchange);
     return me;
 }
 
@@ -131,47 +128,28 @@ F(fmi2SetupExperiment)(fmi2Component c, fmi2Boolean tolerant, fmi2Real tolerance
 {
     instance *me = c;
     (void)tolerant, (void)tolerance, (void)stops, (void)stop;
-    if (!is_at(me, UNIT_INSTANTIATED)) {
-        return out_of_turn(me, "fmi2SetupExperiment comes before initialization");
-    }
-    if (!unit_is_finite(start)) {
-        return refused(me, "the start time must be finite");
-    }
-    me->unit.now.time = start;
-    return fmi2OK;
+    return me != NULL ? status(me, unit_begin(&me->unit, start)) : fmi2Error;
 }
 
 F(fmi2EnterInitializationMode)(fmi2Component c)
 {
     instance *me = c;
-    if (!is_at(me, UNIT_INSTANTIATED)) {
-        return out_of_turn(me, "fmi2EnterInitializationMode comes once, before any step");
-    }
-    me->unit.now.stage = UNIT_INITIALIZING;
-    return fmi2OK;
+    return me != NULL ? status(me, unit_initialize(&me->unit)) : fmi2Error;
 }
 
 F(fmi2ExitInitializationMode)(fmi2Component c)
 {
     instance *me = c;
-    if (!is_at(me, UNIT_INITIALIZING)) {
-        return out_of_turn(me, "fmi2ExitInitializationMode comes after fmi2EnterInitializationMode");
+    if (me == NULL) {
+        return fmi2Error;
     }
-    if (unit_settle(&me->unit) != 0) {
-        return refused(me, me->unit.told);
-    }
-    me->unit.now.stage = UNIT_STEPPING;
-    return fmi2OK;
+    return status(me, me->unit.now.is_solved ? exchange_begin(&me->exchange, &me->unit) : unit_initialized(&me->unit, UNIT_STEPPING));
 }
 
 F(fmi2Terminate)(fmi2Component c)
 {
     instance *me = c;
-    if (!is_at(me, UNIT_STEPPING)) {
-        return out_of_turn(me, "fmi2Terminate comes after steps");
-    }
-    me->unit.now.stage = UNIT_TERMINATED;
-    return fmi2OK;
+    return me != NULL ? status(me, unit_terminate(&me->unit)) : fmi2Error;
 }
 
 F(fmi2Reset)(fmi2Component c)
@@ -180,7 +158,7 @@ F(fmi2Reset)(fmi2Component c)
     if (me == NULL) {
         return fmi2Error;
     }
-    unit_reset(&me->unit);
+    unit_reset(&me->unit, me->unit.now.is_solved);
     return fmi2OK;
 }
 
@@ -189,7 +167,7 @@ F(fmi2GetReal)(fmi2Component c, const fmi2ValueReference references[], size_t co
     instance *me = c;
     size_t n;
     for (n = 0; me != NULL && n < count; n++) {
-        if (unit_get(&me->unit, references[n], &values[n]) != 0) {
+        if (exchange_get(&me->exchange, &me->unit, references[n], &values[n]) != 0) {
             return refused(me, me->unit.told);
         }
     }
@@ -201,7 +179,7 @@ F(fmi2SetReal)(fmi2Component c, const fmi2ValueReference references[], size_t co
     instance *me = c;
     size_t n;
     for (n = 0; me != NULL && n < count; n++) {
-        if (unit_set(&me->unit, references[n], values[n]) != 0) {
+        if (exchange_set(&me->unit, references[n], values[n]) != 0) {
             return refused(me, me->unit.told);
         }
     }
@@ -230,14 +208,12 @@ F(fmi2GetFMUstate)(fmi2Component c, fmi2FMUstate *kept)
     if (me == NULL || kept == NULL) {
         return out_of_turn(me, "fmi2GetFMUstate needs a place for the state");
     }
-    if (*kept == NULL) {
-        *kept = malloc(sizeof(unit_state));
+    if (*kept != NULL) {
+        memcpy(*kept, &me->unit.now, sizeof(unit_state));
+        return fmi2OK;
     }
-    if (*kept == NULL) {
-        return refused(me, "no memory for a state");
-    }
-    memcpy(*kept, &me->unit.now, sizeof(unit_state));
-    return fmi2OK;
+    *kept = unit_copy(&me->unit.now);
+    return *kept != NULL ? fmi2OK : refused(me, "no memory for a state");
 }
 
 F(fmi2SetFMUstate)(fmi2Component c, fmi2FMUstate kept)
@@ -245,6 +221,9 @@ F(fmi2SetFMUstate)(fmi2Component c, fmi2FMUstate kept)
     instance *me = c;
     if (me == NULL || kept == NULL) {
         return out_of_turn(me, "fmi2SetFMUstate needs a state");
+    }
+    if (((const unit_state *)kept)->is_solved != me->unit.now.is_solved) {
+        return refused(me, "the state is that of an instance for the other interface");
     }
     memcpy(&me->unit.now, kept, sizeof(unit_state));
     return fmi2OK;
@@ -262,40 +241,32 @@ F(fmi2FreeFMUstate)(fmi2Component c, fmi2FMUstate *kept)
     return fmi2OK;
 }
 
-/* A state in bytes: whose it is, then the state as this machine keeps it. */
-#define STATE_BYTES (sizeof UNIT_ID + sizeof(unit_state))
-
 F(fmi2SerializedFMUstateSize)(fmi2Component c, fmi2FMUstate kept, size_t *size)
 {
     if (c == NULL || kept == NULL || size == NULL) {
         return out_of_turn(c, "fmi2SerializedFMUstateSize needs a state");
     }
-    *size = STATE_BYTES;
+    *size = UNIT_BYTES;
     return fmi2OK;
 }
 
 F(fmi2SerializeFMUstate)(fmi2Component c, fmi2FMUstate kept, fmi2Byte bytes[], size_t size)
 {
-    if (c == NULL || kept == NULL || bytes == NULL || size < STATE_BYTES) {
+    if (c == NULL || kept == NULL || bytes == NULL || size < UNIT_BYTES) {
         return out_of_turn(c, "fmi2SerializeFMUstate needs a state and room for it");
     }
-    memcpy(bytes, UNIT_ID, sizeof UNIT_ID);
-    memcpy(bytes + sizeof UNIT_ID, kept, sizeof(unit_state));
+    unit_pack(kept, bytes);
     return fmi2OK;
 }
 
 F(fmi2DeSerializeFMUstate)(fmi2Component c, const fmi2Byte bytes[], size_t size, fmi2FMUstate *kept)
 {
     instance *me = c;
-    if (me == NULL || bytes == NULL || kept == NULL || size != STATE_BYTES || memcmp(bytes, UNIT_ID, sizeof UNIT_ID) != 0) {
+    if (me == NULL || kept == NULL || !unit_packed(bytes, size)) {
         return out_of_turn(me, "the bytes are no state of this FMU");
     }
-    *kept = malloc(sizeof(unit_state));
-    if (*kept == NULL) {
-        return refused(me, "no memory for a state");
-    }
-    memcpy(*kept, bytes + sizeof UNIT_ID, sizeof(unit_state));
-    return fmi2OK;
+    *kept = unit_unpack(bytes);
+    return *kept != NULL ? fmi2OK : refused(me, "no memory for a state");
 }
 
 F(fmi2GetDirectionalDerivative)(fmi2Component c, const fmi2ValueReference unknowns[], size_t unknown, const fmi2ValueReference knowns[],
@@ -333,10 +304,10 @@ F(fmi2DoStep)(fmi2Component c, fmi2Real time, fmi2Real step, fmi2Boolean is_fina
 {
     instance *me = c;
     (void)is_final;
-    if (!is_at(me, UNIT_STEPPING)) {
-        return out_of_turn(me, "fmi2DoStep comes after initialization and before fmi2Terminate");
+    if (me != NULL && me->unit.now.is_solved) {
+        return refused(me, "fmi2DoStep is of co-simulation");
     }
-    return status(me, unit_advance(&me->unit, time, step));
+    return me != NULL ? status(me, unit_advance(&me->unit, time, step)) : fmi2Error;
 }
 
 F(fmi2CancelStep)(fmi2Component c)
@@ -381,3 +352,5 @@ F(fmi2GetStringStatus)(fmi2Component c, fmi2StatusKind kind, fmi2String *value)
     (void)kind, (void)value;
     return c != NULL ? fmi2Discard : fmi2Error;
 }
+
+#include "fmi2_exchange.h"

@@ -1,7 +1,8 @@
 //! A plant as an FMU: one file that simulators import (fmi-standard.org).
 //!
-//! Next door: what it says of itself (`description`), its binary (`compile`), the spring in it (`super::header`), its step (`unit.h`), what the
-//! standard calls that (`fmi2.c`).
+//! Next door: what it says of itself (`description`), its binary (`compile`), the spring in it (`super::header`), its step (`unit.h`) and its equations
+//! (`exchange.h`), what the
+//! standard calls that (`fmi2.c`, `fmi3.c`).
 
 mod compile;
 mod description;
@@ -13,24 +14,50 @@ use sha2::{Digest, Sha256};
 use zip::CompressionMethod;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-use super::{Made, Plant, PlantError, header};
+use super::{Fmi, Made, Plant, PlantError, header};
 use crate::mitigation::export::{ExportError, Precision};
 
 /// The files of an FMU but its binary.
 struct Source {
     description: String,
     /// By name, that which is compiled first.
-    files: [(String, String); 3],
+    files: Vec<(String, String)>,
+}
+
+/// Templates by the names of the files that they make: the description, then that which is compiled, then all others.
+type Templates = [(&'static str, &'static str)];
+
+const UNIT: (&str, &str) = ("unit.h", include_str!("unit.h"));
+
+impl Fmi {
+    fn templates(self) -> &'static Templates {
+        match self {
+            Self::Two => &[
+                ("fmi2.xml", include_str!("fmi2.xml")),
+                ("fmi2.c", include_str!("fmi2.c")),
+                UNIT,
+                ("exchange.h", include_str!("exchange.h")),
+                ("fmi2_exchange.h", include_str!("fmi2_exchange.h")),
+            ],
+            Self::Three => &[
+                ("fmi3.xml", include_str!("fmi3.xml")),
+                ("fmi3.c", include_str!("fmi3.c")),
+                UNIT,
+                ("fmi3_others.h", include_str!("fmi3_others.h")),
+                ("buildDescription.xml", include_str!("fmi3_build.xml")),
+            ],
+        }
+    }
 }
 
 /// The FMU, with a binary where this machine's compiler makes one.
 ///
 /// - `step`: that of the default experiment \[s\]
-pub(super) fn archive(made: &Plant, name: &str, step: f64) -> Result<Made, PlantError> {
-    let source = source(made, name, step)?;
-    let binary = compile::binary(name, &source.files);
+pub(super) fn archive(made: &Plant, name: &str, version: Fmi, step: f64) -> Result<Made, PlantError> {
+    let source = source(made, name, version, step)?;
+    let binary = compile::binary(name, version, &source.files);
     let mut files = vec![("modelDescription.xml".to_owned(), source.description.into_bytes())];
-    files.extend(source.files.map(|(name, text)| (format!("sources/{name}"), text.into_bytes())));
+    files.extend(source.files.into_iter().map(|(name, text)| (format!("sources/{name}"), text.into_bytes())));
     let left_out = match binary {
         Ok(binary) => {
             files.push((binary.path, binary.bytes));
@@ -43,24 +70,26 @@ pub(super) fn archive(made: &Plant, name: &str, step: f64) -> Result<Made, Plant
 }
 
 /// All text, under an identity that is its hash.
-fn source(made: &Plant, name: &str, step: f64) -> Result<Source, PlantError> {
+fn source(made: &Plant, name: &str, version: Fmi, step: f64) -> Result<Source, PlantError> {
     let spring = header::text(made, name, Precision::Double, &[])?;
-    let told = description::Told::of(made, name, step);
-    let render = |id: &str| -> Result<[String; 3], minijinja::Error> {
+    let told = description::Told::of(made, name, version, step);
+    let templates = version.templates();
+    let render = |id: &str| -> Result<Vec<(String, String)>, minijinja::Error> {
         let mut environment = Environment::new();
         environment
             .set_auto_escape_callback(|name| if name.ends_with(".xml") { AutoEscape::Html } else { AutoEscape::None });
-        environment.add_template("fmi2.xml", include_str!("fmi2.xml"))?;
-        environment.add_template("fmi2.c", include_str!("fmi2.c"))?;
-        environment.add_template("unit.h", include_str!("unit.h"))?;
-        let text = |template: &str| environment.get_template(template)?.render(context! { id => id, ..told.context() });
-        Ok([text("fmi2.xml")?, text("fmi2.c")?, text("unit.h")?])
+        for (name, template) in templates {
+            environment.add_template(name, template)?;
+        }
+        let text = |name: &str| environment.get_template(name)?.render(context! { id => id, ..told.context() });
+        templates.iter().map(|(name, _)| Ok(((*name).to_owned(), text(name)? + "\n"))).collect()
     };
     let all = render("").map_err(ExportError::from)?;
-    let id = identity(all.iter().chain([&spring]));
-    let [description, glue, unit] = render(&id).map_err(ExportError::from)?;
-    let files = [("fmi2.c".to_owned(), glue), ("unit.h".to_owned(), unit), (format!("{name}.h"), spring)];
-    Ok(Source { description, files: files.map(|(name, text)| (name, text + "\n")) })
+    let id = identity(all.iter().map(|(_, text)| text).chain([&spring]));
+    let mut files = render(&id).map_err(ExportError::from)?;
+    let (_, description) = files.remove(0);
+    files.push((format!("{name}.h"), spring));
+    Ok(Source { description, files })
 }
 
 /// A hash in the form of a GUID.
