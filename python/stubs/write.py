@@ -9,6 +9,7 @@ Usage: python write.py ACCOUNT OUT; the account is what ``maturin generate-stubs
 """
 
 import ast
+import copy
 import pathlib
 import re
 import sys
@@ -19,7 +20,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal, TypeAlias, TypeVar, final
+from typing import Any, Literal, TypeAlias, TypeVar, final, overload
 
 import matplotlib.axes
 import numpy
@@ -31,6 +32,7 @@ __version__: str
 
 _Floats: TypeAlias = NDArray[numpy.float64]
 _Complexes: TypeAlias = NDArray[numpy.complex128]
+_Bools: TypeAlias = NDArray[numpy.bool_]
 _Default = TypeVar("_Default")
 
 class Error(ValueError): ...
@@ -108,7 +110,6 @@ TOLD: dict[str, str] = {
     "simulate.progress": "Callable[[int, int], object] | None",
     "simulate_together.progress": "Callable[[int, int], object] | None",
     "speed.progress": "Callable[[int, int], object] | None",
-    "theories": "dict[str, _Floats]",
 }
 
 # What pickle and notebooks call has no docstring: its types by PyO3's words, or by its name.
@@ -131,6 +132,9 @@ WORDS = {
     "Recording, Signals, str or os.PathLike, optional": "Recording | Signals | str | PathLike[str] | None",
 }
 
+# What holds many of a kind.
+ARRAYS = {"float": "_Floats", "complex": "_Complexes", "bool": "_Bools"}
+
 # PyO3's words for what is taken, and ours.
 TAKEN = (
     ("SupportsFloat | SupportsIndex", "float"),
@@ -146,19 +150,22 @@ class Refined(ast.NodeTransformer):
 
     def __init__(self) -> None:
         self.place: list[str] = []
+        self.of_class = ""
         self.used: set[str] = set()
         self.unknown: list[str] = []
 
     def visit_Module(self, node: ast.Module) -> ast.Module:
         kept = [self.visit(child) for child in node.body if isinstance(child, ast.ClassDef | ast.FunctionDef)]
-        node.body = [child for child in kept if child.name != "__getattr__"]
+        node.body = [each for child in kept for each in (child if isinstance(child, list) else [child]) if each.name != "__getattr__"]
         return node
 
     def visit_ClassDef(self, node: ast.ClassDef) -> ast.ClassDef:
         self.place.append(node.name)
+        self.of_class = ast.get_docstring(node) or ""
         methods = [child for child in node.body if isinstance(child, ast.FunctionDef)]
         # Every object has these two.
-        node.body = [self.visit(child) for child in methods if child.name not in ("__repr__", "__str__")]
+        shown = [self.visit(child) for child in methods if child.name not in ("__repr__", "__str__")]
+        node.body = [each for child in shown for each in (child if isinstance(child, list) else [child])]
         names = {method.name for method in methods}
         if "__eq__" in names:
             more = [] if "__ne__" in names else ["def __ne__(self, other: object, /) -> bool: ..."]
@@ -166,16 +173,41 @@ class Refined(ast.NodeTransformer):
         self.place.pop()
         return node
 
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef:
-        self.place.append(node.name)
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef | list[ast.FunctionDef]:
         described = ast.get_docstring(node) or ""
+        head = next(iter(typed(described, "Returns")), "")
+        if "of the shape of" not in head:
+            return self.refined(node, described)
+        # One number makes one, an array an array.
+        kind = re.search(r"\b(?:float|complex|bool)\b", head)
+        assert kind is not None and node.returns is not None
+        both = []
+        for taken, given in (("float | str", kind.group()), ("ArrayLike", ARRAYS[kind.group()])):
+            one = copy.deepcopy(node)
+            one.decorator_list.append(ast.Name("overload"))
+            assert one.returns is not None
+            text = re.sub(r"\bdict\b", "dict[str, Any]", ast.unparse(one.returns)).replace("Any", given)
+            one.returns = ast.parse(text, mode="eval").body
+            for argument in (*one.args.posonlyargs, *one.args.args, *one.args.kwonlyargs):
+                if argument.annotation is not None and ast.unparse(argument.annotation) == "Incomplete":
+                    argument.annotation = ast.parse(taken, mode="eval").body
+            both.append(self.refined(one, described))
+        # A number is an array, too, to NumPy.
+        both[0].type_comment = "ignore[overload-overlap]"
+        return both
+
+    def refined(self, node: ast.FunctionDef, described: str) -> ast.FunctionDef:
+        """One function with its types."""
+        self.place.append(node.name)
         arguments = node.args
+        # What a constructor takes stands in the docstring of the class.
+        told = self.of_class if node.name == "__new__" else described
         if [each.arg for each in arguments.posonlyargs] in (["self"], ["cls"]):
             # Behind these alone nobody needs to know that they have no name.
             arguments.args, arguments.posonlyargs = arguments.posonlyargs + arguments.args, []
         for argument in arguments.posonlyargs + arguments.args + arguments.kwonlyargs:
             if argument.annotation is not None:
-                argument.annotation = self.taken(argument, described)
+                argument.annotation = self.taken(argument, told)
         if node.returns is not None:
             node.returns = self.given(node.returns, described)
         node.body = [ast.Expr(ast.Constant(...))]
@@ -190,6 +222,9 @@ class Refined(ast.NodeTransformer):
             text = text.replace(theirs, ours)
         self.place.append(argument.arg)
         word = typed(described, "Parameters").get(argument.arg)
+        if word and "str" not in word:
+            # A number that has no unit.
+            text = text.replace("float | str", "float")
         found = self.known(text, "mapping" if word == "dict" else word)
         self.place.pop()
         return found
@@ -212,6 +247,8 @@ class Refined(ast.NodeTransformer):
         elif re.search(r"\bAny\b|\b(dict|tuple|slice)\b(?!\[)", text):
             if word in WORDS:
                 text = WORDS[word]
+            elif word and word.startswith("numpy.ndarray"):
+                text = "_Complexes" if "of complex" in word else "_Floats"
             elif word and (word in WITHOUT_DOCSTRING.values() or re.fullmatch(r"[A-Z]\w+", word)):
                 text = word
             else:
@@ -244,10 +281,11 @@ def lines(node: ast.stmt, indent: str = "") -> list[str]:
     heads = [f"{indent}@{ast.unparse(decorator)}" for decorator in node.decorator_list]
     returns = f" -> {ast.unparse(node.returns)}" if node.returns else ""
     taken = split(ast.unparse(node.args))
-    line = f"{indent}def {node.name}({', '.join(taken)}){returns}: ..."
+    remark = f"  # type: {node.type_comment}" if node.type_comment else ""
+    line = f"{indent}def {node.name}({', '.join(taken)}){returns}: ...{remark}"
     if len(line) <= WIDTH:
         return [*heads, line]
-    return [*heads, f"{indent}def {node.name}(", *(f"{indent}    {each}," for each in taken), f"{indent}){returns}: ..."]
+    return [*heads, f"{indent}def {node.name}({remark}", *(f"{indent}    {each}," for each in taken), f"{indent}){returns}: ..."]
 
 
 def split(arguments: str) -> list[str]:

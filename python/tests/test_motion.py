@@ -46,8 +46,11 @@ def test_times_may_be_anything_that_is_like_an_array(kind: str) -> None:
 
 @pytest.mark.parametrize("wrong", ["1.0", None, ["a"], [1j], [[1.0, 2.0]], numpy.array([True]), object(), 1.0])
 def test_a_wrong_type_is_a_type_error_that_names_the_argument(wrong: object) -> None:
-    with pytest.raises(TypeError, match=r"(?s)must be a series of real numbers.*'times'"):
-        coilsense.Motion(SPRING, IMPACT).end_forces(wrong)  # type: ignore[arg-type]
+    motion = coilsense.Motion(SPRING, IMPACT)
+    with pytest.raises(TypeError, match="^times must be a series of real numbers, got "):
+        motion.signals(wrong)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="^times must be a series of real numbers, got "):
+        motion.windings(wrong)  # type: ignore[arg-type]
 
 
 def test_errors_have_the_text_of_rust() -> None:

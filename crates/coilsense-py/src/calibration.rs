@@ -12,7 +12,7 @@ use coilsense_lab::calibration::{Assessment, Curve, Outcome, Plan, Preload, Stor
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::PRESET;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
-use numpy::{IntoPyArray, PyArray1};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -21,7 +21,7 @@ use crate::errors::{IntoPython, refused};
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, given, positive, wrong};
 use crate::results::study_result;
-use crate::series::Series;
+use crate::samples::Samples;
 use crate::spring_argument::SpringArgument;
 use crate::value::getters;
 
@@ -102,34 +102,32 @@ impl PyCalibration {
     ///
     /// Parameters
     /// ----------
-    /// inductance : array_like of float, shape (samples,)
+    /// inductance : float, str or array_like of float
     ///     [H].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the inductance
     ///     [m].
-    fn length<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Bound<'py, PyArray1<f64>> {
+    fn length<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let taken = &self.0.taken;
-        let length = |henry: &f64| taken.length(*henry).unwrap_or(f64::NAN);
-        inductance.values().iter().map(length).collect::<Vec<_>>().into_pyarray(py)
+        inductance.each(py, "inductance", Dimension::Inductance, |henry| taken.length(henry).unwrap_or(f64::NAN))
     }
 
     /// The standard uncertainty of the length at an inductance; nan where it cannot be told.
     ///
     /// Parameters
     /// ----------
-    /// inductance : array_like of float, shape (samples,)
+    /// inductance : float, str or array_like of float
     ///     [H].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the inductance
     ///     [m].
-    fn length_u<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Bound<'py, PyArray1<f64>> {
+    fn length_u<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let taken = &self.0.taken;
-        let length_u = |henry: &f64| taken.length_u(*henry).unwrap_or(f64::NAN);
-        inductance.values().iter().map(length_u).collect::<Vec<_>>().into_pyarray(py)
+        inductance.each(py, "inductance", Dimension::Inductance, |henry| taken.length_u(henry).unwrap_or(f64::NAN))
     }
 
     /// The calibration as a file's text, which `open_calibration` and ``coilsense import --calibration`` read.
@@ -150,16 +148,15 @@ impl PyCalibration {
     ///
     /// Parameters
     /// ----------
-    /// length : array_like of float, shape (samples,)
+    /// length : float, str or array_like of float
     ///     [m].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the length
     ///     [H].
-    fn inductance<'py>(&self, py: Python<'py>, length: Series<'_>) -> Bound<'py, PyArray1<f64>> {
-        let taken = &self.0.taken;
-        length.values().iter().map(|metre| taken.inductance(*metre)).collect::<Vec<_>>().into_pyarray(py)
+    fn inductance<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        length.each(py, "length", Dimension::Length, |metre| self.0.taken.inductance(metre))
     }
 
     fn __repr__(&self) -> String {
@@ -215,7 +212,7 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 /// method : {"all", "two-point", "through-preload"}, optional
 ///     How the curve is put through the points; without it through-preload where a preload is given, two-point with the preset lab-data,
 ///     else all.
-/// preload : float, or (float, float), optional
+/// preload : float, str, or (float or str, float or str), optional
 ///     Length at the preload [m], and its inductance [H] where there is no point.
 /// theory : {"steel"}, optional
 ///     Fit the theory of a coil of magnetic wire, by its permeability and one constant; two points are enough. Needs `spring`.

@@ -12,6 +12,7 @@ pub use material::PyMaterial;
 
 use crate::errors::{IntoPython, unknown};
 use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
@@ -122,18 +123,18 @@ impl PyGeometry {
     fn new(
         wire_diameter: Quantity,
         coil_diameter: Quantity,
-        active_windings: f64,
+        active_windings: Quantity,
         end_type: &str,
         material: &PyMaterial,
         rest_length: Quantity,
-        total_windings: Option<f64>,
+        total_windings: Option<Quantity>,
         initial_tension: Quantity,
     ) -> PyResult<Self> {
         let parameters = GeometryParameters {
             wire_diameter: wire_diameter.si("wire_diameter", Length)?,
             coil_diameter: coil_diameter.si("coil_diameter", Length)?,
-            active_windings,
-            total_windings,
+            active_windings: active_windings.plain("active_windings")?,
+            total_windings: total_windings.map(|count| count.plain("total_windings")).transpose()?,
             end_type: self::end_type(end_type)?,
             material: material.0,
             rest_length: rest_length.si("rest_length", Length)?,
@@ -173,29 +174,29 @@ impl PyGeometry {
     ///
     /// Parameters
     /// ----------
-    /// force : float
+    /// force : float, str or array_like of float
     ///     F [N].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the force
     ///     8 F D / (pi d^3) [Pa]; for static strength.
-    fn shear_stress(&self, force: f64) -> f64 {
-        self.0.shear_stress(force)
+    fn shear_stress<'py>(&self, py: Python<'py>, force: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        force.each(py, "force", Force, |force| self.0.shear_stress(force))
     }
 
     /// Shear stress at the inside of the coil, for fatigue.
     ///
     /// Parameters
     /// ----------
-    /// force : float
+    /// force : float, str or array_like of float
     ///     F [N].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the force
     ///     With Wahl's factor [Pa].
-    fn corrected_shear_stress(&self, force: f64) -> f64 {
-        self.0.corrected_shear_stress(force)
+    fn corrected_shear_stress<'py>(&self, py: Python<'py>, force: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        force.each(py, "force", Force, |force| self.0.corrected_shear_stress(force))
     }
 }

@@ -4,14 +4,15 @@
 
 use coilsense::inductance::theories::{Coil, Theory};
 use coilsense::{Calibration, InductanceSensor, Spring};
-use numpy::{IntoPyArray, PyArray1};
+use coilsense_lab::quantity::Dimension;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::long_work::each;
 use crate::maxwell_sum::PyMaxwellSum;
-use crate::series::Series;
+use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
@@ -73,7 +74,8 @@ named_value! {
 #[pymethods]
 impl PyInductanceSensor {
     #[new]
-    fn new(spring: &PySpring, alpha: f64, beta: f64) -> PyResult<Self> {
+    fn new(spring: &PySpring, alpha: Quantity, beta: Quantity) -> PyResult<Self> {
+        let (alpha, beta) = (alpha.plain("alpha")?, beta.plain("beta")?);
         Ok(Self::of(&spring.0, Calibration::new(alpha, beta).python()?))
     }
 
@@ -83,14 +85,15 @@ impl PyInductanceSensor {
     /// ----------
     /// coil : MaxwellSum
     ///     The theory, and the spring.
-    /// preload_length : float
+    /// preload_length : float or str
     ///     Where it is right [m].
     ///
     /// Returns
     /// -------
     /// InductanceSensor
     #[staticmethod]
-    fn theoretical(py: Python<'_>, coil: &PyMaxwellSum, preload_length: f64) -> PyResult<Self> {
+    fn theoretical(py: Python<'_>, coil: &PyMaxwellSum, preload_length: Quantity) -> PyResult<Self> {
+        let preload_length = preload_length.si("preload_length", Dimension::Length)?;
         let fitted = py.detach(|| Calibration::theoretical(&coil.spring, &coil.sum, preload_length));
         Ok(Self::of(&coil.spring, fitted.python()?))
     }
@@ -99,15 +102,16 @@ impl PyInductanceSensor {
     ///
     /// Parameters
     /// ----------
-    /// inductance : array_like of float, shape (samples,)
+    /// inductance : float, str or array_like of float
     ///     L [H].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the inductance
     ///     [N].
-    fn force<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Bound<'py, PyArray1<f64>> {
-        self.sensor.force(&inductance.values()).into_pyarray(py)
+    fn force<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let force = self.sensor.force(&inductance.si("inductance", Dimension::Inductance)?);
+        inductance.shaped(py, force)
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
@@ -124,12 +128,12 @@ impl PyInductanceSensor {
 /// ----------
 /// spring : Spring
 ///     The spring, its windings uniform.
-/// lengths : array_like of float, shape (samples,)
+/// lengths : float, str or array_like of float
 ///     l [m], above zero.
 ///
 /// Returns
 /// -------
-/// dict of str to numpy.ndarray, shape (samples,)
+/// dict of str to float or numpy.ndarray, of the shape of the lengths
 ///     L [H] by the theory's name, the simplest theory first; NaN for a length that is not above zero.
 ///
 /// Raises
@@ -144,12 +148,12 @@ impl PyInductanceSensor {
 /// >>> all(2.7e-6 < L[0] < 3.1e-6 for L in found.values()), len(found)
 /// (True, 9)
 #[pyfunction]
-pub fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Series<'_>) -> PyResult<Bound<'py, PyDict>> {
-    let (coil, lengths) = (Coil::of(&spring.0).python()?, lengths.values());
+pub fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Samples<'py>) -> PyResult<Bound<'py, PyDict>> {
+    let (coil, each_length) = (Coil::of(&spring.0).python()?, lengths.si("lengths", Dimension::Length)?);
     let dict = PyDict::new(py);
     for theory in Theory::ALL {
-        let found = each(py, &lengths, |length| theory.inductance(&coil, length))?;
-        dict.set_item(theory.name(), found.into_pyarray(py))?;
+        let found = each(py, &each_length, |length| theory.inductance(&coil, length))?;
+        dict.set_item(theory.name(), lengths.shaped(py, found)?)?;
     }
     Ok(dict)
 }

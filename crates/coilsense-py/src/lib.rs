@@ -39,6 +39,7 @@ mod quantity;
 mod readout;
 mod recording;
 mod results;
+mod samples;
 mod second_order;
 mod series;
 mod signals;

@@ -3,11 +3,13 @@
 //! Next door: where windings are (`windings`), the curve that is fitted to measurements (`calibration`).
 
 use coilsense::inductance::{MaxwellSum, SelfDistance};
+use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, unknown};
 use crate::long_work::{each, of_series};
+use crate::samples::Samples;
 use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
@@ -75,25 +77,25 @@ impl PyMaxwellSum {
     ///
     /// Parameters
     /// ----------
-    /// lengths : array_like of float, shape (samples,)
+    /// lengths : float, str or array_like of float
     ///     [m], above zero.
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the lengths
     ///     L [H].
     ///
     /// Raises
     /// ------
     /// Error
     ///     For the first length that is not above zero and finite.
-    fn at_lengths<'py>(&self, py: Python<'py>, lengths: Series<'_>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let lengths = lengths.values();
-        if let Some(place) = lengths.iter().position(|length| !(*length > 0.0 && length.is_finite())) {
-            let wrong = lengths[place];
+    fn at_lengths<'py>(&self, py: Python<'py>, lengths: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let each_length = lengths.si("lengths", Dimension::Length)?;
+        if let Some(place) = each_length.iter().position(|length| !(*length > 0.0 && length.is_finite())) {
+            let wrong = each_length[place];
             return Err(Error::new_err(format!("lengths[{place}] must be above zero and finite, got {wrong} m")));
         }
-        Ok(each(py, &lengths, |length| self.sum.at_length(length))?.into_pyarray(py))
+        lengths.shaped(py, each(py, &each_length, |length| self.sum.at_length(length))?)
     }
 
     /// The inductance of windings that stand somewhere.
@@ -113,7 +115,7 @@ impl PyMaxwellSum {
     /// Error
     ///     For another number of turns, or the first position that is not finite.
     fn at_positions(&self, positions: Series<'_>) -> PyResult<f64> {
-        self.sum.at_positions(&positions.values()).python()
+        self.sum.at_positions(&positions.values("positions")?).python()
     }
 
     /// The inductance at every sample of a motion.

@@ -5,17 +5,18 @@
 use coilsense::modes::ChainModes;
 use coilsense::{Motion, Mount};
 use coilsense_lab::quantity::Dimension;
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use crate::errors::IntoPython;
 use crate::excitation::PyExcitation;
-use crate::long_work::of_series;
+use crate::long_work::{each, of_series};
 use crate::modes::PyChainModes;
 use crate::mount::PyMount;
 use crate::quantity::Quantity;
-use crate::series::{Series, rows};
+use crate::samples::Samples;
+use crate::series::Series;
 use crate::signals::PySignals;
 use crate::spring::PySpring;
 use crate::stream::PyStream;
@@ -23,7 +24,7 @@ use crate::value::{self, Arguments, getters};
 use crate::windings::PyWindings;
 
 /// Forces at both ends.
-type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+type Forces<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>);
 
 /// Motion of the paper's chain under one excitation.
 ///
@@ -124,23 +125,23 @@ impl PyMotion {
     ///
     /// Parameters
     /// ----------
-    /// times : array_like of float, shape (samples,)
+    /// times : float, str or array_like of float
     ///     [s], in any order, none below zero; equidistant ones in order are fastest.
     ///
     /// Returns
     /// -------
-    /// F_i, F_o : numpy.ndarray, shape (samples,)
+    /// F_i, F_o : float or numpy.ndarray, of the shape of the times
     ///     At end 1 and at end 2 [N].
     ///
     /// Raises
     /// ------
     /// Error
     ///     For no times, or the first that is not finite or below zero.
-    fn end_forces<'py>(slf: &Bound<'py, Self>, times: Series<'py>) -> PyResult<Forces<'py>> {
-        let (py, times) = (slf.py(), times.values());
-        let steps = slf.get().steps(times.len());
-        let forces = of_series(slf, steps, &times, |motion, times| motion.0.end_forces(times))?.python()?;
-        Ok((forces.input.into_pyarray(py), forces.output.into_pyarray(py)))
+    fn end_forces<'py>(slf: &Bound<'py, Self>, times: Samples<'py>) -> PyResult<Forces<'py>> {
+        let (py, at) = (slf.py(), times.si("times", Dimension::Time)?);
+        let steps = slf.get().steps(at.len());
+        let forces = of_series(slf, steps, &at, |motion, times| motion.0.end_forces(times))?.python()?;
+        Ok((times.shaped(py, forces.input)?, times.shaped(py, forces.output)?))
     }
 
     /// u1, u2, F_i, F_o and F_x over time; sensors add theirs.
@@ -159,7 +160,7 @@ impl PyMotion {
     /// Error
     ///     For the first time that is not finite, below zero, or not after its predecessor.
     fn signals(slf: &Bound<'_, Self>, times: Series<'_>) -> PyResult<PySignals> {
-        let times = times.values();
+        let times = times.values("times")?;
         let steps = slf.get().steps(times.len());
         let signals = of_series(slf, steps, &times, |motion, times| motion.0.signals(times))?.python()?;
         Ok(PySignals::of(slf.py(), signals))
@@ -181,7 +182,7 @@ impl PyMotion {
     /// Error
     ///     For no times, the first that is not finite or below zero, or more than 5000 windings.
     fn windings(slf: &Bound<'_, Self>, times: Series<'_>) -> PyResult<PyWindings> {
-        let times = times.values();
+        let times = times.values("times")?;
         let steps = slf.get().steps_of_windings(times.len());
         let windings = of_series(slf, steps, &times, |motion, times| motion.0.windings(times))?.python()?;
         PyWindings::of(slf.py(), windings)
@@ -191,14 +192,15 @@ impl PyMotion {
     ///
     /// Parameters
     /// ----------
-    /// time : float
+    /// time : float or str
     ///     [s], not below zero.
     ///
     /// Returns
     /// -------
     /// numpy.ndarray, shape (N,)
     ///     [m/s].
-    fn velocities<'py>(&self, py: Python<'py>, time: f64) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn velocities<'py>(&self, py: Python<'py>, time: Quantity) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let time = time.si("time", Dimension::Time)?;
         Ok(py.detach(|| self.0.velocities(time)).python()?.into_pyarray(py))
     }
 
@@ -206,33 +208,35 @@ impl PyMotion {
     ///
     /// Parameters
     /// ----------
-    /// times : array_like of float, shape (samples,)
+    /// times : float, str or array_like of float
     ///     [s], none below zero.
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples, 2)
-    ///     u1 and u2 [m].
-    fn ends<'py>(slf: &Bound<'py, Self>, times: Series<'_>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let times = times.values();
-        let steps = slf.get().steps(times.len());
-        let ends = of_series(slf, steps, &times, |motion, times| motion.0.ends(times))?.python()?;
-        rows(slf.py(), ends.into_flattened(), 2)
+    /// numpy.ndarray, shape (2,) or (samples, 2)
+    ///     u1 and u2 [m], behind the dimensions of the times.
+    fn ends<'py>(slf: &Bound<'py, Self>, times: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let at = times.si("times", Dimension::Time)?;
+        let steps = slf.get().steps(at.len());
+        let ends = of_series(slf, steps, &at, |motion, times| motion.0.ends(times))?.python()?;
+        times.with_axes(slf.py(), ends.into_flattened(), &[2])
     }
 
     /// The chain's mechanical energy: kinetic plus elastic (counted from the rest length), without an end mass.
     ///
     /// Parameters
     /// ----------
-    /// time : float
+    /// time : float, str or array_like of float
     ///     [s], not below zero.
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the time
     ///     [J]; constant while both ends are held and nothing is damped.
-    fn energy(&self, py: Python<'_>, time: f64) -> PyResult<f64> {
-        py.detach(|| self.0.energy(time)).python()
+    fn energy<'py>(&self, py: Python<'py>, time: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let at = time.si("time", Dimension::Time)?;
+        let energies = each(py, &at, |time| self.0.energy(time))?.into_iter().collect::<Result<Vec<_>, _>>();
+        time.shaped(py, energies.python()?)
     }
 
     /// The same motion with its first modes only; those left out keep their static answer in the end forces.

@@ -3,10 +3,12 @@
 //! Next door: the coil that they are of (`geometry`), the surge itself (`modes`).
 
 use coilsense::neighbours;
+use coilsense_lab::quantity::Dimension::{Force, Length, Mass};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::geometry::PyGeometry;
+use crate::quantity::Quantity;
 
 /// First frequency at which the windings turn about the spring's axis, both ends held.
 ///
@@ -14,7 +16,7 @@ use crate::geometry::PyGeometry;
 /// ----------
 /// geometry : Geometry
 ///     The coil.
-/// mass : float
+/// mass : float or str
 ///     m of the active windings [kg], measured or ``geometry.active_mass``.
 ///
 /// Returns
@@ -40,8 +42,8 @@ use crate::geometry::PyGeometry;
 /// >>> round(coilsense.torsional_frequency(coil, 0.065), 1)
 /// 61.0
 #[pyfunction]
-pub fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
-    neighbours::torsional_frequency(&geometry.0, mass).python()
+pub fn torsional_frequency(geometry: &PyGeometry, mass: Quantity) -> PyResult<f64> {
+    neighbours::torsional_frequency(&geometry.0, mass.si("mass", Mass)?).python()
 }
 
 /// First frequency at which a spring swings sideways, ends held in place but free to tilt.
@@ -50,11 +52,11 @@ pub fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
 /// ----------
 /// geometry : Geometry
 ///     The coil.
-/// mass : float
+/// mass : float or str
 ///     m of the active windings [kg].
-/// length : float
+/// length : float or str
 ///     l [m].
-/// force : float
+/// force : float or str
 ///     F at that length [N], tension positive: compression lowers it.
 ///
 /// Returns
@@ -72,8 +74,9 @@ pub fn torsional_frequency(geometry: &PyGeometry, mass: f64) -> PyResult<f64> {
 /// The coil as a column that bends and shears, under the axial force. An estimate: ends that may tilt, no coupling with the axial motion.
 /// Source: [Haringx1948].
 #[pyfunction]
-pub fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f64) -> PyResult<f64> {
-    neighbours::lateral_frequency(&geometry.0, mass, length, force).python()
+pub fn lateral_frequency(geometry: &PyGeometry, mass: Quantity, length: Quantity, force: Quantity) -> PyResult<f64> {
+    let (mass, length) = (mass.si("mass", Mass)?, length.si("length", Length)?);
+    neighbours::lateral_frequency(&geometry.0, mass, length, force.si("force", Force)?).python()
 }
 
 /// Force at which a spring buckles at a length, ends free to tilt.
@@ -82,7 +85,7 @@ pub fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f
 /// ----------
 /// geometry : Geometry
 ///     The coil.
-/// length : float
+/// length : float or str
 ///     l under that force [m].
 ///
 /// Returns
@@ -99,6 +102,6 @@ pub fn lateral_frequency(geometry: &PyGeometry, mass: f64, length: f64, force: f
 /// -----
 /// P (1 + P/S) = B pi^2 / l^2, with the bending and shear stiffness B and S of `lateral_frequency`, which is zero there. Source: [Haringx1948].
 #[pyfunction]
-pub fn buckling_force(geometry: &PyGeometry, length: f64) -> PyResult<f64> {
-    neighbours::buckling_force(&geometry.0, length).python()
+pub fn buckling_force(geometry: &PyGeometry, length: Quantity) -> PyResult<f64> {
+    neighbours::buckling_force(&geometry.0, length.si("length", Length)?).python()
 }

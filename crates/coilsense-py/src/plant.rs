@@ -169,7 +169,7 @@ impl PyPlant {
     /// >>> response.shape, round(float(response[1, 0, 0].real), 1)
     /// ((3, 2, 1), -760.4)
     fn to_frd<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Frd<'py>> {
-        let frequencies = frequencies.values();
+        let frequencies = frequencies.values("frequencies")?;
         let (plant, coil) = (&self.0.plant, self.0.coil.as_ref());
         let rows = |&frequency: &f64| {
             let by_coil = coil.map(|coil| plant.coil_response(coil, frequency)).transpose()?;

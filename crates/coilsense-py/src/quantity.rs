@@ -84,6 +84,17 @@ impl Quantity {
         }
     }
 
+    /// Its value where it has no unit: a number alone.
+    pub fn plain(&self, name: &str) -> PyResult<f64> {
+        match self {
+            Self::Number(value) => Ok(*value),
+            Self::Text(text) => Err(Error::new_err(format!("{name} must be a number, got {text:?}"))),
+            Self::Other(object) => object
+                .si(&[Dimension::Share])
+                .ok_or_else(|| PyTypeError::new_err(format!("{name} must be a number, got {}", object.described()))),
+        }
+    }
+
     /// Its value in SI, any finite one.
     pub fn finite(&self, name: &'static str, dimension: Dimension) -> PyResult<f64> {
         self.checked(&Row { name, takes: Takes::Quantity(dimension), ..Row::PLAIN })
@@ -115,7 +126,8 @@ impl Quantity {
 fn allowed(dimensions: &[Dimension]) -> String {
     let units: Vec<&str> = dimensions.iter().map(|dimension| dimension.si_unit()).collect();
     let texts: Vec<String> = dimensions.iter().map(|dimension| dimension.expectation()).collect();
-    format!("a number in {} or {}", units.join(" or "), texts.join(" or "))
+    let number = if units == [""] { "a number".to_owned() } else { format!("a number in {}", units.join(" or ")) };
+    format!("{number} or {}", texts.join(" or "))
 }
 
 /// The value in SI of an argument that may be left out.

@@ -4,12 +4,12 @@
 
 use coilsense::sensors::{Readout, ReadoutParameters};
 use coilsense_lab::quantity::Dimension::{Frequency, Time};
-use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::quantity::{Quantity, si};
+use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::named_value;
 
@@ -62,8 +62,8 @@ named_value! {
 #[pymethods]
 impl PyReadout {
     #[new]
-    #[pyo3(signature = (*, bandwidth=None, order=1, delay=Quantity::Number(0.0), averaging=None, sample_rate=None, noise=0.0,
-                        resolution=None),
+    #[pyo3(signature = (*, bandwidth=None, order=1, delay=Quantity::Number(0.0), averaging=None, sample_rate=None,
+                        noise=Quantity::Number(0.0), resolution=None),
            text_signature = "(*, bandwidth=None, order=1, delay=0.0, averaging=None, sample_rate=None, noise=0.0, resolution=None)")]
     fn new(
         bandwidth: Option<Quantity>,
@@ -71,8 +71,8 @@ impl PyReadout {
         delay: Quantity,
         averaging: Option<Quantity>,
         sample_rate: Option<Quantity>,
-        noise: f64,
-        resolution: Option<f64>,
+        noise: Quantity,
+        resolution: Option<Quantity>,
     ) -> PyResult<Self> {
         let parameters = ReadoutParameters {
             bandwidth: si(bandwidth.as_ref(), "bandwidth", Frequency)?,
@@ -80,8 +80,8 @@ impl PyReadout {
             delay: delay.si("delay", Time)?,
             averaging: si(averaging.as_ref(), "averaging", Time)?,
             sample_rate: si(sample_rate.as_ref(), "sample_rate", Frequency)?,
-            noise,
-            resolution,
+            noise: noise.plain("noise")?,
+            resolution: resolution.map(|step| step.plain("resolution")).transpose()?,
         };
         Readout::new(parameters).python().map(Self)
     }
@@ -120,7 +120,7 @@ impl PyReadout {
         values: Series<'_>,
         seed: u64,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let (times, values) = (times.values(), values.values());
+        let (times, values) = (times.values("times")?, values.values("values")?);
         Ok(py.detach(|| self.0.series(&times, &values, seed)).python()?.into_pyarray(py))
     }
 
@@ -128,30 +128,30 @@ impl PyReadout {
     ///
     /// Parameters
     /// ----------
-    /// frequencies : array_like of float, shape (samples,)
+    /// frequencies : float, str or array_like of float
     ///     [Hz].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray of complex, shape (samples,)
+    /// complex or numpy.ndarray of complex, of the shape of the frequencies
     ///     Reading over quantity [1].
-    fn response<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> Bound<'py, PyArray1<Complex64>> {
-        frequencies.values().iter().map(|&hertz| self.0.response(hertz)).collect::<Vec<_>>().into_pyarray(py)
+    fn response<'py>(&self, py: Python<'py>, frequencies: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        frequencies.each(py, "frequencies", Frequency, |hertz| self.0.response(hertz))
     }
 
     /// How late it is for a sine.
     ///
     /// Parameters
     /// ----------
-    /// frequency : float
+    /// frequency : float, str or array_like of float
     ///     [Hz].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the frequency
     ///     [s].
-    fn lag(&self, frequency: f64) -> f64 {
-        self.0.lag(frequency)
+    fn lag<'py>(&self, py: Python<'py>, frequency: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        frequency.each(py, "frequency", Frequency, |hertz| self.0.lag(hertz))
     }
 
     /// Where all of it together has lost 3 dB [Hz]; infinite without limits.

@@ -3,11 +3,14 @@
 //! Next door: the exact sum (`maxwell_sum`).
 
 use coilsense::inductance::{SecondOrder, mutual_inductances};
+use coilsense_lab::quantity::Dimension::Length;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::maxwell_sum::PyMaxwellSum;
+use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::getters;
 
@@ -17,7 +20,7 @@ use crate::value::getters;
 /// ----------
 /// coil : MaxwellSum
 ///     The exact sum.
-/// length : float
+/// length : float or str
 ///     About which length [m].
 ///
 /// Raises
@@ -46,7 +49,8 @@ getters! {
 #[pymethods]
 impl PySecondOrder {
     #[new]
-    fn new(py: Python<'_>, coil: &PyMaxwellSum, length: f64) -> PyResult<Self> {
+    fn new(py: Python<'_>, coil: &PyMaxwellSum, length: Quantity) -> PyResult<Self> {
+        let length = length.si("length", Length)?;
         py.detach(|| SecondOrder::about(&coil.sum, length)).python().map(Self)
     }
 
@@ -67,7 +71,7 @@ impl PySecondOrder {
     /// Error
     ///     For another number of turns, or the first displacement that is not finite.
     fn at_displacements(&self, displacements: Series<'_>) -> PyResult<(f64, f64)> {
-        let near = self.0.at_displacements(&displacements.values()).python()?;
+        let near = self.0.at_displacements(&displacements.values("displacements")?).python()?;
         Ok((near.inductance, near.bound))
     }
 }
@@ -76,14 +80,14 @@ impl PySecondOrder {
 ///
 /// Parameters
 /// ----------
-/// radius : float
+/// radius : float or str
 ///     r [m], above zero.
-/// distances : array_like of float, shape (count,)
+/// distances : float, str or array_like of float
 ///     h [m], of either sign.
 ///
 /// Returns
 /// -------
-/// numpy.ndarray, shape (count,)
+/// float or numpy.ndarray, of the shape of the distances
 ///     M [H]; infinite where the rings coincide.
 ///
 /// Raises
@@ -104,11 +108,11 @@ impl PySecondOrder {
 #[pyfunction(name = "mutual_inductances")]
 pub fn py_mutual_inductances<'py>(
     py: Python<'py>,
-    radius: f64,
-    distances: Series<'_>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let distances = distances.values();
-    let mut inductances = vec![0.0; distances.len()];
-    py.detach(|| mutual_inductances(radius, &distances, &mut inductances)).python()?;
-    Ok(inductances.into_pyarray(py))
+    radius: Quantity,
+    distances: Samples<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let (radius, apart) = (radius.si("radius", Length)?, distances.si("distances", Length)?);
+    let mut inductances = vec![0.0; apart.len()];
+    py.detach(|| mutual_inductances(radius, &apart, &mut inductances)).python()?;
+    distances.shaped(py, inductances)
 }

@@ -5,27 +5,27 @@
 use std::borrow::Cow;
 
 use numpy::{
-    AllowTypeChange, IntoPyArray, PyArray1, PyArray2, PyArrayLike1, PyArrayLike2, PyArrayMethods, PyUntypedArray,
+    IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyString};
+
+/// Real numbers from Python, or what is said of them by their argument's name.
+type Taken<'py> = Result<PyReadonlyArrayDyn<'py, f64>, String>;
 
 /// A series of real numbers from Python.
-pub struct Series<'py>(PyArrayLike1<'py, f64, AllowTypeChange>);
+pub struct Series<'py>(Taken<'py>);
 
 /// Rows of real numbers from Python, all of one length.
-pub struct Table<'py>(PyArrayLike2<'py, f64, AllowTypeChange>);
+pub struct Table<'py>(Taken<'py>);
 
 impl<'a, 'py> FromPyObject<'a, 'py> for Series<'py> {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
-        bare(&object)?;
-        match object.extract() {
-            Ok(array) if is_real(&object)? => Ok(Self(array)),
-            _ => Err(refused("a series of real numbers", &object)),
-        }
+        Ok(Self(taken(&object, 1, "a series of real numbers")))
     }
 }
 
@@ -33,68 +33,94 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Table<'py> {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
-        bare(&object)?;
-        match object.extract() {
-            Ok(array) if is_real(&object)? => Ok(Self(array)),
-            _ => Err(refused("rows of real numbers, all of one length", &object)),
-        }
+        Ok(Self(taken(&object, 2, "rows of real numbers, all of one length")))
     }
 }
 
 impl Series<'_> {
     /// Its numbers, copied only where they do not lie one behind the other.
-    pub fn values(&self) -> Cow<'_, [f64]> {
-        self.0.as_slice().map_or_else(|_| Cow::Owned(self.0.as_array().to_vec()), Cow::Borrowed)
+    ///
+    /// # Errors
+    /// `TypeError` for what is no series, by the argument's name.
+    pub fn values(&self, name: &str) -> PyResult<Cow<'_, [f64]>> {
+        let array = named(&self.0, name)?;
+        Ok(array.as_slice().map_or_else(|_| array.as_array().iter().copied().collect(), Cow::Borrowed))
     }
 
     /// Its numbers, copied.
-    pub fn to_vec(&self) -> Vec<f64> {
-        self.values().into_owned()
+    pub fn to_vec(&self, name: &str) -> PyResult<Vec<f64>> {
+        self.values(name).map(Cow::into_owned)
     }
 }
 
 impl Table<'_> {
-    /// How many numbers a row holds.
-    pub fn columns(&self) -> usize {
-        self.0.shape()[1]
-    }
-
-    /// Its numbers, copied row by row.
-    pub fn to_vec(&self) -> Vec<f64> {
-        self.0.as_array().iter().copied().collect()
+    /// Its numbers, copied row by row, and how many a row holds.
+    pub fn to_vec(&self, name: &str) -> PyResult<(Vec<f64>, usize)> {
+        let array = named(&self.0, name)?;
+        Ok((array.as_array().iter().copied().collect(), array.shape()[1]))
     }
 }
 
-/// Refuses an array that knows its unit, as pint's and astropy's do: NumPy would take its numbers as they are, in whatever unit.
-fn bare(object: &Borrowed<'_, '_, PyAny>) -> PyResult<()> {
+fn named<'a, 'py>(taken: &'a Taken<'py>, name: &str) -> PyResult<&'a PyReadonlyArrayDyn<'py, f64>> {
+    taken.as_ref().map_err(|why| PyTypeError::new_err(format!("{name} {why}")))
+}
+
+/// An object as an array of so many dimensions.
+fn taken<'py>(object: &Borrowed<'_, 'py, PyAny>, dimensions: usize, wanted: &str) -> Taken<'py> {
+    if let Some(wrong) = in_a_unit(object) {
+        return Err(wrong);
+    }
+    match real(object) {
+        Some(array) if array.as_array().ndim() == dimensions => Ok(array),
+        _ => Err(format!("must be {wanted}, got {}", described(object))),
+    }
+}
+
+/// What is said of an array that knows its unit, as pint's and astropy's do: NumPy would take its numbers as they are, in whatever unit.
+pub fn in_a_unit(object: &Borrowed<'_, '_, PyAny>) -> Option<String> {
     if object.is_exact_instance_of::<PyUntypedArray>() {
-        return Ok(());
+        return None;
     }
-    for (unit, means) in [("units", "to"), ("unit", "to_value")] {
-        if let (Ok(unit), true) = (object.getattr(unit), object.hasattr(means)?) {
-            let text = format!(
-                "must be plain numbers in SI, got an array in {unit}: convert it first, as by .to(...).magnitude"
-            );
-            return Err(PyTypeError::new_err(text));
-        }
-    }
-    Ok(())
+    let found = [("units", "to"), ("unit", "to_value")].into_iter().find_map(|(unit, means)| {
+        let unit = object.getattr(unit).ok()?;
+        object.hasattr(means).unwrap_or(false).then_some(unit)
+    });
+    found.map(|unit| {
+        format!("must be plain numbers in SI, got an array in {unit}: convert it first, as by .to(...).magnitude")
+    })
 }
 
-fn refused(wanted: &str, object: &Borrowed<'_, '_, PyAny>) -> PyErr {
-    PyTypeError::new_err(format!("must be {wanted}, got {}", described(object)))
+/// An object as an array of real numbers of any shape; what NumPy would make of a complex one, a text, a truth value or of nothing is none.
+pub fn real<'py>(object: &Borrowed<'_, 'py, PyAny>) -> Option<PyReadonlyArrayDyn<'py, f64>> {
+    if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
+        return array.try_readonly().ok();
+    }
+    if object.is_none() || object.is_instance_of::<PyString>() || object.is_instance_of::<PyBytes>() {
+        return None;
+    }
+    let array = object.py().import("numpy").and_then(|numpy| numpy.call_method1("asarray", (object,))).ok()?;
+    let kind: String =
+        array.getattr("dtype").and_then(|kind| kind.getattr("kind")).and_then(|kind| kind.extract()).ok()?;
+    let numbers = match kind.as_str() {
+        "f" | "i" | "u" => true,
+        // Fractions and decimals, but not the None that NumPy would take for a nan.
+        "O" => array
+            .getattr("flat")
+            .and_then(|all| all.try_iter())
+            .ok()?
+            .all(|item| item.is_ok_and(|item| is_number(&item))),
+        _ => false,
+    };
+    let array = numbers.then(|| array.call_method1("astype", ("float64",)).ok()).flatten()?;
+    array.cast::<PyArrayDyn<f64>>().ok()?.try_readonly().ok()
 }
 
-/// Whether an array, where the object is one, holds real numbers: NumPy would convert a complex one, or a text, in silence.
-fn is_real(object: &Borrowed<'_, '_, PyAny>) -> PyResult<bool> {
-    match object.getattr("dtype").and_then(|kind| kind.getattr("kind")) {
-        Ok(kind) => Ok("fiu".contains(&kind.extract::<String>()?)),
-        Err(_) => Ok(!object.is_instance_of::<pyo3::types::PyString>()),
-    }
+fn is_number(object: &Bound<'_, PyAny>) -> bool {
+    !object.is_instance_of::<PyString>() && object.extract::<f64>().is_ok()
 }
 
 /// An object as an error calls it.
-fn described(object: &Borrowed<'_, '_, PyAny>) -> String {
+pub fn described(object: &Borrowed<'_, '_, PyAny>) -> String {
     let class = object.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string());
     match (object.getattr("dtype"), object.getattr("shape")) {
         (Ok(kind), Ok(shape)) => format!("{class} of dtype {kind} and shape {shape}"),

@@ -7,13 +7,13 @@ use coilsense::signals::sampled_window;
 use coilsense::{Channel, Signals};
 use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
-use pyo3::exceptions::PyKeyError;
+use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyMapping};
 
 use crate::errors::{IntoPython, unknown};
 use crate::quantity::Quantity;
-use crate::series::{Series, frozen, numbers};
+use crate::series::{Series, described, frozen, numbers};
 use crate::value::Arguments;
 
 /// Time and one series per channel, all of one length: a read-only mapping from a channel's name to its values.
@@ -89,11 +89,11 @@ impl PySignals {
     #[new]
     #[pyo3(signature = (time, channels=None))]
     fn new(py: Python<'_>, time: Series<'_>, channels: Option<Bound<'_, PyMapping>>) -> PyResult<Self> {
-        let mut signals = Signals::new(time.to_vec()).python()?;
+        let mut signals = Signals::new(time.to_vec("time")?).python()?;
         for pair in channels.map(|channels| channels.items()).transpose()?.into_iter().flatten() {
             let (name, values): (Bound<'_, PyAny>, Bound<'_, PyAny>) = pair.extract()?;
-            let values: Series<'_> = values.extract()?;
-            signals.insert(channel(name.extract()?)?, values.to_vec()).python()?;
+            let (name, values): (String, Series<'_>) = (named(&name)?, values.extract()?);
+            signals.insert(channel(&name)?, values.to_vec(&name)?).python()?;
         }
         Ok(Self::of(py, signals))
     }
@@ -180,7 +180,7 @@ impl PySignals {
     ///     For an unknown channel, another number of values than of times, or the first that is not finite.
     fn inserted(&self, py: Python<'_>, name: &str, values: Series<'_>) -> PyResult<Self> {
         let mut signals = self.to_rust(py)?;
-        signals.insert(channel(name)?, values.to_vec()).python()?;
+        signals.insert(channel(name)?, values.to_vec("values")?).python()?;
         Ok(Self::of(py, signals))
     }
 
@@ -284,6 +284,13 @@ impl PySignals {
         };
         format!("<Signals {}: {window}>", self.keys().join(", "))
     }
+}
+
+/// A channel's name as a text.
+fn named(name: &Bound<'_, PyAny>) -> PyResult<String> {
+    let wrong =
+        |_| PyTypeError::new_err(format!("channels must have texts as names, got {}", described(&name.as_borrowed())));
+    name.extract().map_err(wrong)
 }
 
 /// The Python code beside this module that knows other libraries.

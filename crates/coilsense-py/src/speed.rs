@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use coilsense_lab::quantity::Dimension::Frequency;
 use coilsense_lab::report::{add_speed, speed_columns, speed_json, speed_text};
 use coilsense_lab::speed::{Range, SpeedMap, answer};
 use pyo3::prelude::*;
@@ -11,6 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::refused;
 use crate::long_work::watched;
+use crate::quantity::Quantity;
 use crate::results::study_result;
 use crate::series::frozen;
 use crate::spec_argument::SpecArgument;
@@ -86,11 +88,11 @@ impl PySpeedMap {
 /// ----------
 /// spec : Spec, str or os.PathLike
 ///     Its table [cam] says what moves end 1, [contact] what windings do when they meet.
-/// from_ : float
+/// from_ : float or str
 ///     Lowest speed of the engine [Hz].
-/// to : float
+/// to : float or str
 ///     Highest speed of the engine [Hz].
-/// step : float, optional
+/// step : float or str, optional
 ///     From speed to speed [Hz]; 100 rpm without it. More are added about those at which a harmonic of the cam has the first surge frequency.
 /// cam_ratio : float, optional
 ///     Turns of the camshaft for one of the engine.
@@ -108,18 +110,24 @@ impl PySpeedMap {
 /// Error
 ///     For a spec without [cam] or [contact], a range that is none, or what the science refuses at a speed.
 #[pyfunction]
-#[pyo3(signature = (spec, from_, to, *, step=100.0 / 60.0, cam_ratio=0.5, progress=None))]
+#[pyo3(signature = (spec, from_, to, *, step=Quantity::Number(100.0 / 60.0), cam_ratio=Quantity::Number(0.5), progress=None),
+       text_signature = "(spec, from_, to, *, step=1.6666666666666667, cam_ratio=0.5, progress=None)")]
 pub fn speed(
     py: Python<'_>,
     spec: SpecArgument<'_>,
-    from_: f64,
-    to: f64,
-    step: f64,
-    cam_ratio: f64,
+    from_: Quantity,
+    to: Quantity,
+    step: Quantity,
+    cam_ratio: Quantity,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<PySpeedMap> {
     let spec = spec.spec(py)?;
-    let range = Range { from: from_, to, step, ratio: cam_ratio };
+    let range = Range {
+        from: from_.si("from_", Frequency)?,
+        to: to.si("to", Frequency)?,
+        step: step.si("step", Frequency)?,
+        ratio: cam_ratio.plain("cam_ratio")?,
+    };
     let map = watched(py, progress.as_ref(), |progress| SpeedMap::of(spec, range, progress))?.map_err(refused)?;
     Ok(PySpeedMap(Arc::new(map)))
 }

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{IntoPython, unknown};
 use crate::quantity::{Quantity, si};
+use crate::samples::Samples;
 use crate::value::{Arguments, getters, named_value};
 
 /// Springs of the paper's Table I.
@@ -117,7 +118,7 @@ impl PySpring {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per value of Table I")]
     fn new(
         rest_length: Quantity,
-        windings: f64,
+        windings: Quantity,
         coil_radius: Quantity,
         wire_radius: Quantity,
         mass: Quantity,
@@ -125,11 +126,11 @@ impl PySpring {
         min_length: Quantity,
         max_length: Quantity,
         nominal_force: Option<Quantity>,
-        inductance_windings: Option<f64>,
+        inductance_windings: Option<Quantity>,
     ) -> PyResult<Self> {
         let parameters = SpringParameters {
             rest_length: rest_length.si("rest_length", Length)?,
-            windings,
+            windings: windings.plain("windings")?,
             coil_radius: coil_radius.si("coil_radius", Length)?,
             wire_radius: wire_radius.si("wire_radius", Length)?,
             mass: mass.si("mass", Mass)?,
@@ -137,7 +138,7 @@ impl PySpring {
             min_length: min_length.si("min_length", Length)?,
             max_length: max_length.si("max_length", Length)?,
             nominal_force: si(nominal_force.as_ref(), "nominal_force", Force)?,
-            inductance_windings,
+            inductance_windings: inductance_windings.map(|count| count.plain("inductance_windings")).transpose()?,
             sections: None,
         };
         let spring = Spring::new(parameters).python()?;
@@ -221,41 +222,41 @@ impl PySpring {
     ///
     /// Parameters
     /// ----------
-    /// length : float or str
+    /// length : float, str or array_like of float
     ///     l [m].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the length
     ///     l/N [m].
-    fn pitch_at(&self, length: Quantity) -> PyResult<f64> {
-        Ok(self.0.pitch_at(length.si("length", Length)?))
+    fn pitch_at<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        length.each(py, "length", Length, |length| self.0.pitch_at(length))
     }
 
     /// Whether a length lies in the operating range, its ends included.
     ///
     /// Parameters
     /// ----------
-    /// length : float or str
+    /// length : float, str or array_like of float
     ///     l [m].
     ///
     /// Returns
     /// -------
-    /// bool
-    fn in_operating_range(&self, length: Quantity) -> PyResult<bool> {
-        Ok(self.0.in_operating_range(length.si("length", Length)?))
+    /// bool or numpy.ndarray of bool, of the shape of the length
+    fn in_operating_range<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        length.each(py, "length", Length, |length| self.0.in_operating_range(length))
     }
 
     /// Force of a spring without mass, tension positive.
     ///
     /// Parameters
     /// ----------
-    /// length : float or str
+    /// length : float, str or array_like of float
     ///     l [m].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the length
     ///     k (l - l0) [N].
     ///
     /// Notes
@@ -265,10 +266,10 @@ impl PySpring {
     /// Examples
     /// --------
     /// >>> import coilsense
-    /// >>> round(coilsense.Spring.of_paper("S_T").static_force(0.264), 6)
-    /// 121.6
-    fn static_force(&self, length: Quantity) -> PyResult<f64> {
-        Ok(self.0.static_force(length.si("length", Length)?))
+    /// >>> coilsense.Spring.of_paper("S_T").static_force([0.104, 0.264]).round(6)
+    /// array([  0. , 121.6])
+    fn static_force<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        length.each(py, "length", Length, |length| self.0.static_force(length))
     }
 
     fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

@@ -4,11 +4,12 @@
 
 use coilsense::Spring;
 use coilsense::sensors::TwoEncoder;
-use numpy::{IntoPyArray, PyArray1};
+use coilsense_lab::quantity::Dimension::{Compliance, Force, Length};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
-use crate::series::Series;
+use crate::quantity::Quantity;
+use crate::samples::{Samples, Together};
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
 
@@ -18,11 +19,11 @@ use crate::value::{getters, named_value};
 /// ----------
 /// spring : Spring
 ///     The spring between them.
-/// compliance : float
+/// compliance : float or str
 ///     c of the drive train [m/N], not below zero.
-/// backlash : float
+/// backlash : float or str
 ///     b of the drive train, the whole gap [m], not below zero.
-/// mean_length : float
+/// mean_length : float or str
 ///     Length at which it was zeroed [m].
 ///
 /// Raises
@@ -75,7 +76,9 @@ named_value! {
 #[pymethods]
 impl PyTwoEncoder {
     #[new]
-    fn new(spring: &PySpring, compliance: f64, backlash: f64, mean_length: f64) -> PyResult<Self> {
+    fn new(spring: &PySpring, compliance: Quantity, backlash: Quantity, mean_length: Quantity) -> PyResult<Self> {
+        let compliance = compliance.si("compliance", Compliance)?;
+        let (backlash, mean_length) = (backlash.si("backlash", Length)?, mean_length.si("mean_length", Length)?);
         let encoders = TwoEncoder::new(&spring.0, compliance, backlash, mean_length).python()?;
         Ok(Self { encoders, spring: spring.0.clone(), compliance, backlash, mean_length })
     }
@@ -84,42 +87,45 @@ impl PyTwoEncoder {
     ///
     /// Parameters
     /// ----------
-    /// u1, u2 : array_like of float, shape (samples,)
+    /// u1, u2 : float, str or array_like of float
     ///     Positions of the spring's ends [m].
-    /// f_i : array_like of float, shape (samples,)
+    /// f_i : float, str or array_like of float
     ///     Force at end 1 [N], tension positive.
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the three together
     ///     u2 - u_motor = (u2 - u1) + c F_i + (b/2) sgn F_i [m].
     ///
     /// Raises
     /// ------
     /// Error
-    ///     For series of different lengths, or a value beyond 1e9 either way.
+    ///     For shapes that do not go together, or a value beyond 1e9 either way.
     fn elongation<'py>(
         &self,
         py: Python<'py>,
-        u1: Series<'_>,
-        u2: Series<'_>,
-        f_i: Series<'_>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(self.encoders.elongation(&u1.values(), &u2.values(), &f_i.values()).python()?.into_pyarray(py))
+        u1: Samples<'py>,
+        u2: Samples<'py>,
+        f_i: Samples<'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let all = Together::of(py, [(&u1, "u1", Length), (&u2, "u2", Length), (&f_i, "f_i", Force)])?;
+        let [u1, u2, f_i] = &all.values;
+        all.shaped(py, self.encoders.elongation(u1, u2, f_i).python()?)
     }
 
     /// Force that the two encoders tell.
     ///
     /// Parameters
     /// ----------
-    /// elongation : array_like of float, shape (samples,)
+    /// elongation : float, str or array_like of float
     ///     As `elongation` gives it, through an instrument or not [m].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (samples,)
+    /// float or numpy.ndarray, of the shape of the elongation
     ///     k_s (e - zero) [N].
-    fn force<'py>(&self, py: Python<'py>, elongation: Series<'_>) -> Bound<'py, PyArray1<f64>> {
-        self.encoders.force(&elongation.values()).into_pyarray(py)
+    fn force<'py>(&self, py: Python<'py>, elongation: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let force = self.encoders.force(&elongation.si("elongation", Length)?);
+        elongation.shaped(py, force)
     }
 }

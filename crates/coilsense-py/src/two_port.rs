@@ -78,7 +78,7 @@ impl PyTwoPort {
         frequencies: &Series<'_>,
         part: impl Fn(&DynamicStiffness) -> T + Sync,
     ) -> PyResult<Vec<T>> {
-        let frequencies = frequencies.values();
+        let frequencies = frequencies.values("frequencies")?;
         let at = |frequency: f64| Ok(part(&self.two_port.at(angular(frequency))?));
         each(py, &frequencies, at)?.into_iter().collect::<Result<_, ScienceError>>().python()
     }

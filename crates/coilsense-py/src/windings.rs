@@ -70,11 +70,12 @@ getters! {
 impl PyWindings {
     #[new]
     fn new(py: Python<'_>, ends: Table<'_>, positions: Table<'_>) -> PyResult<Self> {
-        if ends.columns() != 2 {
-            return Err(Error::new_err(format!("ends must have 2 columns, got {}", ends.columns())));
+        let (ends, columns) = ends.to_vec("ends")?;
+        if columns != 2 {
+            return Err(Error::new_err(format!("ends must have 2 columns, got {columns}")));
         }
-        let ends = ends.to_vec().as_chunks::<2>().0.to_vec();
-        Self::of(py, Windings::new(ends, positions.to_vec()).python()?)
+        let (ends, positions) = (ends.as_chunks::<2>().0.to_vec(), positions.to_vec("positions")?.0);
+        Self::of(py, Windings::new(ends, positions).python()?)
     }
 
     /// Ends and positions as lists of rows.

@@ -46,7 +46,9 @@ pub fn measured(
     }
     match points {
         PointsArgument::Recording(recording) => Measured::of_log(&Points::of(&recording.get().0), zero).python(),
-        PointsArgument::Arrays(lengths, inductances) => of_arrays(&lengths.values(), &inductances.values(), zero),
+        PointsArgument::Arrays(lengths, inductances) => {
+            of_arrays(&lengths.values("points[0]")?, &inductances.values("points[1]")?, zero)
+        }
         PointsArgument::Path(path) if preset.as_deref() == Some(LAB_DATA) => {
             let needed = "length_at_zero is needed: the file holds displacements, the curve is one of lengths";
             let zero = zero.ok_or_else(|| Error::new_err(needed))?;

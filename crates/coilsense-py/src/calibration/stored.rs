@@ -5,11 +5,12 @@
 use std::path::PathBuf;
 
 use coilsense_lab::calibration::StoredCalibration;
-use numpy::{IntoPyArray, PyArray1};
+use coilsense_lab::quantity::Dimension;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
-use crate::series::Series;
+use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::value::getters;
 
 /// A calibration that was stored: length, force and their standard uncertainties from an inductance; read by `open_calibration`.
@@ -60,46 +61,45 @@ impl PyStoredCalibration {
     ///
     /// Parameters
     /// ----------
-    /// inductance : array_like of float, shape (samples,)
+    /// inductance : float, str or array_like of float
     ///     [H].
     ///
     /// Returns
     /// -------
-    /// (numpy.ndarray, numpy.ndarray), each of shape (samples,)
+    /// (float, float) or (numpy.ndarray, numpy.ndarray), of the shape of the inductance
     ///     [m].
-    fn length<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Pair<'py> {
-        let of = |henry: &f64| {
-            self.0.at(*henry).map_or([f64::NAN; 2], |read| [read.length, read.length_u.unwrap_or(f64::NAN)])
-        };
-        pair(py, inductance.values().iter().map(of))
+    fn length<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> Pair<'py> {
+        let of =
+            |henry| self.0.at(henry).map_or([f64::NAN; 2], |read| [read.length, read.length_u.unwrap_or(f64::NAN)]);
+        inductance.each_pair(py, "inductance", Dimension::Inductance, of)
     }
 
     /// The force at an inductance and its standard uncertainty; nan where it is not told.
     ///
     /// Parameters
     /// ----------
-    /// inductance : array_like of float, shape (samples,)
+    /// inductance : float, str or array_like of float
     ///     [H].
     ///
     /// Returns
     /// -------
-    /// (numpy.ndarray, numpy.ndarray), each of shape (samples,)
+    /// (float, float) or (numpy.ndarray, numpy.ndarray), of the shape of the inductance
     ///     [N].
-    fn force<'py>(&self, py: Python<'py>, inductance: Series<'_>) -> Pair<'py> {
-        let of = |henry: &f64| {
-            let force = self.0.at(*henry).and_then(|read| self.0.force_of(read));
+    fn force<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> Pair<'py> {
+        let of = |henry| {
+            let force = self.0.at(henry).and_then(|read| self.0.force_of(read));
             force.map_or([f64::NAN; 2], |(force, force_u)| [force, force_u.unwrap_or(f64::NAN)])
         };
-        pair(py, inductance.values().iter().map(of))
+        inductance.each_pair(py, "inductance", Dimension::Inductance, of)
     }
 
     /// The same of a spring that was mounted anew and has this inductance at this length.
     ///
     /// Parameters
     /// ----------
-    /// length : float
+    /// length : float or str
     ///     [m].
-    /// inductance : float
+    /// inductance : float or str
     ///     [H].
     ///
     /// Returns
@@ -110,7 +110,9 @@ impl PyStoredCalibration {
     /// ------
     /// Error
     ///     For a length outside of the calibration.
-    fn re_zeroed(&self, length: f64, inductance: f64) -> PyResult<Self> {
+    fn re_zeroed(&self, length: Quantity, inductance: Quantity) -> PyResult<Self> {
+        let length = length.si("length", Dimension::Length)?;
+        let inductance = inductance.si("inductance", Dimension::Inductance)?;
         Ok(Self(self.0.clone().re_zeroed(length, inductance).python()?))
     }
 
@@ -121,12 +123,7 @@ impl PyStoredCalibration {
 }
 
 /// Values and their standard uncertainties.
-type Pair<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
-
-fn pair(py: Python<'_>, values: impl Iterator<Item = [f64; 2]>) -> Pair<'_> {
-    let (values, uncertainties): (Vec<f64>, Vec<f64>) = values.map(<(f64, f64)>::from).unzip();
-    (values.into_pyarray(py), uncertainties.into_pyarray(py))
-}
+type Pair<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)>;
 
 /// Reads a calibration that was stored: ``calibration.toml`` of ``coilsense calibrate --out``, or what `Calibration.stored` gives.
 ///

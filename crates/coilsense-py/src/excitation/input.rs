@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
 
@@ -21,8 +22,8 @@ use crate::value::{Kind, value_of_kinds};
 /// >>> from coilsense import EndInput
 /// >>> EndInput.step(height=0.01, at=0.2)
 /// EndInput.step(height=0.01, at=0.2)
-/// >>> EndInput.ramp(0.01, 0.1, 0.2).displacement(0.2)
-/// 0.005
+/// >>> EndInput.ramp(0.01, 0.1, 0.2).displacement([0.0, 0.2, 1.0])
+/// array([0.   , 0.005, 0.01 ])
 #[pyclass(name = "EndInput", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyEndInput(pub EndInput);
@@ -231,36 +232,36 @@ impl PyEndInput {
     ///     For no samples, series of different lengths, a value that is not finite, or a time not after its predecessor.
     #[staticmethod]
     fn sampled(times: Series<'_>, values: Series<'_>) -> PyResult<Self> {
-        Self::checked(EndInput::Sampled(Sampled::new(times.to_vec(), values.to_vec()).python()?))
+        Self::checked(EndInput::Sampled(Sampled::new(times.to_vec("times")?, values.to_vec("values")?).python()?))
     }
 
     /// Displacement from the mean.
     ///
     /// Parameters
     /// ----------
-    /// time : float
+    /// time : float, str or array_like of float
     ///     [s].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the time
     ///     [m, or N at an end under force].
-    fn displacement(&self, time: f64) -> f64 {
-        self.0.displacement(time)
+    fn displacement<'py>(&self, py: Python<'py>, time: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        time.each(py, "time", Time, |time| self.0.displacement(time))
     }
 
     /// Velocity, from the right where it jumps.
     ///
     /// Parameters
     /// ----------
-    /// time : float
+    /// time : float, str or array_like of float
     ///     [s].
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the time
     ///     [m/s, or N/s at an end under force].
-    fn velocity(&self, time: f64) -> f64 {
-        self.0.velocity(time)
+    fn velocity<'py>(&self, py: Python<'py>, time: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        time.each(py, "time", Time, |time| self.0.velocity(time))
     }
 }

@@ -123,7 +123,10 @@ impl PyStart {
     ///     For unlike numbers of positions and velocities, or a value that is not finite.
     #[staticmethod]
     fn windings(positions: Series<'_>, velocities: Series<'_>) -> PyResult<Self> {
-        Self::checked(Start::Windings { positions: positions.to_vec(), velocities: velocities.to_vec() })
+        Self::checked(Start::Windings {
+            positions: positions.to_vec("positions")?,
+            velocities: velocities.to_vec("velocities")?,
+        })
     }
 }
 

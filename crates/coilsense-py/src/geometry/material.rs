@@ -3,28 +3,31 @@
 //! Next door: the coil wound from it (the parent).
 
 use coilsense::geometry::{Material, MaterialParameters};
+use coilsense_lab::quantity::Dimension;
 use coilsense_lab::spec::named_materials;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{IntoPython, unknown};
+use crate::quantity::{Quantity, si};
+use crate::samples::Samples;
 use crate::value::{getters, named_value};
 
 /// What a wire is made of, at 20 degrees Celsius.
 ///
 /// Parameters
 /// ----------
-/// shear_modulus : float
+/// shear_modulus : float or str
 ///     G [Pa].
-/// youngs_modulus : float
+/// youngs_modulus : float or str
 ///     E [Pa].
-/// density : float
+/// density : float or str
 ///     [kg/m^3].
-/// shear_modulus_temperature : float, optional
+/// shear_modulus_temperature : float or str, optional
 ///     (dG/dT)/G [1/K], below zero for steel.
-/// expansion : float, optional
+/// expansion : float or str, optional
 ///     Thermal expansion [1/K].
-/// resistivity : float, optional
+/// resistivity : float or str, optional
 ///     [Ohm m].
 /// relative_permeability : float, optional
 ///     mu_r [1].
@@ -69,22 +72,26 @@ impl PyMaterial {
     #[pyo3(signature = (*, shear_modulus, youngs_modulus, density, shear_modulus_temperature=None, expansion=None, resistivity=None,
                         relative_permeability=None))]
     fn new(
-        shear_modulus: f64,
-        youngs_modulus: f64,
-        density: f64,
-        shear_modulus_temperature: Option<f64>,
-        expansion: Option<f64>,
-        resistivity: Option<f64>,
-        relative_permeability: Option<f64>,
+        shear_modulus: Quantity,
+        youngs_modulus: Quantity,
+        density: Quantity,
+        shear_modulus_temperature: Option<Quantity>,
+        expansion: Option<Quantity>,
+        resistivity: Option<Quantity>,
+        relative_permeability: Option<Quantity>,
     ) -> PyResult<Self> {
         let parameters = MaterialParameters {
-            shear_modulus,
-            youngs_modulus,
-            density,
-            shear_modulus_temperature,
-            expansion,
-            resistivity,
-            relative_permeability,
+            shear_modulus: shear_modulus.si("shear_modulus", Dimension::Modulus)?,
+            youngs_modulus: youngs_modulus.si("youngs_modulus", Dimension::Modulus)?,
+            density: density.si("density", Dimension::Density)?,
+            shear_modulus_temperature: si(
+                shear_modulus_temperature.as_ref(),
+                "shear_modulus_temperature",
+                Dimension::PerKelvin,
+            )?,
+            expansion: si(expansion.as_ref(), "expansion", Dimension::PerKelvin)?,
+            resistivity: si(resistivity.as_ref(), "resistivity", Dimension::Resistivity)?,
+            relative_permeability: relative_permeability.map(|mu| mu.plain("relative_permeability")).transpose()?,
         };
         Material::new(parameters).python().map(Self)
     }
@@ -116,15 +123,15 @@ impl PyMaterial {
     ///
     /// Parameters
     /// ----------
-    /// velocity : float
+    /// velocity : float, str or array_like of float
     ///     v [m/s], of one end against the other.
     ///
     /// Returns
     /// -------
-    /// float
+    /// float or numpy.ndarray, of the shape of the velocity
     ///     v sqrt(2 rho G) [Pa].
-    fn impact_stress(&self, velocity: f64) -> f64 {
-        self.0.impact_stress(velocity)
+    fn impact_stress<'py>(&self, py: Python<'py>, velocity: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        velocity.each(py, "velocity", Dimension::Velocity, |velocity| self.0.impact_stress(velocity))
     }
 }
 

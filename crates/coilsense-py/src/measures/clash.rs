@@ -3,11 +3,13 @@
 //! Next door: forces that are off (`deviation`).
 
 use coilsense::Clash;
+use coilsense_lab::quantity::Dimension;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::long_work::of_series;
 use crate::motion::PyMotion;
+use crate::quantity::{Quantity, si};
 use crate::series::Series;
 use crate::value::{getters, named_value};
 
@@ -71,7 +73,7 @@ impl PyClash {
     ///     The motion.
     /// times : array_like of float, shape (samples,)
     ///     [s], strictly increasing.
-    /// contact_pitch : float, optional
+    /// contact_pitch : float or str, optional
     ///     At this pitch windings touch [m]; without it the wire's diameter.
     ///
     /// Returns
@@ -91,8 +93,9 @@ impl PyClash {
     /// False
     #[staticmethod]
     #[pyo3(signature = (motion, times, contact_pitch=None))]
-    fn of(motion: &Bound<'_, PyMotion>, times: Series<'_>, contact_pitch: Option<f64>) -> PyResult<Self> {
-        let times = times.values();
+    fn of(motion: &Bound<'_, PyMotion>, times: Series<'_>, contact_pitch: Option<Quantity>) -> PyResult<Self> {
+        let contact_pitch = si(contact_pitch.as_ref(), "contact_pitch", Dimension::Length)?;
+        let times = times.values("times")?;
         let steps = motion.get().steps_of_windings(times.len());
         let found = of_series(motion, steps, &times, move |motion, times| match contact_pitch {
             None => Clash::of(&motion.0, times),

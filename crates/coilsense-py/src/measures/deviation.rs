@@ -84,7 +84,7 @@ impl PyDeviation {
     ///     For no samples, series of different lengths, or the first value that is not finite.
     #[staticmethod]
     fn between(py: Python<'_>, force: Series<'_>, reference: Series<'_>) -> PyResult<Self> {
-        let (force, reference) = (force.values(), reference.values());
+        let (force, reference) = (force.values("force")?, reference.values("reference")?);
         py.detach(|| Deviation::between(&force, &reference)).python().map(Self)
     }
 

@@ -10,6 +10,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::{Arguments, getters};
 
@@ -55,7 +56,7 @@ getters! {
 impl PySpectrum {
     #[new]
     fn new(py: Python<'_>, times: Series<'_>, values: Series<'_>) -> PyResult<Self> {
-        let (times, values) = (times.values(), values.values());
+        let (times, values) = (times.values("times")?, values.values("values")?);
         py.detach(|| Spectrum::of(&times, &values)).python().map(Self)
     }
 
@@ -63,15 +64,16 @@ impl PySpectrum {
     ///
     /// Parameters
     /// ----------
-    /// lowest, highest : float
+    /// lowest, highest : float or str
     ///     The band [Hz], its ends included.
     ///
     /// Returns
     /// -------
     /// float
     ///     In the unit of the values; zero for a band without a line.
-    fn rms_within(&self, lowest: f64, highest: f64) -> f64 {
-        self.0.rms_within(lowest, highest)
+    fn rms_within(&self, lowest: Quantity, highest: Quantity) -> PyResult<f64> {
+        let lowest = lowest.si("lowest", Dimension::Frequency)?;
+        Ok(self.0.rms_within(lowest, highest.si("highest", Dimension::Frequency)?))
     }
 
     /// Frequencies and amplitudes as lists.
@@ -101,14 +103,14 @@ impl PySpectrum {
 ///
 /// Parameters
 /// ----------
-/// frequency : float or str
+/// frequency : float, str or array_like of float
 ///     Of the line [Hz].
 /// sample_rate : float or str
 ///     Above zero [Hz].
 ///
 /// Returns
 /// -------
-/// float
+/// float or numpy.ndarray, of the shape of the frequency
 ///     [Hz].
 ///
 /// Notes
@@ -118,10 +120,14 @@ impl PySpectrum {
 /// Examples
 /// --------
 /// >>> import coilsense
-/// >>> coilsense.alias_of(54.0, 100.0)  # a surge line at 54 Hz, sampled at 100 Hz
-/// 46.0
+/// >>> coilsense.alias_of([54.0, 162.0], 100.0)  # surge lines at 54 and 162 Hz, sampled at 100 Hz
+/// array([46., 38.])
 #[pyfunction(name = "alias_of")]
-pub fn py_alias_of(frequency: Quantity, sample_rate: Quantity) -> PyResult<f64> {
-    let frequency = frequency.si("frequency", Dimension::Frequency)?;
-    Ok(alias_of(frequency, sample_rate.si("sample_rate", Dimension::Frequency)?))
+pub fn py_alias_of<'py>(
+    py: Python<'py>,
+    frequency: Samples<'py>,
+    sample_rate: Quantity,
+) -> PyResult<Bound<'py, PyAny>> {
+    let sample_rate = sample_rate.si("sample_rate", Dimension::Frequency)?;
+    frequency.each(py, "frequency", Dimension::Frequency, |hertz| alias_of(hertz, sample_rate))
 }

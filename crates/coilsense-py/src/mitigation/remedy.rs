@@ -130,9 +130,9 @@ impl PyRemedy {
             (None, None) if !needs_ends => None,
             _ => return Err(Error::new_err(format!("{} needs u1 and u2 beside the force", self.name()))),
         };
-        let force = force.values();
+        let force = force.values("force")?;
         let measured = match &ends {
-            Some((u1, u2)) => joined(&force, &u1.values(), &u2.values())?,
+            Some((u1, u2)) => joined(&force, &u1.values("u1")?, &u2.values("u2")?)?,
             None => joined(&force, &vec![0.0; force.len()], &vec![0.0; force.len()])?,
         };
         Ok(py.detach(|| self.candidate().run(&measured)).into_pyarray(py))

@@ -4,12 +4,12 @@
 
 use coilsense::{Damping, FarEnd, Mount};
 use coilsense_lab::quantity::Dimension;
-use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::hertz::angular;
 use crate::quantity::Quantity;
+use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
 
@@ -90,7 +90,7 @@ impl PyDamping {
     /// Damping
     #[staticmethod]
     fn modal_each(ratios: Series<'_>) -> PyResult<Self> {
-        Self::checked(Damping::ModalEach(ratios.to_vec()))
+        Self::checked(Damping::ModalEach(ratios.to_vec("ratios")?))
     }
 
     /// zeta_j = rate / 2 omega_j, omega_j = 2 pi f_j: as in a viscous fluid.
@@ -129,14 +129,15 @@ impl PyDamping {
     ///
     /// Parameters
     /// ----------
-    /// loss_factor : float
+    /// loss_factor : float or str
     ///     eta [1], not below zero.
     ///
     /// Returns
     /// -------
     /// Damping
     #[staticmethod]
-    fn hysteretic(loss_factor: f64) -> PyResult<Self> {
+    fn hysteretic(loss_factor: Quantity) -> PyResult<Self> {
+        let loss_factor = loss_factor.si("loss_factor", Dimension::Share)?;
         Self::checked(Damping::Hysteretic { loss_factor })
     }
 
@@ -144,20 +145,21 @@ impl PyDamping {
     ///
     /// Parameters
     /// ----------
-    /// frequencies : array_like of float, shape (modes,)
+    /// frequencies : float, str or array_like of float
     ///     f_j [Hz].
     ///
     /// Returns
     /// -------
-    /// numpy.ndarray, shape (modes,)
+    /// float or numpy.ndarray, of the shape of the frequencies
     ///     zeta_j [1].
     ///
     /// Raises
     /// ------
     /// Error
     ///     Where damping for each mode is given for another number of modes, and for a loss factor.
-    fn ratios<'py>(&self, py: Python<'py>, frequencies: Series<'_>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let frequencies: Vec<f64> = frequencies.values().iter().copied().map(angular).collect();
-        Ok(self.0.ratios(&frequencies).python()?.into_pyarray(py))
+    fn ratios<'py>(&self, py: Python<'py>, frequencies: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let hertz = frequencies.si("frequencies", Dimension::Frequency)?;
+        let omega: Vec<f64> = hertz.iter().copied().map(angular).collect();
+        frequencies.shaped(py, self.0.ratios(&omega).python()?)
     }
 }
