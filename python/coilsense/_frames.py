@@ -22,6 +22,13 @@ def _library(name: str, extra: str) -> Any:
         raise ImportError(f"{library} is needed for this; install it with: pip install 'coilsense[{extra}]'") from error
 
 
+def checked_axes(ax: matplotlib.axes.Axes) -> matplotlib.axes.Axes:
+    """The same axes, or an error that says what else was given."""
+    if not hasattr(ax, "plot"):
+        raise TypeError(f"ax must be the Axes of a figure of matplotlib, got {type(ax).__name__}")
+    return ax
+
+
 def to_pandas(signals: Signals) -> pandas.DataFrame:
     """One column per channel over an index of time."""
     library = _library("pandas", "pandas")
@@ -40,7 +47,7 @@ def to_xarray(signals: Signals) -> xarray.Dataset:
     return dataset
 
 
-def plot(signals: Signals, channels: list[str] | None, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def plot(signals: Signals, channels: list[str] | None, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """The channels over time in one panel; without a choice, the forces."""
     names = [name for name in signals if signals.unit(name) == "N"] if channels is None else channels
     if not names:
@@ -48,8 +55,7 @@ def plot(signals: Signals, channels: list[str] | None, axes: matplotlib.axes.Axe
     units = {signals.unit(name) for name in names}
     if len(units) > 1:
         raise _unlike_units(names, units)
-    if axes is None:
-        axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained")[1]
+    axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained")[1] if ax is None else checked_axes(ax)
     for name in names:
         axes.plot(signals.time, signals[name], label=name, linewidth=1)
     axes.set_xlabel("t [s]")

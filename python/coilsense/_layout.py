@@ -6,7 +6,7 @@ import html
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from coilsense._frames import _library
+from coilsense._frames import _library, checked_axes
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 BLUE, RED, GREY = "#0072b2", "#d55e00", "#777777"
 
 
-def new_axes(axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def new_axes(ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """The axes that were given, or those of a new figure."""
-    if axes is not None:
-        return axes
+    if ax is not None:
+        return checked_axes(ax)
     made: matplotlib.axes.Axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained", figsize=(7.5, 4))[1]
     made.grid(alpha=0.3)
     return made

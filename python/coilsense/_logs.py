@@ -33,9 +33,9 @@ def points_frame(calibration: Calibration) -> pandas.DataFrame:
     return frame(calibration.to_dict()["points"], "row")
 
 
-def calibration_plot(calibration: Calibration, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def calibration_plot(calibration: Calibration, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Points, and the curve through them over their range."""
-    axes = new_axes(axes)
+    axes = new_axes(ax)
     lengths, inductances = calibration.lengths, calibration.inductances
     over = numpy.linspace(lengths.min(), lengths.max(), 200)
     axes.plot(1e3 * over, 1e6 * calibration.inductance(over), color=RED, linewidth=1.2, label="1/l = αL + β")
@@ -73,9 +73,9 @@ def lines_frame(identification: Identification) -> pandas.DataFrame:
     return frame(rows)
 
 
-def identification_plot(identification: Identification, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def identification_plot(identification: Identification, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """The spectrum of the record, with a mark at each line and the names of the modes."""
-    axes = new_axes(axes)
+    axes = new_axes(ax)
     nyquist = 0.5 * identification.sample_rate
     seen = [line["frequency_hz"]["value"] for line in identification.lines]
     highest = min(1.15 * max(seen), nyquist) if seen else nyquist

@@ -25,9 +25,9 @@ def ranking_frame(mitigation: Mitigation) -> pandas.DataFrame:
     return frame(rows, "name")
 
 
-def mitigation_plot(mitigation: Mitigation, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def mitigation_plot(mitigation: Mitigation, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Worst error over lag; the best of either kind by its name."""
-    axes = new_axes(axes)
+    axes = new_axes(ax)
     looks = {"k·Δl": (BLUE, "o", "filters of F_i, against k·Δl"), "F_o": (RED, "s", "estimators, against F_o")}
     for against, (colour, mark, label) in looks.items():
         those = [remedy for remedy in mitigation.remedies if remedy.against == against]
@@ -114,9 +114,9 @@ def runs_frame(experiment: Experiment) -> pandas.DataFrame:
     return frame(rows, "name")
 
 
-def experiment_plot(experiment: Experiment, axes: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def experiment_plot(experiment: Experiment, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Deviation of F_o from F_x over the frequency of the sines, as a share of F_nom."""
-    axes = new_axes(axes)
+    axes = new_axes(ax)
     sines = sorted((run for run in experiment.rows if run["kind"] == "harmonic"), key=lambda run: run["frequency_hz"])
     over = [run["frequency_hz"] for run in sines]
     axes.semilogy(over, [run["maximum_absolute_percent"] for run in sines], "s--", color=RED, markersize=4, label="largest")

@@ -140,7 +140,8 @@ TAKEN = (
     ("SupportsFloat | SupportsIndex", "float"),
     ("SupportsIndex", "int"),
     ("SupportsGetItem[int, ", "Sequence["),
-    ("float | str | Incomplete", "float | str"),
+    # What is taken to be refused by its name.
+    (" | Incomplete", ""),
     ("Incomplete", "ArrayLike"),
 )
 

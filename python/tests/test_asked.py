@@ -107,8 +107,8 @@ def test_two_encoders_read_a_static_load_through_their_drive_train() -> None:
     assert encoders.stiffness == pytest.approx(1 / (1 / samples.SPRING.stiffness + compliance), rel=1e-15)
     with pytest.raises(coilsense.Error, match="backlash"):
         coilsense.TwoEncoder(samples.SPRING, compliance, -1e-4, length)
-    with pytest.raises(coilsense.Error, match="u2"):
-        encoders.elongation([0.0], [0.1, 0.2], [1.0])
+    with pytest.raises(coilsense.Error, match="u1, u2, f_i must have shapes that go together"):
+        encoders.elongation([0.0, 0.0, 0.0], [0.1, 0.2], [1.0])
 
 
 VALVE = """

@@ -55,7 +55,8 @@ def test_a_number_gives_a_number_and_an_array_one_of_its_shape(name: str) -> Non
     for same in (text, numpy.float64(value), numpy.array(value), fractions.Fraction(value)):
         assert function(same) == alone and type(function(same)) is type(alone)
     grid = numpy.full((2, 3), value)
-    none = [] if name.startswith("Motion.end_forces") else [grid[:0]]
+    given: typing.Any
+    none: list[typing.Any] = [] if name.startswith("Motion.end_forces") else [grid[:0]]
     for given in (grid, grid.tolist(), grid[:, ::2], numpy.asfortranarray(grid), grid[None], *none):
         found = function(given)
         assert found.shape == numpy.shape(given) and found.dtype == type(alone)
@@ -93,9 +94,10 @@ def test_shapes_that_go_together_are_spread_and_others_named() -> None:
 
 @pytest.mark.parametrize("wrong", [0.1, [[0.0, 0.1]], numpy.zeros((2, 2))], ids=repr)
 def test_what_needs_an_order_takes_one_dimension(wrong: typing.Any) -> None:
-    for function in (MOTION.signals, coilsense.Readout(delay=0.1).series):
-        with pytest.raises(TypeError, match="^times must be a series of real numbers, got "):
-            function(wrong) if function == MOTION.signals else function(wrong, [0.0, 1.0])
+    with pytest.raises(TypeError, match="^times must be a series of real numbers, got "):
+        MOTION.signals(wrong)
+    with pytest.raises(TypeError, match="^times must be a series of real numbers, got "):
+        coilsense.Readout(delay=0.1).series(wrong, [0.0, 1.0])
     with pytest.raises(TypeError, match="^positions must be rows of real numbers, all of one length, got list"):
         coilsense.Windings([[0.0, 0.2]], [0.1])
 

@@ -59,7 +59,7 @@ def test_a_unit_of_another_quantity_is_refused_by_name() -> None:
         coilsense.Excitation.impact("230 mm", "0.25")
     with pytest.raises(coilsense.Error, match='height must be a number in m or N or a length .* or a force .*, got "5 Hz"'):
         coilsense.EndInput.step("5 Hz", 0.1)
-    with pytest.raises(TypeError, match="bandwidth must be a number in Hz or a frequency .*, got <class 'list'>"):
+    with pytest.raises(TypeError, match="bandwidth must be a number in Hz or a frequency .*, got list"):
         coilsense.Readout(bandwidth=typing.cast(float, [1, 2]))
 
 

@@ -90,6 +90,8 @@ pub fn python_name(option: &'static str) -> &'static str {
         // A word of the language.
         "from" => "from_",
         "column" => "columns",
+        // Python's `points` are the points themselves.
+        "points" => "fit_points",
         name => name,
     }
 }

@@ -17,9 +17,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::calibration::points::PointsArgument;
+use crate::count::Count;
 use crate::errors::{IntoPython, refused};
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, given, positive, wrong};
+use crate::quantity::{Anything, Quantity, given, neither, positive, wrong};
 use crate::results::study_result;
 use crate::samples::Samples;
 use crate::spring_argument::SpringArgument;
@@ -228,7 +229,7 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 ///     Fit 1/l = αL + β, which is usual, or L = α/l + β + γ/l².
 /// fit_points : int, optional
 ///     Fit so many of the points, spread from the shortest to the longest, and judge on the others.
-/// re_zero : (float, float) or str, optional
+/// re_zero : (float or str, float or str) or str, optional
 ///     A length [m] and an inductance [H] that the fitted curve is moved to, of a spring mounted anew.
 /// inversion : {"exact", "25-lengths"}, optional
 ///     How a length is read from a theory; without it 25-lengths with the preset lab-data, else exact.
@@ -236,7 +237,7 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 ///     Coil, stiffness and length at zero force, from a spring or a spec.
 /// stiffness : float or str, optional
 ///     k, to go on to force [N/m]; with length_at_zero_force.
-/// stiffness_uncertainty : float
+/// stiffness_uncertainty : float or str
 ///     Its standard uncertainty, as a share [1].
 /// length_at_zero_force : float or str, optional
 ///     Length of the coil at which its force is zero [m].
@@ -270,7 +271,10 @@ fn theory<'py>(py: Python<'py>, judged: &Assessment) -> PyResult<Bound<'py, PyDi
 #[pyfunction]
 #[pyo3(signature = (points, *, length_at_zero=None, method=None, preload=None, theory=None, known_permeability=None,
                     leads=None, meter_noise=None, frequency=None, form=None, fit_points=None, re_zero=None,
-                    inversion=None, spring=None, stiffness=None, stiffness_uncertainty=0.0, length_at_zero_force=None, preset=None, columns=None, units=None))]
+                    inversion=None, spring=None, stiffness=None, stiffness_uncertainty=Quantity::Number(0.0), length_at_zero_force=None, preset=None, columns=None, units=None),
+       text_signature = "(points, *, length_at_zero=None, method=None, preload=None, theory=None, known_permeability=None, leads=None, \
+                         meter_noise=None, frequency=None, form=None, fit_points=None, re_zero=None, inversion=None, spring=None, \
+                         stiffness=None, stiffness_uncertainty=0.0, length_at_zero_force=None, preset=None, columns=None, units=None)")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn calibrate(
     py: Python<'_>,
@@ -279,17 +283,17 @@ pub fn calibrate(
     method: Option<&str>,
     preload: Option<PreloadArgument>,
     theory: Option<&str>,
-    known_permeability: Option<f64>,
+    known_permeability: Option<Quantity>,
     leads: Option<&str>,
     meter_noise: Option<Quantity>,
     frequency: Option<Quantity>,
     form: Option<&str>,
-    fit_points: Option<u64>,
+    fit_points: Option<Count>,
     re_zero: Option<ReZeroArgument>,
     inversion: Option<&str>,
     spring: Option<SpringArgument<'_>>,
     stiffness: Option<Quantity>,
-    stiffness_uncertainty: f64,
+    stiffness_uncertainty: Quantity,
     length_at_zero_force: Option<Quantity>,
     preset: Option<String>,
     columns: Option<Bound<'_, PyDict>>,
@@ -320,11 +324,15 @@ pub fn calibrate(
     if let Some(known) = &spring {
         plan = plan.of_spring(&known.spring, force).map_err(refused)?;
     }
-    if let Some(ReZeroArgument::Pair(length, inductance)) = re_zero {
-        plan.re_zero = Some((
-            length.positive("re_zero[0]", Dimension::Length)?,
-            inductance.positive("re_zero[1]", Dimension::Inductance)?,
-        ));
+    match re_zero {
+        Some(ReZeroArgument::Pair(length, inductance)) => {
+            let length = length.positive("re_zero[0]", Dimension::Length)?;
+            plan.re_zero = Some((length, inductance.positive("re_zero[1]", Dimension::Inductance)?));
+        }
+        Some(ReZeroArgument::Other(object)) => {
+            return Err(neither("re_zero", "a tuple of a length and an inductance, or both as a text", &object));
+        }
+        Some(ReZeroArgument::Text(_)) | None => {}
     }
     let measured = points::measured(py, points, zero, preset, columns, units)?;
     let outcome = interruptible(py, move || Outcome::new(measured, plan))?.python()?;
@@ -336,13 +344,14 @@ pub fn calibrate(
 pub enum ReZeroArgument {
     Text(String),
     Pair(Quantity, Quantity),
+    Other(Anything),
 }
 
 impl ReZeroArgument {
     fn text(&self) -> Option<&str> {
         match self {
             Self::Text(text) => Some(text),
-            Self::Pair(..) => None,
+            Self::Pair(..) | Self::Other(_) => None,
         }
     }
 }

@@ -5,6 +5,7 @@
 use coilsense::identify::Estimate;
 use pyo3::prelude::*;
 
+use crate::quantity::Quantity;
 use crate::value::{getters, named_value};
 
 /// What was found, and how far to trust it; ``float()`` of it is its value.
@@ -51,8 +52,9 @@ named_value! {
 #[pymethods]
 impl PyEstimate {
     #[new]
-    fn new(value: f64, standard: f64, expanded: f64) -> Self {
-        Self(Estimate { value, standard, expanded })
+    fn new(value: Quantity, standard: Quantity, expanded: Quantity) -> PyResult<Self> {
+        let (value, standard) = (value.plain("value")?, standard.plain("standard")?);
+        Ok(Self(Estimate { value, standard, expanded: expanded.plain("expanded")? }))
     }
 
     fn __float__(&self) -> f64 {

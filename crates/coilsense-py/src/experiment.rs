@@ -13,6 +13,7 @@ use coilsense_lab::rig::{Rig, RigError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::count::{Count, number};
 use crate::errors::{IntoPython, OutputError, refused};
 use crate::long_work::{interruptible, watched};
 use crate::quantity::{Quantity, cleaning, given};
@@ -116,8 +117,8 @@ fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
 ///     For settings that do not fit spring, instruments or each other, or a folder that cannot be written; nothing is written then.
 #[pyfunction]
 #[pyo3(signature = (spec, out, seed=None))]
-pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<u64>) -> PyResult<Vec<String>> {
-    let spec = spec.spec(py)?;
+pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<Count>) -> PyResult<Vec<String>> {
+    let (spec, seed) = (spec.spec(py)?, number(seed.as_ref(), "seed")?);
     let rig = Rig::new(&spec, seed.unwrap_or(spec.uncertainty.seed)).map_err(refused)?;
     let mut output = Output::begin(&out).map_err(unwritable)?;
     let written = watched(py, None, |progress| rig.write(&mut output, progress))?;

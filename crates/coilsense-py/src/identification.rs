@@ -19,7 +19,7 @@ use pyo3::types::PyDict;
 use crate::errors::{Error, IntoPython, refused};
 use crate::estimate::PyEstimate;
 use crate::long_work::interruptible;
-use crate::quantity::{Quantity, given, positive, wrong};
+use crate::quantity::{Quantity, given, plain, positive, wrong};
 use crate::recording::recording;
 use crate::results::study_result;
 use crate::spring_argument::SpringArgument;
@@ -161,11 +161,12 @@ impl PyIdentification {
     #[pyo3(signature = (windings=None, coil_radius=None, wire_radius=None, *, spring=None))]
     fn to_spec(
         &self,
-        windings: Option<f64>,
+        windings: Option<Quantity>,
         coil_radius: Option<Quantity>,
         wire_radius: Option<Quantity>,
         spring: Option<SpringArgument<'_>>,
     ) -> PyResult<String> {
+        let windings = plain(windings.as_ref(), "windings")?;
         let known = spring.as_ref().map(SpringArgument::known).transpose()?;
         let radius = positive(coil_radius.as_ref(), "coil_radius", Dimension::Length)?;
         let wire = positive(wire_radius.as_ref(), "wire_radius", Dimension::Length)?;
@@ -211,11 +212,11 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 ///     Mass at end 2 [kg]; without it F_o over the acceleration of u2.
 /// turn : {"F_i", "F_o", "u1", "u2"}, optional
 ///     Channel whose sign is turned before anything else.
-/// prediction_tolerance : float
+/// prediction_tolerance : float or str
 ///     How far a predicted f1 may be off, as a share [1].
-/// tolerance : float
+/// tolerance : float or str
 ///     Dynamic error up to which a force counts as trusted, as a share [1].
-/// accuracy_force, accuracy_position : float
+/// accuracy_force, accuracy_position : float or str
 ///     Limits of error of the sensors, as shares of reading [1], which the intervals then hold.
 ///
 /// Returns
@@ -240,22 +241,24 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// >>> found.verdict, round(found.first_frequency.value, 1)
 /// ('spring', 54.1)
 #[pyfunction]
-#[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, turn=None, prediction_tolerance=0.05,
-                    tolerance=0.01, accuracy_force=0.0, accuracy_position=0.0))]
+#[pyo3(signature = (record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, turn=None, prediction_tolerance=Quantity::Number(0.05),
+                    tolerance=Quantity::Number(0.01), accuracy_force=Quantity::Number(0.0), accuracy_position=Quantity::Number(0.0)),
+       text_signature = "(record, *, spring=None, mass=None, windings=None, end2=None, end_mass=None, turn=None, prediction_tolerance=0.05, \
+                         tolerance=0.01, accuracy_force=0.0, accuracy_position=0.0)")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn identify(
     py: Python<'_>,
     record: &Bound<'_, PyAny>,
     spring: Option<SpringArgument<'_>>,
     mass: Option<Quantity>,
-    windings: Option<f64>,
+    windings: Option<Quantity>,
     end2: Option<&str>,
     end_mass: Option<Quantity>,
     turn: Option<&str>,
-    prediction_tolerance: f64,
-    tolerance: f64,
-    accuracy_force: f64,
-    accuracy_position: f64,
+    prediction_tolerance: Quantity,
+    tolerance: Quantity,
+    accuracy_force: Quantity,
+    accuracy_position: Quantity,
 ) -> PyResult<PyIdentification> {
     let known = spring.as_ref().map(SpringArgument::known).transpose()?.map(|known| known.spring);
     if known.is_some() && (mass.is_some() || windings.is_some()) {

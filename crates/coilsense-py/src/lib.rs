@@ -11,6 +11,7 @@
 
 mod analysis;
 mod calibration;
+mod count;
 mod errors;
 mod estimate;
 mod excitation;

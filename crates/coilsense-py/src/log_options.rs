@@ -6,11 +6,13 @@ use std::path::PathBuf;
 
 use coilsense_lab::recording::Mapping;
 use coilsense_lab::recording::request::SAMPLE_RATE;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython};
-use crate::quantity::{Quantity, given};
+use crate::quantity::{Anything, Quantity, given, neither};
+use crate::series::described;
 
 /// Arguments of everything that reads a log.
 pub struct LogOptions<'py> {
@@ -31,6 +33,7 @@ pub struct LogOptions<'py> {
 enum Column {
     Number(u32),
     Title(String),
+    Other(Anything),
 }
 
 impl LogOptions<'_> {
@@ -49,11 +52,14 @@ impl LogOptions<'_> {
             let title = match column.extract()? {
                 Column::Number(number) => format!("#{number}"),
                 Column::Title(title) => title,
+                Column::Other(object) => {
+                    return Err(neither("columns", "titles, or numbers from 1, by channel", &object));
+                }
             };
-            titles.push((name.extract()?, title));
+            titles.push((text("columns", &name)?, title));
         }
         for (name, unit) in self.units.iter().flatten() {
-            let (name, unit): (String, String) = (name.extract()?, unit.extract()?);
+            let (name, unit) = (text("units", &name)?, text("units", &unit)?);
             match titles.iter_mut().find(|(other, _)| *other == name) {
                 Some((_, title)) => title.push_str(&format!(" [{unit}]")),
                 None => titles.push((name.clone(), format!("{name} [{unit}]"))),
@@ -64,4 +70,11 @@ impl LogOptions<'_> {
         mapping.format.sample_rate = given.number(&SAMPLE_RATE).or(mapping.format.sample_rate);
         Ok(mapping)
     }
+}
+
+/// A text of an argument that is a dict of them.
+fn text(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<String> {
+    let wrong =
+        |_| PyTypeError::new_err(format!("{argument} must hold texts, got {}", described(&object.as_borrowed())));
+    object.extract().map_err(wrong)
 }

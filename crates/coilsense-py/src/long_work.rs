@@ -11,7 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use pyo3::PyClass;
-use pyo3::exceptions::PyRuntimeError;
+use pyo3::exceptions::{PyRuntimeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
 use rayon::ThreadPool;
@@ -137,6 +137,10 @@ pub fn watched_in<T: Send>(
     tell: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Progress<'_>) -> T + Send,
 ) -> PyResult<T> {
+    if let Some(tell) = tell.filter(|tell| !tell.is_callable()) {
+        let class = tell.get_type().name()?;
+        return Err(PyTypeError::new_err(format!("progress must be a function of (done, of), got {class}")));
+    }
     let watch = Watch::default();
     let (mut raised, mut told) = (None, None);
     let mut look = |raised: &mut Option<PyErr>| {

@@ -19,6 +19,7 @@ use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
 
 use crate::calibration::StoredArgument;
+use crate::count::Count;
 use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::long_work::interruptible;
 use crate::quantity::{Quantity, given, wrong};
@@ -148,7 +149,7 @@ impl PyMitigation {
 ///     White noise of F_i [N rms per sample]; without it, 0.2 % of the nominal force.
 /// bandwidth : float or str, optional
 ///     Up to which frequency the force moves by itself [Hz]; without it, the goal's bandwidth, or f1/20.
-/// stiffness_tolerance, mass_tolerance : float
+/// stiffness_tolerance, mass_tolerance : float or str
 ///     By how much k and m may be off, either way, as shares [1].
 /// most_lag : float or str
 ///     Most lag at the bandwidth that what is advised may have [rad]; without it, 30 degrees.
@@ -172,8 +173,10 @@ impl PyMitigation {
 /// LogError
 ///     For a record without one of the channels, not evenly sampled, of another spring, or with a turned sign.
 #[pyfunction]
-#[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1,
-                    mass_tolerance=0.1, most_lag=None, seeds=5, length_at_zero=None, calibration=None, end2=None))]
+#[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=Quantity::Number(0.1),
+                    mass_tolerance=Quantity::Number(0.1), most_lag=None, seeds=Count::Number(5), length_at_zero=None, calibration=None, end2=None),
+       text_signature = "(spec, record=None, *, stated=False, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1, \
+                         mass_tolerance=0.1, most_lag=None, seeds=5, length_at_zero=None, calibration=None, end2=None)")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn mitigate(
     py: Python<'_>,
@@ -183,10 +186,10 @@ pub fn mitigate(
     rate: Option<Quantity>,
     noise: Option<Quantity>,
     bandwidth: Option<Quantity>,
-    stiffness_tolerance: f64,
-    mass_tolerance: f64,
+    stiffness_tolerance: Quantity,
+    mass_tolerance: Quantity,
     most_lag: Option<Quantity>,
-    seeds: u64,
+    seeds: Count,
     length_at_zero: Option<Quantity>,
     calibration: Option<StoredArgument<'_>>,
     end2: Option<&str>,

@@ -10,6 +10,7 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::count::Count;
 use crate::errors::{Error, IntoPython};
 use crate::hertz::{all_in_hertz, in_hertz};
 use crate::mount::PyFarEnd;
@@ -82,7 +83,8 @@ impl PyChainModes {
     /// ------
     /// Error
     ///     For a mode that is not there.
-    fn shape<'py>(&self, py: Python<'py>, mode: usize) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn shape<'py>(&self, py: Python<'py>, mode: Count) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let mode = mode.size("mode")?;
         let each = (1..=self.0.masses()).map(|winding| self.0.shape(mode, winding));
         Ok(each.collect::<Result<Vec<_>, _>>().python()?.into_pyarray(py))
     }
@@ -114,7 +116,7 @@ impl PyChainModes {
 ///
 /// Parameters
 /// ----------
-/// transit_time : float
+/// transit_time : float or str
 ///     tau [s], above zero.
 /// mode : int
 ///     j, at least 1.
@@ -128,7 +130,8 @@ impl PyChainModes {
 /// -----
 /// Source: [Weijde2017] eq. 3.
 #[pyfunction(name = "continuous_frequency")]
-pub fn py_continuous_frequency(transit_time: f64, mode: usize) -> PyResult<f64> {
+pub fn py_continuous_frequency(transit_time: Quantity, mode: Count) -> PyResult<f64> {
+    let (transit_time, mode) = (transit_time.si("transit_time", Dimension::Time)?, mode.size("mode")?);
     if mode == 0 || transit_time.is_nan() || transit_time <= 0.0 {
         return Err(Error::new_err(format!(
             "transit time must be above zero and mode at least 1, got {transit_time} s and {mode}"
@@ -162,8 +165,9 @@ pub fn py_continuous_frequencies<'py>(
     py: Python<'py>,
     spring: &PySpring,
     far_end: &PyFarEnd,
-    count: usize,
+    count: Count,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let count = count.size("count")?;
     let found = py.detach(|| continuous_frequencies(&spring.0, far_end.0, count)).python()?;
     Ok(all_in_hertz(&found).into_pyarray(py))
 }

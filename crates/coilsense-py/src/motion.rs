@@ -9,6 +9,7 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
+use crate::count::Count;
 use crate::errors::IntoPython;
 use crate::excitation::PyExcitation;
 use crate::long_work::{each, of_series};
@@ -254,7 +255,8 @@ impl PyMotion {
     /// Notes
     /// -----
     /// Source: mode-acceleration method. Valid for inputs that are slow against the first mode left out.
-    fn truncated(&self, py: Python<'_>, modes: usize) -> PyResult<Self> {
+    fn truncated(&self, py: Python<'_>, modes: Count) -> PyResult<Self> {
+        let modes = modes.size("modes")?;
         py.detach(|| self.0.truncated(modes)).python().map(Self)
     }
 

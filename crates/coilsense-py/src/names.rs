@@ -2,30 +2,43 @@
 //!
 //! Next door: series of numbers (`series`).
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+
+use crate::quantity::Anything;
 
 /// A text, or a sequence of texts.
 #[derive(FromPyObject)]
 pub enum Names {
     /// One.
-    #[pyo3(annotation = "str")]
     One(String),
     /// Several.
-    #[pyo3(annotation = "sequence of str")]
     Several(Vec<String>),
+    /// Something else.
+    Other(Anything),
 }
 
 impl Names {
-    /// As a list.
-    pub fn listed(self) -> Vec<String> {
+    /// As a list, by the argument's name.
+    ///
+    /// # Errors
+    /// `TypeError` for what is neither.
+    pub fn listed(self, name: &str) -> PyResult<Vec<String>> {
         match self {
-            Self::One(name) => vec![name],
-            Self::Several(names) => names,
+            Self::One(name) => Ok(vec![name]),
+            Self::Several(names) => Ok(names),
+            Self::Other(object) => {
+                let got = object.class();
+                Err(PyTypeError::new_err(format!("{name} must be a text or a sequence of texts, got {got}")))
+            }
         }
     }
 }
 
 /// The names of an argument that may be left out.
-pub fn listed(names: Option<Names>) -> Vec<String> {
-    names.map_or_else(Vec::new, Names::listed)
+///
+/// # Errors
+/// As [`Names::listed`].
+pub fn listed(names: Option<Names>, name: &str) -> PyResult<Vec<String>> {
+    names.map_or_else(|| Ok(Vec::new()), |names| names.listed(name))
 }

@@ -17,6 +17,7 @@ use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
+use crate::count::Count;
 use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::hertz::{angular, in_hertz};
 use crate::long_work::interruptible;
@@ -258,7 +259,7 @@ impl PyPlant {
 ///     Up to where it holds [Hz]; the error that is left is told up to there.
 /// also : str or sequence of str, optional
 ///     Further outputs: "F_L", by the spring's inductance, and for C, Rust and an FMU "closest_pitch", of the windings; without it, F_i, F_o, F_x and u2 only.
-/// damping_ratio : float, optional
+/// damping_ratio : float or str, optional
 ///     One of the spec's where it names any [1]; without it, the spec's, where it has one.
 /// mean_length : float or str, optional
 ///     Length about which inputs count [m]; without it, that of the spec's conditions, and the middle of the operating range where they have not one.
@@ -284,10 +285,10 @@ pub fn plant(
     py: Python<'_>,
     spec: SpecArgument<'_>,
     also: Option<Names>,
-    modes: Option<u64>,
+    modes: Option<Count>,
     error: Option<Quantity>,
     bandwidth: Option<Quantity>,
-    damping_ratio: Option<f64>,
+    damping_ratio: Option<Quantity>,
     mean_length: Option<Quantity>,
 ) -> PyResult<PyPlant> {
     let spec = spec.spec(py)?;

@@ -9,6 +9,7 @@ use coilsense_lab::request::{Allowed, Given, Row, Takes, Value, Wrong};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
+use crate::count::Count;
 use crate::errors::Error;
 
 /// A number in SI, or a text such as "2.5 kHz".
@@ -53,12 +54,24 @@ impl Anything {
         })
     }
 
+    /// The object.
+    pub fn bind<'py>(&self, py: Python<'py>) -> &Bound<'py, PyAny> {
+        self.0.bind(py)
+    }
+
+    /// Its class.
+    pub fn class(&self) -> String {
+        Python::attach(|py| {
+            self.bind(py).get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string())
+        })
+    }
+
     /// As an error calls it: what it shows where it knows a unit, else its class.
     fn described(&self) -> String {
         Python::attach(|py| {
             let object = self.0.bind(py);
             let shown = if object.hasattr("units").unwrap_or(false) { object.str().ok() } else { None };
-            shown.map_or_else(|| format!("{}", object.get_type()), |shown| shown.to_string())
+            shown.map_or_else(|| self.class(), |shown| shown.to_string())
         })
     }
 }
@@ -116,7 +129,7 @@ impl Quantity {
             }),
             (Self::Text(text), _) => Err(refused("a number".to_owned(), text)),
             (Self::Other(_), Takes::Quantity(dimension)) => return self.si(python_name(row.name), dimension),
-            (Self::Other(object), _) => Err(refused("a number".to_owned(), &object.described())),
+            (Self::Other(_), _) => return self.plain(python_name(row.name)),
         };
         value.and_then(|value| row.checked(value)).map_err(wrong)
     }
@@ -140,6 +153,16 @@ pub fn wrong(wrong: Wrong) -> PyErr {
     Error::new_err(format!("{} {}", python_name(wrong.option), wrong.reason))
 }
 
+/// The value of an argument without a unit that may be left out.
+pub fn plain(argument: Option<&Quantity>, name: &str) -> PyResult<Option<f64>> {
+    argument.map(|quantity| quantity.plain(name)).transpose()
+}
+
+/// An exception for what is none of what an argument takes.
+pub fn neither(name: &str, wanted: &str, object: &Anything) -> PyErr {
+    PyTypeError::new_err(format!("{name} must be {wanted}, got {}", object.class()))
+}
+
 /// What an argument says of an option.
 pub enum Said {
     /// Nothing.
@@ -149,7 +172,7 @@ pub enum Said {
     /// A quantity, or a plain number.
     Quantity(Quantity),
     /// A whole number.
-    Count(u64),
+    Count(Count),
     /// A word.
     Word(String),
 }
@@ -178,8 +201,8 @@ impl From<Quantity> for Said {
     }
 }
 
-impl From<u64> for Said {
-    fn from(count: u64) -> Self {
+impl From<Count> for Said {
+    fn from(count: Count) -> Self {
         Self::Count(count)
     }
 }
@@ -201,7 +224,10 @@ pub fn given<'a>(said: impl IntoIterator<Item = (&'a Row, Said)>) -> PyResult<Gi
                 continue;
             }
             Said::Quantity(quantity) => Value::Number(quantity.checked(row)?),
-            Said::Count(count) => row.checked(count as f64).map(|_| Value::Count(count)).map_err(wrong)?,
+            Said::Count(count) => {
+                let count = count.number(python_name(row.name))?;
+                row.checked(count as f64).map(|_| Value::Count(count)).map_err(wrong)?
+            }
             Said::Word(word) => row.value(&word).map_err(wrong)?,
         };
         given.set(row, vec![value]);

@@ -7,6 +7,7 @@ use coilsense_lab::quantity::Dimension::{Frequency, Time};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 
+use crate::count::Count;
 use crate::errors::IntoPython;
 use crate::quantity::{Quantity, si};
 use crate::samples::Samples;
@@ -62,12 +63,12 @@ named_value! {
 #[pymethods]
 impl PyReadout {
     #[new]
-    #[pyo3(signature = (*, bandwidth=None, order=1, delay=Quantity::Number(0.0), averaging=None, sample_rate=None,
+    #[pyo3(signature = (*, bandwidth=None, order=Count::Number(1), delay=Quantity::Number(0.0), averaging=None, sample_rate=None,
                         noise=Quantity::Number(0.0), resolution=None),
            text_signature = "(*, bandwidth=None, order=1, delay=0.0, averaging=None, sample_rate=None, noise=0.0, resolution=None)")]
     fn new(
         bandwidth: Option<Quantity>,
-        order: usize,
+        order: Count,
         delay: Quantity,
         averaging: Option<Quantity>,
         sample_rate: Option<Quantity>,
@@ -76,7 +77,7 @@ impl PyReadout {
     ) -> PyResult<Self> {
         let parameters = ReadoutParameters {
             bandwidth: si(bandwidth.as_ref(), "bandwidth", Frequency)?,
-            order,
+            order: order.size("order")?,
             delay: delay.si("delay", Time)?,
             averaging: si(averaging.as_ref(), "averaging", Time)?,
             sample_rate: si(sample_rate.as_ref(), "sample_rate", Frequency)?,
@@ -112,14 +113,15 @@ impl PyReadout {
     /// >>> from coilsense import Readout
     /// >>> Readout(delay=0.1, resolution=0.5).series([0.0, 0.1, 0.2, 0.3], [1.0, 2.0, 3.1, 3.2])
     /// array([1., 1., 2., 3.])
-    #[pyo3(signature = (times, values, seed=1))]
+    #[pyo3(signature = (times, values, seed=Count::Number(1)), text_signature = "(times, values, seed=1)")]
     fn series<'py>(
         &self,
         py: Python<'py>,
         times: Series<'_>,
         values: Series<'_>,
-        seed: u64,
+        seed: Count,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let seed = seed.number("seed")?;
         let (times, values) = (times.values("times")?, values.values("values")?);
         Ok(py.detach(|| self.0.series(&times, &values, seed)).python()?.into_pyarray(py))
     }

@@ -7,12 +7,14 @@ use std::path::PathBuf;
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::{FROM, TO};
 use coilsense_lab::recording::{Cleaning, Clock, Recording};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
+use crate::names::Names;
 use crate::quantity::{Quantity, cleaning, given};
 use crate::results::laid_out;
 use crate::signals::{PySignals, channel};
@@ -147,20 +149,21 @@ impl PyRecording {
     /// ----------
     /// channels : list of str, optional
     ///     Which, all of one unit; without it, the forces.
-    /// axes : matplotlib.axes.Axes, optional
+    /// ax : matplotlib.axes.Axes, optional
     ///     Where; without it, in a new figure.
     ///
     /// Returns
     /// -------
     /// matplotlib.axes.Axes
-    #[pyo3(signature = (channels=None, axes=None))]
+    #[pyo3(signature = (channels=None, ax=None))]
     fn plot<'py>(
         &self,
         py: Python<'py>,
-        channels: Option<Vec<String>>,
-        axes: Option<Bound<'py, PyAny>>,
+        channels: Option<Names>,
+        ax: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        Py::new(py, self.signals(py))?.into_bound(py).call_method1("plot", (channels, axes))
+        let channels = channels.map(|names| names.listed("channels")).transpose()?;
+        Py::new(py, self.signals(py))?.into_bound(py).call_method1("plot", (channels, ax))
     }
 
     fn __len__(&self) -> usize {
@@ -266,8 +269,10 @@ pub fn recording(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Recordin
     if let Ok(signals) = object.cast::<PySignals>() {
         return Ok(Recording::of_signals("signals", signals.get().to_rust(py)?));
     }
-    let wrong =
-        |_| pyo3::exceptions::PyTypeError::new_err("recording must be a Recording, Signals, or the path of a log");
-    let path: PathBuf = object.extract().map_err(wrong)?;
+    let wrong = || {
+        let class = object.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string());
+        PyTypeError::new_err(format!("record must be a Recording, Signals, or the path of a log, got {class}"))
+    };
+    let path: PathBuf = object.extract().map_err(|_| wrong())?;
     interruptible(py, move || Recording::read(&path, &Default::default(), &Default::default()))?.python()
 }

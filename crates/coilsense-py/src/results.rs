@@ -75,18 +75,18 @@ macro_rules! study_result {
                 ///
                 /// Parameters
                 /// ----------
-                /// axes : matplotlib.axes.Axes, optional
+                /// ax : matplotlib.axes.Axes, optional
                 ///     Where; without it, in a new figure.
                 ///
                 /// Returns
                 /// -------
                 /// matplotlib.axes.Axes
-                #[pyo3(signature = (axes=None))]
+                #[pyo3(signature = (ax=None))]
                 fn plot<'py>(
                     slf: &::pyo3::Bound<'py, Self>,
-                    axes: Option<::pyo3::Bound<'py, ::pyo3::PyAny>>,
+                    ax: Option<::pyo3::Bound<'py, ::pyo3::PyAny>>,
                 ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
-                    $crate::results::laid_out(slf.py(), $figure, (slf, axes))
+                    $crate::results::laid_out(slf.py(), $figure, (slf, ax))
                 }
             )?
 

@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyMapping};
 
 use crate::errors::{IntoPython, unknown};
+use crate::names::Names;
 use crate::quantity::Quantity;
 use crate::series::{Series, described, frozen, numbers};
 use crate::value::Arguments;
@@ -224,7 +225,7 @@ impl PySignals {
     /// ----------
     /// channels : list of str, optional
     ///     Which, all of one unit; without it, the forces.
-    /// axes : matplotlib.axes.Axes, optional
+    /// ax : matplotlib.axes.Axes, optional
     ///     Where; without it, in a new figure.
     ///
     /// Returns
@@ -235,13 +236,14 @@ impl PySignals {
     /// ------
     /// Error
     ///     For no channels, or channels of several units.
-    #[pyo3(signature = (channels=None, axes=None))]
+    #[pyo3(signature = (channels=None, ax=None))]
     fn plot<'py>(
         slf: &Bound<'py, Self>,
-        channels: Option<Vec<String>>,
-        axes: Option<Bound<'py, PyAny>>,
+        channels: Option<Names>,
+        ax: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        frames(slf.py())?.call_method1("plot", (slf, channels, axes))
+        let channels = channels.map(|names| names.listed("channels")).transpose()?;
+        frames(slf.py())?.call_method1("plot", (slf, channels, ax))
     }
 
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {

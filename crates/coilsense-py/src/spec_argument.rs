@@ -8,20 +8,20 @@ use coilsense_lab::spec::Spec;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::{Anything, neither};
 use crate::spec::{PySpec, beside};
 
 /// A spec.
 #[derive(FromPyObject)]
 pub enum SpecArgument<'py> {
     /// The noun.
-    #[pyo3(annotation = "Spec")]
     Spec(Bound<'py, PySpec>),
     /// Its text where that holds a line break, else its file.
-    #[pyo3(annotation = "str")]
     Text(String),
     /// Its file.
-    #[pyo3(annotation = "os.PathLike")]
     Path(PathBuf),
+    /// Something else.
+    Other(Anything),
 }
 
 impl SpecArgument<'_> {
@@ -32,6 +32,7 @@ impl SpecArgument<'_> {
             Self::Text(text) if text.contains('\n') => py.detach(|| Spec::parse("spec", text, &beside(None))).python(),
             Self::Text(path) => py.detach(|| Spec::read(Path::new(path))).python(),
             Self::Path(path) => py.detach(|| Spec::read(path)).python(),
+            Self::Other(object) => Err(neither("spec", "a Spec, its file or its text", object)),
         }
     }
 }

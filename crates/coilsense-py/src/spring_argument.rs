@@ -9,6 +9,7 @@ use coilsense_lab::spec::SpringSpec;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::{Anything, neither};
 use crate::spec::PySpec;
 use crate::spring::PySpring;
 
@@ -21,6 +22,8 @@ pub enum SpringArgument<'py> {
     Spec(Bound<'py, PySpec>),
     /// A spec's file, of which only the table `[spring]` is read.
     Path(PathBuf),
+    /// Something else.
+    Other(Anything),
 }
 
 /// What is known of it.
@@ -42,6 +45,7 @@ impl SpringArgument<'_> {
             }
             Self::Spec(spec) => Ok(of_spec(&spec.get().spec.spring)),
             Self::Path(path) => Ok(of_spec(&SpringSpec::read(path).python()?)),
+            Self::Other(object) => Err(neither("spring", "a Spring, a Spec or its file", object)),
         }
     }
 }

@@ -15,18 +15,22 @@ use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
+use crate::quantity::{Anything, neither};
+
 /// A sweep's folder: as it was opened, or where it is.
 #[derive(FromPyObject)]
 pub enum Folder<'py> {
     Opened(PyRef<'py, dataset::PySweepDataset>),
     Path(PathBuf),
+    Other(Anything),
 }
 
 impl Folder<'_> {
-    fn path(self) -> PathBuf {
+    fn path(self) -> PyResult<PathBuf> {
         match self {
-            Self::Opened(dataset) => dataset.folder.clone(),
-            Self::Path(path) => path,
+            Self::Opened(dataset) => Ok(dataset.folder.clone()),
+            Self::Path(path) => Ok(path),
+            Self::Other(object) => Err(neither("sweep", "a SweepDataset or its folder", &object)),
         }
     }
 }

@@ -16,6 +16,7 @@ use pyo3::types::PyDict;
 use crate::errors::{Error, IntoPython};
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
+use crate::quantity::{Anything, neither};
 use crate::recording::PyRecording;
 use crate::series::Series;
 use crate::spring_argument::Known;
@@ -29,6 +30,8 @@ pub enum PointsArgument<'py> {
     Arrays(Series<'py>, Series<'py>),
     /// A log.
     Path(PathBuf),
+    /// Something else.
+    Other(Anything),
 }
 
 /// The points; `zero` is the length of the coil where positions read zero \[m\].
@@ -48,6 +51,9 @@ pub fn measured(
         PointsArgument::Recording(recording) => Measured::of_log(&Points::of(&recording.get().0), zero).python(),
         PointsArgument::Arrays(lengths, inductances) => {
             of_arrays(&lengths.values("points[0]")?, &inductances.values("points[1]")?, zero)
+        }
+        PointsArgument::Other(object) => {
+            Err(neither("points", "a Recording, the path of a log, or a tuple of lengths and inductances", &object))
         }
         PointsArgument::Path(path) if preset.as_deref() == Some(LAB_DATA) => {
             let needed = "length_at_zero is needed: the file holds displacements, the curve is one of lengths";

@@ -9,7 +9,7 @@ use coilsense_lab::quantity::Dimension;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
-use crate::quantity::Quantity;
+use crate::quantity::{Anything, Quantity, neither};
 use crate::samples::Samples;
 use crate::value::getters;
 
@@ -29,6 +29,8 @@ pub enum StoredArgument<'py> {
     Read(Bound<'py, PyStoredCalibration>),
     /// The file.
     File(PathBuf),
+    /// Something else.
+    Other(Anything),
 }
 
 impl StoredArgument<'_> {
@@ -37,6 +39,7 @@ impl StoredArgument<'_> {
         match self {
             Self::Read(stored) => Ok(stored.get().0.clone()),
             Self::File(path) => StoredCalibration::read(&path).python(),
+            Self::Other(object) => Err(neither("calibration", "a StoredCalibration or its file", &object)),
         }
     }
 }

@@ -8,7 +8,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
-use crate::quantity::Quantity;
+use crate::quantity::{Anything, Quantity, neither};
 use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::{Kind, value_of_kinds};
@@ -27,6 +27,16 @@ use crate::value::{Kind, value_of_kinds};
 #[pyclass(name = "EndInput", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyEndInput(pub EndInput);
+
+/// Amplitude, frequency and phase of a sine.
+type Component = (Quantity, Quantity, Quantity);
+
+/// The sines of a sum.
+#[derive(FromPyObject)]
+enum Components {
+    Listed(Vec<Component>),
+    Other(Anything),
+}
 
 /// What an end is driven by: its position, or the force on it.
 const AT_AN_END: [Dimension; 2] = [Length, Force];
@@ -108,16 +118,29 @@ impl PyEndInput {
     ///
     /// Parameters
     /// ----------
-    /// components : sequence of (float, float, float)
+    /// components : sequence of (float or str, float or str, float or str)
     ///     Amplitude [m or N], frequency [Hz] and phase [rad] of each.
     ///
     /// Returns
     /// -------
     /// EndInput
     #[staticmethod]
-    fn harmonics(components: Vec<(f64, f64, f64)>) -> PyResult<Self> {
-        let harmonic = |(amplitude, frequency, phase)| Harmonic { amplitude, frequency, phase };
-        Self::checked(EndInput::Harmonics(components.into_iter().map(harmonic).collect()))
+    fn harmonics(components: Components) -> PyResult<Self> {
+        let harmonic = |(amplitude, frequency, phase): &Component| {
+            Ok(Harmonic {
+                amplitude: amplitude.si_of("components", &AT_AN_END)?,
+                frequency: frequency.si("components", Frequency)?,
+                phase: phase.si("components", Angle)?,
+            })
+        };
+        match components {
+            Components::Listed(sines) => {
+                Self::checked(EndInput::Harmonics(sines.iter().map(harmonic).collect::<PyResult<_>>()?))
+            }
+            Components::Other(object) => {
+                Err(neither("components", "a sequence of tuples of amplitude, frequency and phase", &object))
+            }
+        }
     }
 
     /// A sine whose frequency runs linearly from one value to another, and which then stays where it is.

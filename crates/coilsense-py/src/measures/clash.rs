@@ -6,6 +6,7 @@ use coilsense::Clash;
 use coilsense_lab::quantity::Dimension;
 use pyo3::prelude::*;
 
+use crate::count::Count;
 use crate::errors::IntoPython;
 use crate::long_work::of_series;
 use crate::motion::PyMotion;
@@ -19,15 +20,15 @@ use crate::value::{getters, named_value};
 ///
 /// Parameters
 /// ----------
-/// smallest_pitch : float
+/// smallest_pitch : float or str
 ///     Smallest distance between neighbouring windings [m], centre to centre; infinite for a single winding.
-/// time : float
+/// time : float or str
 ///     When [s].
 /// winding : int
 ///     The lower-numbered of the two windings, from 1.
-/// contact_pitch : float
+/// contact_pitch : float or str
 ///     At this pitch windings touch [m].
-/// first_contact : float or None
+/// first_contact : float, str or None
 ///     First time at which they touch [s]; None where they stay clear.
 #[pyclass(name = "Clash", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
@@ -61,8 +62,20 @@ named_value! {
 impl PyClash {
     #[new]
     #[pyo3(signature = (*, smallest_pitch, time, winding, contact_pitch, first_contact))]
-    fn new(smallest_pitch: f64, time: f64, winding: usize, contact_pitch: f64, first_contact: Option<f64>) -> Self {
-        Self(Clash { smallest_pitch, time, winding, contact_pitch, first_contact })
+    fn new(
+        smallest_pitch: Quantity,
+        time: Quantity,
+        winding: Count,
+        contact_pitch: Quantity,
+        first_contact: Option<Quantity>,
+    ) -> PyResult<Self> {
+        Ok(Self(Clash {
+            smallest_pitch: smallest_pitch.si("smallest_pitch", Dimension::Length)?,
+            time: time.si("time", Dimension::Time)?,
+            winding: winding.size("winding")?,
+            contact_pitch: contact_pitch.si("contact_pitch", Dimension::Length)?,
+            first_contact: si(first_contact.as_ref(), "first_contact", Dimension::Time)?,
+        }))
     }
 
     /// Of a motion, watched at some times; the first contact is then refined between samples.

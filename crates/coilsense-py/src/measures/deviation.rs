@@ -6,6 +6,7 @@ use coilsense::Deviation;
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::quantity::Quantity;
 use crate::series::Series;
 use crate::value::{getters, named_value};
 
@@ -63,8 +64,20 @@ named_value! {
 impl PyDeviation {
     #[new]
     #[pyo3(signature = (*, rmsd, maximum, maximum_absolute, mean, standard_error))]
-    fn new(rmsd: f64, maximum: f64, maximum_absolute: f64, mean: f64, standard_error: f64) -> Self {
-        Self(Deviation { rmsd, maximum, maximum_absolute, mean, standard_error })
+    fn new(
+        rmsd: Quantity,
+        maximum: Quantity,
+        maximum_absolute: Quantity,
+        mean: Quantity,
+        standard_error: Quantity,
+    ) -> PyResult<Self> {
+        Ok(Self(Deviation {
+            rmsd: rmsd.plain("rmsd")?,
+            maximum: maximum.plain("maximum")?,
+            maximum_absolute: maximum_absolute.plain("maximum_absolute")?,
+            mean: mean.plain("mean")?,
+            standard_error: standard_error.plain("standard_error")?,
+        }))
     }
 
     /// Of a force from its reference.
@@ -104,8 +117,8 @@ impl PyDeviation {
     /// ------
     /// Error
     ///     For a nominal value that is not above zero.
-    fn relative_to(&self, nominal: f64) -> PyResult<Self> {
-        self.0.relative_to(nominal).python().map(Self)
+    fn relative_to(&self, nominal: Quantity) -> PyResult<Self> {
+        self.0.relative_to(nominal.plain("nominal")?).python().map(Self)
     }
 
     fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

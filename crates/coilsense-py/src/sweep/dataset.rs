@@ -10,7 +10,9 @@ use pyo3::types::PyDict;
 
 use super::by_title;
 use super::plan::PySweepPlan;
+use crate::count::Count;
 use crate::errors::IntoPython;
+use crate::names::Names;
 use crate::value::getters;
 
 /// A sweep on disk: a folder with a manifest and one Parquet file a chunk.
@@ -75,7 +77,8 @@ impl PySweepDataset {
     /// Returns
     /// -------
     /// None
-    fn write(&self, py: Python<'_>, index: u64, data: &[u8]) -> PyResult<()> {
+    fn write(&self, py: Python<'_>, index: Count, data: &[u8]) -> PyResult<()> {
+        let index = index.number("index")?;
         py.detach(|| self.dataset.write(index, data)).python()
     }
 
@@ -120,7 +123,8 @@ impl PySweepDataset {
     /// SweepError
     ///     For a title that is not there, or a file that cannot be read.
     #[pyo3(signature = (titles=None))]
-    fn read<'py>(&self, py: Python<'py>, titles: Option<Vec<String>>) -> PyResult<Bound<'py, PyDict>> {
+    fn read<'py>(&self, py: Python<'py>, titles: Option<Names>) -> PyResult<Bound<'py, PyDict>> {
+        let titles = titles.map(|names| names.listed("titles")).transpose()?;
         let titles = titles.unwrap_or_else(|| self.dataset.plan().titles());
         let names: Vec<&str> = titles.iter().map(String::as_str).collect();
         let columns = py.detach(|| self.dataset.read(&names)).python()?;
@@ -161,7 +165,7 @@ impl PySweepDataset {
     /// ImportError
     ///     Without pandas: ``pip install 'coilsense[pandas]'``.
     #[pyo3(signature = (titles=None))]
-    fn to_pandas<'py>(&self, py: Python<'py>, titles: Option<Vec<String>>) -> PyResult<Bound<'py, PyAny>> {
+    fn to_pandas<'py>(&self, py: Python<'py>, titles: Option<Names>) -> PyResult<Bound<'py, PyAny>> {
         let columns = self.read(py, titles)?;
         py.import("coilsense._frames")?.call_method1("frame", (columns,))
     }

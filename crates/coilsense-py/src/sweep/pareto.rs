@@ -120,8 +120,9 @@ pub fn pareto(
     maximize: Option<Names>,
     r#where: Option<Names>,
 ) -> PyResult<PyPareto> {
-    let folder = sweep.path();
-    let [minimize, maximize, r#where] = [minimize, maximize, r#where].map(listed);
+    let folder = sweep.path()?;
+    let (minimize, maximize) = (listed(minimize, "minimize")?, listed(maximize, "maximize")?);
+    let r#where = listed(r#where, "where")?;
     let of = folder.clone();
     let study = interruptible(py, move || {
         let dataset = Dataset::open(&of)?;

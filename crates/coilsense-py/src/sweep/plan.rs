@@ -11,9 +11,12 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 
 use super::by_title;
+use crate::count::{Count, number};
 use crate::errors::{IntoPython, SweepError, unknown};
 use crate::json;
 use crate::long_work::watched_in;
+use crate::names::{Names, listed};
+use crate::quantity::{Anything, neither};
 use crate::spec::{PySpec, beside};
 use crate::threads::{self, spread};
 use crate::value::getters;
@@ -86,16 +89,19 @@ enum Source<'py> {
     Spec(PyRef<'py, PySpec>),
     Text(String),
     Path(PathBuf),
+    Other(Anything),
 }
 
 impl Source<'_> {
-    fn read(self, parameters: PlanParameters) -> Result<PlanParameters, coilsense_lab::sweep::SweepError> {
-        match self {
+    fn read(self, parameters: PlanParameters) -> PyResult<PlanParameters> {
+        let read = match self {
             Self::Spec(spec) => parameters.with_text(&spec.spec.file, &spec.spec.text, &beside(spec.folder.as_deref())),
             Self::Text(text) if text.contains('\n') => parameters.with_text("spec", &text, &beside(None)),
             Self::Text(path) => parameters.with_spec(path.as_ref()),
             Self::Path(path) => parameters.with_spec(&path),
-        }
+            Self::Other(object) => return Err(neither("spec", "a Spec, its file or its text", &object)),
+        };
+        read.python()
     }
 }
 
@@ -104,6 +110,7 @@ impl Source<'_> {
 enum Table {
     Cells(Vec<String>, Vec<Vec<String>>),
     Path(PathBuf),
+    Other(Anything),
 }
 
 impl Table {
@@ -111,6 +118,10 @@ impl Table {
         match self {
             Self::Cells(titles, rows) => Ok(Catalogue { titles, rows }),
             Self::Path(path) => Catalogue::read(&path).python(),
+            Self::Other(object) => {
+                let wanted = "a data frame, the path of a table, or a tuple of its titles and its rows of texts";
+                Err(neither("catalogue", wanted, &object))
+            }
         }
     }
 }
@@ -130,32 +141,33 @@ getters! {
 #[pymethods]
 impl PySweepPlan {
     #[new]
-    #[pyo3(signature = (spec, over=Vec::new(), *, catalogue=None, sampling=None, rows=None, seed=0, columns=Vec::new(), chunk=None))]
+    #[pyo3(signature = (spec, over=None, *, catalogue=None, sampling=None, rows=None, seed=Count::Number(0), columns=None, chunk=None),
+           text_signature = "(spec, over=(), *, catalogue=None, sampling=None, rows=None, seed=0, columns=(), chunk=None)")]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
     fn new(
         py: Python<'_>,
         spec: Source<'_>,
-        over: Vec<String>,
+        over: Option<Names>,
         catalogue: Option<Table>,
         sampling: Option<&str>,
-        rows: Option<u64>,
-        seed: u64,
-        columns: Vec<String>,
-        chunk: Option<u64>,
+        rows: Option<Count>,
+        seed: Count,
+        columns: Option<Names>,
+        chunk: Option<Count>,
     ) -> PyResult<Self> {
         let sampling = sampling.map(named).transpose()?;
         let catalogue = catalogue.map(Table::read).transpose()?;
         let parameters = PlanParameters {
-            over,
+            over: listed(over, "over")?,
             catalogue,
             sampling,
-            rows,
-            seed,
-            columns,
-            chunk_rows: chunk,
+            rows: number(rows.as_ref(), "rows")?,
+            seed: seed.number("seed")?,
+            columns: listed(columns, "columns")?,
+            chunk_rows: number(chunk.as_ref(), "chunk")?,
             ..PlanParameters::default()
         };
-        let parameters = spec.read(parameters).python()?;
+        let parameters = spec.read(parameters)?;
         spread(py, || Plan::new(parameters))?.python().map(Self)
     }
 
@@ -214,8 +226,8 @@ impl PySweepPlan {
     /// ------
     /// SweepError
     ///     For a row that is not there.
-    fn spec_of(&self, row: u64) -> PyResult<String> {
-        self.0.spec_of(row).python()
+    fn spec_of(&self, row: Count) -> PyResult<String> {
+        self.0.spec_of(row.number("row")?).python()
     }
 
     /// Numbers of the rows of a chunk.
@@ -229,8 +241,8 @@ impl PySweepPlan {
     /// -------
     /// range
     ///     Empty for a chunk that is not there.
-    fn rows_of<'py>(&self, py: Python<'py>, index: u64) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.0.rows_of(index);
+    fn rows_of<'py>(&self, py: Python<'py>, index: Count) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.0.rows_of(index.number("index")?);
         py.import("builtins")?.getattr("range")?.call1((rows.start, rows.end))
     }
 
@@ -253,7 +265,8 @@ impl PySweepPlan {
     /// SweepError
     ///     For a chunk that is not there.
     #[pyo3(signature = (index, jobs=None))]
-    fn chunk<'py>(&self, py: Python<'py>, index: u64, jobs: Option<usize>) -> PyResult<Bound<'py, PyDict>> {
+    fn chunk<'py>(&self, py: Python<'py>, index: Count, jobs: Option<Count>) -> PyResult<Bound<'py, PyDict>> {
+        let index = index.number("index")?;
         let chunk = self.worked_off(py, jobs, |plan, go_on| plan.chunk(index, go_on))?;
         by_title(py, chunk.columns.iter().map(|(title, data)| (title.as_str(), data.clone())))
     }
@@ -276,7 +289,8 @@ impl PySweepPlan {
     /// SweepError
     ///     For a chunk that is not there.
     #[pyo3(signature = (index, jobs=None))]
-    fn chunk_bytes<'py>(&self, py: Python<'py>, index: u64, jobs: Option<usize>) -> PyResult<Bound<'py, PyBytes>> {
+    fn chunk_bytes<'py>(&self, py: Python<'py>, index: Count, jobs: Option<Count>) -> PyResult<Bound<'py, PyBytes>> {
+        let index = index.number("index")?;
         let bytes = self.worked_off(py, jobs, |plan, go_on| plan.chunk_bytes(index, go_on))?;
         Ok(PyBytes::new(py, &bytes))
     }
@@ -299,9 +313,10 @@ impl PySweepPlan {
     fn worked_off<T: Send>(
         &self,
         py: Python<'_>,
-        jobs: Option<usize>,
+        jobs: Option<Count>,
         work: impl FnOnce(&Plan, &(dyn Fn() -> bool + Sync)) -> Result<Option<T>, coilsense_lab::sweep::SweepError> + Send,
     ) -> PyResult<T> {
+        let jobs = jobs.map(|jobs| jobs.size("jobs")).transpose()?;
         if jobs == Some(0) {
             return Err(SweepError::new_err("jobs must be at least 1, got 0"));
         }

@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::Folder;
+use crate::count::Count;
 use crate::errors::IntoPython;
 use crate::long_work::interruptible;
 use crate::names::{Names, listed};
@@ -118,15 +119,17 @@ impl PySensitivity {
 /// -----
 /// Source: [Saltelli2010]; checked against SALib. An index is about the ranges and distributions of the sweep.
 #[pyfunction]
-#[pyo3(signature = (sweep, of=None, *, resamples=1000, seed=0))]
+#[pyo3(signature = (sweep, of=None, *, resamples=Count::Number(1000), seed=Count::Number(0)),
+       text_signature = "(sweep, of=None, *, resamples=1000, seed=0)")]
 pub fn sensitivity(
     py: Python<'_>,
     sweep: Folder<'_>,
     of: Option<Names>,
-    resamples: usize,
-    seed: u64,
+    resamples: Count,
+    seed: Count,
 ) -> PyResult<PySensitivity> {
-    let (folder, of) = (sweep.path(), listed(of));
+    let (folder, of) = (sweep.path()?, listed(of, "of")?);
+    let (resamples, seed) = (resamples.size("resamples")?, seed.number("seed")?);
     let from = folder.clone();
     let resampling = Resampling { resamples, seed, ..Resampling::default() };
     let study = interruptible(py, move || Study::of(&Dataset::open(&from)?, &of, resampling))?;

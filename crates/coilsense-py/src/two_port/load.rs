@@ -85,15 +85,17 @@ impl PyLoad {
     ///
     /// Parameters
     /// ----------
-    /// real, imaginary : float
+    /// real, imaginary : float or str
     ///     Parts of K_L [N/m]; a mechanical impedance Z_L is K_L = j omega Z_L.
     ///
     /// Returns
     /// -------
     /// Load
     #[staticmethod]
-    #[pyo3(signature = (real, imaginary=0.0))]
-    fn stiffness(real: f64, imaginary: f64) -> PyResult<Self> {
+    #[pyo3(signature = (real, imaginary=Quantity::Number(0.0)), text_signature = "(real, imaginary=0.0)")]
+    fn stiffness(real: Quantity, imaginary: Quantity) -> PyResult<Self> {
+        let (real, imaginary) =
+            (real.si("real", Dimension::Stiffness)?, imaginary.si("imaginary", Dimension::Stiffness)?);
         Load::stiffness(Complex64::new(real, imaginary)).python().map(Self)
     }
 }
