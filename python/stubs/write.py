@@ -120,12 +120,16 @@ WITHOUT_DOCSTRING = {
     "tuple[Any, tuple]": "tuple[Any, tuple[Any, ...]]",
 }
 
+# What a number does to a noun: another of its kind.
+WITH_A_NUMBER = ("__add__", "__radd__", "__sub__", "__rsub__", "__mul__", "__rmul__", "__truediv__")
+
 # What the docstrings call a type.
 WORDS = {
     "dict": "dict[str, Any]",
     "mapping": "Mapping[str, Any]",
     "pandas.DataFrame": "pandas.DataFrame",
     "xarray.Dataset": "xarray.Dataset",
+    "uncertainties.UFloat": "Any",
     "matplotlib.axes.Axes": "matplotlib.axes.Axes",
     "matplotlib.axes.Axes, optional": "matplotlib.axes.Axes | None",
     "Recording, Signals, str or os.PathLike": "Recording | Signals | str | PathLike[str]",
@@ -201,6 +205,8 @@ class Refined(ast.NodeTransformer):
         """One function with its types."""
         self.place.append(node.name)
         arguments = node.args
+        if node.name in WITH_A_NUMBER:
+            arguments.posonlyargs[-1].annotation, node.returns = ast.Name("float"), ast.Name(self.place[-2])
         # What a constructor takes stands in the docstring of the class.
         told = self.of_class if node.name == "__new__" else described
         if [each.arg for each in arguments.posonlyargs] in (["self"], ["cls"]):

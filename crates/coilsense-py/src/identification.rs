@@ -191,7 +191,7 @@ impl PyIdentification {
 }
 
 fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
-    found.map(PyEstimate)
+    found.map(PyEstimate::from)
 }
 
 /// Whether it is the spring that rings in a record, and what spring it is: f1, damping, stiffness, mass, each with its interval.

@@ -131,14 +131,13 @@ pub struct Together<const N: usize> {
 impl<const N: usize> Together<N> {
     /// Makes their shapes one.
     pub fn of<'py>(py: Python<'py>, all: [(&Samples<'py>, &str, Dimension); N]) -> PyResult<Self> {
-        let mut values = Vec::new();
-        for (samples, name, dimension) in &all {
-            values.push(samples.si(name, *dimension)?.into_owned());
+        let mut values = [const { Vec::new() }; N];
+        for (values, (samples, name, dimension)) in values.iter_mut().zip(&all) {
+            *values = samples.si(name, *dimension)?.into_owned();
         }
         let shape = all[0].0.shape();
         if all.iter().all(|(samples, ..)| samples.shape() == shape) {
-            let shape = shape.to_vec();
-            return Ok(Self { values: values.try_into().unwrap_or_else(|_| [const { Vec::new() }; N]), shape });
+            return Ok(Self { values, shape: shape.to_vec() });
         }
         let numpy = py.import("numpy")?;
         let shapes = all.each_ref().map(|(samples, ..)| samples.shape());
@@ -150,13 +149,12 @@ impl<const N: usize> Together<N> {
         };
         let tuples = shapes.iter().map(|shape| pyo3::types::PyTuple::new(py, *shape)).collect::<PyResult<Vec<_>>>()?;
         let common = numpy.call_method1("broadcast_shapes", pyo3::types::PyTuple::new(py, tuples)?).map_err(called)?;
-        let mut spread = Vec::new();
-        for ((samples, ..), values) in all.iter().zip(values) {
-            let given = shaped(py, values, samples.shape())?;
+        for (values, (samples, ..)) in values.iter_mut().zip(&all) {
+            let given = shaped(py, std::mem::take(values), samples.shape())?;
             let wide = numpy.call_method1("broadcast_to", (given, &common))?.call_method0("ravel")?;
-            spread.push(wide.cast::<PyArray1<f64>>()?.readonly().as_array().to_vec());
+            *values = wide.cast::<PyArray1<f64>>()?.readonly().as_array().to_vec();
         }
-        Ok(Self { values: spread.try_into().unwrap_or_else(|_| [const { Vec::new() }; N]), shape: common.extract()? })
+        Ok(Self { values, shape: common.extract()? })
     }
 
     /// What came of each place, in their common shape.
