@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal, TypeAlias, TypeVar, final, overload
+from typing import Any, Literal, Self, TypeAlias, TypeVar, final, overload
 
 import matplotlib.axes
 import numpy
@@ -115,6 +115,7 @@ TOLD: dict[str, str] = {
 # What pickle and notebooks call has no docstring: its types by PyO3's words, or by its name.
 WITHOUT_DOCSTRING = {
     "_repr_html_": "str",
+    "__replace__": "Self",
     "tuple[tuple, dict]": "tuple[tuple[()], dict[str, Any]]",
     "tuple[Any, tuple[dict]]": "tuple[Any, tuple[dict[str, Any]]]",
     "tuple[Any, tuple]": "tuple[Any, tuple[Any, ...]]",
@@ -171,6 +172,7 @@ class Refined(ast.NodeTransformer):
         # Every object has these two.
         shown = [self.visit(child) for child in methods if child.name not in ("__repr__", "__str__")]
         node.body = [each for child in shown for each in (child if isinstance(child, list) else [child])]
+        named(node)
         names = {method.name for method in methods}
         if "__eq__" in names:
             more = [] if "__ne__" in names else ["def __ne__(self, other: object, /) -> bool: ..."]
@@ -205,6 +207,8 @@ class Refined(ast.NodeTransformer):
         """One function with its types."""
         self.place.append(node.name)
         arguments = node.args
+        if arguments.kwarg is not None:
+            arguments.kwarg.annotation = ast.Name("Any")
         if node.name in WITH_A_NUMBER:
             arguments.posonlyargs[-1].annotation, node.returns = ast.Name("float"), ast.Name(self.place[-2])
         # What a constructor takes stands in the docstring of the class.
@@ -271,6 +275,16 @@ def typed(described: str, section: str) -> dict[str, str]:
     if section == "Returns":
         return dict.fromkeys(heads, "")
     return {name: kind for names, _, kind in pairs for name in names.split(", ")}
+
+
+def named(node: ast.ClassDef) -> None:
+    """What ``replace`` takes: the arguments of the constructor by name, where there is one."""
+    methods = {each.name: each for each in node.body if isinstance(each, ast.FunctionDef)}
+    for each in ("replace", "__replace__"):
+        if each in methods and "__new__" in methods:
+            made, method = methods["__new__"].args, methods[each]
+            method.args.kwonlyargs = [*made.posonlyargs, *made.args, *made.kwonlyargs][1:]
+            method.args.kw_defaults, method.args.kwarg = [ast.Constant(...)] * len(method.args.kwonlyargs), None
 
 
 def parsed(line: str) -> ast.stmt:

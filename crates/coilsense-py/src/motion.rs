@@ -296,6 +296,43 @@ impl PyMotion {
         Ok(dict)
     }
 
+    /// The same with another spring, excitation or mount; a truncated motion keeps its number of modes. ``copy.replace`` of Python 3.13 calls it, too.
+    ///
+    /// Parameters
+    /// ----------
+    /// **changes
+    ///     Arguments of the constructor by name.
+    ///
+    /// Returns
+    /// -------
+    /// Motion
+    ///
+    /// Raises
+    /// ------
+    /// TypeError
+    ///     For a name that is none of them; it says which there are.
+    /// Error
+    ///     Where the constructor would.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> damped = motion.replace(mount=motion.mount.replace(damping=coilsense.Damping.modal(0.005)))
+    /// >>> damped.mount.damping
+    /// Damping.modal(ratio=0.005)
+    #[pyo3(signature = (**changes))]
+    fn replace<'py>(slf: &Bound<'py, Self>, changes: Option<Arguments<'py>>) -> PyResult<Bound<'py, PyAny>> {
+        let arguments = value::replaced("Motion", slf.get().arguments(slf.py())?, changes)?;
+        let full = slf.get_type().call((), Some(&arguments))?;
+        slf.get().kept_modes().map_or(Ok(full.clone()), |modes| full.call_method1("truncated", (modes,)))
+    }
+
+    #[pyo3(signature = (**changes))]
+    fn __replace__<'py>(slf: &Bound<'py, Self>, changes: Option<Arguments<'py>>) -> PyResult<Bound<'py, PyAny>> {
+        Self::replace(slf, changes)
+    }
+
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         let Ok(other) = other.cast::<Self>() else { return false };
         let parts = |motion: &Motion| (motion.spring().clone(), motion.excitation().clone(), motion.mount().clone());

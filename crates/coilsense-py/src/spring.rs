@@ -104,7 +104,11 @@ getters! {
 
 named_value! {
     /// The parameters by name, as the constructor takes them.
-    PySpring, self;
+    PySpring, self, made = |slf| {
+        // One of a spec whose mass is that of no wire may go on having it.
+        let class = slf.get_type().into_any();
+        if slf.get().0.check_wire().is_ok() { Ok(class) } else { class.getattr("_kept") }
+    };
     rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
     nominal_force = self.0.parameters().nominal_force,
     inductance_windings = self.0.parameters().inductance_windings,
@@ -128,6 +132,39 @@ impl PySpring {
         nominal_force: Option<Quantity>,
         inductance_windings: Option<Quantity>,
     ) -> PyResult<Self> {
+        let spring = Self::_kept(
+            rest_length,
+            windings,
+            coil_radius,
+            wire_radius,
+            mass,
+            stiffness,
+            min_length,
+            max_length,
+            nominal_force,
+            inductance_windings,
+        )?;
+        spring.0.check_wire().python()?;
+        Ok(spring)
+    }
+
+    /// A spring of checked values, whatever its wire would weigh: what unpickling calls.
+    #[staticmethod]
+    #[pyo3(signature = (*, rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
+                        nominal_force=None, inductance_windings=None))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per value of Table I")]
+    fn _kept(
+        rest_length: Quantity,
+        windings: Quantity,
+        coil_radius: Quantity,
+        wire_radius: Quantity,
+        mass: Quantity,
+        stiffness: Quantity,
+        min_length: Quantity,
+        max_length: Quantity,
+        nominal_force: Option<Quantity>,
+        inductance_windings: Option<Quantity>,
+    ) -> PyResult<Self> {
         let parameters = SpringParameters {
             rest_length: rest_length.si("rest_length", Length)?,
             windings: windings.plain("windings")?,
@@ -139,41 +176,6 @@ impl PySpring {
             max_length: max_length.si("max_length", Length)?,
             nominal_force: si(nominal_force.as_ref(), "nominal_force", Force)?,
             inductance_windings: inductance_windings.map(|count| count.plain("inductance_windings")).transpose()?,
-            sections: None,
-        };
-        let spring = Spring::new(parameters).python()?;
-        spring.check_wire().python()?;
-        Ok(Self(spring))
-    }
-
-    /// A spring of checked values, whatever its wire would weigh: what unpickling calls.
-    #[staticmethod]
-    #[pyo3(signature = (*, rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
-                        nominal_force=None, inductance_windings=None))]
-    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per value of Table I")]
-    fn _kept(
-        rest_length: f64,
-        windings: f64,
-        coil_radius: f64,
-        wire_radius: f64,
-        mass: f64,
-        stiffness: f64,
-        min_length: f64,
-        max_length: f64,
-        nominal_force: Option<f64>,
-        inductance_windings: Option<f64>,
-    ) -> PyResult<Self> {
-        let parameters = SpringParameters {
-            rest_length,
-            windings,
-            coil_radius,
-            wire_radius,
-            mass,
-            stiffness,
-            min_length,
-            max_length,
-            nominal_force,
-            inductance_windings,
             sections: None,
         };
         Spring::new(parameters).python().map(Self)

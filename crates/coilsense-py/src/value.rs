@@ -6,6 +6,7 @@
 //! for them: it shows fields of the class itself, and a class here holds one value of the science whose fields are private.
 //! Next door: equality, which PyO3 takes from Rust's `PartialEq`.
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -53,6 +54,9 @@ macro_rules! getters {
 /// ```
 macro_rules! named_value {
     ($(#[$documentation:meta])+ $class:ident, $self:ident; $($name:ident $(= $value:expr)?),+ $(,)?) => {
+        $crate::value::named_value! { $(#[$documentation])+ $class, $self, made = |slf| Ok(slf.get_type().into_any()); $($name $(= $value)?),+ }
+    };
+    ($(#[$documentation:meta])+ $class:ident, $self:ident, made = $made:expr; $($name:ident $(= $value:expr)?),+ $(,)?) => {
         impl $class {
             fn arguments<'py>(&$self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<$crate::value::Arguments<'py>> {
                 let arguments = ::pyo3::types::PyDict::new(py);
@@ -70,6 +74,41 @@ macro_rules! named_value {
             /// dict
             fn to_dict<'py>(&self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<$crate::value::Arguments<'py>> {
                 $crate::value::plain(&self.arguments(py)?)
+            }
+
+            /// The same with other values for some of the arguments, checked as the constructor checks them; ``copy.replace`` of Python 3.13 calls it, too.
+            ///
+            /// Parameters
+            /// ----------
+            /// **changes
+            ///     Arguments of the constructor by name.
+            ///
+            /// Returns
+            /// -------
+            /// Self
+            ///
+            /// Raises
+            /// ------
+            /// TypeError
+            ///     For a name that is none of them; it says which there are.
+            /// Error
+            ///     Where the constructor would.
+            #[pyo3(signature = (**changes))]
+            fn replace<'py>(
+                slf: &::pyo3::Bound<'py, Self>,
+                changes: Option<$crate::value::Arguments<'py>>,
+            ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                let made: fn(&::pyo3::Bound<'py, Self>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> = $made;
+                let (name, arguments) = (<Self as ::pyo3::PyClass>::NAME, slf.get().arguments(slf.py())?);
+                made(slf)?.call((), Some(&$crate::value::replaced(name, arguments, changes)?))
+            }
+
+            #[pyo3(signature = (**changes))]
+            fn __replace__<'py>(
+                slf: &::pyo3::Bound<'py, Self>,
+                changes: Option<$crate::value::Arguments<'py>>,
+            ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                Self::replace(slf, changes)
             }
 
             fn __getnewargs_ex__<'py>(
@@ -141,6 +180,42 @@ macro_rules! value_of_kinds {
                 $crate::value::of_dict(class, &dict, &[$($kind),+])
             }
 
+            /// The same kind with other values for some of its arguments; ``copy.replace`` of Python 3.13 calls it, too.
+            ///
+            /// Parameters
+            /// ----------
+            /// **changes
+            ///     Arguments of the kind's constructor by name.
+            ///
+            /// Returns
+            /// -------
+            #[doc = $name]
+            ///
+            /// Raises
+            /// ------
+            /// TypeError
+            ///     For a name that is none of them; it says which there are.
+            /// Error
+            ///     Where the constructor would.
+            #[pyo3(signature = (**changes))]
+            fn replace<'py>(
+                slf: &::pyo3::Bound<'py, Self>,
+                changes: Option<$crate::value::Arguments<'py>>,
+            ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                let kind = slf.get().as_kind(slf.py())?;
+                let name = format!("{}.{}", $name, kind.name);
+                let arguments = $crate::value::replaced(&name, kind.arguments, changes)?;
+                slf.get_type().call_method(kind.name, (), Some(&arguments))
+            }
+
+            #[pyo3(signature = (**changes))]
+            fn __replace__<'py>(
+                slf: &::pyo3::Bound<'py, Self>,
+                changes: Option<$crate::value::Arguments<'py>>,
+            ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                Self::replace(slf, changes)
+            }
+
             fn __reduce__<'py>(
                 slf: &::pyo3::Bound<'py, Self>,
             ) -> ::pyo3::PyResult<(::pyo3::Bound<'py, ::pyo3::PyAny>, ($crate::value::Arguments<'py>,))> {
@@ -165,6 +240,26 @@ pub type NewArguments<'py> = (Bound<'py, PyTuple>, Arguments<'py>);
 /// The arguments as `__getnewargs_ex__` has them.
 pub fn new_arguments(arguments: Arguments<'_>) -> NewArguments<'_> {
     (PyTuple::empty(arguments.py()), arguments)
+}
+
+/// The arguments with others for some of them.
+///
+/// # Errors
+/// `TypeError` for a name that is none of them.
+pub fn replaced<'py>(
+    name: &str,
+    arguments: Arguments<'py>,
+    changes: Option<Arguments<'py>>,
+) -> PyResult<Arguments<'py>> {
+    for (key, value) in changes.iter().flatten() {
+        if !arguments.contains(&key)? {
+            let known = arguments.keys().iter().map(|key| key.to_string()).collect::<Vec<_>>();
+            let takes = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };
+            return Err(PyTypeError::new_err(format!("replace() of {name} takes {takes}, got {key}")));
+        }
+        arguments.set_item(key, value)?;
+    }
+    Ok(arguments)
 }
 
 /// `Name(key=value, …)`.
