@@ -13,6 +13,8 @@ Examples
 the load cell reads up to 99.72 N
 """
 
+from collections.abc import Mapping
+
 from coilsense._coilsense import (
     Analysis,
     AnalysisError,
@@ -99,6 +101,8 @@ from coilsense._coilsense import (
     __version__,
 )
 from coilsense._sweep import sweep
+
+Mapping.register(Signals)
 
 __all__ = [
     "Analysis",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -36,6 +37,47 @@ def to_pandas(signals: Signals) -> pandas.DataFrame:
     frame: pandas.DataFrame = library.DataFrame(dict(signals.items()), index=index)
     frame.attrs["units"] = {name: signals.unit(name) for name in signals}
     return frame
+
+
+def of_mapping(told: Mapping[str, Any]) -> Signals:
+    """Signals of times and channels by name."""
+    from coilsense import Error, Signals
+
+    if "time" not in told:
+        raise Error(f"signals need time beside their channels, got {', '.join(map(str, told)) or 'nothing'}")
+    return Signals(told["time"], {name: values for name, values in told.items() if name != "time"})
+
+
+def of_pandas(frame: pandas.DataFrame) -> Signals:
+    """Signals of a data frame whose columns are channels."""
+    from coilsense import Error, Signals
+
+    if not _is_frame(frame):
+        raise TypeError(f"frame must be a pandas.DataFrame, got {type(frame).__name__}")
+    for name, unit in frame.attrs.get("units", {}).items():
+        if name in frame.columns and unit != Signals.unit(name):
+            raise Error(f"{name} must be in {Signals.unit(name)}, attrs['units'] says {unit}")
+    channels = {name: frame[name].to_numpy() for name in frame.columns if name != "time"}
+    if "time" in frame.columns:
+        return Signals(frame["time"].to_numpy(), channels)
+    index = frame.index
+    if index.dtype.kind == "m":
+        return Signals(index.total_seconds().to_numpy(), channels)  # type: ignore[attr-defined]
+    if index.name in ("time [s]", "time"):
+        return Signals(index.to_numpy(), channels)
+    raise Error("signals need times: a column time [s], or an index that is named so; this frame has neither")
+
+
+def _is_frame(told: object) -> bool:
+    """Whether it is a data frame, without importing pandas for it."""
+    return type(told).__module__.partition(".")[0] == "pandas" and hasattr(told, "columns")
+
+
+def signals_of(told: Any) -> Signals | None:
+    """Signals of a data frame or a mapping; None for anything else."""
+    if _is_frame(told):
+        return of_pandas(told)
+    return of_mapping(told) if isinstance(told, Mapping) else None
 
 
 def to_xarray(signals: Signals) -> xarray.Dataset:

@@ -179,6 +179,8 @@ def _written(over: Over) -> list[str]:
     """``KEY=VALUES`` as the command takes them."""
     if isinstance(over, str):
         raise TypeError('over must be a mapping or a sequence of "KEY=VALUES", got a str')
+    if hasattr(over, "itertuples"):
+        raise TypeError("over must be a mapping or a sequence of \"KEY=VALUES\", got a data frame: its rows are designs; give it as catalogue")
     if not isinstance(over, Mapping):
         return list(over)
     return [_pair(key, values) for key, values in over.items()]
@@ -188,7 +190,8 @@ def _pair(title: str, values: Any) -> str:
     if isinstance(values, str):
         return f"{title}={values}"
     key, unit = _taken_apart(title)
-    items = list(values)
+    # One number is a series of one, and stays as it is.
+    items = list(values) if hasattr(values, "__iter__") else [values]
     if items and all(isinstance(item, str) for item in items):
         return f"{key}=" + ", ".join(f'"{item}"' for item in items)
     # The shortest decimals that mean a number: nothing is lost on the way through a text.

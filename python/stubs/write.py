@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal, Self, TypeAlias, TypeVar, final, overload
+from typing import Any, Literal, NoReturn, Self, TypeAlias, TypeVar, final, overload
 
 import matplotlib.axes
 import numpy
@@ -84,11 +84,15 @@ TOLD: dict[str, str] = {
     "Sensitivity.first_order": "dict[str, dict[str, tuple[float, float, float]]]",
     "Sensitivity.total": "dict[str, dict[str, tuple[float, float, float]]]",
     "Sensitivity.without": "dict[str, str]",
+    "Signals.__array__": "NoReturn",
+    "Signals.__array__.copy": "bool | None",
+    "Signals.__array__.dtype": "object",
     "Signals.__getnewargs__": "tuple[_Floats, dict[str, _Floats]]",
     "Signals.__iter__": "Iterator[str]",
     "Signals.__new__.channels": "Mapping[str, ArrayLike] | None",
     "Signals.get": "_Floats | _Default | None",
     "Signals.get.default": "_Default | None",
+    "Signals.from_dict.dict": "Mapping[str, ArrayLike]",
     "Signals.to_dict": "dict[str, list[float]]",
     "Spec.mounts": "dict[str, Mount]",
     "SpeedMap.harmonics": "dict[str, list[list[float]]]",
@@ -133,8 +137,11 @@ WORDS = {
     "uncertainties.UFloat": "Any",
     "matplotlib.axes.Axes": "matplotlib.axes.Axes",
     "matplotlib.axes.Axes, optional": "matplotlib.axes.Axes | None",
-    "Recording, Signals, str or os.PathLike": "Recording | Signals | str | PathLike[str]",
-    "Recording, Signals, str or os.PathLike, optional": "Recording | Signals | str | PathLike[str] | None",
+    "Recording, Signals, pandas.DataFrame, mapping, str or os.PathLike": "Recording | Signals | pandas.DataFrame | Mapping[str, ArrayLike] | str | PathLike[str]",
+    "Recording, Signals, pandas.DataFrame, mapping, str or os.PathLike, optional": (
+        "Recording | Signals | pandas.DataFrame | Mapping[str, ArrayLike] | str | PathLike[str] | None"
+    ),
+    "Signals, pandas.DataFrame or mapping": "Signals | pandas.DataFrame | Mapping[str, ArrayLike]",
 }
 
 # What holds many of a kind.

@@ -159,7 +159,7 @@ def test_a_record_that_tells_nothing_says_so() -> None:
         coilsense.identify(coilsense.Signals(times, {"u1": noise}))
     with pytest.raises(coilsense.Error, match="end2 must be one of held, free, mass"):
         coilsense.identify(hit_log(), end2="loose")
-    with pytest.raises(TypeError, match="record must be a Recording, Signals, or the path of a log"):
+    with pytest.raises(TypeError, match="record must be a Recording, Signals, a data frame, .* or the path of a log, got int"):
         coilsense.identify(3)  # type: ignore[arg-type]
 
 

@@ -1,10 +1,13 @@
 """Signals are a mapping of read-only arrays, and become data frames, datasets and plots."""
 
+import collections.abc
 import sys
+import types
+import typing
 
 import numpy
 import pytest
-from samples import IMPACT, SPRING
+from samples import IMPACT, SPRING, hit_log
 
 import coilsense
 
@@ -72,3 +75,43 @@ def test_a_library_that_is_not_there_is_named_with_its_extra(
     monkeypatch.setitem(sys.modules, library, None)
     with pytest.raises(ImportError, match=rf"pip install 'coilsense\[{extra}\]'"):
         getattr(SIGNALS, method)()
+
+
+def test_mappings_and_data_frames_are_signals_wherever_those_are_taken() -> None:
+    pandas = pytest.importorskip("pandas")
+    assert isinstance(SIGNALS, collections.abc.Mapping)
+    assert coilsense.Signals.from_pandas(SIGNALS.to_pandas()) == SIGNALS
+    assert coilsense.Signals.from_dict(SIGNALS.to_dict()) == SIGNALS
+    table = pandas.DataFrame({"time": SIGNALS.time, **SIGNALS})
+    counted = pandas.DataFrame(dict(SIGNALS), index=pandas.to_timedelta(SIGNALS.time, unit="s"))
+    assert coilsense.Signals.from_pandas(table) == SIGNALS
+    numpy.testing.assert_allclose(coilsense.Signals.from_pandas(counted).time, SIGNALS.time, atol=1e-9)
+    wanted = coilsense.Recording(SIGNALS)
+    for told in (SIGNALS.to_pandas(), table, SIGNALS.to_dict(), types.MappingProxyType(SIGNALS.to_dict())):
+        assert coilsense.Recording(told) == wanted
+    hit = hit_log(seconds=6)
+    assert coilsense.identify(hit.to_pandas()).verdict == coilsense.identify(hit).verdict == coilsense.identify(hit.to_dict()).verdict
+
+
+def test_a_table_that_could_be_misread_is_refused() -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = SIGNALS.to_pandas()
+    with pytest.raises(coilsense.Error, match=r"signals need times: a column time \[s\], or an index that is named so"):
+        coilsense.Signals.from_pandas(frame.reset_index(drop=True))
+    with pytest.raises(coilsense.Error, match="channel must be one of .*, got \"temperature\""):
+        coilsense.identify(frame.assign(temperature=20.0))
+    frame.attrs["units"] = {"u1": "mm"}
+    with pytest.raises(coilsense.Error, match=r"u1 must be in m, attrs\['units'\] says mm"):
+        coilsense.Signals.from_pandas(frame)
+    with pytest.raises(coilsense.Error, match=r"F_o\[1\] must be finite, got NaN N"):
+        coilsense.Signals.from_pandas(pandas.DataFrame({"time": [0.0, 0.1], "F_o": [1.0, None]}))
+    with pytest.raises(coilsense.Error, match="signals need time beside their channels, got F_o"):
+        coilsense.Recording({"F_o": [1.0]})
+    nothing: list[typing.Any] = [3, [1.0, 2.0], pandas.Series([1.0])]
+    for wrong in nothing:
+        with pytest.raises(TypeError, match="must be Signals, a data frame, or a mapping with time and channels, got"):
+            coilsense.Recording(wrong)
+    # Of a mapping NumPy makes the names; so would pandas by it.
+    for makes in (numpy.asarray, pandas.DataFrame):
+        with pytest.raises(TypeError, match="Signals are a mapping of arrays: take one as"):
+            makes(SIGNALS)

@@ -181,3 +181,15 @@ def test_runs_that_are_killed_leave_what_an_unbroken_one_leaves(tmp_path: pathli
     assert killed > 0
     sweeps.whole(tmp_path / "killed", rows=6000, chunk=100)
     assert sweeps.files(tmp_path / "killed") == expected
+
+
+def test_a_number_alone_is_varied_by_nothing_and_a_frame_is_a_catalogue(tmp_path: pathlib.Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    over = {"spring.stiffness [N/m]": pandas.Series([600.0, 700.0]), "spring.mass [kg]": 0.065}
+    found = coilsense.sweep(sweeps.SPEC, over, tmp_path / "one", columns="f1").to_pandas()
+    assert len(found) == 2
+    frame = pandas.DataFrame({"spring.stiffness [N/m]": [600.0, 700.0]})
+    with pytest.raises(TypeError, match="over must be .*, got a data frame: its rows are designs; give it as catalogue"):
+        coilsense.sweep(sweeps.SPEC, frame, tmp_path / "two", columns="f1")
+    same = coilsense.sweep(sweeps.SPEC, catalogue=frame, out=tmp_path / "two", columns="f1").to_pandas()
+    assert same["f1 [Hz]"].tolist() == found["f1 [Hz]"].tolist()

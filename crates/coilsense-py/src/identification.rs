@@ -198,7 +198,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 ///
 /// Parameters
 /// ----------
-/// record : Recording, Signals, str or os.PathLike
+/// record : Recording, Signals, pandas.DataFrame, mapping, str or os.PathLike
 ///     Forces, and positions where they were recorded, on an even clock; or the path of a log whose columns carry their channels' names.
 /// spring : Spring, Spec, str or os.PathLike, optional
 ///     Predict f1 from a spring or a spec.

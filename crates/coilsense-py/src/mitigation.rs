@@ -139,7 +139,7 @@ impl PyMitigation {
 /// ----------
 /// spec : Spec, str or os.PathLike
 ///     Spring, mount and conditions.
-/// record : Recording, Signals, str or os.PathLike, optional
+/// record : Recording, Signals, pandas.DataFrame, mapping, str or os.PathLike, optional
 ///     Judge on a record in place of the conditions: F_i, u1, u2 (none where end 2 is held) and, for estimators, F_o.
 /// stated : bool
 ///     Judge on the stated scenario in place of the conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds.

@@ -17,14 +17,15 @@ use crate::long_work::interruptible;
 use crate::names::Names;
 use crate::quantity::{Quantity, cleaning, given};
 use crate::results::laid_out;
-use crate::signals::{PySignals, channel};
+use crate::signals::{PySignals, channel, told};
 use crate::value::getters;
 
 /// Signals that were recorded, with an account of where they come from; made by `open_log`, or of signals in memory.
 ///
 /// Parameters
 /// ----------
-/// signals : Signals
+/// signals : Signals, pandas.DataFrame or mapping
+///     A data frame as `Signals.from_pandas` takes it, a mapping as `Signals.from_dict`.
 /// name : str, optional
 ///     What messages and reports call it.
 ///
@@ -76,8 +77,13 @@ getters! {
 impl PyRecording {
     #[new]
     #[pyo3(signature = (signals, name="signals"))]
-    fn new(py: Python<'_>, signals: &PySignals, name: &str) -> PyResult<Self> {
-        Ok(Self(Recording::of_signals(name, signals.to_rust(py)?)))
+    fn new(signals: &Bound<'_, PyAny>, name: &str) -> PyResult<Self> {
+        let wrong = || {
+            let class = signals.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string());
+            let wanted = "Signals, a data frame, or a mapping with time and channels";
+            PyTypeError::new_err(format!("signals must be {wanted}, got {class}"))
+        };
+        Ok(Self(Recording::of_signals(name, told(signals)?.ok_or_else(wrong)?)))
     }
 
     /// Rows by what became of them: "read", "kept", "added in gaps", and each reason for which some were left out.
@@ -266,12 +272,14 @@ pub fn recording(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Recordin
     if let Ok(recording) = object.cast::<PyRecording>() {
         return Ok(recording.get().0.clone());
     }
-    if let Ok(signals) = object.cast::<PySignals>() {
-        return Ok(Recording::of_signals("signals", signals.get().to_rust(py)?));
+    if let Some(signals) = told(object)? {
+        return Ok(Recording::of_signals("signals", signals));
     }
     let wrong = || {
         let class = object.get_type().name().map_or_else(|_| "an object".to_owned(), |name| name.to_string());
-        PyTypeError::new_err(format!("record must be a Recording, Signals, or the path of a log, got {class}"))
+        PyTypeError::new_err(format!(
+            "record must be a Recording, Signals, a data frame, a mapping with time and channels, or the path of a log, got {class}"
+        ))
     };
     let path: PathBuf = object.extract().map_err(|_| wrong())?;
     interruptible(py, move || Recording::read(&path, &Default::default(), &Default::default()))?.python()
