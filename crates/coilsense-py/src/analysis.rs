@@ -17,6 +17,7 @@ use pyo3::prelude::*;
 use crate::errors::IntoPython;
 use crate::json;
 use crate::long_work::watched;
+use crate::results::table_and_figure;
 use crate::spec_argument::SpecArgument;
 use crate::threads::spread;
 use crate::value::getters;
@@ -107,6 +108,14 @@ getters! {
     text: String = anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string();
     /// What a reader must know before using the numbers, as a list of str.
     warnings: Vec<&str> = self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect();
+}
+
+table_and_figure! {
+    PyAnalysis;
+    /// Deviations as a data frame of pandas: one row per case and force; ``pip install coilsense[pandas]``.
+    to_pandas = "deviations_frame";
+    /// Draws the uncertainty of each sensor in its worst case with matplotlib; ``pip install coilsense[plot]``.
+    plot = "analysis_plot";
 }
 
 #[pymethods]

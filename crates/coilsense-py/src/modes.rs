@@ -15,6 +15,7 @@ use crate::errors::{Error, IntoPython};
 use crate::hertz::{all_in_hertz, in_hertz};
 use crate::mount::PyFarEnd;
 use crate::quantity::Quantity;
+use crate::results::table_and_figure;
 use crate::spring::PySpring;
 use crate::value::{Arguments, getters};
 
@@ -56,6 +57,14 @@ getters! {
     angular_frequencies<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.frequencies());
     /// How far end 2 moves in each mode, in units of its shape, shape (count,); zero where its position is prescribed.
     end_shapes<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.end_shapes());
+}
+
+table_and_figure! {
+    PyChainModes;
+    /// The modes as a data frame of pandas: number, frequency [Hz] and how far end 2 moves; ``pip install coilsense[pandas]``.
+    to_pandas = "modes_frame";
+    /// Draws frequencies over the number of the mode with matplotlib; ``pip install coilsense[plot]``.
+    plot = "modes_plot";
 }
 
 #[pymethods]

@@ -45,6 +45,8 @@ study_result! {
     to_dict = placement_json(&self.0);
     /// The limits as a data frame of pandas; ``pip install coilsense[pandas]``.
     to_pandas = "limits_frame";
+    /// Draws the crossovers up to which each force may be fed back with matplotlib; ``pip install coilsense[plot]``.
+    plot = "placement_plot";
     str = placement_text(&self.0);
     html = "placement_html";
     /// Writes what ``coilsense placement --out`` writes: report.html and results.json; all of it or nothing.

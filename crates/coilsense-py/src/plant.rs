@@ -23,6 +23,7 @@ use crate::hertz::{angular, in_hertz};
 use crate::long_work::interruptible;
 use crate::names::Names;
 use crate::quantity::{Quantity, given, wrong};
+use crate::results::table_and_figure;
 use crate::series::Series;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
@@ -107,6 +108,14 @@ impl PyPlant {
     fn is_held(&self) -> bool {
         self.0.plant.far_end() == coilsense_rt::FarEnd::Position
     }
+}
+
+table_and_figure! {
+    PyPlant;
+    /// The modes as a data frame of pandas: frequency [Hz] and damping ratio; ``pip install coilsense[pandas]``.
+    to_pandas = "plant_frame";
+    /// Draws what the motion of end 1 does to F_i and F_o with matplotlib; ``pip install coilsense[plot]``.
+    plot = "plant_plot";
 }
 
 #[pymethods]

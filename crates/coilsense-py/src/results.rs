@@ -50,6 +50,13 @@ macro_rules! study_result {
             save($date:ident, $output:ident $(; $given:ident = $found:expr)?) = $add:expr;
         )?
     ) => {
+        $crate::results::table_and_figure! {
+            $class;
+            $(#[$tabulated])+
+            to_pandas = $table;
+            $($(#[$drawn])+ plot = $figure;)?
+        }
+
         #[::pyo3::pymethods]
         impl $class {
             $(#[$everything])+
@@ -60,35 +67,6 @@ macro_rules! study_result {
             fn to_dict<'py>(&$self, py: ::pyo3::Python<'py>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
                 $crate::json::loads(py, $json)
             }
-
-            $(#[$tabulated])+
-            ///
-            /// Returns
-            /// -------
-            /// pandas.DataFrame
-            fn to_pandas<'py>(slf: &::pyo3::Bound<'py, Self>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
-                $crate::results::laid_out(slf.py(), $table, (slf,))
-            }
-
-            $(
-                $(#[$drawn])+
-                ///
-                /// Parameters
-                /// ----------
-                /// ax : matplotlib.axes.Axes, optional
-                ///     Where; without it, in a new figure.
-                ///
-                /// Returns
-                /// -------
-                /// matplotlib.axes.Axes
-                #[pyo3(signature = (ax=None))]
-                fn plot<'py>(
-                    slf: &::pyo3::Bound<'py, Self>,
-                    ax: Option<::pyo3::Bound<'py, ::pyo3::PyAny>>,
-                ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
-                    $crate::results::laid_out(slf.py(), $figure, (slf, ax))
-                }
-            )?
 
             fn __str__(&$self) -> String {
                 $crate::results::plain(&$text)
@@ -127,7 +105,52 @@ macro_rules! study_result {
     };
 }
 
-pub(crate) use study_result;
+/// What a noun shows as a data frame and in a figure, by functions of the Python code beside this module.
+macro_rules! table_and_figure {
+    (
+        $class:ident;
+        $(#[$tabulated:meta])+
+        to_pandas = $table:literal;
+        $(
+            $(#[$drawn:meta])+
+            plot = $figure:literal;
+        )?
+    ) => {
+        #[::pyo3::pymethods]
+        impl $class {
+            $(#[$tabulated])+
+            ///
+            /// Returns
+            /// -------
+            /// pandas.DataFrame
+            fn to_pandas<'py>(slf: &::pyo3::Bound<'py, Self>) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                $crate::results::laid_out(slf.py(), $table, (slf,))
+            }
+
+            $(
+                $(#[$drawn])+
+                ///
+                /// Parameters
+                /// ----------
+                /// ax : matplotlib.axes.Axes, optional
+                ///     Where; without it, in a new figure.
+                ///
+                /// Returns
+                /// -------
+                /// matplotlib.axes.Axes
+                #[pyo3(signature = (ax=None))]
+                fn plot<'py>(
+                    slf: &::pyo3::Bound<'py, Self>,
+                    ax: Option<::pyo3::Bound<'py, ::pyo3::PyAny>>,
+                ) -> ::pyo3::PyResult<::pyo3::Bound<'py, ::pyo3::PyAny>> {
+                    $crate::results::laid_out(slf.py(), $figure, (slf, ax))
+                }
+            )?
+        }
+    };
+}
+
+pub(crate) use {study_result, table_and_figure};
 
 /// The text that the command prints, without colours.
 pub fn plain(text: &str) -> String {

@@ -43,6 +43,8 @@ study_result! {
     to_dict = speed_json(&self.0);
     /// A row for each run as a data frame of pandas, in SI; ``pip install coilsense[pandas]``.
     to_pandas = "speeds_frame";
+    /// Draws largest and least force at end 1 over the speed with matplotlib; ``pip install coilsense[plot]``.
+    plot = "speed_plot";
     str = speed_text(&self.0);
     html = "speed_html";
     /// Writes what ``coilsense speed --out`` writes: report.html, results.json, speed.csv and speed.parquet; all of it or nothing.

@@ -15,6 +15,7 @@ use crate::errors::{IntoPython, unknown};
 use crate::hertz::angular;
 use crate::long_work::each;
 use crate::mount::PyDamping;
+use crate::results::laid_out;
 use crate::series::Series;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
@@ -277,6 +278,28 @@ impl PyTwoPort {
 
     fn __matmul__(slf: PyRef<'_, Self>, other: Joined<'_>) -> PyResult<PyCascade> {
         PyCascade::joined(&Joined::Spring(slf), &other)
+    }
+
+    /// Draws drive-point and transfer stiffness over frequency with matplotlib; ``pip install coilsense[plot]``.
+    ///
+    /// Parameters
+    /// ----------
+    /// frequencies : array_like of float, shape (samples,)
+    ///     f [Hz].
+    /// ax : matplotlib.axes.Axes, optional
+    ///     Where; without it, in a new figure.
+    ///
+    /// Returns
+    /// -------
+    /// matplotlib.axes.Axes
+    #[pyo3(signature = (frequencies, ax=None))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        frequencies: Series<'py>,
+        ax: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let frequencies = frequencies.to_vec("frequencies")?.into_pyarray(slf.py());
+        laid_out(slf.py(), "two_port_plot", (slf, frequencies, ax))
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

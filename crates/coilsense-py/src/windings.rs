@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{Error, IntoPython};
+use crate::results::table_and_figure;
 use crate::series::{Table, frozen_rows, numbers};
 use crate::value::{Arguments, getters};
 
@@ -64,6 +65,14 @@ getters! {
     count<'py>(py): usize = self.positions.bind(py).shape()[1];
     /// How many samples there are.
     samples<'py>(py): usize = self.positions.bind(py).shape()[0];
+}
+
+table_and_figure! {
+    PyWindings;
+    /// Positions as a data frame of pandas: one row per sample, u1, x_1 to x_N, u2 [m]; ``pip install coilsense[pandas]``.
+    to_pandas = "windings_frame";
+    /// Draws the path of every winding with matplotlib; ``pip install coilsense[plot]``.
+    plot = "windings_plot";
 }
 
 #[pymethods]

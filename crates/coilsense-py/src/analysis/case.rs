@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::measures::{PyClash, PyDeviation};
+use crate::results::table_and_figure;
 use crate::series::frozen;
 use crate::signals::PySignals;
 use crate::value::getters;
@@ -78,6 +79,14 @@ getters! {
     /// ``floats`` as dicts of arrays (durations are nan where something lasted to the end), ``meetings`` as a list of a dict for each pair of
     /// neighbours.
     contact<'py>(py): Option<Py<PyDict>> = self.contact.as_ref().map(|contact| contact.clone_ref(py));
+}
+
+table_and_figure! {
+    PyCase;
+    /// Channels and the forces that readings mean [N] as a data frame of pandas over time; ``pip install coilsense[pandas]``.
+    to_pandas = "case_frame";
+    /// Draws the forces over time with matplotlib; ``pip install coilsense[plot]``.
+    plot = "forces_plot";
 }
 
 #[pymethods]

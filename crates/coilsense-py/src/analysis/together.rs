@@ -9,6 +9,7 @@ use pyo3::types::PyDict;
 use super::PyCase;
 use crate::errors::IntoPython;
 use crate::long_work::watched;
+use crate::results::table_and_figure;
 use crate::signals::PySignals;
 use crate::spec_argument::SpecArgument;
 use crate::value::getters;
@@ -97,6 +98,14 @@ getters! {
     springs<'py>(py): Py<PyDict> = self.springs.clone_ref(py);
     /// 1.0, or -1.0 of a spring that pulls the other way: with what its forces count, as a dict by the spring's name.
     signs<'py>(py): Py<PyDict> = self.signs.clone_ref(py);
+}
+
+table_and_figure! {
+    PyTogether;
+    /// The channels of all springs as a data frame of pandas over time; ``pip install coilsense[pandas]``.
+    to_pandas = "together_frame";
+    /// Draws the forces over time with matplotlib; ``pip install coilsense[plot]``.
+    plot = "forces_plot";
 }
 
 #[pymethods]

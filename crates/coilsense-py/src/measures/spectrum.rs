@@ -10,6 +10,7 @@ use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
 use crate::quantity::Quantity;
+use crate::results::table_and_figure;
 use crate::samples::Samples;
 use crate::series::Series;
 use crate::value::{Arguments, getters};
@@ -50,6 +51,14 @@ getters! {
     frequencies<'py>(py): Bound<'py, PyArray1<f64>> = self.0.frequencies().into_pyarray(py);
     /// Peak amplitude of the sine that each line stands for, in the unit of the values, shape (lines,); the mean's size at 0 Hz.
     amplitudes<'py>(py): Bound<'py, PyArray1<f64>> = PyArray1::from_slice(py, self.0.amplitudes());
+}
+
+table_and_figure! {
+    PySpectrum;
+    /// The lines as a data frame of pandas: frequency [Hz] and amplitude; ``pip install coilsense[pandas]``.
+    to_pandas = "spectrum_frame";
+    /// Draws amplitudes over frequency with matplotlib; ``pip install coilsense[plot]``.
+    plot = "spectrum_plot";
 }
 
 #[pymethods]

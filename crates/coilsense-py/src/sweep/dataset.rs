@@ -13,6 +13,7 @@ use super::plan::PySweepPlan;
 use crate::count::Count;
 use crate::errors::IntoPython;
 use crate::names::Names;
+use crate::results::laid_out;
 use crate::value::getters;
 
 /// A sweep on disk: a folder with a manifest and one Parquet file a chunk.
@@ -168,6 +169,33 @@ impl PySweepDataset {
     fn to_pandas<'py>(&self, py: Python<'py>, titles: Option<Names>) -> PyResult<Bound<'py, PyAny>> {
         let columns = self.read(py, titles)?;
         py.import("coilsense._frames")?.call_method1("frame", (columns,))
+    }
+
+    /// Draws one column over another with matplotlib, a dot a design; ``pip install coilsense[plot]``.
+    ///
+    /// Parameters
+    /// ----------
+    /// over, of : str
+    ///     Columns of numbers, as :attr:`SweepPlan.titles` has them.
+    /// ax : matplotlib.axes.Axes, optional
+    ///     Where; without it, in a new figure.
+    ///
+    /// Returns
+    /// -------
+    /// matplotlib.axes.Axes
+    ///
+    /// Raises
+    /// ------
+    /// SweepError
+    ///     For a title that is not there.
+    #[pyo3(signature = (over, of, ax=None))]
+    fn plot<'py>(
+        slf: &Bound<'py, Self>,
+        over: &str,
+        of: &str,
+        ax: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        laid_out(slf.py(), "sweep_plot", (slf, over, of, ax))
     }
 
     fn __len__(&self) -> usize {

@@ -55,6 +55,8 @@ study_result! {
     to_dict = pareto_json(&self.study);
     /// All columns of the designs on the front as a data frame of pandas; ``pip install coilsense[pandas]``.
     to_pandas = "front_frame";
+    /// Draws the front in its first two objectives with matplotlib; ``pip install coilsense[plot]``.
+    plot = "pareto_plot";
     str = pareto_text(&self.study);
     html = "pareto_html";
     /// Writes what ``coilsense pareto --out`` writes: report.html, results.json, pareto.csv, pareto.parquet and figures; all of it or nothing.

@@ -67,6 +67,8 @@ study_result! {
     to_dict = sensitivity_json(&self.study);
     /// A row for each column and key as a data frame of pandas; ``pip install coilsense[pandas]``.
     to_pandas = "indices_frame";
+    /// Draws total indices with their intervals with matplotlib; ``pip install coilsense[plot]``.
+    plot = "sensitivity_plot";
     str = sensitivity_text(&self.study);
     html = "sensitivity_html";
     /// Writes what ``coilsense sensitivity --out`` writes: report.html and results.json; all of it or nothing.
