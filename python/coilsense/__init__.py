@@ -13,7 +13,9 @@ Examples
 the load cell reads up to 99.72 N
 """
 
+from abc import ABCMeta
 from collections.abc import Mapping
+from typing import cast
 
 from coilsense._coilsense import (
     Analysis,
@@ -102,7 +104,8 @@ from coilsense._coilsense import (
 )
 from coilsense._sweep import sweep
 
-Mapping.register(Signals)
+# What pandas and others ask for where they take a mapping.
+cast(ABCMeta, Mapping).register(Signals)
 
 __all__ = [
     "Analysis",

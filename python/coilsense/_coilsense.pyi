@@ -390,6 +390,7 @@ class Estimate:
     def __replace__(self, *, value: float = ..., standard: float = ..., expanded: float = ...) -> Self: ...
     def __rmul__(self, other: float, /) -> Estimate: ...
     def __rsub__(self, other: float, /) -> Estimate: ...
+    def __rtruediv__(self, other: float, /) -> NoReturn: ...
     def __sub__(self, other: float, /) -> Estimate: ...
     def __truediv__(self, other: float, /) -> Estimate: ...
     @property
@@ -432,9 +433,18 @@ class Excitation:
     @property
     def end2(self) -> EndInput: ...
     @staticmethod
-    def end_stop(length: float | str, velocity: float | str, profile: str = "linear") -> Excitation: ...
+    def end_stop(
+        length: float | str,
+        velocity: float | str,
+        profile: Literal["uniform", "linear"] = "linear",
+    ) -> Excitation: ...
     @staticmethod
-    def harmonic(mean_length: float | str, end: int, input: EndInput, start: Start | None = None) -> Excitation: ...
+    def harmonic(
+        mean_length: float | str,
+        end: Literal[1, 2],
+        input: EndInput,
+        start: Start | None = None,
+    ) -> Excitation: ...
     @staticmethod
     def impact(length: float | str, velocity: float | str) -> Excitation: ...
     @property
@@ -513,7 +523,7 @@ class Geometry:
         wire_diameter: float | str,
         coil_diameter: float | str,
         active_windings: float,
-        end_type: str,
+        end_type: Literal["hooks", "open", "open-ground", "closed", "closed-ground"],
         material: Material,
         rest_length: float | str,
         total_windings: float | None = None,
@@ -525,7 +535,7 @@ class Geometry:
         wire_diameter: float | str = ...,
         coil_diameter: float | str = ...,
         active_windings: float = ...,
-        end_type: str = ...,
+        end_type: Literal["hooks", "open", "open-ground", "closed", "closed-ground"] = ...,
         material: Material = ...,
         rest_length: float | str = ...,
         total_windings: float | None = ...,
@@ -546,14 +556,18 @@ class Geometry:
     @property
     def material(self) -> Material: ...
     @staticmethod
-    def of_spring(spring: Spring, end_type: str, material: Material) -> Geometry: ...
+    def of_spring(
+        spring: Spring,
+        end_type: Literal["hooks", "open", "open-ground", "closed", "closed-ground"],
+        material: Material,
+    ) -> Geometry: ...
     def replace(
         self,
         *,
         wire_diameter: float | str = ...,
         coil_diameter: float | str = ...,
         active_windings: float = ...,
-        end_type: str = ...,
+        end_type: Literal["hooks", "open", "open-ground", "closed", "closed-ground"] = ...,
         material: Material = ...,
         rest_length: float | str = ...,
         total_windings: float | None = ...,
@@ -817,14 +831,28 @@ class Material:
 class MaxwellSum:
     def __eq__(self, other: object, /) -> bool: ...
     def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, Any]]: ...
-    def __new__(cls, spring: Spring, self_distance: str = "geometric-mean") -> MaxwellSum: ...
-    def __replace__(self, *, spring: Spring = ..., self_distance: str = ...) -> Self: ...
+    def __new__(
+        cls,
+        spring: Spring,
+        self_distance: Literal["geometric-mean", "as-printed"] = "geometric-mean",
+    ) -> MaxwellSum: ...
+    def __replace__(
+        self,
+        *,
+        spring: Spring = ...,
+        self_distance: Literal["geometric-mean", "as-printed"] = ...,
+    ) -> Self: ...
     @overload
     def at_lengths(self, lengths: float | str) -> float: ...  # type: ignore[overload-overlap]
     @overload
     def at_lengths(self, lengths: ArrayLike) -> _Floats: ...
     def at_positions(self, positions: ArrayLike) -> float: ...
-    def replace(self, *, spring: Spring = ..., self_distance: str = ...) -> Self: ...
+    def replace(
+        self,
+        *,
+        spring: Spring = ...,
+        self_distance: Literal["geometric-mean", "as-printed"] = ...,
+    ) -> Self: ...
     @property
     def self_distance(self) -> str: ...
     def series(self, windings: Windings) -> _Floats: ...
@@ -856,7 +884,12 @@ class Mitigation:
     def rate(self) -> float: ...
     @property
     def remedies(self) -> list[Remedy]: ...
-    def save(self, folder: str | PathLike[str], date: str | None = None, precision: str = "single") -> int: ...
+    def save(
+        self,
+        folder: str | PathLike[str],
+        date: str | None = None,
+        precision: Literal["single", "double"] = "single",
+    ) -> int: ...
     def to_dict(self) -> dict[str, Any]: ...
     def to_pandas(self) -> pandas.DataFrame: ...
 
@@ -987,8 +1020,8 @@ class Plant:
     def save(
         self,
         path: str | PathLike[str],
-        form: str = "c",
-        precision: str = "double",
+        form: Literal["c", "rust", "state-space", "fmu"] = "c",
+        precision: Literal["single", "double"] = "double",
         step: float | str | None = None,
         fmi: str | None = None,
     ) -> int: ...
@@ -1106,10 +1139,10 @@ class Remedy:
     def settings(self) -> dict[str, Any] | None: ...
     @property
     def settling(self) -> float: ...
-    def to_c(self, name: str | None = None, precision: str = "single") -> str: ...
+    def to_c(self, name: str | None = None, precision: Literal["single", "double"] = "single") -> str: ...
     def to_dict(self) -> dict[str, Any]: ...
     def to_json(self, name: str | None = None) -> str: ...
-    def to_rust(self, name: str | None = None, precision: str = "single") -> str: ...
+    def to_rust(self, name: str | None = None, precision: Literal["single", "double"] = "single") -> str: ...
     @property
     def worst_rms_error(self) -> float: ...
     @property
@@ -1205,7 +1238,7 @@ class Spec:
     @property
     def springs(self) -> list[str]: ...
     @staticmethod
-    def template(spring: str | None = None) -> str: ...
+    def template(spring: Literal["S_T", "S_A"] | None = None) -> str: ...
     @property
     def text(self) -> str: ...
     def to_dict(self) -> dict[str, Any]: ...
@@ -1322,7 +1355,7 @@ class Spring:
     @property
     def nominal_force(self) -> float: ...
     @staticmethod
-    def of_paper(name: str) -> Spring: ...
+    def of_paper(name: Literal["S_T", "S_A"]) -> Spring: ...
     @property
     def operating_range(self) -> tuple[float, float]: ...
     @overload
@@ -1381,7 +1414,7 @@ class Start:
     @staticmethod
     def massless() -> Start: ...
     @staticmethod
-    def moving(velocity: float | str, profile: str = "uniform") -> Start: ...
+    def moving(velocity: float | str, profile: Literal["uniform", "linear"] = "uniform") -> Start: ...
     def replace(self, **changes: Any) -> Start: ...
     @staticmethod
     def rest() -> Start: ...
@@ -1458,7 +1491,7 @@ class SweepPlan:
         over: str | Sequence[str] | None = None,
         *,
         catalogue: tuple[Sequence[str], Sequence[Sequence[str]]] | str | PathLike[str] | None = None,
-        sampling: str | None = None,
+        sampling: Literal["grid", "lhs", "monte-carlo", "sobol", "saltelli"] | None = None,
         rows: int | None = None,
         seed: int = ...,
         columns: str | Sequence[str] | None = None,
@@ -1559,8 +1592,19 @@ class TwoPort:
     def __eq__(self, other: object, /) -> bool: ...
     def __getnewargs_ex__(self) -> tuple[tuple[()], dict[str, Any]]: ...
     def __matmul__(self, other: TwoPort | Cascade, /) -> Cascade: ...
-    def __new__(cls, spring: Spring, damping: Damping | None = None, model: str = "chain") -> TwoPort: ...
-    def __replace__(self, *, spring: Spring = ..., damping: Damping | None = ..., model: str = ...) -> Self: ...
+    def __new__(
+        cls,
+        spring: Spring,
+        damping: Damping | None = None,
+        model: Literal["chain", "wave"] = "chain",
+    ) -> TwoPort: ...
+    def __replace__(
+        self,
+        *,
+        spring: Spring = ...,
+        damping: Damping | None = ...,
+        model: Literal["chain", "wave"] = ...,
+    ) -> Self: ...
     @property
     def damping(self) -> Damping: ...
     def drive_point(self, frequencies: ArrayLike) -> _Complexes: ...
@@ -1571,7 +1615,13 @@ class TwoPort:
     def motion_ratio(self, frequencies: ArrayLike, load: Load | None = None) -> _Complexes: ...
     def plot(self, frequencies: ArrayLike, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes: ...
     def receptance(self, frequencies: ArrayLike) -> _Complexes: ...
-    def replace(self, *, spring: Spring = ..., damping: Damping | None = ..., model: str = ...) -> Self: ...
+    def replace(
+        self,
+        *,
+        spring: Spring = ...,
+        damping: Damping | None = ...,
+        model: Literal["chain", "wave"] = ...,
+    ) -> Self: ...
     @property
     def spring(self) -> Spring: ...
     def to_dict(self) -> dict[str, Any]: ...
@@ -1610,22 +1660,22 @@ def calibrate(
     points: Recording | tuple[ArrayLike, ArrayLike] | str | PathLike[str],
     *,
     length_at_zero: float | str | None = None,
-    method: str | None = None,
+    method: Literal["all", "two-point", "through-preload"] | None = None,
     preload: tuple[float | str, float | str] | float | str | None = None,
-    theory: str | None = None,
+    theory: Literal["steel"] | None = None,
     known_permeability: float | None = None,
     leads: str | None = None,
     meter_noise: float | str | None = None,
     frequency: float | str | None = None,
-    form: str | None = None,
+    form: Literal["inverse-length", "cubic"] | None = None,
     fit_points: int | None = None,
     re_zero: str | tuple[float | str, float | str] | None = None,
-    inversion: str | None = None,
+    inversion: Literal["exact", "25-lengths"] | None = None,
     spring: Spring | Spec | str | PathLike[str] | None = None,
     stiffness: float | str | None = None,
     stiffness_uncertainty: float | str = ...,
     length_at_zero_force: float | str | None = None,
-    preset: str | None = None,
+    preset: Literal["lab-data"] | None = None,
     columns: Mapping[str, str | int] | None = None,
     units: Mapping[str, str] | None = None,
 ) -> Calibration: ...
@@ -1646,9 +1696,9 @@ def identify(
     spring: Spring | Spec | str | PathLike[str] | None = None,
     mass: float | str | None = None,
     windings: float | None = None,
-    end2: str | None = None,
+    end2: Literal["held", "free", "mass"] | None = None,
     end_mass: float | str | None = None,
-    turn: str | None = None,
+    turn: Literal["F_i", "F_o", "u1", "u2"] | None = None,
     prediction_tolerance: float | str = ...,
     tolerance: float | str = ...,
     accuracy_force: float | str = ...,
@@ -1670,7 +1720,7 @@ def mitigate(
     seeds: int = ...,
     length_at_zero: float | str | None = None,
     calibration: StoredCalibration | str | PathLike[str] | None = None,
-    end2: str | None = None,
+    end2: Literal["held", "free", "mass"] | None = None,
 ) -> Mitigation: ...
 @overload
 def mutual_inductances(radius: float | str, distances: float | str) -> float: ...  # type: ignore[overload-overlap]
@@ -1683,7 +1733,7 @@ def open_log(
     units: Mapping[str, str] | None = None,
     *,
     mapping: str | PathLike[str] | None = None,
-    preset: str | None = None,
+    preset: Literal["lab-data"] | None = None,
     sample_rate: float | str | None = None,
     drop_incomplete: bool = False,
     sort: bool = False,

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from coilsense import Signals
 
 
-def _library(name: str, extra: str) -> Any:
+def imported(name: str, extra: str) -> Any:
     """The module ``name``, or an error that says which extra of coilsense brings it."""
     try:
         return importlib.import_module(name)
@@ -32,7 +32,7 @@ def checked_axes(ax: matplotlib.axes.Axes) -> matplotlib.axes.Axes:
 
 def to_pandas(signals: Signals) -> pandas.DataFrame:
     """One column per channel over an index of time."""
-    library = _library("pandas", "pandas")
+    library = imported("pandas", "pandas")
     index = library.Index(signals.time, name="time [s]")
     frame: pandas.DataFrame = library.DataFrame(dict(signals.items()), index=index)
     frame.attrs["units"] = {name: signals.unit(name) for name in signals}
@@ -82,7 +82,7 @@ def signals_of(told: Any) -> Signals | None:
 
 def to_xarray(signals: Signals) -> xarray.Dataset:
     """One variable per channel over the coordinate time, each with its unit."""
-    library = _library("xarray", "xarray")
+    library = imported("xarray", "xarray")
     variables = {name: ("time", values, {"units": signals.unit(name)}) for name, values in signals.items()}
     time = ("time", signals.time, {"units": "s"})
     dataset: xarray.Dataset = library.Dataset(variables, coords={"time": time})
@@ -97,7 +97,7 @@ def plot(signals: Signals, channels: list[str] | None, ax: matplotlib.axes.Axes 
     units = {signals.unit(name) for name in names}
     if len(units) > 1:
         raise _unlike_units(names, units)
-    axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained")[1] if ax is None else checked_axes(ax)
+    axes = imported("matplotlib.pyplot", "plot").subplots(layout="constrained")[1] if ax is None else checked_axes(ax)
     for name in names:
         axes.plot(signals.time, signals[name], label=name, linewidth=1)
     axes.set_xlabel("t [s]")
@@ -121,5 +121,5 @@ def _unlike_units(names: list[str], units: set[str]) -> Exception:
 
 def frame(columns: dict[str, Any]) -> pandas.DataFrame:
     """Columns by title as a data frame."""
-    made: pandas.DataFrame = _library("pandas", "pandas").DataFrame(columns)
+    made: pandas.DataFrame = imported("pandas", "pandas").DataFrame(columns)
     return made

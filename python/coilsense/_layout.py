@@ -6,7 +6,7 @@ import html
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from coilsense._frames import _library, checked_axes
+from coilsense._frames import imported, checked_axes
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -20,7 +20,7 @@ def new_axes(ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """The axes that were given, or those of a new figure."""
     if ax is not None:
         return checked_axes(ax)
-    made: matplotlib.axes.Axes = _library("matplotlib.pyplot", "plot").subplots(layout="constrained", figsize=(7.5, 4))[1]
+    made: matplotlib.axes.Axes = imported("matplotlib.pyplot", "plot").subplots(layout="constrained", figsize=(7.5, 4))[1]
     made.grid(alpha=0.3)
     return made
 
@@ -33,5 +33,5 @@ def paragraphs(lines: Sequence[str]) -> str:
 
 def frame(rows: Sequence[dict[str, Any]], index: str | None = None) -> pandas.DataFrame:
     """A data frame of dicts."""
-    made: pandas.DataFrame = _library("pandas", "pandas").DataFrame(list(rows))
+    made: pandas.DataFrame = imported("pandas", "pandas").DataFrame(list(rows))
     return made if index is None or made.empty else made.set_index(index)

@@ -31,8 +31,6 @@ if TYPE_CHECKING:
         Windings,
     )
 
-    Axes = matplotlib.axes.Axes
-
 # analysis
 
 
@@ -46,7 +44,7 @@ def deviations_frame(analysis: Analysis) -> pandas.DataFrame:
     return frame({key: [row[key] for row in rows] for key in rows[0]} if rows else {})
 
 
-def analysis_plot(analysis: Analysis, ax: Axes | None) -> Axes:
+def analysis_plot(analysis: Analysis, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Combined standard uncertainty of each sensor in its worst case, the best on top."""
     axes = new_axes(ax)
     names, values = list(analysis.uncertainties), list(analysis.uncertainties.values())
@@ -70,7 +68,7 @@ def together_frame(together: Together) -> pandas.DataFrame:
     return to_pandas(together.signals)
 
 
-def forces_plot(case: Case | Together, ax: Axes | None) -> Axes:
+def forces_plot(case: Case | Together, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """The forces over time."""
     axes = signals_plot(case.signals, None, ax)
     axes.set_title(f"{case.condition}, {case.damping}")
@@ -87,7 +85,7 @@ def windings_frame(windings: Windings) -> pandas.DataFrame:
     return frame(columns | {"u2": windings.ends[:, 1]})
 
 
-def windings_plot(windings: Windings, ax: Axes | None) -> Axes:
+def windings_plot(windings: Windings, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Every winding's path, the ends in colour."""
     axes = new_axes(ax)
     samples = numpy.arange(windings.samples)
@@ -105,7 +103,7 @@ def spectrum_frame(spectrum: Spectrum) -> pandas.DataFrame:
     return frame({"frequency": spectrum.frequencies, "amplitude": spectrum.amplitudes})
 
 
-def spectrum_plot(spectrum: Spectrum, ax: Axes | None) -> Axes:
+def spectrum_plot(spectrum: Spectrum, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Amplitudes over frequency, without the mean."""
     axes = new_axes(ax)
     axes.semilogy(spectrum.frequencies[1:], spectrum.amplitudes[1:], color=BLUE, linewidth=1)
@@ -120,7 +118,7 @@ def modes_frame(modes: ChainModes) -> pandas.DataFrame:
     return frame({"mode": numbers, "frequency": modes.frequencies, "end_shape": modes.end_shapes})
 
 
-def modes_plot(modes: ChainModes, ax: Axes | None) -> Axes:
+def modes_plot(modes: ChainModes, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Frequency over the mode's number."""
     axes = new_axes(ax)
     axes.plot(numpy.arange(1, modes.count + 1), modes.frequencies, "o", color=BLUE, markersize=3)
@@ -129,7 +127,7 @@ def modes_plot(modes: ChainModes, ax: Axes | None) -> Axes:
     return axes
 
 
-def two_port_plot(port: TwoPort, frequencies: Any, ax: Axes | None) -> Axes:
+def two_port_plot(port: TwoPort, frequencies: Any, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Sizes of drive-point and transfer stiffness over frequency."""
     axes = new_axes(ax)
     for values, colour, name in ((port.drive_point(frequencies), BLUE, "drive point"), (port.transfer(frequencies), RED, "transfer")):
@@ -145,7 +143,7 @@ def plant_frame(plant: Plant) -> pandas.DataFrame:
     return frame({"frequency": plant.frequencies, "damping_ratio": plant.damping_ratios})
 
 
-def plant_plot(plant: Plant, ax: Axes | None) -> Axes:
+def plant_plot(plant: Plant, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """What the motion of end 1 does to the forces, up to beyond the highest mode that is kept."""
     axes = new_axes(ax)
     frequencies = numpy.geomspace(0.1 * plant.frequencies[0], 1.5 * plant.frequencies[plant.kept - 1], 600)
@@ -161,13 +159,13 @@ def plant_plot(plant: Plant, ax: Axes | None) -> Axes:
 # studies
 
 
-def placement_plot(placement: Placement, ax: Axes | None) -> Axes:
+def placement_plot(placement: Placement, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Crossovers up to which each force may be fed back: stable, and with a sensitivity of at most 2."""
     axes = new_axes(ax)
     limits = placement.limits
     finite = [value for pair in limits.values() for value in pair if math.isfinite(value)]
     edge = 1.2 * max(finite, default=1.0)
-    for place, (name, pair) in enumerate(limits.items()):
+    for place, pair in enumerate(limits.values()):
         for value, colour, height in zip(pair, (BLUE, RED), (0.7, 0.35), strict=True):
             axes.barh(place, min(value, edge), height, color=colour)
             if not math.isfinite(value):
@@ -178,7 +176,7 @@ def placement_plot(placement: Placement, ax: Axes | None) -> Axes:
     return axes
 
 
-def speed_plot(speeds: SpeedMap, ax: Axes | None) -> Axes:
+def speed_plot(speeds: SpeedMap, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Largest and least force at end 1 over the engine's speed, each case in its colour."""
     axes = new_axes(ax)
     for place, (case, runs) in enumerate(speeds.runs.items()):
@@ -191,7 +189,7 @@ def speed_plot(speeds: SpeedMap, ax: Axes | None) -> Axes:
     return axes
 
 
-def pareto_plot(pareto: Pareto, ax: Axes | None) -> Axes:
+def pareto_plot(pareto: Pareto, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """The front in its first two objectives, the knee marked; of one objective its value by the design's place."""
     axes = new_axes(ax)
     values, knee = pareto.values, list(pareto.rows).index(pareto.knee)
@@ -205,7 +203,7 @@ def pareto_plot(pareto: Pareto, ax: Axes | None) -> Axes:
     return axes
 
 
-def sensitivity_plot(sensitivity: Sensitivity, ax: Axes | None) -> Axes:
+def sensitivity_plot(sensitivity: Sensitivity, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """Total indices of every column with their 95 % intervals, key by key."""
     axes = new_axes(ax)
     keys, columns = sensitivity.variables, list(sensitivity.total.items())
@@ -223,7 +221,7 @@ def sensitivity_plot(sensitivity: Sensitivity, ax: Axes | None) -> Axes:
     return axes
 
 
-def sweep_plot(sweep: SweepDataset, over: str, of: str, ax: Axes | None) -> Axes:
+def sweep_plot(sweep: SweepDataset, over: str, of: str, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     """One column over another, a dot a design; those that were refused are left out."""
     axes = new_axes(ax)
     columns = sweep.read([over, of])

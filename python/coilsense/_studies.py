@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from coilsense._frames import _library
+from coilsense._frames import imported
 from coilsense._frames import frame as designs_frame
 from coilsense._html import table
 from coilsense._layout import BLUE, RED, frame, new_axes, paragraphs
@@ -38,7 +38,7 @@ def mitigation_plot(mitigation: Mitigation, ax: matplotlib.axes.Axes | None) -> 
             at = ([math.degrees(best.lag)], [best.worst_rms_error])
             colour, mark, _ = looks[best.against]
             axes.plot(*at, mark, color=colour, fillstyle="none", markersize=12, label=f"best: {best.name}")
-    axes.yaxis.set_major_locator(_library("matplotlib.ticker", "plot").LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_locator(imported("matplotlib.ticker", "plot").LogLocator(subs=(1, 2, 5)))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_formatter("")
     axes.set_xlabel(f"Lag at {mitigation.bandwidth:.3g} Hz [deg]")
@@ -88,7 +88,7 @@ def placement_html(placement: Placement) -> str:
 
 def speeds_frame(speeds: SpeedMap) -> pandas.DataFrame:
     """One row per run: its case, then the columns in SI."""
-    library = _library("pandas", "pandas")
+    library = imported("pandas", "pandas")
     cases = [library.DataFrame({"case": case, **columns}) for case, columns in speeds.runs.items()]
     made: pandas.DataFrame = library.concat(cases, ignore_index=True)
     return made

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import closing, suppress
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from coilsense._coilsense import Spec, SweepDataset, SweepError, SweepPlan, __version__, simd_path
 
@@ -29,7 +29,7 @@ def sweep(
     out: str | os.PathLike[str] | None = None,
     *,
     catalogue: Any = None,
-    sampling: str | None = None,
+    sampling: Literal["grid", "lhs", "monte-carlo", "sobol", "saltelli"] | None = None,
     rows: int | None = None,
     seed: int = 0,
     columns: str | Iterable[str] = (),
@@ -54,7 +54,7 @@ def sweep(
         The folder.
     catalogue : path-like, or pandas.DataFrame, optional
         A table whose titles are keys (``"spring.stiffness [N/m]"``) and whose rows are designs.
-    sampling : {"grid", "lhs", "monte-carlo", "sobol"}, optional
+    sampling : {"grid", "lhs", "monte-carlo", "sobol", "saltelli"}, optional
         How rows are laid; without it a grid where all variables have points, else a Latin hypercube.
     rows : int, optional
         How many rows, for each of the catalogue where there is one; a grid has its own number.
@@ -130,7 +130,9 @@ def _on(client: Client, plan: SweepPlan, missing: Sequence[int]) -> Chunks:
     # The plan may hold a catalogue of many springs: it goes to the workers once. As a task, not as data, so that it is made anew where the only
     # worker that has it is lost.
     shared = client.submit(SweepPlan.from_json, plan.to_json(), pure=False, key=_key("plan"))
-    threads = sum(client.nthreads().values())
+    # Of a client of this kind the answer itself, of an asynchronous one a promise of it.
+    asked: Any = client.nthreads()
+    threads = sum(asked.values())
     running: set[Future[Any]] = set()
     try:
         # A cluster may still be waiting for its first worker.

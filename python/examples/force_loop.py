@@ -3,6 +3,8 @@
 Needs python-control: pip install control
 """
 
+from typing import Any
+
 import control
 import numpy
 
@@ -21,15 +23,15 @@ spec = coilsense.Spec.parse(text if "\n[control]" in text else text + LOOP)
 
 # The spring, exact at the samples for a motor that moves straight between them, as a held velocity makes it.
 spring = coilsense.plant(spec, damping_ratio=0.005)
-model = control.ss(*spring.to_state_space(STEP), STEP, inputs=list(spring.inputs), outputs=list(spring.outputs))
+model: Any = control.ss(*spring.to_state_space(STEP), STEP, inputs=list(spring.inputs), outputs=list(spring.outputs))
 motor = control.ss([[1.0]], [[1.0]], [[-STEP]], [[0.0]], STEP)  # a velocity above zero pulls end 1 away from the leg
 late = control.ss([[0.0]], [[1.0]], [[1.0]], [[0.0]], STEP)  # the command is by the force of the sample before
 
 
 def is_stable(gain: float, force: str) -> bool:
     """Whether the loop that feeds back a force settles."""
-    loop = gain * late * model[force, "u1"] * motor
-    return bool(numpy.abs(control.feedback(loop, 1).poles()).max() < 1)
+    loop: Any = control.feedback(gain * late * model[force, "u1"] * motor, 1)
+    return bool(numpy.abs(loop.poles()).max() < 1)
 
 
 def limit(force: str) -> float:

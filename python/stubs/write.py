@@ -126,7 +126,7 @@ WITHOUT_DOCSTRING = {
 }
 
 # What a number does to a noun: another of its kind.
-WITH_A_NUMBER = ("__add__", "__radd__", "__sub__", "__rsub__", "__mul__", "__rmul__", "__truediv__")
+WITH_A_NUMBER = ("__add__", "__radd__", "__sub__", "__rsub__", "__mul__", "__rmul__", "__truediv__", "__rtruediv__")
 
 # What the docstrings call a type.
 WORDS = {
@@ -217,7 +217,9 @@ class Refined(ast.NodeTransformer):
         if arguments.kwarg is not None:
             arguments.kwarg.annotation = ast.Name("Any")
         if node.name in WITH_A_NUMBER:
-            arguments.posonlyargs[-1].annotation, node.returns = ast.Name("float"), ast.Name(self.place[-2])
+            # A number over a noun has no answer.
+            made = "NoReturn" if node.name == "__rtruediv__" else self.place[-2]
+            arguments.posonlyargs[-1].annotation, node.returns = ast.Name("float"), ast.Name(made)
         # What a constructor takes stands in the docstring of the class.
         told = self.of_class if node.name == "__new__" else described
         if [each.arg for each in arguments.posonlyargs] in (["self"], ["cls"]):
@@ -243,6 +245,10 @@ class Refined(ast.NodeTransformer):
         if word and "str" not in word:
             # A number that has no unit.
             text = text.replace("float | str", "float")
+        words = re.match(r"\{(.*)\}", word or "")
+        if words:
+            # One of some words.
+            text = re.sub(r"\b(str|int)\b", f"Literal[{words.group(1)}]", text)
         found = self.known(text, "mapping" if word == "dict" else word)
         self.place.pop()
         return found

@@ -73,7 +73,7 @@ def test_a_geometry_gives_rate_and_mass_of_table_i() -> None:
     assert wound.active_mass == pytest.approx(0.065, rel=0.01)
     assert wound.surge_frequency == pytest.approx(0.5 * (wound.stiffness / wound.active_mass) ** 0.5, rel=1e-14)
     with pytest.raises(coilsense.Error, match='end type must be one of hooks, open, .*, got "hook"'):
-        coilsense.Geometry.of_spring(SPRING, "hook", steel)
+        coilsense.Geometry.of_spring(SPRING, "hook", steel)  # type: ignore[arg-type]
 
 
 def test_a_reading_lags_and_repeats_with_its_seed() -> None:

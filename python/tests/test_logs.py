@@ -101,7 +101,7 @@ def test_what_the_command_refuses_is_refused_in_the_same_words(tmp_path: pathlib
     with pytest.raises(coilsense.Error, match="^end_mass goes with a mass at end 2 only$"):
         coilsense.identify(hit_log(), end2="held", end_mass=1)
     with pytest.raises(coilsense.LogError, match="no preset of that name; there are: lab-data"):
-        coilsense.calibrate(path, preset="x")
+        coilsense.calibrate(path, preset="x")  # type: ignore[arg-type]
 
 
 def test_two_devices_are_put_on_one_clock() -> None:
@@ -158,7 +158,7 @@ def test_a_record_that_tells_nothing_says_so() -> None:
     with pytest.raises(coilsense.Error, match="F_i, F_o or F_L"):
         coilsense.identify(coilsense.Signals(times, {"u1": noise}))
     with pytest.raises(coilsense.Error, match="end2 must be one of held, free, mass"):
-        coilsense.identify(hit_log(), end2="loose")
+        coilsense.identify(hit_log(), end2="loose")  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="record must be a Recording, Signals, a data frame, .* or the path of a log, got int"):
         coilsense.identify(3)  # type: ignore[arg-type]
 
@@ -214,7 +214,7 @@ def test_a_calibration_by_the_theory_of_magnetic_wire_is_stored_and_read(tmp_pat
 def test_a_calibration_that_cannot_be_is_refused() -> None:
     lengths, inductances = [0.2, 0.21, 0.22], [3e-6, 2.9e-6, 2.8e-6]
     with pytest.raises(coilsense.Error, match="method must be one of two-point, all, through-preload, got \"some\""):
-        coilsense.calibrate((lengths, inductances), method="some")
+        coilsense.calibrate((lengths, inductances), method="some")  # type: ignore[arg-type]
     with pytest.raises(coilsense.Error, match="stiffness and length_at_zero_force go together"):
         coilsense.calibrate((lengths, inductances), stiffness=760)
     with pytest.raises(coilsense.Error):

@@ -59,9 +59,9 @@ def test_errors_have_the_text_of_rust() -> None:
     with pytest.raises(coilsense.Error, match=r"^stiffness must be above zero and finite, got -1 N/m$"):
         coilsense.Spring(**{**SPRING.to_dict(), "stiffness": -1})
     with pytest.raises(coilsense.Error, match="^end must be 1 or 2, got 3$"):
-        coilsense.Excitation.harmonic(0.23, 3, coilsense.EndInput.held())
+        coilsense.Excitation.harmonic(0.23, 3, coilsense.EndInput.held())  # type: ignore[arg-type]
     with pytest.raises(coilsense.Error, match=r"S_T, S_A, got \"S_X\""):
-        coilsense.Spring.of_paper("S_X")
+        coilsense.Spring.of_paper("S_X")  # type: ignore[arg-type]
     with pytest.raises(coilsense.Error, match='^stiffness must be a number in N/m or a stiffness with its unit .*, got "stiff"$'):
         coilsense.Spring(**{**SPRING.to_dict(), "stiffness": "stiff"})
     with pytest.raises(TypeError, match="stiffness"):

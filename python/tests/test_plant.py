@@ -146,7 +146,7 @@ def test_what_has_no_plant_or_no_matrices_says_so_in_a_line(tmp_path: Path) -> N
     assert "takes" in too_few and "modes" in too_few
     plant = coilsense.plant(EXAMPLE, damping_ratio=RATIO, modes=4)
     assert "step" in told(lambda: plant.to_state_space(0.0))
-    assert "form" in told(lambda: plant.save(tmp_path / "a.h", "fortran"))
+    assert "form" in told(lambda: plant.save(tmp_path / "a.h", "fortran"))  # type: ignore[arg-type]
     assert "state-space" in told(lambda: plant.save(tmp_path / "a.h", "c", step=1e-3))
     assert "precision" in told(lambda: plant.save(tmp_path / "a.fmu", "fmu", precision="single"))
     assert "is no name of a file" in str(pytest.raises(coilsense.OutputError, plant.save, "/").value)

@@ -2,6 +2,7 @@
 
 import ast
 import functools
+import inspect
 import pathlib
 import re
 import typing
@@ -40,7 +41,7 @@ GOOD: dict[str, typing.Any] = {
 #: Where an argument of the same name is something else.
 GOOD_HERE: dict[str, dict[str, typing.Any]] = {
     "Material.named": {"name": "steel EN 10270-1"}, "Signals.inserted": {"name": "F_o", "values": [1.0, 2.0]}, "Start.windings": {"positions": [0.1]},
-    "mitigate.calibration": {"record": coilsense.Signals([0.0, 0.1], {"F_o": [1.0, 2.0]})}, "speed": {"spec": VALVE},
+    "calibrate.preset": {"points": "log.csv"}, "mitigate.calibration": {"record": coilsense.Signals([0.0, 0.1], {"F_o": [1.0, 2.0]})}, "speed": {"spec": VALVE},
 }
 
 #: What a method is asked of, where its class is not among the values that other tests share.
@@ -140,3 +141,36 @@ def test_a_number_below_zero_is_no_number_of_things(name: str, argument: str, wr
     given = {each: GOOD[each] for each in _required(FUNCTIONS[name])} | {argument: wrong}
     with pytest.raises(coilsense.Error, match=rf"{argument} must be .*got -1"):
         _called(name)(**given)
+
+
+def _words(node: ast.FunctionDef) -> dict[str, list[str]]:
+    """The words that an argument takes, as its type has them."""
+    every = [*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs]
+    found = {}
+    for each in every:
+        for part in ast.walk(each.annotation) if each.annotation is not None else ():
+            if isinstance(part, ast.Subscript) and ast.unparse(part.value) == "Literal":
+                words = part.slice.elts if isinstance(part.slice, ast.Tuple) else [part.slice]
+                found[each.arg] = [word.value for word in words if isinstance(word, ast.Constant) and isinstance(word.value, str)]
+    return {argument: words for argument, words in found.items() if words}
+
+
+WORDS = [(name, argument) for name, node in FUNCTIONS.items() for argument in _words(node) if not name.endswith(("replace", "__replace__"))]
+
+
+@pytest.mark.parametrize(("name", "argument"), WORDS)
+def test_the_type_of_a_word_is_what_the_function_takes(name: str, argument: str, tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    given = {each: GOOD.get(each, 0.1) for each in _required(FUNCTIONS[name])} | GOOD_HERE.get(name, {})
+    given |= GOOD_HERE.get(f"{name}.{argument}", {}) | {argument: "nonsense"}
+    with pytest.raises(coilsense.Error) as caught:
+        _called(name)(**given)
+    said = re.search(r"must be (?:one of )?(.*?), got", str(caught.value)) or re.search(r"there are:? (.*)", str(caught.value))
+    assert said is not None, caught.value
+    assert sorted(re.split(r", | or ", said.group(1).replace('"', ""))) == sorted(_words(FUNCTIONS[name])[argument])
+
+
+def test_sweep_takes_the_words_of_its_plan() -> None:
+    told = re.search(r"Literal\[(.*?)\]", str(inspect.signature(coilsense.sweep).parameters["sampling"].annotation))
+    assert told is not None
+    assert ast.literal_eval(f"[{told.group(1)}]") == _words(FUNCTIONS["SweepPlan.__new__"])["sampling"]

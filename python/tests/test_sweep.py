@@ -90,7 +90,7 @@ def test_wrong_arguments_say_which(tmp_path: pathlib.Path) -> None:
     with pytest.raises(TypeError, match="over"):
         coilsense.sweep(sweeps.SPEC, "spring.mass=1..2 g", tmp_path)
     with pytest.raises(coilsense.Error, match="sampling must be one of grid"):
-        coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g"], sampling="latin")
+        coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g"], sampling="latin")  # type: ignore[arg-type]
     with pytest.raises(coilsense.SweepError, match="jobs must be at least 1"):
         coilsense.SweepPlan(sweeps.SPEC, ["spring.mass=50..80 g : 2"], columns=["f1"]).chunk(0, jobs=0)
 

@@ -151,7 +151,7 @@ impl PyEstimate {
     fn to_ufloat<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let make = || {
             let library =
-                py.import("coilsense._frames")?.call_method1("_library", ("uncertainties", "uncertainties"))?;
+                py.import("coilsense._frames")?.call_method1("imported", ("uncertainties", "uncertainties"))?;
             Ok::<_, PyErr>(library.call_method1("ufloat", (self.estimate.value, self.estimate.standard))?.unbind())
         };
         Ok(self.variable.get_or_try_init(py, make)?.bind(py).clone())
@@ -198,6 +198,13 @@ impl PyEstimate {
             return Err(PyZeroDivisionError::new_err("an estimate cannot be divided by zero"));
         }
         with_number(other, |number| self.moved(1.0 / number, 0.0))
+    }
+
+    fn __rtruediv__(&self, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        number(other)?;
+        let text = "the interval of a number over an estimate is not even about its value; take it of low and high, \
+                    or to first order with to_ufloat()";
+        Err(PyTypeError::new_err(text))
     }
 
     fn __neg__(&self) -> Self {

@@ -149,7 +149,7 @@ impl PyGeometry {
     /// ----------
     /// spring : Spring
     ///     The spring.
-    /// end_type : str
+    /// end_type : {"hooks", "open", "open-ground", "closed", "closed-ground"}
     ///     How the wire ends.
     /// material : Material
     ///     What the wire is made of.

@@ -113,7 +113,7 @@ impl PyReadout {
     /// >>> from coilsense import Readout
     /// >>> Readout(delay=0.1, resolution=0.5).series([0.0, 0.1, 0.2, 0.3], [1.0, 2.0, 3.1, 3.2])
     /// array([1., 1., 2., 3.])
-    #[pyo3(signature = (times, values, seed=Count::Number(1)), text_signature = "(times, values, seed=1)")]
+    #[pyo3(signature = (times, values, seed=Count::Number(1)), text_signature = "($self, times, values, seed=1)")]
     fn series<'py>(
         &self,
         py: Python<'py>,

@@ -36,9 +36,11 @@ pub fn steps() -> anyhow::Result<bool> {
     install(&wheel, &tests)?;
     // What is written for simulators, they read; the command writes it.
     let command = crate::commands::executable()?;
-    let checks: [&[&str]; 3] = [
+    let checks: [&[&str]; 5] = [
         &["-m", "pytest", "-q"],
         &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
+        &["-m", "pyright", "--pythonpath", "target/python/bin/python"],
+        &["-m", "pyright", "--verifytypes", "coilsense", "--ignoreexternal"],
         &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
     ];
     Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments).env("COILSENSE_COMMAND", &command)))?

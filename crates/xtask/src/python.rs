@@ -57,8 +57,14 @@ impl Environment {
 
     /// Its interpreter, started in the project's root.
     pub fn python(&self) -> Command {
-        let mut command = Command::new(self.folder.join("bin/python"));
+        let programs = self.folder.join("bin");
+        let mut command = Command::new(programs.join("python"));
         command.current_dir(root());
+        // As an activated environment has it: who looks for "python" there finds this one.
+        let before = std::env::var_os("PATH").unwrap_or_default();
+        if let Ok(path) = std::env::join_paths(std::iter::once(programs).chain(std::env::split_paths(&before))) {
+            command.env("PATH", path);
+        }
         command
     }
 }

@@ -33,7 +33,7 @@ use crate::value::getters;
 ///     What is varied, ``"KEY=VALUES"`` each: ``"spring.stiffness=600..900 N/m"``, ``"mount.damping_ratio=log 1e-3..5e-2"``.
 /// catalogue : path-like, or tuple of (list of str, list of list of str), optional
 ///     A table whose titles are keys and whose rows are designs: a CSV or Parquet file, or its titles and rows.
-/// sampling : {"grid", "lhs", "monte-carlo", "sobol"}, optional
+/// sampling : {"grid", "lhs", "monte-carlo", "sobol", "saltelli"}, optional
 ///     How rows are laid; without it a grid where all variables have points, else a Latin hypercube.
 /// rows : int, optional
 ///     How many rows, for each of the catalogue where there is one; a grid has its own number.
@@ -142,7 +142,7 @@ getters! {
 impl PySweepPlan {
     #[new]
     #[pyo3(signature = (spec, over=None, *, catalogue=None, sampling=None, rows=None, seed=Count::Number(0), columns=None, chunk=None),
-           text_signature = "(spec, over=(), *, catalogue=None, sampling=None, rows=None, seed=0, columns=(), chunk=None)")]
+           text_signature = "(spec, over=None, *, catalogue=None, sampling=None, rows=None, seed=0, columns=None, chunk=None)")]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
     fn new(
         py: Python<'_>,
