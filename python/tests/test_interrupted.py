@@ -125,6 +125,9 @@ LONG = {
     "MaxwellSum.at_lengths": ("numpy.linspace(0.2, 0.3, 10**7)", "coil.at_lengths(it)"),
     "MaxwellSum.series": ("coilsense.Windings(numpy.tile([0.0, 0.3], (3000, 1)), numpy.tile(places, (3000, 1)))", "wide.series(it)"),
     "theories": ("numpy.linspace(0.2, 0.3, 10**7)", "coilsense.theories(spring, it)"),
+    "Readout.series": ("numpy.arange(2 * 10**7) * 1e-4", "coilsense.Readout(bandwidth=1e3, order=8, averaging=0.01, noise=1.0).series(it, it)"),
+    "Remedy.apply": ("(remedies().best_estimator, numpy.zeros(10**7))", "it[0].apply(it[1], it[1], it[1])"),
+    "Spectrum": ("numpy.arange(2 * 10**7 + 3) * 1e-4", "coilsense.Spectrum(it, numpy.cos(it))"),
     "TwoPort": ("numpy.linspace(1, 1e3, 10**7)", "coilsense.TwoPort(spring).transmittance(it)"),
 }
 
@@ -143,6 +146,12 @@ INTERRUPTED = """
     long = coilsense.Motion(coilsense.Spring(**many), harmonic, coilsense.Mount(coilsense.FarEnd.mass(0.5)))
     scattered = numpy.random.default_rng(1).uniform(0, 1, 200_000)
     sent = []
+
+    def remedies():
+        spec = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\\ndamping_ratio = 0.005', 1)
+        times = coilsense.sampled_window(2500, 0, 2)
+        hit = coilsense.Motion(spring, coilsense.Excitation.impact(0.23, 0.25), coilsense.Mount(damping=coilsense.Damping.modal(0.005)))
+        return coilsense.mitigate(spec, hit.signals(times), seeds=1)
 
     def ctrl_c():
         sent.append(time.perf_counter())

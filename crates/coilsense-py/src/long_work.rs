@@ -63,7 +63,7 @@ pub fn interruptible<T: Send + 'static>(py: Python<'_>, work: impl FnOnce() -> T
 }
 
 /// From so many steps of some nanoseconds on, a call is worth a thread and a copy of what it takes.
-const MANY: usize = 4_000_000;
+pub const MANY: usize = 4_000_000;
 
 /// What a noun gives for a series: at once where that is little work, and else on a thread that Ctrl-C leaves behind.
 ///

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::count::Count;
 use crate::errors::IntoPython;
+use crate::long_work::of_series;
 use crate::quantity::{Quantity, si};
 use crate::samples::Samples;
 use crate::series::Series;
@@ -115,15 +116,17 @@ impl PyReadout {
     /// array([1., 1., 2., 3.])
     #[pyo3(signature = (times, values, seed=Count::Number(1)), text_signature = "($self, times, values, seed=1)")]
     fn series<'py>(
-        &self,
-        py: Python<'py>,
+        slf: &Bound<'py, Self>,
         times: Series<'_>,
         values: Series<'_>,
         seed: Count,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let seed = seed.number("seed")?;
-        let (times, values) = (times.values("times")?, values.values("values")?);
-        Ok(py.detach(|| self.0.series(&times, &values, seed)).python()?.into_pyarray(py))
+        let (times, values) = (times.values("times")?, values.to_vec("values")?);
+        // Filter, window, hold and noise are some ten nanoseconds a sample each.
+        let steps = times.len().saturating_mul(20);
+        let read = of_series(slf, steps, &times, move |readout, times| readout.0.series(times, &values, seed))?;
+        Ok(read.python()?.into_pyarray(slf.py()))
     }
 
     /// How it answers to sines.

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::IntoPython;
+use crate::long_work::{MANY, interruptible};
 use crate::quantity::Quantity;
 use crate::results::table_and_figure;
 use crate::samples::Samples;
@@ -66,7 +67,13 @@ impl PySpectrum {
     #[new]
     fn new(py: Python<'_>, times: Series<'_>, values: Series<'_>) -> PyResult<Self> {
         let (times, values) = (times.values("times")?, values.values("values")?);
-        py.detach(|| Spectrum::of(&times, &values)).python().map(Self)
+        // A Fourier transform takes some ten nanoseconds a sample, more where their number has large factors.
+        let steps = times.len().saturating_mul(20);
+        if steps < MANY {
+            return py.detach(|| Spectrum::of(&times, &values)).python().map(Self);
+        }
+        let (times, values) = (times.into_owned(), values.into_owned());
+        interruptible(py, move || Spectrum::of(&times, &values))?.python().map(Self)
     }
 
     /// Rms of what lies within a band.
