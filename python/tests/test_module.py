@@ -53,16 +53,18 @@ def test_methods_say_what_they_take_and_give() -> None:
             assert "Returns\n-------" in text, f"{name} does not say what it gives"
 
 
-def test_examples_of_the_docstrings_run() -> None:
+def test_examples_of_the_docstrings_run_and_most_docstrings_have_one() -> None:
     runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
-    parser, tried = doctest.DocTestParser(), 0
+    parser, tried, could = doctest.DocTestParser(), 0, 0
     for name, noun in _documented():
         test = parser.get_doctest(inspect.getdoc(noun) or "", {}, name, None, None)
         if test.examples:
             runner.run(test)
             tried += 1
-    assert tried >= 8
+        # Attributes are said in a line, and nobody makes an exception.
+        could += callable(noun) and not (inspect.isclass(noun) and issubclass(noun, Exception))
     assert runner.summarize(verbose=False).failed == 0
+    assert tried >= 0.5 * could, f"{tried} of {could} classes, functions and methods have an example"
 
 
 @pytest.mark.parametrize("value", samples.values(), ids=_called)

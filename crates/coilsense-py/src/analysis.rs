@@ -94,6 +94,16 @@ pub fn py_analyze(py: Python<'_>, spec: SpecArgument<'_>, progress: Option<Bound
 }
 
 /// A spec, processed; made by `analyze`.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> analysis = coilsense.analyze(spec)
+/// >>> analysis.ranking[0]
+/// 'load cell, load side'
+/// >>> round(analysis.uncertainties[analysis.ranking[0]], 3)
+/// 0.073
 #[pyclass(name = "Analysis", module = "coilsense", frozen)]
 pub struct PyAnalysis {
     analysis: Analysis,
@@ -161,6 +171,13 @@ impl PyAnalysis {
     /// Returns
     /// -------
     /// dict
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> coilsense.analyze(spec).to_dict(date="2026-11-21")["schema"]
+    /// 'coilsense/analysis/1'
     #[pyo3(signature = (date=None))]
     fn to_dict<'py>(&self, py: Python<'py>, date: Option<String>) -> PyResult<Bound<'py, PyAny>> {
         let date = day(py, date)?;
@@ -185,6 +202,13 @@ impl PyAnalysis {
     /// ------
     /// OutputError
     ///     Where the folder cannot be written; it is then as it was.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, tempfile
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> coilsense.analyze(spec).save(tempfile.mkdtemp()) > 2
+    /// True
     #[pyo3(signature = (folder, date=None))]
     fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
         let date = day(py, date)?;

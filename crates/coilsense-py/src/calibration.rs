@@ -8,7 +8,7 @@ use coilsense_lab::calibration::request::{
     FORM, FREQUENCY, INVERSION, KNOWN_PERMEABILITY, LEADS, LENGTH_AT_ZERO, LENGTH_AT_ZERO_FORCE, METER_NOISE, METHOD,
     POINTS, RE_ZERO, STIFFNESS, STIFFNESS_UNCERTAINTY, THEORY,
 };
-use coilsense_lab::calibration::{Assessment, Curve, Outcome, Plan, Preload, StoredCalibration};
+use coilsense_lab::calibration::{Assessment, Curve, Outcome, Plan, StoredCalibration};
 use coilsense_lab::quantity::Dimension;
 use coilsense_lab::recording::request::PRESET;
 use coilsense_lab::report::{add_calibration, calibration_json, calibration_text};
@@ -16,16 +16,18 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::calibration::arguments::{PreloadArgument, ReZeroArgument};
 use crate::calibration::points::PointsArgument;
 use crate::count::Count;
 use crate::errors::{IntoPython, refused};
 use crate::long_work::interruptible;
-use crate::quantity::{Anything, Quantity, given, neither, positive, wrong};
+use crate::quantity::{Quantity, given, neither, wrong};
 use crate::results::study_result;
 use crate::samples::Samples;
 use crate::spring_argument::SpringArgument;
 use crate::value::getters;
 
+mod arguments;
 mod points;
 mod stored;
 
@@ -38,6 +40,15 @@ pub use stored::{PyStoredCalibration, StoredArgument, open_calibration};
 /// Notes
 /// -----
 /// 1/l = αL + β. Source: [Weijde2017] eq. 13.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+/// >>> fit.relation, len(fit.lengths)
+/// ('inverse-length', 3)
+/// >>> print(f"{1e3 * fit.length('2.6 uH'):.1f} mm")
+/// 230.3 mm
 #[pyclass(name = "Calibration", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyCalibration(Arc<Outcome>);
@@ -110,6 +121,15 @@ impl PyCalibration {
     /// -------
     /// float or numpy.ndarray, of the shape of the inductance
     ///     [m].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+    /// >>> fit.length([2.5e-6, 2.6e-6]).round(4)
+    /// array([0.2393, 0.2303])
+    /// >>> round(fit.length("2.5 uH"), 4)
+    /// 0.2393
     fn length<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let taken = &self.0.taken;
         inductance.each(py, "inductance", Dimension::Inductance, |henry| taken.length(henry).unwrap_or(f64::NAN))
@@ -126,6 +146,13 @@ impl PyCalibration {
     /// -------
     /// float or numpy.ndarray, of the shape of the inductance
     ///     [m].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+    /// >>> bool(fit.length_u(2.5e-6) > 0)
+    /// True
     fn length_u<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let taken = &self.0.taken;
         inductance.each(py, "inductance", Dimension::Inductance, |henry| taken.length_u(henry).unwrap_or(f64::NAN))
@@ -141,6 +168,13 @@ impl PyCalibration {
     /// Returns
     /// -------
     /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+    /// >>> fit.stored("2026-11-21").startswith("# Length from inductance")
+    /// True
     fn stored(&self, date: &str) -> PyResult<String> {
         Ok(StoredCalibration::of(&self.0).python()?.to_text(date))
     }
@@ -156,6 +190,13 @@ impl PyCalibration {
     /// -------
     /// float or numpy.ndarray, of the shape of the length
     ///     [H].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+    /// >>> fit.inductance([0.2, 0.23]).round(8)
+    /// array([3.0e-06, 2.6e-06])
     fn inductance<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         length.each(py, "length", Dimension::Length, |metre| self.0.taken.inductance(metre))
     }
@@ -337,39 +378,4 @@ pub fn calibrate(
     let measured = points::measured(py, points, zero, preset, columns, units)?;
     let outcome = interruptible(py, move || Outcome::new(measured, plan))?.python()?;
     Ok(PyCalibration(Arc::new(outcome)))
-}
-
-/// A length and an inductance, as numbers or as the command has them.
-#[derive(FromPyObject)]
-pub enum ReZeroArgument {
-    Text(String),
-    Pair(Quantity, Quantity),
-    Other(Anything),
-}
-
-impl ReZeroArgument {
-    fn text(&self) -> Option<&str> {
-        match self {
-            Self::Text(text) => Some(text),
-            Self::Pair(..) | Self::Other(_) => None,
-        }
-    }
-}
-
-/// A preload's length, or its length and inductance.
-#[derive(FromPyObject)]
-pub enum PreloadArgument {
-    Pair(Quantity, Quantity),
-    Length(Quantity),
-}
-
-impl PreloadArgument {
-    fn preload(self) -> PyResult<Preload> {
-        let (length, inductance) = match self {
-            Self::Length(length) => (length, None),
-            Self::Pair(length, inductance) => (length, Some(inductance)),
-        };
-        let inductance = positive(inductance.as_ref(), "preload[1]", Dimension::Inductance)?;
-        Ok(Preload { length: length.positive("preload", Dimension::Length)?, inductance })
-    }
 }

@@ -94,6 +94,12 @@ impl PyExcitation {
     /// Notes
     /// -----
     /// Source: [Weijde2017] section III-B, first condition.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Excitation.impact("230 mm", "25 cm/s").start
+    /// Start.moving(velocity=0.25, profile='uniform')
     #[staticmethod]
     fn impact(length: Quantity, velocity: Quantity) -> PyResult<Self> {
         let (length, velocity) = (length.si("length", Length)?, velocity.si("velocity", Velocity)?);
@@ -118,6 +124,12 @@ impl PyExcitation {
     /// Notes
     /// -----
     /// Source: [Weijde2017] section III-B, second condition.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Excitation.end_stop("230 mm", "25 cm/s").start
+    /// Start.moving(velocity=0.25, profile='linear')
     #[staticmethod]
     #[pyo3(signature = (length, velocity, profile="linear"))]
     fn end_stop(length: Quantity, velocity: Quantity, profile: &str) -> PyResult<Self> {
@@ -145,6 +157,13 @@ impl PyExcitation {
     /// Notes
     /// -----
     /// Source: [Weijde2017] section III-B, third condition.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> shaken = coilsense.Excitation.harmonic("230 mm", 1, coilsense.EndInput.harmonic("5 mm", "10 Hz"))
+    /// >>> shaken.end1.kind, shaken.end2.kind
+    /// ('harmonics', 'held')
     #[staticmethod]
     #[pyo3(signature = (mean_length, end, input, start=None))]
     fn harmonic(
@@ -173,6 +192,13 @@ impl PyExcitation {
 /// Notes
 /// -----
 /// Source: [Weijde2017] eq. 12.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spring = coilsense.Spring.of_paper("S_T")
+/// >>> round(coilsense.traverse_velocity(spring), 6)
+/// 0.068
 #[pyfunction(name = "traverse_velocity")]
 pub fn py_traverse_velocity(spring: &PySpring) -> f64 {
     traverse_velocity(&spring.0)

@@ -26,6 +26,17 @@ use crate::value::getters;
 /// Notes
 /// -----
 /// Source: [Weijde2017] section IV.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, pathlib, tempfile
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> settings = '\n[rig]\nfrequencies = 5\nduration = "8 s"\nreadings = 10\nhits = 1\n'
+/// >>> folder = pathlib.Path(tempfile.mkdtemp()) / "rig"
+/// >>> warnings = coilsense.rig(text + settings, folder, seed=3)
+/// >>> found = coilsense.experiment(folder)
+/// >>> found.simulated, round(found.stiffness)
+/// (True, 760)
 #[pyclass(name = "Experiment", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyExperiment(Arc<(Experiment, Findings)>);
@@ -115,6 +126,16 @@ fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
 /// ------
 /// Error
 ///     For settings that do not fit spring, instruments or each other, or a folder that cannot be written; nothing is written then.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, pathlib, tempfile
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> settings = '\n[rig]\nfrequencies = 5\nduration = "8 s"\nreadings = 10\nhits = 1\n'
+/// >>> folder = pathlib.Path(tempfile.mkdtemp()) / "rig"
+/// >>> warnings = coilsense.rig(text + settings, folder, seed=3)
+/// >>> (folder / "experiment.toml").exists()
+/// True
 #[pyfunction]
 #[pyo3(signature = (spec, out, seed=None))]
 pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<Count>) -> PyResult<Vec<String>> {
@@ -149,6 +170,16 @@ pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<Co
 /// ------
 /// Error
 ///     One line with file, row and column, or file, line and key.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, pathlib, tempfile
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> settings = '\n[rig]\nfrequencies = 5\nduration = "8 s"\nreadings = 10\nhits = 1\n'
+/// >>> folder = pathlib.Path(tempfile.mkdtemp()) / "rig"
+/// >>> warnings = coilsense.rig(text + settings, folder, seed=3)
+/// >>> len(coilsense.experiment(folder)) == len(coilsense.experiment(folder).rows)
+/// True
 #[pyfunction]
 #[pyo3(signature = (folder, *, drop_incomplete=false, sort=false, merge_repeated=false, fill_gaps=None, resample=None))]
 pub fn experiment(

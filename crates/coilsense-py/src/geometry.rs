@@ -158,6 +158,13 @@ impl PyGeometry {
     /// -------
     /// Geometry
     ///     Its stiffness and mass are the formulas', not the spring's.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> geometry = coilsense.Geometry.of_spring(coilsense.Spring.of_paper("S_T"), "hooks", coilsense.Material.named("steel EN 10270-1"))
+    /// >>> round(geometry.stiffness)
+    /// 765
     #[staticmethod]
     fn of_spring(spring: &PySpring, end_type: &str, material: &PyMaterial) -> PyResult<Self> {
         Geometry::of_spring(&spring.0, self::end_type(end_type)?, material.0).python().map(Self)
@@ -181,6 +188,13 @@ impl PyGeometry {
     /// -------
     /// float or numpy.ndarray, of the shape of the force
     ///     8 F D / (pi d^3) [Pa]; for static strength.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> geometry = coilsense.Geometry.of_spring(coilsense.Spring.of_paper("S_T"), "hooks", coilsense.Material.named("steel EN 10270-1"))
+    /// >>> print(f"{1e-6 * geometry.shear_stress('100 N'):.0f} MPa")
+    /// 509 MPa
     fn shear_stress<'py>(&self, py: Python<'py>, force: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         force.each(py, "force", Force, |force| self.0.shear_stress(force))
     }
@@ -196,6 +210,13 @@ impl PyGeometry {
     /// -------
     /// float or numpy.ndarray, of the shape of the force
     ///     With Wahl's factor [Pa].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> geometry = coilsense.Geometry.of_spring(coilsense.Spring.of_paper("S_T"), "hooks", coilsense.Material.named("steel EN 10270-1"))
+    /// >>> (geometry.corrected_shear_stress([50.0, 100.0]) / geometry.shear_stress([50.0, 100.0])).round(3)
+    /// array([1.184, 1.184])
     fn corrected_shear_stress<'py>(&self, py: Python<'py>, force: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         force.each(py, "force", Force, |force| self.0.corrected_shear_stress(force))
     }

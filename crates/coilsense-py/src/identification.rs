@@ -28,6 +28,16 @@ use crate::value::getters;
 /// What a record says of its spring; made by `identify`. ``str()`` of it is what ``coilsense identify`` prints.
 ///
 /// Values with intervals are `Estimate`; what was not found is None, and `stiffness_refused` or `record_next` say why.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+/// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25), mount)
+/// >>> record = motion.signals(coilsense.sampled_window(2500, 0, 4))
+/// >>> found = coilsense.identify(record, spring=motion.spring)
+/// >>> found.verdict, round(found.first_frequency.value, 1)
+/// ('spring', 54.1)
 #[pyclass(name = "Identification", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyIdentification(Arc<Identified>);

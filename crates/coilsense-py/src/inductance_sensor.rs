@@ -91,6 +91,14 @@ impl PyInductanceSensor {
     /// Returns
     /// -------
     /// InductanceSensor
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+    /// >>> sensor = coilsense.InductanceSensor.theoretical(coil, "230 mm")
+    /// >>> round(sensor.force(coil.at_lengths(0.23)), 6)
+    /// 95.76
     #[staticmethod]
     fn theoretical(py: Python<'_>, coil: &PyMaxwellSum, preload_length: Quantity) -> PyResult<Self> {
         let preload_length = preload_length.si("preload_length", Dimension::Length)?;
@@ -109,6 +117,14 @@ impl PyInductanceSensor {
     /// -------
     /// float or numpy.ndarray, of the shape of the inductance
     ///     [N].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+    /// >>> sensor = coilsense.InductanceSensor.theoretical(coil, 0.23)
+    /// >>> sensor.force([[3e-6, 2.9e-6]]).shape
+    /// (1, 2)
     fn force<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let force = self.sensor.force(&inductance.si("inductance", Dimension::Inductance)?);
         inductance.shaped(py, force)

@@ -130,6 +130,12 @@ mod _coilsense {
 /// ------
 /// Error
 ///     Where the variable names an unknown path or one that this processor lacks.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> coilsense.simd_path() in ("scalar", "avx2", "avx512")
+/// True
 #[pyfunction]
 fn simd_path() -> PyResult<&'static str> {
     coilsense::simd::SimdPath::selected().python().map(|path| path.name())

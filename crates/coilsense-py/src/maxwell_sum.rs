@@ -89,6 +89,13 @@ impl PyMaxwellSum {
     /// ------
     /// Error
     ///     For the first length that is not above zero and finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+    /// >>> print(f"{1e6 * coil.at_lengths('230 mm'):.2f} µH")
+    /// 2.84 µH
     fn at_lengths<'py>(&self, py: Python<'py>, lengths: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let each_length = lengths.si("lengths", Dimension::Length)?;
         if let Some(place) = each_length.iter().position(|length| !(*length > 0.0 && length.is_finite())) {
@@ -114,6 +121,14 @@ impl PyMaxwellSum {
     /// ------
     /// Error
     ///     For another number of turns, or the first position that is not finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, numpy
+    /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+    /// >>> uniform = 0.23 * (numpy.arange(52) + 0.5) / 52
+    /// >>> round(coil.at_positions(uniform) / coil.at_lengths(0.23), 12)
+    /// 1.0
     fn at_positions(&self, positions: Series<'_>) -> PyResult<f64> {
         self.sum.at_positions(&positions.values("positions")?).python()
     }
@@ -128,6 +143,14 @@ impl PyMaxwellSum {
     /// -------
     /// numpy.ndarray, shape (samples,)
     ///     L [H]; infinite where two turns coincide.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+    /// >>> coil.series(motion.windings([0.0, 0.01])).shape
+    /// (2,)
     fn series<'py>(slf: &Bound<'py, Self>, windings: &PyWindings) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let (py, windings) = (slf.py(), windings.to_rust(slf.py())?);
         let turns = slf.get().spring.inductance_windings() as usize;

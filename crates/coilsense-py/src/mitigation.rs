@@ -43,6 +43,17 @@ fn precision(word: &str) -> PyResult<Precision> {
 ///
 /// Filters of F_i are to give k·Δl, the force of a spring without mass; estimators are to give F_o. A sequence of `Remedy`, best first, filters
 /// before estimators.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+/// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25), mount)
+/// >>> record = motion.signals(coilsense.sampled_window(2500, 0, 4))
+/// >>> advice = coilsense.mitigate(text, record, seeds=1)
+/// >>> advice.best_filter.name in advice.to_pandas().index
+/// True
 #[pyclass(name = "Mitigation", module = "coilsense", frozen, sequence)]
 pub struct PyMitigation {
     answer: Arc<Ranking>,
@@ -172,6 +183,17 @@ impl PyMitigation {
 ///     For a spec without conditions to judge on, or a setting that makes no sense.
 /// LogError
 ///     For a record without one of the channels, not evenly sampled, of another spring, or with a turned sign.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+/// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25), mount)
+/// >>> record = motion.signals(coilsense.sampled_window(2500, 0, 4))
+/// >>> advice = coilsense.mitigate(text, record, seeds=1)
+/// >>> advice.best_filter.lag < 0.53  # 30 degrees
+/// True
 #[pyfunction]
 #[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=Quantity::Number(0.1),
                     mass_tolerance=Quantity::Number(0.1), most_lag=None, seeds=Count::Number(5), length_at_zero=None, calibration=None, end2=None),

@@ -92,6 +92,13 @@ impl PyChainModes {
     /// ------
     /// Error
     ///     For a mode that is not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> modes = coilsense.ChainModes(coilsense.Spring.of_paper("S_T"))
+    /// >>> modes.shape(1).shape, bool((modes.shape(1) > 0).all())
+    /// ((52,), True)
     fn shape<'py>(&self, py: Python<'py>, mode: Count) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let mode = mode.size("mode")?;
         let each = (1..=self.0.masses()).map(|winding| self.0.shape(mode, winding));
@@ -138,6 +145,13 @@ impl PyChainModes {
 /// Notes
 /// -----
 /// Source: [Weijde2017] eq. 3.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spring = coilsense.Spring.of_paper("S_T")
+/// >>> round(coilsense.continuous_frequency(spring.transit_time, 2), 2)
+/// 108.13
 #[pyfunction(name = "continuous_frequency")]
 pub fn py_continuous_frequency(transit_time: Quantity, mode: Count) -> PyResult<f64> {
     let (transit_time, mode) = (transit_time.si("transit_time", Dimension::Time)?, mode.size("mode")?);
@@ -169,6 +183,13 @@ pub fn py_continuous_frequency(transit_time: Quantity, mode: Count) -> PyResult<
 /// ------
 /// Error
 ///     For an end mass that is not above zero, or a count that is not from 1 to a million.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spring = coilsense.Spring.of_paper("S_T")
+/// >>> coilsense.continuous_frequencies(spring, coilsense.FarEnd.position(), 3).round(2)
+/// array([ 54.07, 108.13, 162.2 ])
 #[pyfunction(name = "continuous_frequencies")]
 pub fn py_continuous_frequencies<'py>(
     py: Python<'py>,
@@ -194,6 +215,13 @@ pub fn py_continuous_frequencies<'py>(
 /// -------
 /// float
 ///     sqrt(k / (M + m/3)) / (2 pi) [Hz].
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spring = coilsense.Spring.of_paper("S_T")
+/// >>> round(coilsense.third_rule_frequency(spring, "500 g"), 3)
+/// 6.075
 #[pyfunction(name = "third_rule_frequency")]
 pub fn py_third_rule_frequency(spring: &PySpring, end_mass: Quantity) -> PyResult<f64> {
     let end_mass = end_mass.si("end_mass", Dimension::Mass)?;
@@ -213,6 +241,13 @@ pub fn py_third_rule_frequency(spring: &PySpring, end_mass: Quantity) -> PyResul
 /// -------
 /// float
 ///     As a share of the frequency [1].
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spring = coilsense.Spring.of_paper("S_T")
+/// >>> round(coilsense.third_rule_error(spring, "10 g"), 3)
+/// 0.05
 #[pyfunction(name = "third_rule_error")]
 pub fn py_third_rule_error(spring: &PySpring, end_mass: Quantity) -> PyResult<f64> {
     let end_mass = end_mass.si("end_mass", Dimension::Mass)?;

@@ -2,12 +2,14 @@
 //!
 //! Next door: what is done to it (`excitation`), what comes out (`signals`, `windings`), step by step (`stream`).
 
+mod kept;
+
 use coilsense::modes::ChainModes;
 use coilsense::{Motion, Mount};
 use coilsense_lab::quantity::Dimension;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::PyDict;
 
 use crate::count::Count;
 use crate::errors::IntoPython;
@@ -21,7 +23,7 @@ use crate::series::Series;
 use crate::signals::PySignals;
 use crate::spring::PySpring;
 use crate::stream::PyStream;
-use crate::value::{self, Arguments, getters};
+use crate::value::{Arguments, getters};
 use crate::windings::PyWindings;
 
 /// Forces at both ends.
@@ -59,9 +61,6 @@ type Forces<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>);
 /// np.float64(95.76)
 #[pyclass(name = "Motion", module = "coilsense", frozen)]
 pub struct PyMotion(pub Motion);
-
-/// A function and its arguments, as `pickle` keeps them.
-type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>);
 
 impl PyMotion {
     fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
@@ -138,6 +137,14 @@ impl PyMotion {
     /// ------
     /// Error
     ///     For no times, or the first that is not finite or below zero.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> F_i, F_o = motion.end_forces(0.1)
+    /// >>> round(F_i, 3), round(F_o, 3)
+    /// (98.035, 93.485)
     fn end_forces<'py>(slf: &Bound<'py, Self>, times: Samples<'py>) -> PyResult<Forces<'py>> {
         let (py, at) = (slf.py(), times.si("times", Dimension::Time)?);
         let steps = slf.get().steps(at.len());
@@ -160,6 +167,14 @@ impl PyMotion {
     /// ------
     /// Error
     ///     For the first time that is not finite, below zero, or not after its predecessor.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> signals = motion.signals(coilsense.sampled_window(1000, 0, 0.1))
+    /// >>> list(signals), len(signals.time)
+    /// (['u1', 'u2', 'F_i', 'F_o', 'F_x'], 101)
     fn signals(slf: &Bound<'_, Self>, times: Series<'_>) -> PyResult<PySignals> {
         let times = times.values("times")?;
         let steps = slf.get().steps(times.len());
@@ -182,6 +197,13 @@ impl PyMotion {
     /// ------
     /// Error
     ///     For no times, the first that is not finite or below zero, or more than 5000 windings.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> motion.windings([0.0, 0.01]).count
+    /// 52
     fn windings(slf: &Bound<'_, Self>, times: Series<'_>) -> PyResult<PyWindings> {
         let times = times.values("times")?;
         let steps = slf.get().steps_of_windings(times.len());
@@ -200,6 +222,13 @@ impl PyMotion {
     /// -------
     /// numpy.ndarray, shape (N,)
     ///     [m/s].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> motion.velocities(0.0).round(3)[:3]
+    /// array([0.25, 0.25, 0.25])
     fn velocities<'py>(&self, py: Python<'py>, time: Quantity) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let time = time.si("time", Dimension::Time)?;
         Ok(py.detach(|| self.0.velocities(time)).python()?.into_pyarray(py))
@@ -216,6 +245,14 @@ impl PyMotion {
     /// -------
     /// numpy.ndarray, shape (2,) or (samples, 2)
     ///     u1 and u2 [m], behind the dimensions of the times.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> motion.ends([0.0, 1.0])
+    /// array([[0.  , 0.23],
+    ///        [0.  , 0.23]])
     fn ends<'py>(slf: &Bound<'py, Self>, times: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let at = times.si("times", Dimension::Time)?;
         let steps = slf.get().steps(at.len());
@@ -234,6 +271,13 @@ impl PyMotion {
     /// -------
     /// float or numpy.ndarray, of the shape of the time
     ///     [J]; constant while both ends are held and nothing is damped.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> motion.energy([0.0, 1.0]).round(6)
+    /// array([6.034911, 6.034911])
     fn energy<'py>(&self, py: Python<'py>, time: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let at = time.si("time", Dimension::Time)?;
         let energies = each(py, &at, |time| self.0.energy(time))?.into_iter().collect::<Result<Vec<_>, _>>();
@@ -255,6 +299,14 @@ impl PyMotion {
     /// Notes
     /// -----
     /// Source: mode-acceleration method. Valid for inputs that are slow against the first mode left out.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+    /// >>> few = motion.truncated(5)
+    /// >>> len(few.modes), len(motion.modes)
+    /// (5, 52)
     fn truncated(&self, py: Python<'_>, modes: Count) -> PyResult<Self> {
         let modes = modes.size("modes")?;
         py.detach(|| self.0.truncated(modes)).python().map(Self)
@@ -281,74 +333,5 @@ impl PyMotion {
     /// [0.0, 0.0001, 0.0002]
     fn stream(&self, step: Quantity) -> PyResult<PyStream> {
         PyStream::of(self, step.si("step", Dimension::Time)?)
-    }
-
-    /// Spring, excitation and mount as dicts; of a truncated motion also how many modes it has.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = value::plain(&self.arguments(py)?)?;
-        if let Some(modes) = self.kept_modes() {
-            dict.set_item("modes", modes)?;
-        }
-        Ok(dict)
-    }
-
-    /// The same with another spring, excitation or mount; a truncated motion keeps its number of modes. ``copy.replace`` of Python 3.13 calls it, too.
-    ///
-    /// Parameters
-    /// ----------
-    /// **changes
-    ///     Arguments of the constructor by name.
-    ///
-    /// Returns
-    /// -------
-    /// Motion
-    ///
-    /// Raises
-    /// ------
-    /// TypeError
-    ///     For a name that is none of them; it says which there are.
-    /// Error
-    ///     Where the constructor would.
-    ///
-    /// Examples
-    /// --------
-    /// >>> import coilsense
-    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
-    /// >>> damped = motion.replace(mount=motion.mount.replace(damping=coilsense.Damping.modal(0.005)))
-    /// >>> damped.mount.damping
-    /// Damping.modal(ratio=0.005)
-    #[pyo3(signature = (**changes))]
-    fn replace<'py>(slf: &Bound<'py, Self>, changes: Option<Arguments<'py>>) -> PyResult<Bound<'py, PyAny>> {
-        let arguments = value::replaced("Motion", slf.get().arguments(slf.py())?, changes)?;
-        let full = slf.get_type().call((), Some(&arguments))?;
-        slf.get().kept_modes().map_or(Ok(full.clone()), |modes| full.call_method1("truncated", (modes,)))
-    }
-
-    #[pyo3(signature = (**changes))]
-    fn __replace__<'py>(slf: &Bound<'py, Self>, changes: Option<Arguments<'py>>) -> PyResult<Bound<'py, PyAny>> {
-        Self::replace(slf, changes)
-    }
-
-    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
-        let Ok(other) = other.cast::<Self>() else { return false };
-        let parts = |motion: &Motion| (motion.spring().clone(), motion.excitation().clone(), motion.mount().clone());
-        let other = &other.get().0;
-        self.0.modes() == other.modes() && parts(&self.0) == parts(other)
-    }
-
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
-        let (py, motion) = (slf.py(), slf.get());
-        let make = py.import("coilsense._pickle")?.getattr("motion")?;
-        let kept = (motion.spring(), motion.excitation(), motion.mount(), motion.kept_modes());
-        Ok((make, kept.into_pyobject(py)?))
-    }
-
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let full = value::shown("Motion", &self.arguments(py)?)?;
-        Ok(self.kept_modes().map_or(full.clone(), |modes| format!("{full}.truncated({modes})")))
     }
 }

@@ -73,6 +73,13 @@ pub fn torsional_frequency(geometry: &PyGeometry, mass: Quantity) -> PyResult<f6
 /// -----
 /// The coil as a column that bends and shears, under the axial force. An estimate: ends that may tilt, no coupling with the axial motion.
 /// Source: [Haringx1948].
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> coil = coilsense.Geometry.of_spring(coilsense.Spring.of_paper("S_T"), "hooks", coilsense.Material.named("steel EN 10270-1"))
+/// >>> round(coilsense.lateral_frequency(coil, "65 g", "230 mm", "95.8 N"), 1)
+/// 40.5
 #[pyfunction]
 pub fn lateral_frequency(geometry: &PyGeometry, mass: Quantity, length: Quantity, force: Quantity) -> PyResult<f64> {
     let (mass, length) = (mass.si("mass", Mass)?, length.si("length", Length)?);
@@ -101,6 +108,13 @@ pub fn lateral_frequency(geometry: &PyGeometry, mass: Quantity, length: Quantity
 /// Notes
 /// -----
 /// P (1 + P/S) = B pi^2 / l^2, with the bending and shear stiffness B and S of `lateral_frequency`, which is zero there. Source: [Haringx1948].
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> coil = coilsense.Geometry.of_spring(coilsense.Spring.of_paper("S_T"), "hooks", coilsense.Material.named("steel EN 10270-1"))
+/// >>> round(coilsense.buckling_force(coil, "104 mm"), 1)
+/// 5.1
 #[pyfunction]
 pub fn buckling_force(geometry: &PyGeometry, length: Quantity) -> PyResult<f64> {
     neighbours::buckling_force(&geometry.0, length.si("length", Length)?).python()

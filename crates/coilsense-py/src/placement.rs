@@ -18,6 +18,15 @@ use crate::value::getters;
 /// Every force judged as the one that is fed back; made by `placement`. ``str()`` of it is what ``coilsense placement`` prints.
 ///
 /// Crossovers are those of the loop with a spring without mass; ``inf`` stands for what is without bound.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> loop = '\n[control]\ndrive = "velocity"\nsample_time = "0.4 ms"\n'
+/// >>> placed = coilsense.placement(text + loop)
+/// >>> placed.feed_back
+/// 'F_i'
 #[pyclass(name = "Placement", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyPlacement(Arc<Placement>);
@@ -125,6 +134,16 @@ fn margins<'py>(py: Python<'py>, judged: &Assessment, damping: &str) -> PyResult
 ///     For a spec that cannot be read.
 /// Error
 ///     For a spec without [control], or without damping.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> loop = '\n[control]\ndrive = "velocity"\nsample_time = "0.4 ms"\n'
+/// >>> placed = coilsense.placement(text + loop)
+/// >>> stable, robust = placed.limits["F_o"]
+/// >>> robust < stable
+/// True
 #[pyfunction]
 pub fn placement(py: Python<'_>, spec: SpecArgument<'_>) -> PyResult<PyPlacement> {
     let spec = spec.spec(py)?;

@@ -140,6 +140,12 @@ impl PyReadout {
     /// -------
     /// complex or numpy.ndarray of complex, of the shape of the frequencies
     ///     Reading over quantity [1].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> round(abs(coilsense.Readout(bandwidth="1 kHz").response("1 kHz")), 6)
+    /// 0.707107
     fn response<'py>(&self, py: Python<'py>, frequencies: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         frequencies.each(py, "frequencies", Frequency, |hertz| self.0.response(hertz))
     }
@@ -155,6 +161,12 @@ impl PyReadout {
     /// -------
     /// float or numpy.ndarray, of the shape of the frequency
     ///     [s].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Readout(delay="2 ms").lag([1.0, 100.0])
+    /// array([0.002, 0.002])
     fn lag<'py>(&self, py: Python<'py>, frequency: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         frequency.each(py, "frequency", Frequency, |hertz| self.0.lag(hertz))
     }

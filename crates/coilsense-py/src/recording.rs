@@ -119,6 +119,14 @@ impl PyRecording {
     /// ------
     /// LogError
     ///     Where the offset cannot be found, or no times are in common.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> first = coilsense.Recording({"time": [0.0, 0.1, 0.2], "F_i": [1.0, 2.0, 4.0]})
+    /// >>> second = coilsense.Recording({"time": [0.0, 0.1, 0.2], "F_o": [1.0, 2.0, 4.0]})
+    /// >>> list(first.joined(second, "0 s").signals)
+    /// ['F_i', 'F_o']
     #[pyo3(signature = (other, clock=None))]
     fn joined(&self, py: Python<'_>, other: &Self, clock: Option<ClockArgument>) -> PyResult<Self> {
         let clock = clock.map_or(Ok(Clock::Found(None)), ClockArgument::clock)?;

@@ -70,6 +70,14 @@ impl PySecondOrder {
     /// ------
     /// Error
     ///     For another number of turns, or the first displacement that is not finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, numpy
+    /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
+    /// >>> L, bound = coilsense.SecondOrder(coil, 0.23).at_displacements(numpy.full(52, 1e-6))
+    /// >>> bool(bound < 1e-6 * L)
+    /// True
     fn at_displacements(&self, displacements: Series<'_>) -> PyResult<(f64, f64)> {
         let near = self.0.at_displacements(&displacements.values("displacements")?).python()?;
         Ok((near.inductance, near.bound))

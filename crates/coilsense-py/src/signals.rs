@@ -3,6 +3,8 @@
 //! Next door: who makes them (`motion`, `sensors`), who judges them (`measures`). The arrays are Python's own, moved there from Rust, and cannot
 //! be written to; what Rust is to judge is handed back by name. Data frames and plots of them are Python code (`coilsense/_frames.py`).
 
+mod frames;
+
 use coilsense::signals::sampled_window;
 use coilsense::{Channel, Signals};
 use coilsense_lab::quantity::Dimension;
@@ -11,8 +13,9 @@ use pyo3::exceptions::{PyKeyError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyMapping};
 
+pub use frames::told;
+
 use crate::errors::{IntoPython, unknown};
-use crate::names::Names;
 use crate::quantity::Quantity;
 use crate::series::{Series, described, frozen, numbers};
 use crate::value::Arguments;
@@ -110,6 +113,13 @@ impl PySignals {
     /// Returns
     /// -------
     /// list of str
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> signals = coilsense.Signals([0.0, 0.1, 0.2], {"F_o": [1.0, 2.0, 4.0]})
+    /// >>> signals.keys()
+    /// ['F_o']
     fn keys(&self) -> Vec<&'static str> {
         self.channels.iter().map(|(channel, _)| channel.name()).collect()
     }
@@ -119,6 +129,13 @@ impl PySignals {
     /// Returns
     /// -------
     /// list of numpy.ndarray
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> signals = coilsense.Signals([0.0, 0.1, 0.2], {"F_o": [1.0, 2.0, 4.0]})
+    /// >>> signals.values()
+    /// [array([1., 2., 4.])]
     fn values(&self, py: Python<'_>) -> Vec<Py<PyArray1<f64>>> {
         self.channels.iter().map(|(_, values)| values.clone_ref(py)).collect()
     }
@@ -128,6 +145,13 @@ impl PySignals {
     /// Returns
     /// -------
     /// list of (str, numpy.ndarray)
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> signals = coilsense.Signals([0.0, 0.1, 0.2], {"F_o": [1.0, 2.0, 4.0]})
+    /// >>> signals.items()
+    /// [('F_o', array([1., 2., 4.]))]
     fn items(&self, py: Python<'_>) -> Vec<(&'static str, Py<PyArray1<f64>>)> {
         self.channels.iter().map(|(channel, values)| (channel.name(), values.clone_ref(py))).collect()
     }
@@ -142,6 +166,13 @@ impl PySignals {
     /// Returns
     /// -------
     /// numpy.ndarray or object
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> signals = coilsense.Signals([0.0, 0.1, 0.2], {"F_o": [1.0, 2.0, 4.0]})
+    /// >>> signals.get("F_i") is None
+    /// True
     #[pyo3(signature = (name, default=None))]
     fn get<'py>(&self, py: Python<'py>, name: &str, default: Option<Bound<'py, PyAny>>) -> Option<Bound<'py, PyAny>> {
         let there = Channel::named(name).and_then(|channel| self.find(channel));
@@ -157,6 +188,12 @@ impl PySignals {
     /// Returns
     /// -------
     /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Signals.unit("F_o"), coilsense.Signals.unit("L")
+    /// ('N', 'H')
     #[staticmethod]
     fn unit(name: &str) -> PyResult<&'static str> {
         Ok(channel(name)?.unit())
@@ -179,132 +216,17 @@ impl PySignals {
     /// ------
     /// Error
     ///     For an unknown channel, another number of values than of times, or the first that is not finite.
-    fn inserted(&self, py: Python<'_>, name: &str, values: Series<'_>) -> PyResult<Self> {
-        let mut signals = self.to_rust(py)?;
-        signals.insert(channel(name)?, values.to_vec("values")?).python()?;
-        Ok(Self::of(py, signals))
-    }
-
-    /// Time and channels by name, as lists.
-    ///
-    /// Returns
-    /// -------
-    /// dict
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
-        let dict = PyDict::new(py);
-        dict.set_item("time", numbers(self.time.bind(py)))?;
-        for (channel, values) in &self.channels {
-            dict.set_item(channel.name(), numbers(values.bind(py)))?;
-        }
-        Ok(dict)
-    }
-
-    /// The channels as a data frame of pandas over an index of time; ``pip install coilsense[pandas]``.
-    ///
-    /// Returns
-    /// -------
-    /// pandas.DataFrame
-    ///     One column per channel; ``attrs["units"]`` holds their units.
-    fn to_pandas<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        frames(slf.py())?.call_method1("to_pandas", (slf,))
-    }
-
-    /// The way back from `to_dict`.
-    ///
-    /// Parameters
-    /// ----------
-    /// dict : dict
-    ///     ``time`` [s] and values by channel, in SI.
-    ///
-    /// Returns
-    /// -------
-    /// Signals
-    ///
-    /// Raises
-    /// ------
-    /// Error
-    ///     For a dict without ``time``, and as the constructor.
     ///
     /// Examples
     /// --------
     /// >>> import coilsense
-    /// >>> coilsense.Signals.from_dict({"time": [0.0, 0.1], "F_o": [1.0, 2.0]})
-    /// <Signals F_o: 2 samples from 0 s to 0.1 s>
-    #[staticmethod]
-    fn from_dict<'py>(dict: &Bound<'py, PyMapping>) -> PyResult<Bound<'py, PyAny>> {
-        frames(dict.py())?.call_method1("of_mapping", (dict,))
-    }
-
-    /// The way back from `to_pandas`: a data frame whose columns are channels.
-    ///
-    /// Parameters
-    /// ----------
-    /// frame : pandas.DataFrame
-    ///     Channels in SI by their names; times [s] in a column ``time``, or as the index where that is named so, as `to_pandas` names it, or counts time (``TimedeltaIndex``).
-    ///
-    /// Returns
-    /// -------
-    /// Signals
-    ///
-    /// Raises
-    /// ------
-    /// Error
-    ///     For a frame without times, a column that is no channel, units in ``attrs["units"]`` that are not SI, and as the constructor.
-    ///
-    /// Examples
-    /// --------
-    /// >>> import coilsense, pandas
-    /// >>> frame = pandas.DataFrame({"time": [0.0, 0.1, 0.2], "F_o": [1.0, 2.0, 4.0]})
-    /// >>> coilsense.Signals.from_pandas(frame)["F_o"].max()
-    /// np.float64(4.0)
-    #[staticmethod]
-    fn from_pandas<'py>(frame: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        frames(frame.py())?.call_method1("of_pandas", (frame,))
-    }
-
-    /// A mapping is no array: NumPy, and pandas by it, would make one of the channels' names.
-    #[pyo3(signature = (dtype=None, copy=None))]
-    fn __array__(&self, dtype: Option<Bound<'_, PyAny>>, copy: Option<Bound<'_, PyAny>>) -> PyResult<Py<PyAny>> {
-        let _ = (dtype, copy);
-        let text = "Signals are a mapping of arrays: take one as signals[\"F_o\"], all as to_pandas(), to_xarray() or dict(signals)";
-        Err(PyTypeError::new_err(text))
-    }
-
-    /// The channels as a dataset of xarray over the coordinate time; ``pip install coilsense[xarray]``.
-    ///
-    /// Returns
-    /// -------
-    /// xarray.Dataset
-    ///     One variable per channel, each with its unit.
-    fn to_xarray<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        frames(slf.py())?.call_method1("to_xarray", (slf,))
-    }
-
-    /// Draws channels over time with matplotlib; ``pip install coilsense[plot]``.
-    ///
-    /// Parameters
-    /// ----------
-    /// channels : list of str, optional
-    ///     Which, all of one unit; without it, the forces.
-    /// ax : matplotlib.axes.Axes, optional
-    ///     Where; without it, in a new figure.
-    ///
-    /// Returns
-    /// -------
-    /// matplotlib.axes.Axes
-    ///
-    /// Raises
-    /// ------
-    /// Error
-    ///     For no channels, or channels of several units.
-    #[pyo3(signature = (channels=None, ax=None))]
-    fn plot<'py>(
-        slf: &Bound<'py, Self>,
-        channels: Option<Names>,
-        ax: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let channels = channels.map(|names| names.listed("channels")).transpose()?;
-        frames(slf.py())?.call_method1("plot", (slf, channels, ax))
+    /// >>> signals = coilsense.Signals([0.0, 0.1, 0.2], {"F_o": [1.0, 2.0, 4.0]})
+    /// >>> list(signals.inserted("F_i", [1.0, 1.0, 2.0]))
+    /// ['F_i', 'F_o']
+    fn inserted(&self, py: Python<'_>, name: &str, values: Series<'_>) -> PyResult<Self> {
+        let mut signals = self.to_rust(py)?;
+        signals.insert(channel(name)?, values.to_vec("values")?).python()?;
+        Ok(Self::of(py, signals))
     }
 
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
@@ -349,26 +271,11 @@ impl PySignals {
     }
 }
 
-/// Signals from all that tells them: the noun, a data frame, or a mapping with ``time``; `None` for anything else.
-pub fn told(object: &Bound<'_, PyAny>) -> PyResult<Option<Signals>> {
-    let py = object.py();
-    if let Ok(signals) = object.cast::<PySignals>() {
-        return signals.get().to_rust(py).map(Some);
-    }
-    let made = frames(py)?.call_method1("signals_of", (object,))?;
-    made.cast::<PySignals>().ok().map(|signals| signals.get().to_rust(py)).transpose()
-}
-
 /// A channel's name as a text.
 fn named(name: &Bound<'_, PyAny>) -> PyResult<String> {
     let wrong =
         |_| PyTypeError::new_err(format!("channels must have texts as names, got {}", described(&name.as_borrowed())));
     name.extract().map_err(wrong)
-}
-
-/// The Python code beside this module that knows other libraries.
-fn frames(py: Python<'_>) -> PyResult<Bound<'_, PyModule>> {
-    py.import("coilsense._frames")
 }
 
 /// Times of a window sampled at a constant rate, both ends included: k / rate for whole numbers k.

@@ -85,6 +85,14 @@ impl PySpec {
     /// ------
     /// SpecError
     ///     One line with file, line, key, value and what is allowed; or why the file cannot be read.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, pathlib, tempfile
+    /// >>> file = pathlib.Path(tempfile.mkdtemp()) / "ankle.toml"
+    /// >>> _ = file.write_text(coilsense.Spec.template("S_T"))
+    /// >>> coilsense.Spec.read(file).spring.windings
+    /// 52.0
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let spec = py.detach(|| Spec::read(&path)).python()?;
@@ -110,6 +118,12 @@ impl PySpec {
     /// ------
     /// SpecError
     ///     One line with file, line, key, value and what is allowed.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Spec.parse(coilsense.Spec.template("S_T")).name
+    /// 'S_T'
     #[staticmethod]
     #[pyo3(signature = (text, file="spec.toml", folder=None))]
     fn parse(py: Python<'_>, text: &str, file: &str, folder: Option<PathBuf>) -> PyResult<Self> {
@@ -128,6 +142,12 @@ impl PySpec {
     /// -------
     /// str
     ///     TOML.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Spec.template("S_A").splitlines()[0]
+    /// '# S_A: parallel spring in the drive train of the lower-leg prosthesis ANGELAA.'
     #[staticmethod]
     #[pyo3(signature = (spring=None))]
     fn template(spring: Option<&str>) -> PyResult<String> {
@@ -155,6 +175,13 @@ impl PySpec {
     /// ------
     /// SpecError
     ///     For a spec of several springs.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> sorted(spec.data_sheet())[:3]
+    /// ['bar_frequency_hz', 'clash_speed_at_max_m_per_s', 'clash_speed_at_min_m_per_s']
     fn data_sheet<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.spec.needs_one_spring("a data sheet").python()?;
         let sheet = spread(py, || DataSheet::of(&self.spec))?.python()?;

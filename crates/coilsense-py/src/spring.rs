@@ -231,6 +231,13 @@ impl PySpring {
     /// -------
     /// float or numpy.ndarray, of the shape of the length
     ///     l/N [m].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spring = coilsense.Spring.of_paper("S_T")
+    /// >>> print(f"{1e3 * spring.pitch_at('208 mm'):.1f} mm")
+    /// 4.0 mm
     fn pitch_at<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         length.each(py, "length", Length, |length| self.0.pitch_at(length))
     }
@@ -245,6 +252,13 @@ impl PySpring {
     /// Returns
     /// -------
     /// bool or numpy.ndarray of bool, of the shape of the length
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spring = coilsense.Spring.of_paper("S_T")
+    /// >>> spring.in_operating_range("230 mm"), spring.in_operating_range([0.1, 0.2])
+    /// (True, array([False,  True]))
     fn in_operating_range<'py>(&self, py: Python<'py>, length: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         length.each(py, "length", Length, |length| self.0.in_operating_range(length))
     }

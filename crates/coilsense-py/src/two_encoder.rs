@@ -101,6 +101,13 @@ impl PyTwoEncoder {
     /// ------
     /// Error
     ///     For shapes that do not go together, or a value beyond 1e9 either way.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> encoders = coilsense.TwoEncoder(coilsense.Spring.of_paper("S_T"), compliance="10 um/N", backlash="0.2 mm", mean_length="204 mm")
+    /// >>> round(encoders.elongation(0.0, "204 mm", "76 N"), 6)
+    /// 0.20486
     fn elongation<'py>(
         &self,
         py: Python<'py>,
@@ -124,6 +131,13 @@ impl PyTwoEncoder {
     /// -------
     /// float or numpy.ndarray, of the shape of the elongation
     ///     k_s (e - zero) [N].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> encoders = coilsense.TwoEncoder(coilsense.Spring.of_paper("S_T"), compliance="10 um/N", backlash="0.2 mm", mean_length="204 mm")
+    /// >>> round(encoders.force(encoders.zero), 9)
+    /// 0.0
     fn force<'py>(&self, py: Python<'py>, elongation: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let force = self.encoders.force(&elongation.si("elongation", Length)?);
         elongation.shaped(py, force)

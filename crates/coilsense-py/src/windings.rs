@@ -92,6 +92,12 @@ impl PyWindings {
     /// Returns
     /// -------
     /// dict
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Windings([[0.0, 0.2]], [[0.05, 0.15]]).to_dict()
+    /// {'ends': [[0.0, 0.2]], 'positions': [[0.05, 0.15]]}
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
         let dict = PyDict::new(py);
         dict.set_item("ends", self.ends.bind(py).call_method0("tolist")?)?;

@@ -14,6 +14,16 @@ use crate::signals::PySignals;
 use crate::value::getters;
 
 /// A condition of a spec under one of its dampings, simulated; made by `simulate` and `analyze`.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> case = coilsense.simulate(spec)[0]
+/// >>> case.condition, case.damping
+/// ('heel strike', 'ζ = 0')
+/// >>> case.deviations["F_o"].rmsd > case.deviations["F_x"].rmsd
+/// True
 #[pyclass(name = "Case", module = "coilsense", frozen)]
 pub struct PyCase {
     condition: String,

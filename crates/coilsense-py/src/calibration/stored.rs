@@ -18,6 +18,16 @@ use crate::value::getters;
 /// Notes
 /// -----
 /// Of windings at rest: while a coil rings, its inductance is that of other lengths.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, pathlib, tempfile
+/// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+/// >>> folder = pathlib.Path(tempfile.mkdtemp())
+/// >>> _ = (folder / "calibration.toml").write_text(fit.stored("2026-11-21"))
+/// >>> stored = coilsense.open_calibration(folder / "calibration.toml")
+/// >>> stored.relation, stored.lengths
+/// ('inverse-length', (0.1988, 0.2612))
 #[pyclass(name = "StoredCalibration", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyStoredCalibration(StoredCalibration);
@@ -71,6 +81,17 @@ impl PyStoredCalibration {
     /// -------
     /// (float, float) or (numpy.ndarray, numpy.ndarray), of the shape of the inductance
     ///     [m].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, pathlib, tempfile
+    /// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+    /// >>> folder = pathlib.Path(tempfile.mkdtemp())
+    /// >>> _ = (folder / "calibration.toml").write_text(fit.stored("2026-11-21"))
+    /// >>> stored = coilsense.open_calibration(folder / "calibration.toml")
+    /// >>> length, doubt = stored.length("2.6 uH")
+    /// >>> round(length, 3), doubt > 0
+    /// (0.23, True)
     fn length<'py>(&self, py: Python<'py>, inductance: Samples<'py>) -> Pair<'py> {
         let of =
             |henry| self.0.at(henry).map_or([f64::NAN; 2], |read| [read.length, read.length_u.unwrap_or(f64::NAN)]);
@@ -113,6 +134,17 @@ impl PyStoredCalibration {
     /// ------
     /// Error
     ///     For a length outside of the calibration.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, pathlib, tempfile
+    /// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+    /// >>> folder = pathlib.Path(tempfile.mkdtemp())
+    /// >>> _ = (folder / "calibration.toml").write_text(fit.stored("2026-11-21"))
+    /// >>> stored = coilsense.open_calibration(folder / "calibration.toml")
+    /// >>> moved = stored.re_zeroed("230 mm", "2.7 uH")
+    /// >>> round(moved.length(2.7e-6)[0], 6)
+    /// 0.23
     fn re_zeroed(&self, length: Quantity, inductance: Quantity) -> PyResult<Self> {
         let length = length.si("length", Dimension::Length)?;
         let inductance = inductance.si("inductance", Dimension::Inductance)?;
@@ -143,6 +175,16 @@ type Pair<'py> = PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>)>;
 /// ------
 /// Error
 ///     For what is no such file.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, pathlib, tempfile
+/// >>> fit = coilsense.calibrate(([0.2, 0.23, 0.26], [3e-6, 2.6e-6, 2.3e-6]))
+/// >>> folder = pathlib.Path(tempfile.mkdtemp())
+/// >>> _ = (folder / "calibration.toml").write_text(fit.stored("2026-11-21"))
+/// >>> stored = coilsense.open_calibration(folder / "calibration.toml")
+/// >>> stored
+/// <StoredCalibration by inverse-length from 0.1988 to 0.2612 m>
 #[pyfunction]
 pub fn open_calibration(path: PathBuf) -> PyResult<PyStoredCalibration> {
     Ok(PyStoredCalibration(StoredCalibration::read(&path).python()?))

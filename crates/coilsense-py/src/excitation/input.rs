@@ -87,6 +87,12 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.held().displacement(1.0)
+    /// 0.0
     #[staticmethod]
     fn held() -> Self {
         Self(EndInput::Held)
@@ -106,6 +112,12 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.harmonic("5 mm", "10 Hz").displacement([0.0, 0.025]).round(6)
+    /// array([0.   , 0.005])
     #[staticmethod]
     #[pyo3(signature = (amplitude, frequency, phase=Quantity::Number(0.0)), text_signature = "(amplitude, frequency, phase=0.0)")]
     fn harmonic(amplitude: Quantity, frequency: Quantity, phase: Quantity) -> PyResult<Self> {
@@ -124,6 +136,13 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> both = coilsense.EndInput.harmonics([("5 mm", "10 Hz", 0.0), ("1 mm", "20 Hz", "90 deg")])
+    /// >>> round(both.displacement(0.0), 6)
+    /// 0.001
     #[staticmethod]
     fn harmonics(components: Components) -> PyResult<Self> {
         let harmonic = |(amplitude, frequency, phase): &Component| {
@@ -159,6 +178,13 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> sweep = coilsense.EndInput.chirp("1 mm", "1 Hz", "100 Hz", "10 s")
+    /// >>> sweep.displacement(0.0), sweep.kind
+    /// (0.0, 'chirp')
     #[staticmethod]
     #[pyo3(signature = (amplitude, first_frequency, last_frequency, duration, phase=Quantity::Number(0.0)),
            text_signature = "(amplitude, first_frequency, last_frequency, duration, phase=0.0)")]
@@ -190,6 +216,12 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.step("5 mm", "100 ms").displacement([0.05, 0.2])
+    /// array([0.   , 0.005])
     #[staticmethod]
     fn step(height: Quantity, at: Quantity) -> PyResult<Self> {
         let (height, at) = (height.si_of("height", &AT_AN_END)?, at.si("at", Time)?);
@@ -210,6 +242,12 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.ramp("5 mm", 0.1, 0.2).displacement([0.0, 0.2, 1.0])
+    /// array([0.    , 0.0025, 0.005 ])
     #[staticmethod]
     fn ramp(height: Quantity, begin: Quantity, duration: Quantity) -> PyResult<Self> {
         let (from, duration) = (begin.si("begin", Time)?, duration.si("duration", Time)?);
@@ -230,6 +268,12 @@ impl PyEndInput {
     /// Returns
     /// -------
     /// EndInput
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.half_sine("5 mm", 0.0, 0.2).displacement([0.1, 0.3])
+    /// array([0.005, 0.   ])
     #[staticmethod]
     fn half_sine(height: Quantity, begin: Quantity, duration: Quantity) -> PyResult<Self> {
         let (from, duration) = (begin.si("begin", Time)?, duration.si("duration", Time)?);
@@ -253,6 +297,12 @@ impl PyEndInput {
     /// ------
     /// Error
     ///     For no samples, series of different lengths, a value that is not finite, or a time not after its predecessor.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.sampled([0.0, 0.1, 0.3], [0.0, 1e-3, 2e-3]).displacement(0.2)
+    /// 0.0015
     #[staticmethod]
     fn sampled(times: Series<'_>, values: Series<'_>) -> PyResult<Self> {
         Self::checked(EndInput::Sampled(Sampled::new(times.to_vec("times")?, values.to_vec("values")?).python()?))
@@ -269,6 +319,13 @@ impl PyEndInput {
     /// -------
     /// float or numpy.ndarray, of the shape of the time
     ///     [m, or N at an end under force].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> ramp = coilsense.EndInput.ramp(0.01, 0.1, 0.2)
+    /// >>> ramp.displacement("200 ms"), ramp.displacement([[0.0], [1.0]]).shape
+    /// (0.005, (2, 1))
     fn displacement<'py>(&self, py: Python<'py>, time: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         time.each(py, "time", Time, |time| self.0.displacement(time))
     }
@@ -284,6 +341,12 @@ impl PyEndInput {
     /// -------
     /// float or numpy.ndarray, of the shape of the time
     ///     [m/s, or N/s at an end under force].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.EndInput.ramp(0.01, 0.1, 0.2).velocity([0.0, 0.2])
+    /// array([0.  , 0.05])
     fn velocity<'py>(&self, py: Python<'py>, time: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         time.each(py, "time", Time, |time| self.0.velocity(time))
     }

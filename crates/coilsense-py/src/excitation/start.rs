@@ -60,6 +60,12 @@ impl PyStart {
     /// Returns
     /// -------
     /// Start
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Start.rest()
+    /// Start.rest()
     #[staticmethod]
     fn rest() -> Self {
         Self(Start::Rest)
@@ -70,6 +76,12 @@ impl PyStart {
     /// Returns
     /// -------
     /// Start
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Excitation(0.23, coilsense.EndInput.harmonic(1e-3, 10.0), start=coilsense.Start.massless()).start.kind
+    /// 'massless'
     #[staticmethod]
     fn massless() -> Self {
         Self(Start::Massless)
@@ -80,6 +92,12 @@ impl PyStart {
     /// Returns
     /// -------
     /// Start
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Excitation(0.23, coilsense.EndInput.harmonic(1e-3, 10.0), start=coilsense.Start.steady()).start.kind
+    /// 'steady'
     #[staticmethod]
     fn steady() -> Self {
         Self(Start::Steady)
@@ -97,6 +115,12 @@ impl PyStart {
     /// Returns
     /// -------
     /// Start
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Start.moving("25 cm/s")
+    /// Start.moving(velocity=0.25, profile='uniform')
     #[staticmethod]
     #[pyo3(signature = (velocity, profile="uniform"))]
     fn moving(velocity: Quantity, profile: &str) -> PyResult<Self> {
@@ -121,6 +145,12 @@ impl PyStart {
     /// ------
     /// Error
     ///     For unlike numbers of positions and velocities, or a value that is not finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Start.windings([0.1, 0.2], [0.0, 0.3]).kind
+    /// 'windings'
     #[staticmethod]
     fn windings(positions: Series<'_>, velocities: Series<'_>) -> PyResult<Self> {
         Self::checked(Start::Windings {

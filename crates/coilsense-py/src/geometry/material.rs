@@ -36,6 +36,13 @@ use crate::value::{getters, named_value};
 /// ------
 /// Error
 ///     For the first value that is not finite or not of a size that solids have.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> steel = coilsense.Material(shear_modulus="81.5 GPa", youngs_modulus="206 GPa", density=7850)
+/// >>> steel.shear_modulus, steel.resistivity is None
+/// (81500000000.0, True)
 #[pyclass(name = "Material", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyMaterial(pub Material);
@@ -111,6 +118,12 @@ impl PyMaterial {
     /// ------
     /// Error
     ///     For a name that the table does not have; it says which there are.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Material.named("steel EN 10270-1").density
+    /// 7850.0
     #[staticmethod]
     fn named(name: &str) -> PyResult<Self> {
         let all = named_materials().python()?;
@@ -130,6 +143,13 @@ impl PyMaterial {
     /// -------
     /// float or numpy.ndarray, of the shape of the velocity
     ///     v sqrt(2 rho G) [Pa].
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> steel = coilsense.Material.named("steel EN 10270-1")
+    /// >>> (1e-6 * steel.impact_stress([1.0, 5.0])).round(1)
+    /// array([ 35.8, 178.9])
     fn impact_stress<'py>(&self, py: Python<'py>, velocity: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         velocity.each(py, "velocity", Dimension::Velocity, |velocity| self.0.impact_stress(velocity))
     }

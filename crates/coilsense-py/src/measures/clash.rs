@@ -30,6 +30,14 @@ use crate::value::{getters, named_value};
 ///     At this pitch windings touch [m].
 /// first_contact : float, str or None
 ///     First time at which they touch [s]; None where they stay clear.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25))
+/// >>> clash = coilsense.Clash.of(motion, coilsense.sampled_window(10_000, 0.0, 0.1))
+/// >>> clash.happens, round(1e3 * clash.clearance, 3)
+/// (False, 2.347)
 #[pyclass(name = "Clash", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyClash(pub Clash);

@@ -95,6 +95,12 @@ impl PyDeviation {
     /// ------
     /// Error
     ///     For no samples, series of different lengths, or the first value that is not finite.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> print(f"{coilsense.Deviation.between([1.0, 2.0, 3.0], [1.0, 2.0, 2.0]).rmsd:.4f} N")
+    /// 0.5774 N
     #[staticmethod]
     fn between(py: Python<'_>, force: Series<'_>, reference: Series<'_>) -> PyResult<Self> {
         let (force, reference) = (force.values("force")?, reference.values("reference")?);
@@ -117,6 +123,14 @@ impl PyDeviation {
     /// ------
     /// Error
     ///     For a nominal value that is not above zero.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spring = coilsense.Spring.of_paper("S_T")
+    /// >>> found = coilsense.Deviation.between([96.0, 95.0], [95.0, 95.0])
+    /// >>> print(f"{found.relative_to(spring.nominal_force).maximum:.2%} of F_nom")
+    /// 0.82% of F_nom
     fn relative_to(&self, nominal: Quantity) -> PyResult<Self> {
         self.0.relative_to(nominal.plain("nominal")?).python().map(Self)
     }

@@ -87,6 +87,14 @@ impl PySpectrum {
     /// -------
     /// float
     ///     In the unit of the values; zero for a band without a line.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, numpy
+    /// >>> times = numpy.arange(1000) / 1000
+    /// >>> spectrum = coilsense.Spectrum(times, 3 * numpy.sin(2 * numpy.pi * 54 * times))
+    /// >>> round(spectrum.rms_within("50 Hz", "58 Hz"), 3)
+    /// 2.121
     fn rms_within(&self, lowest: Quantity, highest: Quantity) -> PyResult<f64> {
         let lowest = lowest.si("lowest", Dimension::Frequency)?;
         Ok(self.0.rms_within(lowest, highest.si("highest", Dimension::Frequency)?))
@@ -97,6 +105,14 @@ impl PySpectrum {
     /// Returns
     /// -------
     /// dict
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, numpy
+    /// >>> times = numpy.arange(1000) / 1000
+    /// >>> spectrum = coilsense.Spectrum(times, 3 * numpy.sin(2 * numpy.pi * 54 * times))
+    /// >>> sorted(spectrum.to_dict())
+    /// ['amplitudes', 'frequencies']
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Arguments<'py>> {
         let dict = PyDict::new(py);
         dict.set_item("frequencies", self.0.frequencies())?;

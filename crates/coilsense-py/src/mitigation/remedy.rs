@@ -19,6 +19,18 @@ use crate::series::Series;
 use crate::value::{Arguments, getters};
 
 /// A filter of F_i or an estimator of F_o, designed for a spring and judged; an item of `Mitigation`.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+/// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+/// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25), mount)
+/// >>> record = motion.signals(coilsense.sampled_window(2500, 0, 4))
+/// >>> advice = coilsense.mitigate(text, record, seeds=1)
+/// >>> best = advice.best_filter
+/// >>> best.against, best.worst_rms_error < 1
+/// ('k·Δl', True)
 #[pyclass(name = "Remedy", module = "coilsense", frozen)]
 pub struct PyRemedy {
     answer: Arc<Ranking>,
@@ -117,6 +129,17 @@ impl PyRemedy {
     /// ------
     /// Error
     ///     For series of different lengths, a value that is not finite, or positions that are missing.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+    /// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25), mount)
+    /// >>> record = motion.signals(coilsense.sampled_window(2500, 0, 4))
+    /// >>> advice = coilsense.mitigate(text, record, seeds=1)
+    /// >>> advice.best_filter.apply(record["F_i"]).shape == record.time.shape
+    /// True
     #[pyo3(signature = (force, u1=None, u2=None))]
     fn apply<'py>(
         slf: &Bound<'py, Self>,
@@ -159,6 +182,17 @@ impl PyRemedy {
     /// ------
     /// Error
     ///     For a name that is none in C and Rust, or what has no settings.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> text = coilsense.Spec.template("S_T").replace('end2 = "held"', 'end2 = "held"\ndamping_ratio = 0.005', 1)
+    /// >>> mount = coilsense.Mount(damping=coilsense.Damping.modal(0.005))
+    /// >>> motion = coilsense.Motion(coilsense.Spring.of_paper("S_T"), coilsense.Excitation.impact(0.23, 0.25), mount)
+    /// >>> record = motion.signals(coilsense.sampled_window(2500, 0, 4))
+    /// >>> advice = coilsense.mitigate(text, record, seeds=1)
+    /// >>> "force_filter_step" in advice.best_filter.to_c()
+    /// True
     #[pyo3(signature = (name=None, precision="single"))]
     fn to_c(&self, name: Option<&str>, precision: &str) -> PyResult<String> {
         self.exported(name, precision, |export| export.c().map_err(refused))

@@ -57,6 +57,12 @@ impl PyDamping {
     /// Returns
     /// -------
     /// Damping
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Damping.none().ratios(54.0)
+    /// 0.0
     #[staticmethod]
     fn none() -> Self {
         Self(Damping::None)
@@ -72,6 +78,12 @@ impl PyDamping {
     /// Returns
     /// -------
     /// Damping
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Damping.modal("0.5 %").ratios([54.0, 108.0])
+    /// array([0.005, 0.005])
     #[staticmethod]
     fn modal(ratio: Quantity) -> PyResult<Self> {
         let ratio = ratio.si("ratio", Dimension::Share)?;
@@ -88,6 +100,12 @@ impl PyDamping {
     /// Returns
     /// -------
     /// Damping
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Damping.modal_each([0.005, 0.01])
+    /// Damping.modal_each(ratios=[0.005, 0.01])
     #[staticmethod]
     fn modal_each(ratios: Series<'_>) -> PyResult<Self> {
         Self::checked(Damping::ModalEach(ratios.to_vec("ratios")?))
@@ -103,6 +121,12 @@ impl PyDamping {
     /// Returns
     /// -------
     /// Damping
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Damping.mass_proportional(1.0).ratios([54.0, 108.0]).round(6)
+    /// array([0.001474, 0.000737])
     #[staticmethod]
     fn mass_proportional(rate: Quantity) -> PyResult<Self> {
         let rate = rate.si("rate", Dimension::Rate)?;
@@ -119,6 +143,12 @@ impl PyDamping {
     /// Returns
     /// -------
     /// Damping
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Damping.stiffness_proportional("0.1 ms").ratios([54.0, 108.0]).round(6)
+    /// array([0.016965, 0.033929])
     #[staticmethod]
     fn stiffness_proportional(time: Quantity) -> PyResult<Self> {
         let time = time.si("time", Dimension::Time)?;
@@ -135,6 +165,12 @@ impl PyDamping {
     /// Returns
     /// -------
     /// Damping
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Damping.hysteretic("1 %")
+    /// Damping.hysteretic(loss_factor=0.01)
     #[staticmethod]
     fn hysteretic(loss_factor: Quantity) -> PyResult<Self> {
         let loss_factor = loss_factor.si("loss_factor", Dimension::Share)?;
@@ -157,6 +193,12 @@ impl PyDamping {
     /// ------
     /// Error
     ///     Where damping for each mode is given for another number of modes, and for a loss factor.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> round(coilsense.Damping.stiffness_proportional(1e-4).ratios("54 Hz"), 6)
+    /// 0.016965
     fn ratios<'py>(&self, py: Python<'py>, frequencies: Samples<'py>) -> PyResult<Bound<'py, PyAny>> {
         let hertz = frequencies.si("frequencies", Dimension::Frequency)?;
         let omega: Vec<f64> = hertz.iter().copied().map(angular).collect();

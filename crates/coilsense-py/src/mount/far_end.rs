@@ -13,6 +13,12 @@ use crate::value::{Kind, value_of_kinds};
 /// What end 2 is tied to.
 ///
 /// Made by ``FarEnd.position``, ``force`` or ``mass``.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> coilsense.FarEnd.mass("500 g")
+/// FarEnd.mass(mass=0.5)
 #[pyclass(name = "FarEnd", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyFarEnd(pub FarEnd);
@@ -39,6 +45,12 @@ impl PyFarEnd {
     /// Returns
     /// -------
     /// FarEnd
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.Mount(coilsense.FarEnd.position()) == coilsense.Mount()
+    /// True
     #[staticmethod]
     fn position() -> Self {
         Self(FarEnd::Position)
@@ -49,6 +61,12 @@ impl PyFarEnd {
     /// Returns
     /// -------
     /// FarEnd
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> coilsense.FarEnd.force().kind
+    /// 'force'
     #[staticmethod]
     fn force() -> Self {
         Self(FarEnd::Force)
@@ -64,6 +82,13 @@ impl PyFarEnd {
     /// Returns
     /// -------
     /// FarEnd
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> modes = coilsense.ChainModes(coilsense.Spring.of_paper("S_T"), coilsense.FarEnd.mass("500 g"))
+    /// >>> print(f"{modes.frequencies[0]:.2f} Hz")
+    /// 6.07 Hz
     #[staticmethod]
     fn mass(mass: Quantity) -> PyResult<Self> {
         let far_end = FarEnd::Mass(mass.si("mass", Dimension::Mass)?);

@@ -10,6 +10,13 @@ use crate::excitation::PyExcitation;
 use crate::value::{self, Arguments, getters};
 
 /// A condition of use in a spec: what is done to the spring, for how long, and what of it is judged.
+///
+/// Examples
+/// --------
+/// >>> import coilsense
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> spec.conditions[0].kind, spec.conditions[0].duration
+/// ('impact', 1.0)
 #[pyclass(name = "Condition", module = "coilsense", frozen, eq)]
 #[derive(PartialEq)]
 pub struct PyCondition(pub ConditionSpec);

@@ -33,6 +33,15 @@ use crate::value::getters;
 /// ------
 /// SweepError
 ///     Where the folder cannot be written or read, is held by another run, or holds another sweep: then it says what differs.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, tempfile
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> over = {"spring.stiffness [N/m]": [600, 700, 800], "spring.mass [kg]": [0.06, 0.065]}
+/// >>> designs = coilsense.sweep(spec, over, tempfile.mkdtemp(), columns=["f1", "nominal_force"])
+/// >>> len(designs), designs.plan.titles[-1]
+/// (6, 'nominal_force [N]')
 #[pyclass(name = "SweepDataset", module = "coilsense", frozen)]
 pub struct PySweepDataset {
     dataset: Dataset,
@@ -123,6 +132,15 @@ impl PySweepDataset {
     /// ------
     /// SweepError
     ///     For a title that is not there, or a file that cannot be read.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, tempfile
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> over = {"spring.stiffness [N/m]": [600, 700, 800], "spring.mass [kg]": [0.06, 0.065]}
+    /// >>> designs = coilsense.sweep(spec, over, tempfile.mkdtemp(), columns=["f1", "nominal_force"])
+    /// >>> designs.read("f1 [Hz]")["f1 [Hz]"].round(1)
+    /// array([50. , 48. , 54. , 51.9, 57.7, 55.5])
     #[pyo3(signature = (titles=None))]
     fn read<'py>(&self, py: Python<'py>, titles: Option<Names>) -> PyResult<Bound<'py, PyDict>> {
         let titles = titles.map(|names| names.listed("titles")).transpose()?;
@@ -138,6 +156,15 @@ impl PySweepDataset {
     /// -------
     /// dict
     ///     ``rows``, of them ``ok``, ``clash``, ``refused``, and ``reasons``: pairs of a count and a text, the commonest first.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, tempfile
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> over = {"spring.stiffness [N/m]": [600, 700, 800], "spring.mass [kg]": [0.06, 0.065]}
+    /// >>> designs = coilsense.sweep(spec, over, tempfile.mkdtemp(), columns=["f1", "nominal_force"])
+    /// >>> designs.tally()["ok"]
+    /// 6
     fn tally<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let tally = py.detach(|| self.dataset.tally()).python()?;
         let dict = PyDict::new(py);
@@ -165,6 +192,15 @@ impl PySweepDataset {
     /// ------
     /// ImportError
     ///     Without pandas: ``pip install 'coilsense[pandas]'``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense, tempfile
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> over = {"spring.stiffness [N/m]": [600, 700, 800], "spring.mass [kg]": [0.06, 0.065]}
+    /// >>> designs = coilsense.sweep(spec, over, tempfile.mkdtemp(), columns=["f1", "nominal_force"])
+    /// >>> designs.to_pandas(["spring.mass [kg]", "f1 [Hz]"]).shape
+    /// (6, 2)
     #[pyo3(signature = (titles=None))]
     fn to_pandas<'py>(&self, py: Python<'py>, titles: Option<Names>) -> PyResult<Bound<'py, PyAny>> {
         let columns = self.read(py, titles)?;

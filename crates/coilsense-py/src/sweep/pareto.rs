@@ -22,6 +22,16 @@ use crate::value::getters;
 /// The designs of a sweep on the Pareto front; made by `pareto`. ``str()`` of it is what ``coilsense pareto`` prints.
 ///
 /// The best in the first objective comes first.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, tempfile
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> over = {"spring.stiffness [N/m]": [600, 700, 800], "spring.mass [kg]": [0.06, 0.065]}
+/// >>> designs = coilsense.sweep(spec, over, tempfile.mkdtemp(), columns=["f1", "nominal_force"])
+/// >>> front = coilsense.pareto(designs, minimize="nominal_force", maximize="f1")
+/// >>> front.knee in front.rows, front.values.shape == (len(front), 2)
+/// (True, True)
 #[pyclass(name = "Pareto", module = "coilsense", frozen, eq)]
 pub struct PyPareto {
     study: Arc<Study>,
@@ -113,6 +123,16 @@ impl PyPareto {
 /// ------
 /// SweepError
 ///     For a column that is not there or holds no numbers, a condition that says nothing, and where no row is left to compare.
+///
+/// Examples
+/// --------
+/// >>> import coilsense, tempfile
+/// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+/// >>> over = {"spring.stiffness [N/m]": [600, 700, 800], "spring.mass [kg]": [0.06, 0.065]}
+/// >>> designs = coilsense.sweep(spec, over, tempfile.mkdtemp(), columns=["f1", "nominal_force"])
+/// >>> front = coilsense.pareto(designs, minimize="nominal_force", maximize="f1")
+/// >>> len(front), front.objectives
+/// (3, ['nominal_force [N]', 'f1 [Hz]'])
 #[pyfunction]
 #[pyo3(signature = (sweep, *, minimize=None, maximize=None, r#where=None))]
 pub fn pareto(

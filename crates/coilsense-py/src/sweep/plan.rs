@@ -186,6 +186,14 @@ impl PySweepPlan {
     /// ------
     /// SweepError
     ///     Where it is none.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> plan = coilsense.SweepPlan(spec, "spring.stiffness=600..900 N/m : 4", columns="f1")
+    /// >>> coilsense.SweepPlan.from_json(plan.to_json()) == plan
+    /// True
     #[staticmethod]
     fn from_json(text: &str) -> PyResult<Self> {
         Plan::from_json(text).python().map(Self)
@@ -197,6 +205,14 @@ impl PySweepPlan {
     /// -------
     /// str
     ///     JSON.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> plan = coilsense.SweepPlan(spec, "spring.stiffness=600..900 N/m : 4", columns="f1")
+    /// >>> len(plan.to_json()) > 100
+    /// True
     fn to_json(&self) -> String {
         self.0.to_json()
     }
@@ -226,6 +242,14 @@ impl PySweepPlan {
     /// ------
     /// SweepError
     ///     For a row that is not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> plan = coilsense.SweepPlan(spec, "spring.stiffness=600..900 N/m : 4", columns="f1")
+    /// >>> coilsense.Spec.parse(plan.spec_of(0)).spring.stiffness
+    /// 600.0
     fn spec_of(&self, row: Count) -> PyResult<String> {
         self.0.spec_of(row.number("row")?).python()
     }
@@ -241,6 +265,14 @@ impl PySweepPlan {
     /// -------
     /// range
     ///     Empty for a chunk that is not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> plan = coilsense.SweepPlan(spec, "spring.stiffness=600..900 N/m : 4", columns="f1")
+    /// >>> plan.rows_of(0)
+    /// range(0, 4)
     fn rows_of<'py>(&self, py: Python<'py>, index: Count) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.0.rows_of(index.number("index")?);
         py.import("builtins")?.getattr("range")?.call1((rows.start, rows.end))
@@ -264,6 +296,14 @@ impl PySweepPlan {
     /// ------
     /// SweepError
     ///     For a chunk that is not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> plan = coilsense.SweepPlan(spec, "spring.stiffness=600..900 N/m : 4", columns="f1")
+    /// >>> plan.chunk(0)["f1 [Hz]"].round(1)
+    /// array([48. , 51.9, 55.5, 58.8])
     #[pyo3(signature = (index, jobs=None))]
     fn chunk<'py>(&self, py: Python<'py>, index: Count, jobs: Option<Count>) -> PyResult<Bound<'py, PyDict>> {
         let index = index.number("index")?;
@@ -288,6 +328,14 @@ impl PySweepPlan {
     /// ------
     /// SweepError
     ///     For a chunk that is not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import coilsense
+    /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
+    /// >>> plan = coilsense.SweepPlan(spec, "spring.stiffness=600..900 N/m : 4", columns="f1")
+    /// >>> plan.chunk_bytes(0)[:4]
+    /// b'PAR1'
     #[pyo3(signature = (index, jobs=None))]
     fn chunk_bytes<'py>(&self, py: Python<'py>, index: Count, jobs: Option<Count>) -> PyResult<Bound<'py, PyBytes>> {
         let index = index.number("index")?;
