@@ -138,7 +138,7 @@ impl PyLive {
 
     #[setter]
     fn set_state(&mut self, state: Series<'_>) -> PyResult<()> {
-        self.0.set_state(&state.values()).python()
+        self.0.set_state(&state.values("state")?).python()
     }
 
     /// Another spring that goes on from here by itself, with the same bits.

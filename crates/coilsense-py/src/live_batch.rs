@@ -109,7 +109,7 @@ impl PyLiveBatch {
 
     /// Inputs of each spring's next step.
     fn next_inputs(&self, u1: &Series<'_>, end2: &Series<'_>) -> PyResult<Vec<[f64; 2]>> {
-        let (u1, end2) = (u1.values(), end2.values());
+        let (u1, end2) = (u1.values("u1")?, end2.values("end2")?);
         self.check_count("u1", "values", u1.len())?;
         self.check_count("end2", "values", end2.len())?;
         let ends = u1.iter().zip(end2.iter());
@@ -141,7 +141,8 @@ impl PyLiveBatch {
 
     #[setter]
     fn set_state(&mut self, state: Table<'_>) -> PyResult<()> {
-        let (wanted, columns, state) = (self.state_count(), state.columns(), state.to_vec());
+        let wanted = self.state_count();
+        let (state, columns) = state.to_vec("state")?;
         if columns != wanted {
             return Err(refused(format!("state must have {wanted} columns, twice the modes and 5, got {columns}")));
         }
@@ -205,8 +206,8 @@ impl PyLiveBatch {
     /// -----
     /// What is refused, and Ctrl-C, leave all springs where they were.
     fn rollout<'py>(&mut self, py: Python<'py>, u1: Table<'py>, end2: Table<'py>) -> PyResult<Forces<'py>> {
-        let (samples, others) = (u1.columns(), end2.columns());
-        let (u1, end2) = (u1.to_vec(), end2.to_vec());
+        let (u1, samples) = u1.to_vec("u1")?;
+        let (end2, others) = end2.to_vec("end2")?;
         if samples == 0 {
             return Err(refused("u1 must have at least 1 column, one for each sample, got 0"));
         }
@@ -249,7 +250,7 @@ impl PyLiveBatch {
         let mut ends: Vec<[f64; 2]> = self.0.iter().map(Live::mean_ends).collect();
         for (end, (name, given)) in [("u1", u1), ("end2", end2)].into_iter().enumerate() {
             let Some(given) = given else { continue };
-            let values = given.values();
+            let values = given.values(name)?;
             self.check_count(name, "values", values.len())?;
             ends.iter_mut().zip(values.iter()).for_each(|(ends, value)| ends[end] = *value);
         }

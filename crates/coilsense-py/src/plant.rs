@@ -55,7 +55,7 @@ getters! {
     inputs: (&'static str, &'static str) = ("u1", if self.is_held() { "u2" } else { "F_2" });
     /// The outputs of its matrices, in their order: "F_i", "F_o", "F_x", "u2", and "F_L" where that was asked for.
     outputs<'py>(py): PyResult<Bound<'py, PyTuple>> =
-        PyTuple::new(py, OUTPUTS.into_iter().chain(self.0.coil.as_ref().map(|_| "F_L")));
+        PyTuple::new(py, OUTPUTS.into_iter().chain(self.0.coil.as_ref().map(|_| "F_L")).collect::<Vec<_>>());
     /// What to know of them, each in a line.
     warnings: Vec<String> = self.0.warnings.clone();
     /// How many of the spring's modes are kept.
@@ -301,8 +301,9 @@ pub fn plant(
     mean_length: Option<Quantity>,
 ) -> PyResult<PyPlant> {
     let spec = spec.spec(py)?;
+    let also = also.map(|names| names.listed("also")).transpose()?.map(|words| words.join(","));
     let given = given([
-        (&ALSO, also.map(|names| names.listed().join(",")).into()),
+        (&ALSO, also.as_deref().into()),
         (&MODES, modes.into()),
         (&ERROR, error.into()),
         (&BANDWIDTH, bandwidth.into()),

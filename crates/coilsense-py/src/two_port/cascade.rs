@@ -142,7 +142,7 @@ impl PyCascade {
         part: impl Fn(&Transmission) -> T + Sync,
     ) -> PyResult<Vec<T>> {
         let at = |frequency: f64| Ok(part(&self.cascade.at(angular(frequency))?));
-        each(py, &frequencies.values(), at)?.into_iter().collect::<Result<_, ScienceError>>().python()
+        each(py, &frequencies.values("frequencies")?, at)?.into_iter().collect::<Result<_, ScienceError>>().python()
     }
 
     fn response<'py>(
