@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Literal, NoReturn, Self, TypeAlias, TypeVar, final, overload
+from typing import Any, Literal, Never, NoReturn, Self, TypeAlias, TypeVar, final, overload
 
 import matplotlib.axes
 import numpy
@@ -184,6 +184,9 @@ class Refined(ast.NodeTransformer):
         if "__eq__" in names:
             more = [] if "__ne__" in names else ["def __ne__(self, other: object, /) -> bool: ..."]
             node.body += [parsed(line) for line in [*more, "__hash__ = None"]]
+        if "__matmul__" in names:
+            # Python's slot serves both sides; the other one takes nothing that the first does not.
+            node.body.append(parsed("def __rmatmul__(self, value: Never, /) -> Cascade: ..."))
         self.place.pop()
         return node
 
