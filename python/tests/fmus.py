@@ -58,10 +58,10 @@ def coilsense(folder: pathlib.Path, *words: str) -> None:
     subprocess.run([command, *words], cwd=folder, check=True, capture_output=True)
 
 
-def exported(folder: pathlib.Path, mount: str, version: str = "2.0") -> pathlib.Path:
+def exported(folder: pathlib.Path, mount: str, version: str = "2.0", *more: str) -> pathlib.Path:
     """An FMU of S_T."""
     (folder / "spec.toml").write_text(S_T + mount + "\n")
-    coilsense(folder, "export", "spec.toml", "--as", "fmu", "--fmi", version, "--out", "spring.fmu")
+    coilsense(folder, "export", "spec.toml", "--as", "fmu", "--fmi", version, "--out", "spring.fmu", *more)
     return folder / "spring.fmu"
 
 

@@ -15,6 +15,7 @@ pub(super) struct Told<'a> {
     title: String,
     description: String,
     has_mass: bool,
+    has_coil: bool,
     variables: Vec<Variable>,
     outputs: Vec<Output>,
     states: Vec<State>,
@@ -44,12 +45,12 @@ struct State {
     dependencies: Vec<usize>,
 }
 
-/// A value that the spring gives. One that is added is one more row here and one more field of what a step of the header gives.
+/// A value that the spring gives. One that is added is one more row here.
 struct Output {
     name: &'static str,
     unit: &'static str,
-    /// What the header calls it.
-    field: &'static str,
+    /// Where it comes from, in C.
+    from: String,
     description: String,
 }
 
@@ -63,13 +64,14 @@ struct Unit {
 /// S_T shaken by 1 mm were 20 times as far off at a tolerance of 1e-6.
 const SMALL_MOTION: f64 = 1e-5;
 
-const UNITS: [Unit; 7] = [
+const UNITS: [Unit; 8] = [
     Unit { name: "m", powers: &[("m", 1)] },
     Unit { name: "m/s", powers: &[("m", 1), ("s", -1)] },
     Unit { name: "N", powers: &[("kg", 1), ("m", 1), ("s", -2)] },
     Unit { name: "N/s", powers: &[("kg", 1), ("m", 1), ("s", -3)] },
     Unit { name: "N/m", powers: &[("kg", 1), ("s", -2)] },
     Unit { name: "kg", powers: &[("kg", 1)] },
+    Unit { name: "H", powers: &[("kg", 1), ("m", 2), ("s", -2), ("A", -2)] },
     Unit { name: "1", powers: &[] },
 ];
 
@@ -123,15 +125,16 @@ impl Output {
 impl<'a> Told<'a> {
     pub fn of(made: &Plant, name: &'a str, version: Fmi, step: f64) -> Self {
         let plant = &made.plant;
+        let doubts: String = made.warnings.iter().map(|warning| format!(" {warning}.")).collect();
         let description = format!(
-            "Forces of the coil spring {}, {}, {} modes, about {} mm. {}",
+            "Forces of the coil spring {}, {}, {} modes, about {} mm. {}{doubts}",
             made.spring,
             made.damping,
             plant.count(),
             1e3 * plant.mean_length(),
             how_inputs_go(version, plant.dashpot_time() > 0.0)
         );
-        let outputs = outputs(made);
+        let outputs = outputs(made, name);
         let mut variables = inputs(plant.far_end() == FarEnd::Position);
         variables.extend(parameters(made));
         variables.extend(outputs.iter().map(Output::variable));
@@ -139,8 +142,9 @@ impl<'a> Told<'a> {
         let before = variables.len() + 1;
         variables.extend(states.iter().map(State::variable));
         variables.extend(states.iter().enumerate().map(|(place, state)| state.derivative(before, place)));
-        let (title, has_mass) = (header::title(made, name), plant.far_end() == FarEnd::Mass);
-        Self { name, step: format!("{step:?}"), title, description, has_mass, variables, outputs, states }
+        let (title, step) = (header::title(made, name), format!("{step:?}"));
+        let (has_mass, has_coil) = (plant.far_end() == FarEnd::Mass, made.coil.is_some());
+        Self { name, step, title, description, has_mass, has_coil, variables, outputs, states }
     }
 
     pub fn context(&self) -> Value {
@@ -152,7 +156,8 @@ impl<'a> Told<'a> {
             description => self.description.as_str(),
             tool => concat!("coilsense ", env!("CARGO_PKG_VERSION")),
             has_mass => self.has_mass,
-            outputs => self.outputs.iter().map(|output| output.field).collect::<Vec<_>>(),
+            has_coil => self.has_coil,
+            outputs => self.outputs.iter().map(|output| output.from.clone()).collect::<Vec<_>>(),
             nominals => self.states.iter().map(|state| state.nominal.clone()).collect::<Vec<_>>(),
             variables => self.variables.iter().map(Variable::value).collect::<Vec<_>>(),
             units => UNITS.map(|unit| unit.value()).to_vec(),
@@ -294,26 +299,44 @@ fn parameters(made: &Plant) -> [Variable; 3] {
     [parameter("k", "N/m", numbers.stiffness, "Stiffness"), mass, parameter("zeta", "1", numbers.damping_ratio, ratio)]
 }
 
-fn outputs(made: &Plant) -> Vec<Output> {
+fn outputs(made: &Plant, header: &str) -> Vec<Output> {
     let mean = made.plant.mean_force();
     let force = |what: &str| {
         format!(
             "{what}, tension positive; {mean:?} N where all inputs are zero and nothing moves, with the spring's own k"
         )
     };
+    let output = |name, unit, from: &str, description| Output { name, unit, from: from.to_owned(), description };
     let mut outputs = vec![
-        Output { name: "F_i", unit: "N", field: "input", description: force("Force at end 1") },
-        Output { name: "F_o", unit: "N", field: "output", description: force("Force at end 2") },
-        Output {
-            name: "F_x",
-            unit: "N",
-            field: "deflection",
-            description: force("k times the stretch between the ends"),
-        },
+        output("F_i", "N", "out->input", force("Force at end 1")),
+        output("F_o", "N", "out->output", force("Force at end 2")),
+        output("F_x", "N", "out->deflection", force("k times the stretch between the ends")),
     ];
     if made.plant.far_end() != FarEnd::Position {
-        let description = "Position of end 2 from its mean".to_owned();
-        outputs.push(Output { name: "u2", unit: "m", field: "end", description });
+        outputs.push(output("u2", "m", "out->end", "Position of end 2 from its mean".to_owned()));
+    }
+    if made.coil.is_some() {
+        let bound = |of: &str| {
+            format!(
+                "How far {of} may be from Maxwell's sum over these windings; the largest number where nothing is known: beyond the lengths in use, or \
+                 where windings would meet"
+            )
+        };
+        let of_inductance =
+            force("Force by the inductance of wire that is not magnetic, by its calibration over the lengths in use");
+        outputs.extend([
+            output("F_L", "N", "coil.force", of_inductance),
+            output("F_L_bound", "N", "coil.force_bound", bound("F_L")),
+            output("L", "H", "coil.inductance", "Inductance".to_owned()),
+            output("L_bound", "H", "coil.inductance_bound", bound("L")),
+        ]);
+    }
+    if let Some(windings) = &made.windings {
+        let description = format!(
+            "Smallest distance between neighbouring windings, centre to centre; below {:?} m they would have met, and this is no longer the spring",
+            windings.contact_pitch()
+        );
+        outputs.push(output("closest_pitch", "m", &format!("{header}_closest_pitch(plant, state)"), description));
     }
     outputs
 }

@@ -113,7 +113,7 @@ static int exchange_outputs(exchange *e, unit *u)
         once.modes[j][1] = state[1] + 2.0 * e->modes[j].ratio * dragged;
     }
     out = {{ name }}_step(&e->still, &once, u->now.inputs[0], u->now.inputs[1]);
-    return unit_keep(u, &out) != 0 ? unit_refuses(u, "inputs and states lead beyond what numbers hold", u->now.inputs[0]) : 0;
+    return unit_keep(u, &e->still, &once, &out) != 0 ? unit_refuses(u, "inputs and states lead beyond what numbers hold", u->now.inputs[0]) : 0;
 }
 
 static int exchange_set(unit *u, unsigned int number, double value)

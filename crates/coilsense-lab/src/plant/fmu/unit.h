@@ -91,10 +91,15 @@ static int unit_make(unit *u, double step)
 }
 
 /* Takes what the spring gives; nothing where a number of it is none. */
-static int unit_keep(unit *u, const {{ name }}_output *out)
+static int unit_keep(unit *u, const {{ name }}_plant *plant, const {{ name }}_state *state, const {{ name }}_output *out)
 {
-    const double outputs[UNIT_OUTPUTS] = { {% for output in outputs %}{{ ", " if not loop.first }}out->{{ output }}{% endfor %} };
+{%- if has_coil %}
+    const {{ name }}_reading coil = {{ name }}_coil(plant, state);
+{%- endif %}
+    const double outputs[UNIT_OUTPUTS] = { {% for output in outputs %}{{ ", " if not loop.first }}{{ output }}{% endfor %} };
     int n;
+    (void)plant;
+    (void)state;
     for (n = 0; n < UNIT_OUTPUTS; n++) {
         if (!unit_is_finite(outputs[n])) {
             return 1;
@@ -115,7 +120,7 @@ static int unit_settle(unit *u)
     {{ name }}_settle(&u->now.spring, u->now.inputs[0], u->now.inputs[1]);
     once = u->now.spring;
     out = {{ name }}_step(&u->plant, &once, u->now.inputs[0], u->now.inputs[1]);
-    return unit_keep(u, &out) != 0 ? unit_refuses(u, "inputs lead beyond what numbers hold at rest", u->now.inputs[0]) : 0;
+    return unit_keep(u, &u->plant, &once, &out) != 0 ? unit_refuses(u, "inputs lead beyond what numbers hold at rest", u->now.inputs[0]) : 0;
 }
 
 /* From one stage to the next. */
@@ -229,7 +234,7 @@ static int unit_advance(unit *u, double time, double step)
         return 1;
     }
     out = {{ name }}_step(&u->plant, &u->now.spring, reached[0], reached[1]);
-    if (unit_keep(u, &out) != 0) {
+    if (unit_keep(u, &u->plant, &u->now.spring, &out) != 0) {
         u->now.spring = before;
         return unit_refuses(u, "inputs lead beyond what numbers hold at the end of the step", reached[0]);
     }
