@@ -2,6 +2,7 @@
 
 import copy
 import os
+import pathlib
 import pickle
 import signal
 import threading
@@ -14,6 +15,7 @@ from samples import SPRING
 
 import coilsense
 
+EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 STEP = 2e-4
 FAR_ENDS = [coilsense.FarEnd.position(), coilsense.FarEnd.force(), coilsense.FarEnd.mass(0.5)]
 
@@ -65,6 +67,17 @@ def test_a_copy_goes_on_by_itself_with_the_same_bits(copied) -> None:  # type: i
     assert other != live
     assert driven(other, ends[20:]) == once and other == live and repr(other) == repr(live)
     assert live != made(FAR_ENDS[1]) and live != "a spring"
+
+
+def test_a_coil_of_sections_is_copied_and_not_sent() -> None:
+    spring = coilsense.Spec.read(EXAMPLES / "progressive-spring.toml").spring
+    live = coilsense.Live(spring, spring.mid_length, 1e-4)
+    live.advance(1e-4, spring.mid_length)
+    other = live.copy()
+    assert other == live and other.advance(0.0, spring.mid_length) == live.advance(0.0, spring.mid_length)
+    for one in (live, live.batch(2)):
+        with pytest.raises(coilsense.Error, match="must be a uniform coil to be pickled, got sections"):
+            pickle.dumps(one)
 
 
 def test_at_rest_it_is_as_new_or_somewhere_else() -> None:
@@ -160,8 +173,11 @@ def test_what_does_not_fit_a_batch_is_named_and_moves_none() -> None:
     live = made()
     with pytest.raises(coilsense.Error, match="lives must hold at least 1 spring, got 0"):
         coilsense.LiveBatch([])
-    with pytest.raises(coilsense.Error, match="lives must hold at least 1 spring, got 0"):
-        live.batch(0)
+    for count in (0, 10**15):
+        with pytest.raises(coilsense.Error, match=f"count must be from 1 to 1000000, got {count}"):
+            live.batch(count)
+    with pytest.raises(OverflowError):
+        live.batch(-1)
     others = {
         "step of lives.1. must be that of lives.0., 0.0002 s, got 0.0003 s": coilsense.Live(SPRING, 0.23, 3e-4, live.mount),
         "far end of lives.1. must be of the kind of lives.0.": made(FAR_ENDS[1]),

@@ -9,7 +9,7 @@ use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::IntoPython;
+use crate::errors::{IntoPython, refused};
 use crate::mount::PyMount;
 use crate::quantity::Quantity;
 use crate::series::Series;
@@ -164,9 +164,15 @@ impl PyLive {
         other.try_borrow().is_ok_and(|other| is_alike(&self.0, &other.0) && self.0.state() == other.0.state())
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> Reduced<'py> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let (class, live) = (slf.get_type().into_any(), slf.borrow());
-        (class, (live.spring(), live.mean_length(), live.step(), live.mount()), live.state(slf.py()))
+        // A spring travels by its numbers, which are those of a uniform coil.
+        if live.0.spring().parameters().sections.is_some() {
+            return Err(refused(
+                "spring of a live spring must be a uniform coil to be pickled, got sections; copy() takes them",
+            ));
+        }
+        Ok((class, (live.spring(), live.mean_length(), live.step(), live.mount()), live.state(slf.py())))
     }
 
     fn __setstate__(&mut self, state: Series<'_>) -> PyResult<()> {
