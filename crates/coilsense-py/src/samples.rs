@@ -5,14 +5,39 @@
 use std::borrow::Cow;
 
 use coilsense_lab::quantity::Dimension;
+use num_complex::Complex64;
 use numpy::{Element, IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyInt, PyString};
+use pyo3::types::{PyBool, PyComplex, PyFloat, PyInt, PyString};
 
 use crate::errors::Error;
 use crate::quantity::Quantity;
 use crate::series::{described, in_a_unit, real};
+
+/// What an array holds, and what is Python's own where it is alone.
+pub trait Item: Element + Copy {
+    /// It alone.
+    fn alone(self, py: Python<'_>) -> Bound<'_, PyAny>;
+}
+
+impl Item for f64 {
+    fn alone(self, py: Python<'_>) -> Bound<'_, PyAny> {
+        PyFloat::new(py, self).into_any()
+    }
+}
+
+impl Item for bool {
+    fn alone(self, py: Python<'_>) -> Bound<'_, PyAny> {
+        PyBool::new(py, self).to_owned().into_any()
+    }
+}
+
+impl Item for Complex64 {
+    fn alone(self, py: Python<'_>) -> Bound<'_, PyAny> {
+        PyComplex::from_doubles(py, self.re, self.im).into_any()
+    }
+}
 
 /// A number, a text with its unit, a number of a library of units, or an array of any shape in SI.
 pub struct Samples<'py>(Given<'py>);
@@ -28,10 +53,10 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Samples<'py> {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
-        let alone = object.is_instance_of::<PyFloat>()
-            || object.is_instance_of::<PyInt>()
-            || object.is_instance_of::<PyString>();
-        if alone {
+        if object.is_instance_of::<PyFloat>() || object.is_instance_of::<PyInt>() {
+            return Ok(Self(Given::One(Quantity::Number(object.extract()?))));
+        }
+        if object.is_instance_of::<PyString>() {
             return Ok(Self(Given::One(object.extract()?)));
         }
         let shaped = object.getattr("shape").and_then(|shape| shape.len()).unwrap_or(0) > 0;
@@ -65,28 +90,26 @@ impl<'py> Samples<'py> {
     }
 
     /// What came of each number, in the shape in which they came.
-    pub fn shaped<T: Element>(&self, py: Python<'py>, values: Vec<T>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn shaped<T: Item>(&self, py: Python<'py>, values: Vec<T>) -> PyResult<Bound<'py, PyAny>> {
         self.with_axes(py, values, &[])
     }
 
     /// The same where several values came of each: as further dimensions at the end.
-    pub fn with_axes<T: Element>(
-        &self,
-        py: Python<'py>,
-        values: Vec<T>,
-        axes: &[usize],
-    ) -> PyResult<Bound<'py, PyAny>> {
+    pub fn with_axes<T: Item>(&self, py: Python<'py>, values: Vec<T>, axes: &[usize]) -> PyResult<Bound<'py, PyAny>> {
         shaped(py, values, &[self.shape(), axes].concat())
     }
 
     /// What a function gives for each number, in the shape in which they came.
-    pub fn each<T: Element>(
+    pub fn each<T: Item>(
         &self,
         py: Python<'py>,
         name: &str,
         dimension: Dimension,
         of: impl Fn(f64) -> T,
     ) -> PyResult<Bound<'py, PyAny>> {
+        if let Given::One(quantity) = &self.0 {
+            return Ok(of(quantity.si(name, dimension)?).alone(py));
+        }
         let values = self.si(name, dimension)?.iter().map(|value| of(*value)).collect();
         self.shaped(py, values)
     }
@@ -112,10 +135,12 @@ impl<'py> Samples<'py> {
 }
 
 /// Values in a shape; of none a number of Python's own.
-fn shaped<'py, T: Element>(py: Python<'py>, values: Vec<T>, shape: &[usize]) -> PyResult<Bound<'py, PyAny>> {
+fn shaped<'py, T: Item>(py: Python<'py>, values: Vec<T>, shape: &[usize]) -> PyResult<Bound<'py, PyAny>> {
+    if let ([], [value]) = (shape, values.as_slice()) {
+        return Ok(value.alone(py));
+    }
     let array = values.into_pyarray(py);
     match shape.len() {
-        0 => array.get_item(0)?.call_method0("item"),
         1 => Ok(array.into_any()),
         _ => Ok(array.reshape(shape)?.into_any()),
     }
