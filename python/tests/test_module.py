@@ -117,3 +117,16 @@ def test_exceptions_are_value_errors_that_pickle() -> None:
             assert issubclass(noun, coilsense.Error)
             assert issubclass(noun, ValueError)
             assert pickle.loads(pickle.dumps(noun("a text"))).args == ("a text",)
+
+
+def test_what_only_a_spec_tells_of_a_spring_is_kept() -> None:
+    text = coilsense.Spec.template("S_T").replace('windings = 52', 'windings = 52\nmasses_per_winding = 4')
+    fine = coilsense.Spec.parse(text).spring
+    assert fine.chain_masses == 208
+    wound = coilsense.Spec.read("examples/progressive-spring.toml").spring
+    for spring in (fine, wound):
+        for again in (pickle.loads(pickle.dumps(spring)), copy.copy(spring), copy.deepcopy(spring)):
+            assert again == spring and again.chain_masses == spring.chain_masses
+    assert fine.replace(mass=0.06).chain_masses == 208
+    with pytest.raises(coilsense.Error, match=r"made of these: change them there"):
+        wound.replace(mass=0.06)

@@ -2,12 +2,16 @@
 //!
 //! Next door: from wire and coil (`geometry`), what is done to it (`excitation`).
 
+use std::sync::Arc;
+
+use coilsense::sections::{Section, Sections};
 use coilsense::{Spring, SpringParameters};
 use coilsense_lab::quantity::Dimension::{Force, Length, Mass, Stiffness};
 use coilsense_lab::spec::{Spec, template};
 use pyo3::prelude::*;
+use pyo3::types::IntoPyDict;
 
-use crate::errors::{IntoPython, unknown};
+use crate::errors::{IntoPython, refused, unknown};
 use crate::quantity::{Quantity, si};
 use crate::samples::Samples;
 use crate::value::{Arguments, getters, named_value};
@@ -102,12 +106,43 @@ getters! {
     solid_length: f64 = self.0.solid_length();
 }
 
+/// The sections of a coil: windings, pitches, coil diameters [m], wire diameter [m] and whether it telescopes, of each; shear modulus [Pa] and density [kg/m³].
+type Wound = (Vec<(f64, [f64; 2], [f64; 2], f64, bool)>, f64, f64);
+
+fn wound((sections, shear_modulus, density): Wound) -> PyResult<Arc<Sections>> {
+    let each = sections.into_iter().map(|(windings, pitch, coil_diameter, wire_diameter, telescopes)| Section {
+        windings,
+        pitch,
+        coil_diameter,
+        wire_diameter,
+        telescopes,
+    });
+    Sections::new(each.collect(), shear_modulus, density).map(Arc::new).python()
+}
+
+fn unwound(coil: &Sections) -> Wound {
+    let each = coil.sections().iter().map(|section| {
+        let Section { windings, pitch, coil_diameter, wire_diameter, telescopes } = *section;
+        (windings, pitch, coil_diameter, wire_diameter, telescopes)
+    });
+    (each.collect(), coil.shear_modulus(), coil.density())
+}
+
 named_value! {
     /// The parameters by name, as the constructor takes them.
     PySpring, self, made = |slf| {
-        // One of a spec whose mass is that of no wire may go on having it.
-        let class = slf.get_type().into_any();
-        if slf.get().0.check_wire().is_ok() { Ok(class) } else { class.getattr("_kept") }
+        let (py, class, spring) = (slf.py(), slf.get_type().into_any(), &slf.get().0);
+        if spring.sections().is_some() {
+            let told = "a spring of a spec's [[spring.section]] tables is made of these: change them there";
+            return Err(refused(told));
+        }
+        let masses = spring.masses_per_winding();
+        if masses == 1 && spring.check_wire().is_ok() {
+            return Ok(class);
+        }
+        // One of a spec whose mass is that of no wire may go on having it, and its chain is as fine.
+        let partial = py.import("functools")?.getattr("partial")?;
+        partial.call((class.getattr("_kept")?,), Some(&[("masses_per_winding", masses)].into_py_dict(py)?))
     };
     rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
     nominal_force = self.0.parameters().nominal_force,
@@ -143,15 +178,17 @@ impl PySpring {
             max_length,
             nominal_force,
             inductance_windings,
+            1,
+            None,
         )?;
         spring.0.check_wire().python()?;
         Ok(spring)
     }
 
-    /// A spring of checked values, whatever its wire would weigh: what unpickling calls.
+    /// A spring of checked values, whatever its wire would weigh, and with what a spec alone tells of it: what unpickling calls.
     #[staticmethod]
     #[pyo3(signature = (*, rest_length, windings, coil_radius, wire_radius, mass, stiffness, min_length, max_length,
-                        nominal_force=None, inductance_windings=None))]
+                        nominal_force=None, inductance_windings=None, masses_per_winding=1, sections=None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per value of Table I")]
     fn _kept(
         rest_length: Quantity,
@@ -164,6 +201,8 @@ impl PySpring {
         max_length: Quantity,
         nominal_force: Option<Quantity>,
         inductance_windings: Option<Quantity>,
+        masses_per_winding: usize,
+        sections: Option<Wound>,
     ) -> PyResult<Self> {
         let parameters = SpringParameters {
             rest_length: rest_length.si("rest_length", Length)?,
@@ -176,14 +215,17 @@ impl PySpring {
             max_length: max_length.si("max_length", Length)?,
             nominal_force: si(nominal_force.as_ref(), "nominal_force", Force)?,
             inductance_windings: inductance_windings.map(|count| count.plain("inductance_windings")).transpose()?,
-            sections: None,
+            sections: sections.map(wound).transpose()?,
         };
-        Spring::new(parameters).python().map(Self)
+        Spring::new(parameters).and_then(|spring| spring.with_masses_per_winding(masses_per_winding)).python().map(Self)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Arguments<'py>,))> {
-        let py = slf.py();
-        Ok((py.import("coilsense._pickle")?.getattr("spring")?, (slf.get().arguments(py)?,)))
+        let (py, spring) = (slf.py(), &slf.get().0);
+        let arguments = slf.get().arguments(py)?;
+        arguments.set_item("masses_per_winding", spring.masses_per_winding())?;
+        arguments.set_item("sections", spring.sections().map(unwound))?;
+        Ok((py.import("coilsense._pickle")?.getattr("spring")?, (arguments,)))
     }
 
     /// A spring of the paper's Table I.

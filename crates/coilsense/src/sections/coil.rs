@@ -88,6 +88,16 @@ impl Sections {
         &self.sections
     }
 
+    /// G \[Pa\].
+    pub fn shear_modulus(&self) -> f64 {
+        self.shear_modulus
+    }
+
+    /// \[kg/m³\].
+    pub fn density(&self) -> f64 {
+        self.density
+    }
+
     /// All windings \[1\].
     pub fn windings(&self) -> f64 {
         self.sections.iter().map(|section| section.windings).sum()
