@@ -119,6 +119,22 @@ def test_a_placement_says_what_to_feed_back(tmp_path: pathlib.Path) -> None:
         coilsense.placement(SPEC)
 
 
+def test_every_loop_of_a_placement_is_run_over_time() -> None:
+    placed = coilsense.placement(LOOP)
+    runs = placed.over_time
+    assert placed.drive == "an ideal velocity source" and list(runs)[:4] == ["F_i", "F_o", "F_x", "F_L"]
+    assert list(runs) == list(placed.limits) and runs[placed.feed_back]["limit_confirmed"] == placed.confirmed
+    for name, run in runs.items():
+        assert run["not_run"] is None and run["limit_confirmed"] in (True, None), name
+        assert run["time"].shape == run["F_o"].shape == run["fed_back"].shape == run["command"].shape, name
+        assert numpy.isfinite(run["F_i"]).all() and run["largest_command"] == numpy.abs(run["command"]).max(), name
+        # What is unstable has no place to settle at that could be taken for one.
+        assert run["stable"] or run["ran_away_at"] is not None or run["load_swing"] > 0, name
+    best = runs[placed.feed_back]
+    assert best["stable"] and abs(best["load"] - 1) < 0.1 and best["ran_away_at"] is None
+    assert runs["F_x"]["coil_error"] is None
+
+
 def test_a_rig_s_logs_are_worked_off(tmp_path: pathlib.Path) -> None:
     settings = '\n[rig]\nfrequencies = 5\nduration = "8 s"\nreadings = 10\nhits = 1\n'
     spec = coilsense.Spec.parse(TEMPLATE + settings)

@@ -4,8 +4,10 @@
 
 use std::sync::Arc;
 
-use coilsense_lab::placement::{Assessment, Placement};
+use coilsense::control::Run;
+use coilsense_lab::placement::{Assessment, LoopRun, Placement};
 use coilsense_lab::report::{add_placement, placement_json, placement_text};
+use numpy::ToPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -44,8 +46,10 @@ getters! {
     gain: f64 = self.0.gain;
     /// The drive's command unit.
     command_unit: &'static str = self.0.control.drive.command_unit();
-    /// Whether the sampled loop over time turned unstable where predicted; None where there is no limit, or no run.
-    confirmed: Option<bool> = self.0.confirmed;
+    /// The drive of all runs over time, in words.
+    drive: String = coilsense_lab::placement::drive_words(&self.0.control.drive);
+    /// Whether the loop on that force, run over time, turned unstable where predicted; None where there is no limit, or no run.
+    confirmed: Option<bool> = self.0.best_run().verdict.confirmed();
 }
 
 study_result! {
@@ -91,6 +95,21 @@ impl PyPlacement {
         Ok(dict)
     }
 
+    /// Each force and each estimate run over time with the drive of the spec, a dict by name: damping (where it has the least to spare), stable
+    /// (by its response over frequency), ran_away_at [s], load and load_swing (F_o in the last tenth of a second's run and how far it moves,
+    /// over a step of 1 % of F_nom), largest_command, limit_confirmed (stable at 0.98 and unstable at 1.02 times its predicted limit),
+    /// coil_error (F_L read off the whole inductance, over the step), not_run (why), and the run itself: time [s], F_i, F_o and fed_back [N] less
+    /// their means, command. None stands for what does not apply. Linear: no limits of command, no friction but viscous, no noise, no windings
+    /// that touch.
+    #[getter]
+    fn over_time<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for run in &self.0.runs {
+            dict.set_item(run.fed_back, over_time(py, run)?)?;
+        }
+        Ok(dict)
+    }
+
     fn __repr__(&self) -> String {
         format!(
             "<Placement of {}: feed back {}, crossover {} Hz>",
@@ -116,6 +135,32 @@ fn margins<'py>(py: Python<'py>, judged: &Assessment, damping: &str) -> PyResult
     dict.set_item("load_peak_frequency", load.map(|peak| peak.at))?;
     Ok(dict)
 }
+
+fn over_time<'py>(py: Python<'py>, run: &LoopRun) -> PyResult<Bound<'py, PyDict>> {
+    let (dict, shown) = (PyDict::new(py), run.shown.as_ref().ok());
+    dict.set_item("damping", &run.damping)?;
+    dict.set_item("stable", run.stable)?;
+    dict.set_item("ran_away_at", shown.and_then(|shown| shown.ran_away_at))?;
+    dict.set_item("load", run.last.map(|[place, _]| place))?;
+    dict.set_item("load_swing", run.last.map(|[_, swing]| swing))?;
+    dict.set_item("largest_command", shown.map(|_| run.largest_command))?;
+    dict.set_item("limit_confirmed", run.verdict.confirmed())?;
+    dict.set_item("coil_error", run.coil_error)?;
+    dict.set_item("not_run", run.shown.as_ref().err())?;
+    for (name, pick) in SERIES {
+        dict.set_item(name, shown.map(|shown| pick(shown).to_pyarray(py)))?;
+    }
+    Ok(dict)
+}
+
+/// Series of a run by their keys.
+const SERIES: [(&str, fn(&Run) -> &[f64]); 5] = [
+    ("time", |run| &run.time),
+    ("F_i", |run| &run.input),
+    ("F_o", |run| &run.output),
+    ("fed_back", |run| &run.fed_back),
+    ("command", |run| &run.command),
+];
 
 /// Which force a control loop may feed back: limits of stability and margins of F_i, F_o, F_x and F_L, and behind estimators.
 ///

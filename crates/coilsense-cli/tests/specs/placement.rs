@@ -57,6 +57,88 @@ fn a_sampled_loops_limit_holds_over_time() {
     assert!(estimates[0]["stable_crossover_hz"].as_f64().unwrap() > kalman);
 }
 
+/// Runs over time by what is fed back.
+fn over_time(result: &serde_json::Value) -> std::collections::BTreeMap<String, serde_json::Value> {
+    let runs = result["over_time"].as_array().unwrap().iter();
+    runs.map(|run| (run["fed_back"].as_str().unwrap().to_owned(), run.clone())).collect()
+}
+
+fn lines(result: &serde_json::Value) -> String {
+    let lines = result["answer"].as_array().unwrap().iter();
+    lines.map(|line| line.as_str().unwrap()).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn a_motors_loops_are_run_over_time_on_every_force_and_behind_every_estimator() {
+    let tables = "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"force\"\nmotor_mass = \"2 kg\"\nmotor_friction = \"30 N s/m\"\n\
+                  drive_bandwidth = \"300 Hz\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\n";
+    let result = json(tables);
+    let (runs, answer) = (over_time(&result), lines(&result));
+    assert_eq!(runs.len(), 6, "four forces and two estimates");
+    for (name, run) in &runs {
+        assert_eq!((&run["limit_confirmed"], &run["stable"]), (&true.into(), &true.into()), "{name}");
+        // An integral brings F_o to the reference within a second, to some per cent of the slow loop's swing.
+        assert!((run["load_percent"].as_f64().unwrap() - 100.0).abs() < 3.0, "{name}: {run}");
+        assert!(answer.contains(name), "{name}");
+    }
+    // F_L is the only one that is read off windings.
+    assert!(runs["F_L"]["coil_error_percent"].as_f64().unwrap() < 0.1 && runs["F_x"]["coil_error_percent"].is_null());
+    assert_eq!(result["drive"], "a motor of 2.00 kg with 30.0 N s/m of friction and a current loop of 300 Hz");
+    for expected in
+        ["a current loop of 300 Hz", "in samples of 0.500 ms", "Kalman", "no dry friction", "no windings that touch"]
+    {
+        assert!(answer.contains(expected), "{expected}: {answer}");
+    }
+}
+
+#[test]
+fn a_continuous_loop_is_run_over_time_and_says_so() {
+    let tables = "[mount]\ndamping_ratio = 0.02\n[control]\ndrive = \"velocity\"\ndrive_bandwidth = \"60 Hz\"\ndelay = \"1 ms\"\n";
+    let result = json(tables);
+    for (name, run) in over_time(&result) {
+        assert_eq!(run["limit_confirmed"], true, "{name}");
+    }
+    let answer = lines(&result);
+    assert!(answer.contains("continuous, with a velocity source with a bandwidth of 60.0 Hz"), "{answer}");
+    // Without a limit there is nothing to confirm, and an ideal source is called one.
+    let ideal = json(CONTINUOUS);
+    assert!(ideal["limit_confirmed_over_time"].is_null());
+    assert!(over_time(&ideal)["F_o"]["limit_confirmed"] == true && lines(&ideal).contains("an ideal velocity source"));
+}
+
+#[test]
+fn a_loop_that_is_set_too_fast_tells_no_place_where_it_settles() {
+    let tables = "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"force\"\nmotor_mass = \"2 kg\"\nmotor_friction = \"30 N s/m\"\n\
+                  crossover = \"120 Hz\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\n";
+    let result = json(tables);
+    let answer = lines(&result);
+    for (name, run) in over_time(&result) {
+        assert_eq!(run["stable"], false, "{name}");
+        // It ran away, or it moves by far more than the step.
+        let moves = run["load_swing_percent"].as_f64().unwrap_or(f64::INFINITY);
+        assert_eq!(run["ran_away_at_s"].is_null(), moves.is_finite(), "{name}: {run}");
+        assert!(moves > 1000.0, "{name}: {run}");
+    }
+    assert!(answer.contains("runs away, past 1e8 N after") || answer.contains("unstable, F_o moves by"), "{answer}");
+    assert!(!answer.contains("F_o is at"), "{answer}");
+}
+
+#[test]
+fn a_loop_that_cannot_be_run_says_why_and_is_judged_all_the_same() {
+    let tables = "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"velocity\"\ndrive_bandwidth = \"80 Hz\"\nsample_time = \"0.5 ms\"\n";
+    let (place, spec) = place(tables);
+    let text = std::fs::read_to_string(&spec).unwrap();
+    let spec = place.path().join("long.toml");
+    assert!(text.contains("windings = 52"));
+    std::fs::write(&spec, text.replacen("windings = 52", "masses_per_winding = 4\nwindings = 52", 1)).unwrap();
+    let result: serde_json::Value = serde_json::from_str(&done(&["placement", path(&spec), "--json"])).unwrap();
+    let expected = "number of winding masses must be at most 200 for a run over time of this drive and load, got 208";
+    assert_eq!(over_time(&result)["F_i"]["not_run"], expected);
+    assert!(result["limit_confirmed_over_time"].is_null());
+    assert!(lines(&result).contains(&format!("Not run over time: {expected}.")));
+    assert!(result["crossover_hz"].as_f64().unwrap() > 0.0);
+}
+
 #[test]
 fn a_motor_and_a_load_are_judged_too() {
     let tables = "[mount]\ndamping_ratio = 0.01\n[control]\ndrive = \"force\"\nmotor_mass = \"2 kg\"\nmotor_friction = \"30 N s/m\"\n\
@@ -109,6 +191,12 @@ fn what_cannot_be_is_refused_at_its_key() {
             "[control]\ndrive = \"velocity\"\nsample_time = \"1 ms\"\ndelay = \"1.5 ms\"\n",
             "delay = \"1.5 ms\": must be a whole number",
         ),
+        ("[control]\ndrive = \"force\"\nmotor_mass = \"0 kg\"\n", "motor_mass = \"0 kg\": must be above zero"),
+        (
+            "[control]\ndrive = \"force\"\nmotor_mass = \"1 kg\"\nmotor_friction = \"-1 N s/m\"\n",
+            "motor_friction = \"-1 N s/m\": must be",
+        ),
+        ("[contact]\n[control]\ndrive = \"velocity\"\n", "[contact]"),
         (
             "[control]\ndrive = \"velocity\"\nintegral_time = \"1 s\"\n",
             "integral_time = \"1 s\": goes with a controller that has I",

@@ -1,10 +1,10 @@
 //! The answer of a placement, in a few sentences.
 //!
-//! Next door: its numbers (`super`).
+//! Next door: its numbers (`super`), the runs over time (`told`).
 
 use coilsense::Channel;
 
-use super::{Candidate, MOST_PEAK, Peak, Placement, TOLERANCE};
+use super::{Candidate, MOST_PEAK, Peak, Placement, TOLERANCE, told};
 use crate::quantity::digits;
 
 /// What stands behind a force's name.
@@ -43,15 +43,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     if let Some(line) = passivity_line(placement, best) {
         lines.push(line);
     }
-    match placement.confirmed {
-        Some(true) => lines.push(
-            "In a time simulation of the sampled loop it is stable at 0.98 and unstable at 1.02 times its predicted limit."
-                .to_owned(),
-        ),
-        Some(false) => lines
-            .push("Warning: run over time in samples, that loop does not turn unstable where predicted.".to_owned()),
-        None => {}
-    }
+    lines.extend(told::lines(placement));
     if placement.undamped_left_out {
         lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
     }

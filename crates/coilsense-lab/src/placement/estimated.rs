@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use coilsense::control::{Drive, Environment, Estimator, ForceLoop, Plant, SampledLoop};
+use coilsense::control::{Environment, Estimator, ForceLoop, Plant, SampledLoop};
 use coilsense::mitigation::{KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, surge_notches};
 use coilsense::{Channel, Error};
 use coilsense_rt::Cascade;
@@ -21,6 +21,8 @@ pub struct Estimated {
     pub stable_crossover: f64,
     /// The same with a sensitivity of at most 2.
     pub robust_crossover: f64,
+    /// What makes it of F_i and the ends' positions.
+    pub estimator: Estimator,
 }
 
 /// Tolerances of k and m, either way \[1\].
@@ -31,10 +33,9 @@ const NOISE: f64 = 0.002;
 const RINGING: f64 = 8.3;
 const DRIFT: f64 = 2.1;
 
-/// Notches and Kalman filter in the loop; none where positions are not known from sample to sample, or three modes lie above half the rate.
+/// Notches and Kalman filter in the loop; none without samples, where end 2 moves, or where three modes lie above half the rate.
 pub(super) fn all(unit: &UnitLoops<'_>, dampings: &[DampingCase], gain: f64) -> Result<Vec<Estimated>, Error> {
-    let exact = matches!(unit.control.drive, Drive::Velocity { bandwidth: None });
-    let (Some(step), true, Environment::Held) = (unit.control.sample_time, exact, unit.control.environment) else {
+    let (Some(step), Environment::Held) = (unit.control.sample_time, unit.control.environment) else {
         return Ok(Vec::new());
     };
     let (spring, damping) = (&unit.spec.spring.spring, &dampings[dampings.len() / 2]);
@@ -78,5 +79,10 @@ fn judged(
         factor if factor.is_infinite() => Ok(f64::INFINITY),
         factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
     };
-    Ok(Estimated { name, stable_crossover: crossover(stable)?, robust_crossover: crossover(robust)? })
+    Ok(Estimated {
+        name,
+        stable_crossover: crossover(stable)?,
+        robust_crossover: crossover(robust)?,
+        estimator: estimator.clone(),
+    })
 }

@@ -8,8 +8,9 @@ mod estimated;
 mod judged;
 mod loops;
 mod over_time;
+mod told;
 
-use coilsense::control::{ForceLoop, Run};
+use coilsense::control::ForceLoop;
 use coilsense::{Channel, Error};
 
 pub use answer::answer;
@@ -17,7 +18,8 @@ pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
 pub use judged::Assessment;
 use loops::UnitLoops;
-use over_time::runs;
+pub use over_time::{BESIDE, LoopRun, Verdict};
+pub use told::drive_words;
 
 use crate::spec::{ControlSpec, DampingCase, Spec};
 
@@ -72,11 +74,8 @@ pub struct Placement {
     pub crossover: f64,
     /// The proportional gain that makes it so (command unit per N).
     pub gain: f64,
-    /// The sampled loop over time with the best force, where it can be run, at the set gain.
-    pub run: Option<Run>,
-    /// Whether the same loop, run at 0.98 and 1.02 of the limit that was predicted for it, stayed and ran away; `None` where there is no
-    /// limit, or no run.
-    pub confirmed: Option<bool>,
+    /// Every loop over time, in samples or continuous as it is judged: each force, then each estimate.
+    pub runs: Vec<LoopRun>,
 }
 
 impl Placement {
@@ -123,22 +122,15 @@ impl Placement {
                 judged.set(&unit, damping, candidate.channel, gain).map_err(science)?;
             }
         }
-        let (run, confirmed) = runs(&unit, &dampings, &candidates[best], gain).map_err(science)?;
         let estimates = estimated::all(&unit, &dampings, gain).map_err(science)?;
+        let runs = over_time::runs(&unit, &dampings, &candidates, &estimates, gain).map_err(science)?;
         let undamped_left_out = dampings.len() < spec.mount.cases.len();
-        Ok(Self {
-            control,
-            dampings,
-            undamped_left_out,
-            candidates,
-            estimates,
-            best,
-            crossover,
-            gain,
-            run,
-            confirmed,
-            spec,
-        })
+        Ok(Self { control, dampings, undamped_left_out, candidates, estimates, best, crossover, gain, runs, spec })
+    }
+
+    /// The run of the force that is to be fed back.
+    pub fn best_run(&self) -> &LoopRun {
+        &self.runs[self.best]
     }
 
     /// The damping whose curves are shown: the middle one.

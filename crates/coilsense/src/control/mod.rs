@@ -31,6 +31,7 @@
 //! [`SampledLoop`]: crate::control::SampledLoop
 
 mod coil;
+mod computer;
 mod controller;
 mod drive;
 mod environment;

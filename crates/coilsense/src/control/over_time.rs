@@ -1,11 +1,13 @@
 //! A loop over time: every drive, load, force and estimator, in samples or continuous.
 //!
-//! Next door: when it should go unstable (`sampled`, `force_loop`), what steps it (`stepped`, `crate::motion::Live`), what it leaves (`run`).
+//! Next door: when it should go unstable (`sampled`, `force_loop`), its controller (`computer`), what
+//! steps it (`stepped`, `crate::motion::Live`), what it leaves (`run`).
 
-use std::collections::VecDeque;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use super::coil::Reading;
+use super::computer::Computer;
 use super::drive::Drive;
 use super::environment::Environment;
 use super::estimator::Estimator;
@@ -85,11 +87,19 @@ impl OverTime {
     /// # Errors
     /// [`Error::Value`] for a drive or load that takes poles, of a spring with more than 200 winding masses.
     pub fn sampled(sampled: &SampledLoop) -> Result<Self, Error> {
+        Self::sampled_beside(sampled, None)
+    }
+
+    /// The same, with what another loop found of the same plant: another force fed back, or another gain.
+    ///
+    /// # Errors
+    /// As [`Self::sampled`].
+    pub fn sampled_beside(sampled: &SampledLoop, other: Option<&Self>) -> Result<Self, Error> {
         let plant = sampled.continuous.plant().clone();
         let feedback = sampled.continuous.feedback();
         let engine = match exact_far_end(&plant, feedback) {
             Some(far_end) => Engine::Exact(far_end, sampled.kicked()),
-            None => Engine::Poles(Box::new(Stepped::new(Poles::of(&plant)?, sampled.step, Hold::Zero))),
+            None => Engine::Poles(Box::new(Stepped::new(poles(&plant, other)?, sampled.step, Hold::Zero))),
         };
         Ok(Self {
             plant,
@@ -109,10 +119,18 @@ impl OverTime {
     /// # Errors
     /// As [`Self::sampled`]; [`Error::Value`] for a delay of more than 10⁵ such steps.
     pub fn continuous(force_loop: &ForceLoop) -> Result<Self, Error> {
+        Self::continuous_beside(force_loop, None)
+    }
+
+    /// The same, with what another loop found of the same plant.
+    ///
+    /// # Errors
+    /// As [`Self::continuous`].
+    pub fn continuous_beside(force_loop: &ForceLoop, other: Option<&Self>) -> Result<Self, Error> {
         let plant = force_loop.plant();
         let cut_off = plant.spring().chain_masses() as f64 / (0.5 * TAU * plant.spring().transit_time());
         let finest = 1.0 / (STEPS * cut_off);
-        Self::continuous_within(force_loop, finest)
+        Self::continuous_at(force_loop, finest, other)
     }
 
     /// The same at steps of at most `most` \[s\]; a delay is a whole number of them, and takes eight at least.
@@ -120,6 +138,10 @@ impl OverTime {
     /// # Errors
     /// As [`Self::continuous`]; [`Error::Value`] for steps that are not above zero.
     pub fn continuous_within(force_loop: &ForceLoop, most: f64) -> Result<Self, Error> {
+        Self::continuous_at(force_loop, most, None)
+    }
+
+    fn continuous_at(force_loop: &ForceLoop, most: f64, other: Option<&Self>) -> Result<Self, Error> {
         above_zero(called("most", "largest step"), most, "s")?;
         let plant = force_loop.plant().clone();
         let late = if force_loop.delay > 0.0 { (force_loop.delay / most).ceil().max(STEPS) } else { 0.0 };
@@ -127,7 +149,7 @@ impl OverTime {
         check(late <= 1e5, called("delay", "loop delay"), force_loop.delay, "s", allowed)?;
         let step = if late > 0.0 { force_loop.delay / late } else { most };
         let controller = force_loop.controller();
-        let stepped = Stepped::new(Poles::of(&plant)?, step, Hold::First);
+        let stepped = Stepped::new(poles(&plant, other)?, step, Hold::First);
         Ok(Self {
             feedback: force_loop.feedback(),
             control: controller.feedback(plant.drive(), plant.spring().stiffness()).tustin(step),
@@ -202,7 +224,7 @@ impl OverTime {
         let mount = Mount::new(far_end, self.plant.damping().clone())?;
         let mut live = Live::new(spring, &mount, length, self.step)?;
         let mut estimate = self.estimator.as_ref().map(|estimator| estimator.running(mean, length));
-        let mut computer = Computer::new(self, gain, reference);
+        let mut computer = Computer::new([&self.control, &self.forward], self.late, gain, reference);
         let (mut stroke, mut forces) = (0.0, [0.0; 2]);
         while record.goes_on() {
             let deflection = kicked.as_ref().map_or(k * stroke, Kicked::force);
@@ -232,7 +254,7 @@ impl OverTime {
         let fed = output_of(self.feedback)?;
         let at_once = stepped.at_once();
         let mut estimate = self.estimator.as_ref().map(|estimator| estimator.running(mean, length));
-        let mut computer = Computer::new(self, gain, reference);
+        let mut computer = Computer::new([&self.control, &self.forward], self.late, gain, reference);
         while record.goes_on() {
             let mut outputs = stepped.outputs();
             let felt = |outputs: &mut [f64; OUTPUTS], command: f64| {
@@ -272,73 +294,13 @@ impl OverTime {
     }
 }
 
-/// The controller at work: difference equations, and commands on their way.
-struct Computer<'a> {
-    back: Filter<'a>,
-    forward: Filter<'a>,
-    pending: VecDeque<f64>,
-    gain: f64,
-    reference: f64,
-}
-
-impl<'a> Computer<'a> {
-    fn new(over_time: &'a OverTime, gain: f64, reference: f64) -> Self {
-        Self {
-            back: Filter::new(&over_time.control),
-            forward: Filter::new(&over_time.forward),
-            pending: vec![0.0; over_time.late].into(),
-            gain,
-            reference,
+/// The poles of a plant, those that another loop on it has found already.
+fn poles(plant: &Plant, other: Option<&OverTime>) -> Result<Arc<Poles>, Error> {
+    match other {
+        Some(OverTime { plant: same, engine: Engine::Poles(stepped), .. }) if same == plant => {
+            Ok(stepped.poles().clone())
         }
-    }
-
-    /// The command of this sample where it was computed of samples before.
-    fn known(&self) -> Option<f64> {
-        self.pending.front().copied()
-    }
-
-    /// The command that the force it makes at once agrees with: c = g (f − b (F + s c)), F what is felt without it.
-    fn solved(&self, free: f64, share: f64) -> f64 {
-        let wanted = self.forward.next(self.reference) - self.back.next(free);
-        self.gain * wanted / (1.0 + self.gain * self.back.equation.forward[0] * share)
-    }
-
-    /// Takes the force of this sample and gives the command.
-    fn command(&mut self, fed_back: f64) -> f64 {
-        let command = self.gain * (self.forward.step(self.reference) - self.back.step(fed_back));
-        self.pending.push_back(command);
-        self.pending.pop_front().unwrap_or(0.0)
-    }
-}
-
-/// A difference equation at work.
-struct Filter<'a> {
-    equation: &'a Difference,
-    inputs: VecDeque<f64>,
-    outputs: VecDeque<f64>,
-}
-
-impl<'a> Filter<'a> {
-    fn new(equation: &'a Difference) -> Self {
-        let past = equation.backward.len() - 1;
-        Self { equation, inputs: vec![0.0; past].into(), outputs: vec![0.0; past].into() }
-    }
-
-    /// What it would give for an input.
-    fn next(&self, input: f64) -> f64 {
-        let Difference { forward, backward } = self.equation;
-        let fed: f64 = forward[1..].iter().zip(&self.inputs).map(|(b, x)| b * x).sum();
-        let back: f64 = backward[1..].iter().zip(&self.outputs).map(|(a, y)| a * y).sum();
-        forward[0] * input + fed - back
-    }
-
-    fn step(&mut self, input: f64) -> f64 {
-        let output = self.next(input);
-        for (line, value) in [(&mut self.inputs, input), (&mut self.outputs, output)] {
-            line.push_front(value);
-            line.pop_back();
-        }
-        output
+        _ => Poles::of(plant).map(Arc::new),
     }
 }
 

@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use num_complex::Complex64;
 
+use super::drive::Drive;
 use super::environment::Environment;
 use super::estimator::Estimator;
 use super::force_loop::ForceLoop;
@@ -29,8 +30,9 @@ pub struct SampledLoop {
     pub(super) estimator: Option<Estimator>,
 }
 
-/// Sampling copies on each side that the sum over them keeps.
-const COPIES: i32 = 40;
+/// Sampling copies on each side that the sum over them keeps, at least and at most, and past how many times what bends the response.
+const COPIES: [f64; 2] = [10.0, 40.0];
+const PAST: f64 = 4.0;
 
 impl SampledLoop {
     /// The loop at steps of h \[s\]: the controller by Tustin's rule, its command held, the loop's delay as whole steps.
@@ -90,13 +92,13 @@ impl SampledLoop {
     /// Loop response at one angular frequency below π/h \[rad/s\].
     ///
     /// F(z)/c(z) = h z⁻¹/(1 − z⁻¹) k + (1 − z⁻¹) Σ_j (a mode kicked by each change of velocity), z = e^(jωh), for an ideal velocity source with
-    /// end 2 held or carrying a mass: no approximation. Otherwise (1/h) Σ_m P(j(ω + 2πm/h)) (1 − z⁻¹)/(j(ω + 2πm/h)) over 81 copies and, past
+    /// end 2 held or carrying a mass: no approximation. Otherwise (1/h) Σ_m P(j(ω + 2πm/h)) (1 − z⁻¹)/(j(ω + 2πm/h)) over 21 to 81 copies and, past
     /// twice the chain's cut-off, the power of frequency with which the rest falls. A force that jumps with the command (dashpots at an end that
     /// an ideal velocity source moves) is measured before it does.
     ///
     /// Source:   definition of the z-transform; `[Oppenheim2010]` for the sum over copies.
     /// Valid:    small motions. With a mass on end 2 damping is that of the mounted modes ([`crate::Damping`]).
-    /// Accuracy: exact but for rounding, 1e-12; the sum over copies finds limits of stability to 1e-4 (test).
+    /// Accuracy: exact but for rounding, 1e-12; the sum over copies finds limits of stability to 1e-6 (test).
     ///
     /// # Errors
     /// [`Error::Value`] for a frequency that is not above zero and at most π/h.
@@ -141,16 +143,17 @@ impl SampledLoop {
         };
         let mut sum = [Complex64::ZERO; 2];
         let mut edges = [[[Complex64::ZERO; 2]; 2]; 2];
-        for copy in -COPIES..=COPIES {
+        let copies = self.copies();
+        for copy in -copies..=copies {
             let terms = one(copy)?;
             sum = [sum[0] + terms[0], sum[1] + terms[1]];
-            if copy.abs() >= COPIES - 1 {
-                edges[usize::from(copy > 0)][(copy.unsigned_abs() == COPIES as u32) as usize] = terms;
+            if copy.abs() >= copies - 1 {
+                edges[usize::from(copy > 0)][usize::from(copy.abs() == copies)] = terms;
             }
         }
         for (side, [inner, outer]) in edges.into_iter().enumerate() {
             let at = |copies: f64| (if side == 1 { angular_frequency } else { -angular_frequency }) + rate * copies;
-            let frequencies = [-1.0, 0.0, 0.5].map(|further| at(f64::from(COPIES) + further));
+            let frequencies = [-1.0, 0.0, 0.5].map(|further| at(f64::from(copies) + further));
             for (sum, ends) in sum.iter_mut().zip(inner.into_iter().zip(outer)) {
                 *sum += self.rest(ends, frequencies);
             }
@@ -158,6 +161,21 @@ impl SampledLoop {
         let [force, stroke] = sum.map(|sum| sum * (1.0 - delay) / self.step);
         // What jumps with the command is measured just before it does.
         Ok([force + jump * delay, stroke])
+    }
+
+    /// How many copies: up to where the response is a power of frequency, past the chain's cut-off and the corners of the drive.
+    fn copies(&self) -> i32 {
+        let spring = self.continuous.plant().spring();
+        let chain = 2.0 * spring.chain_masses() as f64;
+        let cut_off = chain / spring.transit_time();
+        let corner = match *self.continuous.plant().drive() {
+            Drive::Velocity { bandwidth } => TAU * bandwidth.unwrap_or(0.0),
+            Drive::Force { mass, friction, bandwidth } => {
+                let bends = (friction / mass).max((chain * spring.stiffness() / mass).sqrt());
+                bends.max(TAU * bandwidth.unwrap_or(0.0))
+            }
+        };
+        (PAST * cut_off.max(corner) * self.step / TAU + 6.0).clamp(COPIES[0], COPIES[1]).ceil() as i32
     }
 
     /// What copies past the last two add up to: beyond the chain's cut-off a term falls with a whole power of frequency.

@@ -2,6 +2,8 @@
 //!
 //! Next door: its poles (`poles`), the loop around it (`over_time`).
 
+use std::sync::Arc;
+
 use num_complex::Complex64;
 
 use super::matrices::OUTPUTS;
@@ -25,7 +27,7 @@ pub(super) enum Hold {
 /// Accuracy: that of the poles; nothing is lost from sample to sample.
 #[derive(Debug, Clone)]
 pub(super) struct Stepped {
-    poles: Poles,
+    poles: Arc<Poles>,
     state: Vec<Complex64>,
     turn: Vec<Complex64>,
     gains: [Vec<Complex64>; 2],
@@ -38,7 +40,7 @@ pub(super) struct Stepped {
 
 impl Stepped {
     /// At rest, to be stepped by h \[s\].
-    pub fn new(poles: Poles, step: f64, hold: Hold) -> Self {
+    pub fn new(poles: Arc<Poles>, step: f64, hold: Hold) -> Self {
         let angles: Vec<Complex64> = poles.values().map(|pole| pole * step).collect();
         let gains = |pick: fn([Complex64; 2]) -> Complex64| angles.iter().map(|z| step * pick(phi(*z))).collect();
         let gains: [Vec<Complex64>; 2] = match hold {
@@ -59,6 +61,11 @@ impl Stepped {
             stepped.at_once.iter_mut().zip(stepped.poles.direct()).for_each(|(sum, direct)| *sum += direct);
         }
         stepped
+    }
+
+    /// The plant's poles.
+    pub fn poles(&self) -> &Arc<Poles> {
+        &self.poles
     }
 
     /// What its command does between samples.

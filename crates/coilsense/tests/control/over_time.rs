@@ -174,8 +174,8 @@ fn limits_over_frequency_are_those_of_the_closed_loops_matrix_and_hold_over_time
         };
         let off = margins.gain_limit / case.limit - 1.0;
         println!("{}: limit over frequency {off:.1e} off", case.name);
-        // What copies of the spectrum past the fortieth leave; the continuous loop has none.
-        let close = if case.step > 0.0 { 1e-4 } else { 1e-9 };
+        // What copies of the spectrum leave that are not summed one by one, 1e-7 measured; the continuous loop has none.
+        let close = if case.step > 0.0 { 1e-6 } else { 1e-9 };
         assert!(off.abs() < close, "{}: {} {}", case.name, margins.gain_limit, case.limit);
         assert_limit(&over_time, case.limit, margins.critical_frequency, 24.0, &case.name);
     }

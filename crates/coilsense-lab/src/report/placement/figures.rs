@@ -129,29 +129,54 @@ pub(super) fn nyquist(traces: &Traces) -> Figure {
     Figure { panels: vec![panel], columns: 1, panel_width: 520.0, panel_height: 480.0 }
 }
 
-/// The best loop over time.
-pub(super) fn step(placement: &Placement) -> Option<Figure> {
-    let run = placement.run.as_ref()?;
+/// Most points of a curve over time, and how far F_o is followed, over the step \[%\].
+const MOST_POINTS: usize = 4000;
+const FOLLOWED: [f64; 2] = [-1.0, 3.0];
+/// Looks of what is estimated.
+const ESTIMATES: [(Colour, Dash); 2] = [(Colour::Blue, Dash::Dotted), (Colour::Red, Dash::Dotted)];
+
+/// A series over time, in % of F_nom; a loop that grows is followed out of the picture and no further.
+fn followed(placement: &Placement, label: String, times: &[f64], series: &[f64], look: (Colour, Dash)) -> Curve {
     let nominal = placement.spec.spring.spring.nominal_force();
-    let percent = |series: &[f64]| series.iter().map(|value| 100.0 * value / nominal).collect::<Vec<_>>();
-    let fed = placement.candidates[placement.best].channel.name();
-    let curve = |label: String, series: &[f64], colour, dash| Curve {
-        label,
-        x: run.time.clone(),
-        y: percent(series),
-        stroke: stroke(colour, dash),
-    };
-    let mut curves = vec![curve("F_o, at the load".into(), &run.output, Colour::Red, Dash::Solid)];
-    curves.push(curve(format!("{fed}, fed back"), &run.fed_back, Colour::Blue, Dash::Dashed));
+    let stride = times.len().div_ceil(MOST_POINTS).max(1);
+    let points = times.iter().zip(series).step_by(stride).map(|(time, force)| (*time, 100.0 * force / nominal));
+    let (x, y) = points.take_while(|(_, force)| (10.0 * FOLLOWED[0]..10.0 * FOLLOWED[1]).contains(force)).unzip();
+    Curve { label, x, y, stroke: stroke(look.0, look.1) }
+}
+
+fn over_time(title: String, curves: Vec<Curve>) -> Figure {
+    let within = |curve: &Curve| curve.y.iter().all(|force| (FOLLOWED[0]..FOLLOWED[1]).contains(force));
+    let range = if curves.iter().all(within) { None } else { Some((FOLLOWED[0], FOLLOWED[1])) };
     let panel = Panel {
-        title: "A step of the reference, 1 % of F_{nom}".into(),
+        title,
         x: Axis { label: "Time [s]".into(), ..Axis::default() },
-        y: Axis { label: "Force less its mean [% of F_{nom}]".into(), ..Axis::default() },
+        y: Axis { label: "Force less its mean [% of F_{nom}]".into(), range, ..Axis::default() },
         curves,
         limits: vec![HorizontalMark { y: 1.0, label: "reference".into() }],
         ..Panel::default()
     };
-    Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
+    Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT }
+}
+
+/// The best loop over time; `None` where it was not run.
+pub(super) fn step(placement: &Placement) -> Option<Figure> {
+    let best = placement.best_run();
+    let run = best.shown.as_ref().ok()?;
+    let fed = best.fed_back;
+    let load = followed(placement, "F_o, at the load".into(), &run.time, &run.output, (Colour::Red, Dash::Solid));
+    let look = (Colour::Blue, Dash::Dashed);
+    let fed_back = followed(placement, format!("{fed}, fed back"), &run.time, &run.fed_back, look);
+    Some(over_time(format!("A step of the reference, 1 % of F_{{nom}}, with {fed} fed back"), vec![load, fed_back]))
+}
+
+/// F_o by what is fed back; `None` where nothing was run.
+pub(super) fn steps(placement: &Placement) -> Option<Figure> {
+    let looks = LOOKS.iter().map(|(_, colour, dash)| (*colour, *dash)).chain(ESTIMATES);
+    let shown = placement.runs.iter().zip(looks).filter_map(|(run, look)| Some((run, run.shown.as_ref().ok()?, look)));
+    let curves: Vec<Curve> = shown
+        .map(|(run, shown, look)| followed(placement, run.fed_back.into(), &shown.time, &shown.output, look))
+        .collect();
+    (!curves.is_empty()).then(|| over_time("F_o under the same step, by what is fed back".into(), curves))
 }
 
 /// Real part of the rendered impedance over the wave impedance.

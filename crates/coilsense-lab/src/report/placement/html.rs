@@ -7,7 +7,7 @@ use minijinja::{AutoEscape, Environment, Value, context};
 
 use super::text::significant;
 use super::{bounded, figures};
-use crate::placement::{Placement, answer};
+use crate::placement::{BESIDE, LoopRun, Placement, answer, drive_words};
 use crate::quantity::digits;
 use crate::report::ReportError;
 
@@ -18,6 +18,7 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
     environment.add_template("page", include_str!("page.html"))?;
     let traces = figures::Traces::of(placement)?;
     let step = figures::step(placement).map(|figure| drawn("step", &figure)).transpose()?;
+    let steps = figures::steps(placement).map(|figure| drawn("steps", &figure)).transpose()?;
     let page = environment.get_template("page")?.render(context! {
         version => env!("CARGO_PKG_VERSION"),
         date,
@@ -41,6 +42,10 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
         bode => drawn("bode", &figures::bode(placement, &traces))?,
         nyquist => drawn("nyquist", &figures::nyquist(&traces))?,
         step,
+        steps,
+        drive => drive_words(&placement.control.drive),
+        runs => placement.runs.iter().map(run_row).collect::<Vec<_>>(),
+        beside => [1.0 - BESIDE, 1.0 + BESIDE],
         rendered => drawn("rendered", &figures::rendered(placement)?)?,
         style => include_str!("../style.css"),
     })?;
@@ -52,6 +57,21 @@ fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
     let light = figure.to_svg(Theme::Light).map_err(fault)?;
     let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
     Ok(context! { light, dark })
+}
+
+fn run_row(run: &LoopRun) -> Value {
+    let none = || "–".to_owned();
+    let percent = |value: f64| digits(100.0 * value);
+    context! {
+        fed_back => run.fed_back,
+        damping => &run.damping,
+        off => !run.stable,
+        state => run.state(),
+        place => run.last.filter(|_| run.stable).map_or_else(none, |[place, _]| percent(place)),
+        swing => run.last.map_or_else(none, |[_, swing]| percent(swing)),
+        command => run.shown.as_ref().map_or_else(|_| none(), |_| digits(run.largest_command)),
+        verdict => run.verdict.words(),
+    }
 }
 
 fn rows(placement: &Placement) -> Vec<Value> {

@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 
-use crate::placement::{Assessment, Candidate, Estimated, MOST_PEAK, Placement, answer};
+use crate::placement::{Assessment, Candidate, Estimated, LoopRun, MOST_PEAK, Placement, answer, drive_words};
 use crate::report::outcome::{Outcome, to_json};
 use crate::spec::DampingCase;
 
@@ -23,8 +23,12 @@ pub struct PlacementOutcome<'a> {
     /// In `command_unit` per newton.
     proportional_gain: f64,
     command_unit: &'static str,
-    /// Whether the loop, run at 0.98 and 1.02 of its predicted limit, stayed and ran away; null without a limit or a run.
+    /// Whether the loop on that force, run at 0.98 and 1.02 of its predicted limit, stayed and grew; null without a limit or a run.
     limit_confirmed_over_time: Option<bool>,
+    /// The drive of all runs over time, in words.
+    drive: String,
+    /// Each force and each estimate, run over time.
+    over_time: Vec<RunRow<'a>>,
     estimates: Vec<EstimateRow>,
     candidates: Vec<CandidateRow<'a>>,
 }
@@ -40,6 +44,32 @@ struct EstimateRow {
     name: &'static str,
     stable_crossover_hz: Option<f64>,
     robust_crossover_hz: Option<f64>,
+}
+
+/// A loop over time: a step of 1 % of F_nom at the set gain, and whether its limit holds, at the damping at which it has the least to spare.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct RunRow<'a> {
+    fed_back: &'static str,
+    damping: &'a str,
+    /// By its response over frequency.
+    stable: bool,
+    /// From sample to sample; of a continuous loop the step of its run.
+    step_s: Option<f64>,
+    /// When a force passed 1e8 N.
+    ran_away_at_s: Option<f64>,
+    /// F_o in the last tenth of the run, over the step; null where it ran away.
+    load_percent: Option<f64>,
+    /// How far it moves then, either way.
+    load_swing_percent: Option<f64>,
+    /// In `command_unit`.
+    largest_command: Option<f64>,
+    /// As `limit_confirmed_over_time`.
+    limit_confirmed: Option<bool>,
+    /// How far F_L read off the whole inductance is from its straight line, over the step.
+    coil_error_percent: Option<f64>,
+    /// Why there is no run.
+    not_run: Option<&'a str>,
 }
 
 /// A force that could be fed back.
@@ -96,7 +126,9 @@ impl<'a> PlacementOutcome<'a> {
             most_peak: MOST_PEAK,
             proportional_gain: placement.gain,
             command_unit: placement.control.drive.command_unit(),
-            limit_confirmed_over_time: placement.confirmed,
+            limit_confirmed_over_time: placement.best_run().verdict.confirmed(),
+            drive: drive_words(&placement.control.drive),
+            over_time: placement.runs.iter().map(RunRow::of).collect(),
             estimates: placement.estimates.iter().map(EstimateRow::of).collect(),
             candidates: placement
                 .candidates
@@ -113,6 +145,25 @@ impl EstimateRow {
             name: estimate.name,
             stable_crossover_hz: finite(estimate.stable_crossover),
             robust_crossover_hz: finite(estimate.robust_crossover),
+        }
+    }
+}
+
+impl<'a> RunRow<'a> {
+    fn of(run: &'a LoopRun) -> Self {
+        let shown = run.shown.as_ref().ok();
+        Self {
+            fed_back: run.fed_back,
+            damping: &run.damping,
+            stable: run.stable,
+            step_s: shown.and_then(|shown| Some(shown.time.get(1)? - shown.time[0])),
+            ran_away_at_s: shown.and_then(|shown| shown.ran_away_at),
+            load_percent: run.last.map(|[place, _]| 100.0 * place),
+            load_swing_percent: run.last.map(|[_, swing]| 100.0 * swing),
+            largest_command: shown.map(|_| run.largest_command),
+            limit_confirmed: run.verdict.confirmed(),
+            coil_error_percent: run.coil_error.map(|error| 100.0 * error),
+            not_run: run.shown.as_ref().err().map(String::as_str),
         }
     }
 }
