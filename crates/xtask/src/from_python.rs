@@ -9,6 +9,15 @@ use crate::cargo;
 
 /// Longest that a trivial call from Python may take \[ms\], and how much longer end forces may than from Rust.
 const CALL_GOALS: (f64, f64) = (5e-3, 1.2);
+/// Calls that hardly do anything but be called.
+const TRIVIAL: [&str; 6] = [
+    "Spring.static_force",
+    "Spring.static_force of a text",
+    "Spring.surge_frequency",
+    "Spring.replace",
+    "Calibration.length of 51",
+    "Estimate times a number",
+];
 /// How often Rust and Python take turns; the medians of the turns count, for the machine is not always as fast.
 const TURNS: usize = 5;
 /// How much faster two workers have to be than one, on a sweep that takes one of them at least so long \[ms\].
@@ -30,7 +39,7 @@ pub fn calls() -> anyhow::Result<()> {
         python.arg("python/bench/calls.py");
         measurements.extend(measure("Python", python)?);
     }
-    for setting in ["Spring.static_force", "Spring.surge_frequency"] {
+    for setting in TRIVIAL {
         let call = median(&measurements, setting)?;
         println!("{}  {setting}: {:.3} us (goal {} us)", verdict(call <= CALL_GOALS.0), 1e3 * call, 1e3 * CALL_GOALS.0);
     }
