@@ -79,6 +79,7 @@ TOLD: dict[str, str] = {
     "Pareto.rows": "NDArray[numpy.uint64]",
     "Placement.limits": "dict[str, tuple[float, float]]",
     "Placement.margins": "dict[str, list[dict[str, Any]]]",
+    "Placement.over_time": "dict[str, dict[str, Any]]",
     "Recording.rows": "dict[str, int]",
     "Remedy.settings": "dict[str, Any] | None",
     "Sensitivity.first_order": "dict[str, dict[str, tuple[float, float, float]]]",
