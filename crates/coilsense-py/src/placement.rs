@@ -147,20 +147,15 @@ fn over_time<'py>(py: Python<'py>, run: &LoopRun) -> PyResult<Bound<'py, PyDict>
     dict.set_item("limit_confirmed", run.verdict.confirmed())?;
     dict.set_item("coil_error", run.coil_error)?;
     dict.set_item("not_run", run.shown.as_ref().err())?;
-    for (name, pick) in SERIES {
-        dict.set_item(name, shown.map(|shown| pick(shown).to_pyarray(py)))?;
+    let none = Run::default();
+    let Run { time, input, output, fed_back, command, .. } = shown.unwrap_or(&none);
+    for (name, series) in
+        [("time", time), ("F_i", input), ("F_o", output), ("fed_back", fed_back), ("command", command)]
+    {
+        dict.set_item(name, shown.map(|_| series.to_pyarray(py)))?;
     }
     Ok(dict)
 }
-
-/// Series of a run by their keys.
-const SERIES: [(&str, fn(&Run) -> &[f64]); 5] = [
-    ("time", |run| &run.time),
-    ("F_i", |run| &run.input),
-    ("F_o", |run| &run.output),
-    ("fed_back", |run| &run.fed_back),
-    ("command", |run| &run.command),
-];
 
 /// Which force a control loop may feed back: limits of stability and margins of F_i, F_o, F_x and F_L, and behind estimators.
 ///
