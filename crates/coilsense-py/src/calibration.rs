@@ -21,6 +21,7 @@ use crate::calibration::points::PointsArgument;
 use crate::count::Count;
 use crate::errors::{IntoPython, refused};
 use crate::long_work::interruptible;
+use crate::names::Word;
 use crate::quantity::{Quantity, given, neither, wrong};
 use crate::results::study_result;
 use crate::samples::Samples;
@@ -321,17 +322,17 @@ pub fn calibrate(
     py: Python<'_>,
     points: PointsArgument<'_>,
     length_at_zero: Option<Quantity>,
-    method: Option<&str>,
+    method: Option<Word>,
     preload: Option<PreloadArgument>,
-    theory: Option<&str>,
+    theory: Option<Word>,
     known_permeability: Option<Quantity>,
-    leads: Option<&str>,
+    leads: Option<Word>,
     meter_noise: Option<Quantity>,
     frequency: Option<Quantity>,
-    form: Option<&str>,
+    form: Option<Word>,
     fit_points: Option<Count>,
     re_zero: Option<ReZeroArgument>,
-    inversion: Option<&str>,
+    inversion: Option<Word>,
     spring: Option<SpringArgument<'_>>,
     stiffness: Option<Quantity>,
     stiffness_uncertainty: Quantity,

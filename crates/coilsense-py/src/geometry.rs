@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 pub use material::PyMaterial;
 
 use crate::errors::{IntoPython, unknown};
+use crate::names::Word;
 use crate::quantity::Quantity;
 use crate::samples::Samples;
 use crate::spring::PySpring;
@@ -124,7 +125,7 @@ impl PyGeometry {
         wire_diameter: Quantity,
         coil_diameter: Quantity,
         active_windings: Quantity,
-        end_type: &str,
+        end_type: Word,
         material: &PyMaterial,
         rest_length: Quantity,
         total_windings: Option<Quantity>,
@@ -135,7 +136,7 @@ impl PyGeometry {
             coil_diameter: coil_diameter.si("coil_diameter", Length)?,
             active_windings: active_windings.plain("active_windings")?,
             total_windings: total_windings.map(|count| count.plain("total_windings")).transpose()?,
-            end_type: self::end_type(end_type)?,
+            end_type: self::end_type(end_type.text("end_type")?)?,
             material: material.0,
             rest_length: rest_length.si("rest_length", Length)?,
             initial_tension: initial_tension.si("initial_tension", Force)?,
@@ -166,8 +167,8 @@ impl PyGeometry {
     /// >>> round(geometry.stiffness)
     /// 765
     #[staticmethod]
-    fn of_spring(spring: &PySpring, end_type: &str, material: &PyMaterial) -> PyResult<Self> {
-        Geometry::of_spring(&spring.0, self::end_type(end_type)?, material.0).python().map(Self)
+    fn of_spring(spring: &PySpring, end_type: Word, material: &PyMaterial) -> PyResult<Self> {
+        Geometry::of_spring(&spring.0, self::end_type(end_type.text("end_type")?)?, material.0).python().map(Self)
     }
 
     /// How the wire ends.

@@ -19,6 +19,7 @@ use pyo3::types::PyDict;
 use crate::errors::{Error, IntoPython, refused};
 use crate::estimate::PyEstimate;
 use crate::long_work::interruptible;
+use crate::names::Word;
 use crate::quantity::{Quantity, given, plain, positive, wrong};
 use crate::recording::recording;
 use crate::results::study_result;
@@ -262,9 +263,9 @@ pub fn identify(
     spring: Option<SpringArgument<'_>>,
     mass: Option<Quantity>,
     windings: Option<Quantity>,
-    end2: Option<&str>,
+    end2: Option<Word>,
     end_mass: Option<Quantity>,
-    turn: Option<&str>,
+    turn: Option<Word>,
     prediction_tolerance: Quantity,
     tolerance: Quantity,
     accuracy_force: Quantity,

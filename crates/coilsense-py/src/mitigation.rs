@@ -22,6 +22,7 @@ use crate::calibration::StoredArgument;
 use crate::count::Count;
 use crate::errors::{Error, IntoPython, refused, unknown};
 use crate::long_work::interruptible;
+use crate::names::Word;
 use crate::quantity::{Quantity, given, wrong};
 use crate::recording::recording;
 use crate::results::{save, study_result};
@@ -214,7 +215,7 @@ pub fn mitigate(
     seeds: Count,
     length_at_zero: Option<Quantity>,
     calibration: Option<StoredArgument<'_>>,
-    end2: Option<&str>,
+    end2: Option<Word>,
 ) -> PyResult<PyMitigation> {
     let spec = spec.spec(py)?;
     if stated && record.is_some() {

@@ -1,4 +1,4 @@
-//! Names from Python: one, or several.
+//! Words and names from Python: one, or several.
 //!
 //! Next door: series of numbers (`series`).
 
@@ -31,6 +31,28 @@ impl Names {
                 let got = object.class();
                 Err(PyTypeError::new_err(format!("{name} must be a text or a sequence of texts, got {got}")))
             }
+        }
+    }
+}
+
+/// A text that is one of some words.
+#[derive(FromPyObject)]
+pub enum Word {
+    /// It.
+    Text(String),
+    /// Something else.
+    Other(Anything),
+}
+
+impl Word {
+    /// The text, by the argument's name.
+    ///
+    /// # Errors
+    /// `TypeError` for what is none.
+    pub fn text(&self, name: &str) -> PyResult<&str> {
+        match self {
+            Self::Text(text) => Ok(text),
+            Self::Other(object) => Err(PyTypeError::new_err(format!("{name} must be a text, got {}", object.class()))),
         }
     }
 }

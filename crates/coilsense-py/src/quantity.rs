@@ -11,6 +11,7 @@ use pyo3::prelude::*;
 
 use crate::count::Count;
 use crate::errors::Error;
+use crate::names::Word;
 
 /// A number in SI, or a text such as "2.5 kHz".
 #[derive(FromPyObject)]
@@ -174,7 +175,7 @@ pub enum Said {
     /// A whole number.
     Count(Count),
     /// A word.
-    Word(String),
+    Word(Word),
 }
 
 impl<T: Into<Self>> From<Option<T>> for Said {
@@ -209,7 +210,13 @@ impl From<Count> for Said {
 
 impl From<&str> for Said {
     fn from(word: &str) -> Self {
-        Self::Word(word.to_owned())
+        Self::Word(Word::Text(word.to_owned()))
+    }
+}
+
+impl From<Word> for Said {
+    fn from(word: Word) -> Self {
+        Self::Word(word)
     }
 }
 
@@ -228,7 +235,7 @@ pub fn given<'a>(said: impl IntoIterator<Item = (&'a Row, Said)>) -> PyResult<Gi
                 let count = count.number(python_name(row.name))?;
                 row.checked(count as f64).map(|_| Value::Count(count)).map_err(wrong)?
             }
-            Said::Word(word) => row.value(&word).map_err(wrong)?,
+            Said::Word(word) => row.value(word.text(python_name(row.name))?).map_err(wrong)?,
         };
         given.set(row, vec![value]);
     }

@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::IntoPyDict;
 
 use crate::errors::{IntoPython, refused, unknown};
+use crate::names::Word;
 use crate::quantity::{Quantity, si};
 use crate::samples::Samples;
 use crate::value::{Arguments, getters, named_value};
@@ -254,7 +255,8 @@ impl PySpring {
     /// >>> round(coilsense.Spring.of_paper("S_A").surge_frequency, 2)
     /// 168.63
     #[staticmethod]
-    fn of_paper(name: &str) -> PyResult<Self> {
+    fn of_paper(name: Word) -> PyResult<Self> {
+        let name = name.text("name")?;
         if !OF_PAPER.contains(&name) {
             return Err(unknown("spring of the paper", &OF_PAPER, name));
         }

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::errors::{IntoPython, unknown};
+use crate::names::Word;
 use crate::quantity::{Quantity, si};
 use crate::samples::Samples;
 use crate::value::{getters, named_value};
@@ -125,7 +126,8 @@ impl PyMaterial {
     /// >>> coilsense.Material.named("steel EN 10270-1").density
     /// 7850.0
     #[staticmethod]
-    fn named(name: &str) -> PyResult<Self> {
+    fn named(name: Word) -> PyResult<Self> {
+        let name = name.text("name")?;
         let all = named_materials().python()?;
         let names: Vec<&str> = all.iter().map(|(name, _)| *name).collect();
         let found = all.iter().find(|(known, _)| *known == name).ok_or_else(|| unknown("material", &names, name))?;

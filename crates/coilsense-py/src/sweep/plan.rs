@@ -15,7 +15,7 @@ use crate::count::{Count, number};
 use crate::errors::{IntoPython, SweepError, unknown};
 use crate::json;
 use crate::long_work::watched_in;
-use crate::names::{Names, listed};
+use crate::names::{Names, Word, listed};
 use crate::quantity::{Anything, neither};
 use crate::spec::{PySpec, beside};
 use crate::threads::{self, spread};
@@ -149,13 +149,13 @@ impl PySweepPlan {
         spec: Source<'_>,
         over: Option<Names>,
         catalogue: Option<Table>,
-        sampling: Option<&str>,
+        sampling: Option<Word>,
         rows: Option<Count>,
         seed: Count,
         columns: Option<Names>,
         chunk: Option<Count>,
     ) -> PyResult<Self> {
-        let sampling = sampling.map(named).transpose()?;
+        let sampling = sampling.as_ref().map(|word| named(word.text("sampling")?)).transpose()?;
         let catalogue = catalogue.map(Table::read).transpose()?;
         let parameters = PlanParameters {
             over: listed(over, "over")?,
