@@ -207,7 +207,7 @@ class Refined(ast.NodeTransformer):
             text = re.sub(r"\bdict\b", "dict[str, Any]", ast.unparse(one.returns)).replace("Any", given)
             one.returns = ast.parse(text, mode="eval").body
             for argument in (*one.args.posonlyargs, *one.args.args, *one.args.kwonlyargs):
-                if argument.annotation is not None and ast.unparse(argument.annotation) == "Incomplete":
+                if "array_like" in typed(described, "Parameters").get(argument.arg, ""):
                     argument.annotation = ast.parse(taken, mode="eval").body
             both.append(self.refined(one, described))
         # A number is an array, too, to NumPy.
@@ -241,7 +241,8 @@ class Refined(ast.NodeTransformer):
     def taken(self, argument: ast.arg, described: str) -> ast.expr:
         """The type of an argument."""
         assert argument.annotation is not None
-        text = ast.unparse(argument.annotation)
+        noun = re.match(r"[A-Z]\w+$", typed(described, "Parameters").get(argument.arg, "").removesuffix(", optional"))
+        text = re.sub("^Incomplete", noun.group() if noun else "Incomplete", ast.unparse(argument.annotation))
         for theirs, ours in TAKEN:
             text = text.replace(theirs, ours)
         self.place.append(argument.arg)

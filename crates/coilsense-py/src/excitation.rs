@@ -13,6 +13,7 @@ pub use input::PyEndInput;
 pub use start::PyStart;
 
 use crate::errors::{Error, IntoPython};
+use crate::noun::{Noun, named};
 use crate::quantity::Quantity;
 use crate::spring::PySpring;
 use crate::value::{getters, named_value};
@@ -69,11 +70,14 @@ impl PyExcitation {
     #[pyo3(signature = (mean_length, end1=None, end2=None, start=None))]
     fn new(
         mean_length: Quantity,
-        end1: Option<PyRef<'_, PyEndInput>>,
-        end2: Option<PyRef<'_, PyEndInput>>,
-        start: Option<PyRef<'_, PyStart>>,
+        end1: Option<Noun<'_, PyEndInput>>,
+        end2: Option<Noun<'_, PyEndInput>>,
+        start: Option<Noun<'_, PyStart>>,
     ) -> PyResult<Self> {
-        let input = |end: Option<PyRef<'_, PyEndInput>>| end.map_or(EndInput::Held, |end| end.0.clone());
+        let end1 = named(end1.as_ref(), "end1")?;
+        let end2 = named(end2.as_ref(), "end2")?;
+        let start = named(start.as_ref(), "start")?;
+        let input = |end: Option<&PyEndInput>| end.map_or(EndInput::Held, |end| end.0.clone());
         let start = start.map_or(Start::Rest, |start| start.0.clone());
         Excitation::new(mean_length.si("mean_length", Length)?, input(end1), input(end2), start).python().map(Self)
     }
@@ -169,9 +173,11 @@ impl PyExcitation {
     fn harmonic(
         mean_length: Quantity,
         end: i64,
-        input: &PyEndInput,
-        start: Option<PyRef<'_, PyStart>>,
+        input: Noun<'_, PyEndInput>,
+        start: Option<Noun<'_, PyStart>>,
     ) -> PyResult<Self> {
+        let input = input.named("input")?;
+        let start = named(start.as_ref(), "start")?;
         let start = start.map_or(Start::Rest, |start| start.0.clone());
         let mean_length = mean_length.si("mean_length", Length)?;
         Excitation::harmonic(mean_length, self::end(end)?, input.0.clone(), start).python().map(Self)
@@ -200,8 +206,9 @@ impl PyExcitation {
 /// >>> round(coilsense.traverse_velocity(spring), 6)
 /// 0.068
 #[pyfunction(name = "traverse_velocity")]
-pub fn py_traverse_velocity(spring: &PySpring) -> f64 {
-    traverse_velocity(&spring.0)
+pub fn py_traverse_velocity(spring: Noun<'_, PySpring>) -> PyResult<f64> {
+    let spring = spring.named("spring")?;
+    Ok(traverse_velocity(&spring.0))
 }
 
 /// An end by its number.

@@ -12,6 +12,7 @@ pub use material::PyMaterial;
 
 use crate::errors::{IntoPython, unknown};
 use crate::names::Word;
+use crate::noun::Noun;
 use crate::quantity::Quantity;
 use crate::samples::Samples;
 use crate::spring::PySpring;
@@ -126,11 +127,12 @@ impl PyGeometry {
         coil_diameter: Quantity,
         active_windings: Quantity,
         end_type: Word,
-        material: &PyMaterial,
+        material: Noun<'_, PyMaterial>,
         rest_length: Quantity,
         total_windings: Option<Quantity>,
         initial_tension: Quantity,
     ) -> PyResult<Self> {
+        let material = material.named("material")?;
         let parameters = GeometryParameters {
             wire_diameter: wire_diameter.si("wire_diameter", Length)?,
             coil_diameter: coil_diameter.si("coil_diameter", Length)?,
@@ -167,7 +169,9 @@ impl PyGeometry {
     /// >>> round(geometry.stiffness)
     /// 765
     #[staticmethod]
-    fn of_spring(spring: &PySpring, end_type: Word, material: &PyMaterial) -> PyResult<Self> {
+    fn of_spring(spring: Noun<'_, PySpring>, end_type: Word, material: Noun<'_, PyMaterial>) -> PyResult<Self> {
+        let spring = spring.named("spring")?;
+        let material = material.named("material")?;
         Geometry::of_spring(&spring.0, self::end_type(end_type.text("end_type")?)?, material.0).python().map(Self)
     }
 

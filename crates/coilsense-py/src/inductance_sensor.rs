@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 use crate::errors::IntoPython;
 use crate::long_work::each;
 use crate::maxwell_sum::PyMaxwellSum;
+use crate::noun::Noun;
 use crate::quantity::Quantity;
 use crate::samples::Samples;
 use crate::spring::PySpring;
@@ -74,7 +75,8 @@ named_value! {
 #[pymethods]
 impl PyInductanceSensor {
     #[new]
-    fn new(spring: &PySpring, alpha: Quantity, beta: Quantity) -> PyResult<Self> {
+    fn new(spring: Noun<'_, PySpring>, alpha: Quantity, beta: Quantity) -> PyResult<Self> {
+        let spring = spring.named("spring")?;
         let (alpha, beta) = (alpha.plain("alpha")?, beta.plain("beta")?);
         Ok(Self::of(&spring.0, Calibration::new(alpha, beta).python()?))
     }
@@ -100,7 +102,8 @@ impl PyInductanceSensor {
     /// >>> round(sensor.force(coil.at_lengths(0.23)), 6)
     /// 95.76
     #[staticmethod]
-    fn theoretical(py: Python<'_>, coil: &PyMaxwellSum, preload_length: Quantity) -> PyResult<Self> {
+    fn theoretical(py: Python<'_>, coil: Noun<'_, PyMaxwellSum>, preload_length: Quantity) -> PyResult<Self> {
+        let coil = coil.named("coil")?;
         let preload_length = preload_length.si("preload_length", Dimension::Length)?;
         let fitted = py.detach(|| Calibration::theoretical(&coil.spring, &coil.sum, preload_length));
         Ok(Self::of(&coil.spring, fitted.python()?))
@@ -164,7 +167,12 @@ impl PyInductanceSensor {
 /// >>> all(2.7e-6 < L[0] < 3.1e-6 for L in found.values()), len(found)
 /// (True, 9)
 #[pyfunction]
-pub fn theories<'py>(py: Python<'py>, spring: &PySpring, lengths: Samples<'py>) -> PyResult<Bound<'py, PyDict>> {
+pub fn theories<'py>(
+    py: Python<'py>,
+    spring: Noun<'_, PySpring>,
+    lengths: Samples<'py>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let spring = spring.named("spring")?;
     let (coil, each_length) = (Coil::of(&spring.0).python()?, lengths.si("lengths", Dimension::Length)?);
     let dict = PyDict::new(py);
     for theory in Theory::ALL {

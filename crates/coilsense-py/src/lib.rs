@@ -34,6 +34,7 @@ mod motion;
 mod mount;
 mod names;
 mod neighbours;
+mod noun;
 mod placement;
 mod plant;
 mod quantity;

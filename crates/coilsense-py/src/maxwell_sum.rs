@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{Error, IntoPython, unknown};
 use crate::long_work::{each, of_series};
+use crate::noun::Noun;
 use crate::samples::Samples;
 use crate::series::Series;
 use crate::spring::PySpring;
@@ -66,7 +67,8 @@ named_value! {
 impl PyMaxwellSum {
     #[new]
     #[pyo3(signature = (spring, self_distance="geometric-mean"))]
-    fn new(spring: &PySpring, self_distance: &str) -> PyResult<Self> {
+    fn new(spring: Noun<'_, PySpring>, self_distance: &str) -> PyResult<Self> {
+        let spring = spring.named("spring")?;
         let found = DISTANCES.into_iter().find(|(word, _)| *word == self_distance);
         let known = DISTANCES.map(|(word, _)| word);
         let (distance, kind) = found.ok_or_else(|| unknown("self_distance", &known, self_distance))?;
@@ -151,7 +153,8 @@ impl PyMaxwellSum {
     /// >>> coil = coilsense.MaxwellSum(coilsense.Spring.of_paper("S_T"))
     /// >>> coil.series(motion.windings([0.0, 0.01])).shape
     /// (2,)
-    fn series<'py>(slf: &Bound<'py, Self>, windings: &PyWindings) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn series<'py>(slf: &Bound<'py, Self>, windings: Noun<'_, PyWindings>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let windings = windings.named("windings")?;
         let (py, windings) = (slf.py(), windings.to_rust(slf.py())?);
         let turns = slf.get().spring.inductance_windings() as usize;
         let pairs = windings.samples().saturating_mul(turns.saturating_mul(turns) / 2);

@@ -14,6 +14,7 @@ use crate::count::Count;
 use crate::errors::{Error, IntoPython};
 use crate::hertz::{all_in_hertz, in_hertz};
 use crate::mount::PyFarEnd;
+use crate::noun::{Noun, named};
 use crate::quantity::Quantity;
 use crate::results::table_and_figure;
 use crate::spring::PySpring;
@@ -71,9 +72,11 @@ table_and_figure! {
 impl PyChainModes {
     #[new]
     #[pyo3(signature = (spring, far_end=None))]
-    fn new(py: Python<'_>, spring: &PySpring, far_end: Option<PyRef<'_, PyFarEnd>>) -> Self {
+    fn new(py: Python<'_>, spring: Noun<'_, PySpring>, far_end: Option<Noun<'_, PyFarEnd>>) -> PyResult<Self> {
+        let spring = spring.named("spring")?;
+        let far_end = named(far_end.as_ref(), "far_end")?;
         let far_end = far_end.map_or_else(Default::default, |far_end| far_end.0);
-        Self(py.detach(|| ChainModes::mounted(&spring.0, far_end)))
+        Ok(Self(py.detach(|| ChainModes::mounted(&spring.0, far_end))))
     }
 
     /// Shape of one mode at every winding.
@@ -193,10 +196,12 @@ pub fn py_continuous_frequency(transit_time: Quantity, mode: Count) -> PyResult<
 #[pyfunction(name = "continuous_frequencies")]
 pub fn py_continuous_frequencies<'py>(
     py: Python<'py>,
-    spring: &PySpring,
-    far_end: &PyFarEnd,
+    spring: Noun<'_, PySpring>,
+    far_end: Noun<'_, PyFarEnd>,
     count: Count,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let spring = spring.named("spring")?;
+    let far_end = far_end.named("far_end")?;
     let count = count.size("count")?;
     let found = py.detach(|| continuous_frequencies(&spring.0, far_end.0, count)).python()?;
     Ok(all_in_hertz(&found).into_pyarray(py))
@@ -223,7 +228,8 @@ pub fn py_continuous_frequencies<'py>(
 /// >>> round(coilsense.third_rule_frequency(spring, "500 g"), 3)
 /// 6.075
 #[pyfunction(name = "third_rule_frequency")]
-pub fn py_third_rule_frequency(spring: &PySpring, end_mass: Quantity) -> PyResult<f64> {
+pub fn py_third_rule_frequency(spring: Noun<'_, PySpring>, end_mass: Quantity) -> PyResult<f64> {
+    let spring = spring.named("spring")?;
     let end_mass = end_mass.si("end_mass", Dimension::Mass)?;
     third_rule_frequency(&spring.0, end_mass).python().map(in_hertz)
 }
@@ -249,7 +255,8 @@ pub fn py_third_rule_frequency(spring: &PySpring, end_mass: Quantity) -> PyResul
 /// >>> round(coilsense.third_rule_error(spring, "10 g"), 3)
 /// 0.05
 #[pyfunction(name = "third_rule_error")]
-pub fn py_third_rule_error(spring: &PySpring, end_mass: Quantity) -> PyResult<f64> {
+pub fn py_third_rule_error(spring: Noun<'_, PySpring>, end_mass: Quantity) -> PyResult<f64> {
+    let spring = spring.named("spring")?;
     let end_mass = end_mass.si("end_mass", Dimension::Mass)?;
     third_rule_error(&spring.0, end_mass).python()
 }

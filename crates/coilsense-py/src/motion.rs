@@ -17,6 +17,7 @@ use crate::excitation::PyExcitation;
 use crate::long_work::{each, of_series};
 use crate::modes::PyChainModes;
 use crate::mount::PyMount;
+use crate::noun::{Noun, named};
 use crate::quantity::Quantity;
 use crate::samples::Samples;
 use crate::series::Series;
@@ -113,10 +114,13 @@ impl PyMotion {
     #[pyo3(signature = (spring, excitation, mount=None))]
     fn new(
         py: Python<'_>,
-        spring: &PySpring,
-        excitation: &PyExcitation,
-        mount: Option<PyRef<'_, PyMount>>,
+        spring: Noun<'_, PySpring>,
+        excitation: Noun<'_, PyExcitation>,
+        mount: Option<Noun<'_, PyMount>>,
     ) -> PyResult<Self> {
+        let spring = spring.named("spring")?;
+        let excitation = excitation.named("excitation")?;
+        let mount = named(mount.as_ref(), "mount")?;
         let mount = mount.map_or_else(Mount::default, |mount| mount.0.clone());
         py.detach(|| Motion::mounted(&spring.0, &mount, &excitation.0)).python().map(Self)
     }

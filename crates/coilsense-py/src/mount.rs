@@ -12,6 +12,7 @@ pub use damping::PyDamping;
 pub use far_end::PyFarEnd;
 
 use crate::errors::IntoPython;
+use crate::noun::{Noun, named};
 use crate::value::{getters, named_value};
 
 /// End 2 and damping. End 1 always has a prescribed position.
@@ -50,7 +51,9 @@ named_value! {
 impl PyMount {
     #[new]
     #[pyo3(signature = (far_end=None, damping=None))]
-    fn new(far_end: Option<PyRef<'_, PyFarEnd>>, damping: Option<PyRef<'_, PyDamping>>) -> PyResult<Self> {
+    fn new(far_end: Option<Noun<'_, PyFarEnd>>, damping: Option<Noun<'_, PyDamping>>) -> PyResult<Self> {
+        let far_end = named(far_end.as_ref(), "far_end")?;
+        let damping = named(damping.as_ref(), "damping")?;
         let far_end = far_end.map_or(FarEnd::Position, |far_end| far_end.0);
         Mount::new(far_end, damping.map_or(Damping::None, |damping| damping.0.clone())).python().map(Self)
     }

@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::geometry::PyGeometry;
+use crate::noun::Noun;
 use crate::quantity::Quantity;
 
 /// First frequency at which the windings turn about the spring's axis, both ends held.
@@ -42,7 +43,8 @@ use crate::quantity::Quantity;
 /// >>> round(coilsense.torsional_frequency(coil, 0.065), 1)
 /// 61.0
 #[pyfunction]
-pub fn torsional_frequency(geometry: &PyGeometry, mass: Quantity) -> PyResult<f64> {
+pub fn torsional_frequency(geometry: Noun<'_, PyGeometry>, mass: Quantity) -> PyResult<f64> {
+    let geometry = geometry.named("geometry")?;
     neighbours::torsional_frequency(&geometry.0, mass.si("mass", Mass)?).python()
 }
 
@@ -81,7 +83,13 @@ pub fn torsional_frequency(geometry: &PyGeometry, mass: Quantity) -> PyResult<f6
 /// >>> round(coilsense.lateral_frequency(coil, "65 g", "230 mm", "95.8 N"), 1)
 /// 40.5
 #[pyfunction]
-pub fn lateral_frequency(geometry: &PyGeometry, mass: Quantity, length: Quantity, force: Quantity) -> PyResult<f64> {
+pub fn lateral_frequency(
+    geometry: Noun<'_, PyGeometry>,
+    mass: Quantity,
+    length: Quantity,
+    force: Quantity,
+) -> PyResult<f64> {
+    let geometry = geometry.named("geometry")?;
     let (mass, length) = (mass.si("mass", Mass)?, length.si("length", Length)?);
     neighbours::lateral_frequency(&geometry.0, mass, length, force.si("force", Force)?).python()
 }
@@ -116,6 +124,7 @@ pub fn lateral_frequency(geometry: &PyGeometry, mass: Quantity, length: Quantity
 /// >>> round(coilsense.buckling_force(coil, "104 mm"), 1)
 /// 5.1
 #[pyfunction]
-pub fn buckling_force(geometry: &PyGeometry, length: Quantity) -> PyResult<f64> {
+pub fn buckling_force(geometry: Noun<'_, PyGeometry>, length: Quantity) -> PyResult<f64> {
+    let geometry = geometry.named("geometry")?;
     neighbours::buckling_force(&geometry.0, length.si("length", Length)?).python()
 }

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
 use crate::maxwell_sum::PyMaxwellSum;
+use crate::noun::Noun;
 use crate::quantity::Quantity;
 use crate::samples::Samples;
 use crate::series::Series;
@@ -49,7 +50,8 @@ getters! {
 #[pymethods]
 impl PySecondOrder {
     #[new]
-    fn new(py: Python<'_>, coil: &PyMaxwellSum, length: Quantity) -> PyResult<Self> {
+    fn new(py: Python<'_>, coil: Noun<'_, PyMaxwellSum>, length: Quantity) -> PyResult<Self> {
+        let coil = coil.named("coil")?;
         let length = length.si("length", Length)?;
         py.detach(|| SecondOrder::about(&coil.sum, length)).python().map(Self)
     }

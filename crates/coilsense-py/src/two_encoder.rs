@@ -8,6 +8,7 @@ use coilsense_lab::quantity::Dimension::{Compliance, Force, Length};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
+use crate::noun::Noun;
 use crate::quantity::Quantity;
 use crate::samples::{Samples, Together};
 use crate::spring::PySpring;
@@ -76,7 +77,13 @@ named_value! {
 #[pymethods]
 impl PyTwoEncoder {
     #[new]
-    fn new(spring: &PySpring, compliance: Quantity, backlash: Quantity, mean_length: Quantity) -> PyResult<Self> {
+    fn new(
+        spring: Noun<'_, PySpring>,
+        compliance: Quantity,
+        backlash: Quantity,
+        mean_length: Quantity,
+    ) -> PyResult<Self> {
+        let spring = spring.named("spring")?;
         let compliance = compliance.si("compliance", Compliance)?;
         let (backlash, mean_length) = (backlash.si("backlash", Length)?, mean_length.si("mean_length", Length)?);
         let encoders = TwoEncoder::new(&spring.0, compliance, backlash, mean_length).python()?;
