@@ -63,6 +63,7 @@ TOLD: dict[str, str] = {
     "Experiment.drift": "list[dict[str, Any]]",
     "Experiment.peak": "dict[str, Any] | None",
     "Experiment.rows": "list[dict[str, Any]]",
+    "Plant.outputs": "tuple[str, ...]",
     "Plant.to_frd": "tuple[_Complexes, _Floats]",
     "Identification.lines": "list[dict[str, Any]]",
     "Identification.channels": "list[dict[str, Any]]",
@@ -153,6 +154,7 @@ TAKEN = (
     ("SupportsFloat | SupportsIndex", "float"),
     ("SupportsIndex", "int"),
     ("SupportsGetItem[int, ", "Sequence["),
+    ("SupportsLenAndGetItem[", "Sequence["),
     # What is taken to be refused by its name.
     (" | Incomplete", ""),
     ("Incomplete", "ArrayLike"),

@@ -319,9 +319,9 @@ def test_python_writes_what_the_command_writes(tmp_path: pathlib.Path) -> None:
     for version in VERSIONS:
         expected = exported(tmp_path, ENDS["held"] + DAMPINGS[1], version).read_bytes()
         plant = coilsense.plant(tmp_path / "spec.toml")
-        plant.save(tmp_path / "spring.fmu", "fmu", fmi=version)
+        plant.save(tmp_path / "spring.fmu", "fmu", fmi=version)  # type: ignore[arg-type]
         assert (tmp_path / "spring.fmu").read_bytes() == expected
     with pytest.raises(coilsense.Error, match="fmi.*goes with fmu, got 3.0 with c"):
         plant.save(tmp_path / "a.h", "c", fmi="3.0")
     with pytest.raises(coilsense.Error, match="fmi.*must be one of 2.0, 3.0"):
-        plant.save(tmp_path / "a.fmu", "fmu", fmi="1.0")
+        plant.save(tmp_path / "a.fmu", "fmu", fmi="1.0")  # type: ignore[arg-type]

@@ -33,8 +33,8 @@ def test_they_are_those_of_the_motion(tmp_path: pathlib.Path, end: str, version:
     kind = {"held": coilsense.FarEnd.position(), "force": coilsense.FarEnd.force(), "mass": coilsense.FarEnd.mass(0.3)}[end]
     mount = coilsense.Mount(kind, coilsense.Damping.modal(0.005))
     times = STEP * np.arange(SAMPLES)
-    ends = [coilsense.EndInput.sampled(times, inputs[:, column]) for column in range(2)]
-    motion = coilsense.Motion(spring, coilsense.Excitation(0.23, *ends, start=coilsense.Start.rest()), mount=mount)
+    end1, end2 = (coilsense.EndInput.sampled(times, inputs[:, column]) for column in range(2))
+    motion = coilsense.Motion(spring, coilsense.Excitation(0.23, end1, end2, start=coilsense.Start.rest()), mount=mount)
     pitches = np.diff(np.asarray(motion.windings(times).positions), axis=1).min(axis=1)
 
     slave = Slave(file)

@@ -120,7 +120,7 @@ def test_exceptions_are_value_errors_that_pickle() -> None:
 
 
 def test_what_only_a_spec_tells_of_a_spring_is_kept() -> None:
-    text = coilsense.Spec.template("S_T").replace('windings = 52', 'windings = 52\nmasses_per_winding = 4')
+    text = coilsense.Spec.template("S_T").replace("masses_per_winding = 1", "masses_per_winding = 4")
     fine = coilsense.Spec.parse(text).spring
     assert fine.chain_masses == 208
     wound = coilsense.Spec.read("examples/progressive-spring.toml").spring

@@ -42,6 +42,7 @@ GOOD: dict[str, typing.Any] = {
 #: Where an argument of the same name is something else.
 GOOD_HERE: dict[str, dict[str, typing.Any]] = {
     "Material.named": {"name": "steel EN 10270-1"}, "Signals.inserted": {"name": "F_o", "values": [1.0, 2.0]}, "Start.windings": {"positions": [0.1]},
+    "LiveBatch.advance": {"u1": [0.0], "end2": [0.23]}, "LiveBatch.rollout": {"u1": [[0.0]], "end2": [[0.23]]},
     "SweepDataset.plot": {"over": "spring.stiffness [N/m]", "of": "f1 [Hz]"},
     "calibrate.preset": {"points": "log.csv"}, "mitigate.calibration": {"record": coilsense.Signals([0.0, 0.1], {"F_o": [1.0, 2.0]})}, "speed": {"spec": VALVE},
 }
@@ -52,6 +53,7 @@ MADE: dict[str, typing.Callable[[], object]] = {
     "ChainModes": lambda: coilsense.ChainModes(samples.SPRING),
     "Identification": lambda: coilsense.identify(samples.hit_log(seconds=6)),
     "Live": lambda: coilsense.Live(samples.SPRING, 0.23, 1e-3),
+    "LiveBatch": lambda: coilsense.Live(samples.SPRING, 0.23, 1e-3).batch(1),
     "Plant": lambda: coilsense.plant(sweeps.SPEC, damping_ratio=0.005),
     "Recording": lambda: coilsense.Recording(GOOD["signals"]),
     "SecondOrder": lambda: coilsense.SecondOrder(GOOD["coil"], 0.23),
@@ -79,7 +81,7 @@ def _functions() -> dict[str, ast.FunctionDef]:
         if isinstance(node, ast.FunctionDef):
             found[node.name] = node
         if isinstance(node, ast.ClassDef) and node.name not in LEFT_OUT:
-            methods = [each for each in node.body if isinstance(each, ast.FunctionDef)]
+            methods = [each for each in node.body if isinstance(each, ast.FunctionDef) and "setter" not in ast.unparse(each).splitlines()[0]]
             found |= {f"{node.name}.{each.name}": each for each in methods if not each.name.startswith("_") or each.name == "__new__"}
     return found
 

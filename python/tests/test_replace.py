@@ -13,7 +13,7 @@ SPRING = samples.SPRING
 
 
 def _replaceable() -> list[typing.Any]:
-    return [value for value in samples.values() if not isinstance(value, coilsense.Signals | coilsense.Windings | coilsense.Spec)]
+    return [value for value in samples.values() if not isinstance(value, coilsense.Cascade | coilsense.Signals | coilsense.Windings | coilsense.Spec)]
 
 
 def _called(value: object) -> str:
