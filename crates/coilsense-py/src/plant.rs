@@ -289,6 +289,7 @@ impl PyPlant {
 /// >>> coilsense.plant(spec, damping_ratio=0.005).kept
 /// 52
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 #[pyo3(signature = (spec, *, also=None, modes=None, error=None, bandwidth=None, damping_ratio=None, mean_length=None))]
 pub fn plant(
     py: Python<'_>,
