@@ -19,7 +19,9 @@ pub(super) struct Stride {
     count: usize,
     coordinates: AVec<f64>,
     rates: AVec<f64>,
-    /// Shared by copies, until one of them takes another step.
+    /// What a step adds: r11 − 1, r12, r21, r22 − 1. Shared by copies, until one of them takes another step.
+    transition: Arc<[AVec<f64>; 4]>,
+    /// Shared by copies.
     tables: Arc<Tables>,
     /// Σ_j a_j c1_j, Σ_j a_j c2_j; Σ_j b_j c1_j, Σ_j b_j c2_j: what a jump of an input's rate does to the sums.
     pulls: [[f64; 2]; 2],
@@ -30,10 +32,8 @@ pub(super) struct Stride {
 }
 
 /// What does not move.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 struct Tables {
-    /// What a step adds: r11 − 1, r12, r21, r22 − 1.
-    transition: [AVec<f64>; 4],
     participations: [AVec<f64>; 2],
     /// a_j and b_j.
     weights: [AVec<f64>; 2],
@@ -50,20 +50,13 @@ pub(super) struct Sums {
 
 impl Stride {
     pub(super) fn new(modes: &ModalModel, start: ModalState) -> Self {
-        // Aligned to cache lines: a vector that straddles two costs as much as two.
-        let padded = |values: &[f64]| {
-            let mut padded = AVec::from_slice(aligned_vec::CACHELINE_ALIGN, values);
-            padded.resize(values.len().next_multiple_of(LANES), 0.0);
-            padded
-        };
         let weights = modes.weights();
-        let still = padded(&vec![0.0; modes.count()]);
         Self {
             count: modes.count(),
             coordinates: padded(&start.coordinates),
             rates: padded(&start.rates),
+            transition: still(modes.count()),
             tables: Arc::new(Tables {
-                transition: [still.clone(), still.clone(), still.clone(), still],
                 participations: modes.participations().map(padded),
                 weights: weights.map(padded),
             }),
@@ -76,9 +69,12 @@ impl Stride {
 
     /// What a step does to each mode, row by row.
     pub(super) fn set(&mut self, transitions: impl Iterator<Item = [f64; 4]>) {
-        let tables = Arc::make_mut(&mut self.tables);
+        if Arc::get_mut(&mut self.transition).is_none() {
+            self.transition = still(self.count);
+        }
+        let Some(tables) = Arc::get_mut(&mut self.transition) else { return };
         for (mode, rows) in transitions.enumerate() {
-            for (table, value) in tables.transition.iter_mut().zip(rows) {
+            for (table, value) in tables.iter_mut().zip(rows) {
                 table[mode] = value;
             }
         }
@@ -155,6 +151,19 @@ fn dot(values: &[f64], weights: &[f64]) -> f64 {
     values.iter().zip(weights).map(|(value, weight)| value * weight).sum()
 }
 
+/// Aligned to cache lines: a vector that straddles two costs as much as two.
+fn padded(values: &[f64]) -> AVec<f64> {
+    let mut padded = AVec::from_slice(aligned_vec::CACHELINE_ALIGN, values);
+    padded.resize(values.len().next_multiple_of(LANES), 0.0);
+    padded
+}
+
+/// A transition that adds nothing.
+fn still(count: usize) -> Arc<[AVec<f64>; 4]> {
+    let none = padded(&vec![0.0; count]);
+    Arc::new([none.clone(), none.clone(), none.clone(), none])
+}
+
 impl WithSimd for &mut Stride {
     type Output = ();
 
@@ -163,7 +172,7 @@ impl WithSimd for &mut Stride {
         let (coordinates, _) = S::as_mut_simd_f64s(&mut self.coordinates);
         let (rates, _) = S::as_mut_simd_f64s(&mut self.rates);
         // Spelled out: what a closure is handed to (an array's `map`, say) is not compiled for the wider instructions.
-        let Tables { transition: [t0, t1, t2, t3], participations, weights } = &*self.tables;
+        let (Tables { participations, weights }, [t0, t1, t2, t3]) = (&*self.tables, &*self.transition);
         let (r11, r12) = (S::as_simd_f64s(t0).0, S::as_simd_f64s(t1).0);
         let (r21, r22) = (S::as_simd_f64s(t2).0, S::as_simd_f64s(t3).0);
         let (c1, c2) = (S::as_simd_f64s(&participations[0]).0, S::as_simd_f64s(&participations[1]).0);
