@@ -80,6 +80,14 @@ impl<T: Real> Boxcar<T> {
     }
 }
 
+impl<T: Real, const N: usize> BoxcarState<T, N> {
+    /// The sample taken in so many steps before the last.
+    #[inline]
+    pub(crate) fn back(&self, ago: usize) -> T {
+        self.ring.back(ago)
+    }
+}
+
 /// Two means, one after the other: zeros of order two, or zeros on either side of where they are wanted.
 ///
 /// H(z) is the product of theirs.

@@ -61,8 +61,7 @@ pub struct ReadoutState<T, const POLES: usize, const SLOTS: usize> {
     behind: [[T; 2]; POLES],
     before: T,
     late: Ring<T, SLOTS>,
-    meant: Ring<T, SLOTS>,
-    sum: BoxcarState<T, SLOTS>,
+    meant: BoxcarState<T, SLOTS>,
     last: T,
     held: T,
     steps: u64,
@@ -79,8 +78,7 @@ impl<T: Real, const POLES: usize> Readout<T, POLES> {
             behind: [[T::ZERO; 2]; POLES],
             before: x,
             late: Ring::filled(x),
-            meant: Ring::filled(x),
-            sum: self.boxcar().settled(x),
+            meant: self.boxcar().settled(x),
             last: x,
             held: x,
             steps: 0,
@@ -134,11 +132,10 @@ impl<T: Real, const POLES: usize> Readout<T, POLES> {
     #[inline]
     fn meant<const SLOTS: usize>(&self, state: &mut ReadoutState<T, POLES, SLOTS>, x: T) -> T {
         let Some(ReadoutMean { whole, weights: [part, before, step] }) = self.mean else { return x };
-        state.meant.push(x);
+        let rows = self.boxcar().weighted_sum(&mut state.meant, x);
         let (far, farther) = (state.meant.back(whole), state.meant.back(whole.saturating_add(1)));
         let mut sum = part * far + before * farther;
         if whole > 0 {
-            let rows = self.boxcar().weighted_sum(&mut state.sum, x);
             sum = sum + step * (rows + T::nearest(0.5) * (far - x));
         }
         sum

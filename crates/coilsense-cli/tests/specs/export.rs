@@ -48,7 +48,7 @@ fn what_cannot_be_is_one_line_and_leaves_nothing() {
         (&["--as", "modelica"][..], "'--as <WORD>': must be one of c, rust, state-space, fmu"),
         (&["--as", "state-space", "--step", "0 s"], "'--step <TIME>': must be above zero"),
         (&["--as", "state-space", "--step", "-1 ms"], "'--step <TIME>': must be above zero"),
-        (&["--as", "c", "--step", "1 ms"], "--step goes with state-space, fmu or readings, got c,"),
+        (&["--as", "c", "--step", "1 ms"], "step goes with state-space, fmu or readings, got c,"),
         (
             &["--as", "c", "--also", "F_l"],
             "'--also <WORDS>': must be of F_L, closest_pitch, readings, with commas between",

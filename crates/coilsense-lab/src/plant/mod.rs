@@ -207,10 +207,10 @@ impl Plant {
         let refused = |told: String| Err(PlantError::Spec(format!("{}: {told}", self.spec_file)));
         match (&self.sensors, step) {
             (Some(sensors), Some(step)) => readings::of(&self.spec_file, sensors, step),
-            (Some(_), None) => refused("readings need --step, in which the instruments are read".to_owned()),
+            (Some(_), None) => refused("readings need a step, in which the instruments are read".to_owned()),
             (None, None) => Ok(Vec::new()),
             (None, Some(_)) => refused(format!(
-                "--step goes with state-space, fmu or readings, got {form}, which is told its step when it starts"
+                "step goes with state-space, fmu or readings, got {form}, which is told its step when it starts"
             )),
         }
     }

@@ -181,7 +181,7 @@ static inline {{ name }}_real {{ name }}_instrument_step(int which, {{ name }}_i
                 state->fresh = {{ zero }};
                 state->age = 0;
             }
-            meant = meant + of->weights[2] * (state->sum + {{ zero }} * far + ({{ name }}_real)0.5 * (far - now));
+            meant = meant + of->weights[2] * (state->sum + ({{ name }}_real)0.5 * (far - now));
         }
     }
     state->steps++;

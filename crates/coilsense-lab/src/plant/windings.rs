@@ -79,7 +79,7 @@ impl Meter {
         let (least, most) =
             used.fold((shortest - room, longest + room), |(least, most), (from, to)| (least.min(from), most.max(to)));
         // Windings that touch are beyond a plant.
-        let touching = spec.spring.contact_pitch() * coil_windings(&spec.spring);
+        let touching = spec.spring.contact_pitch() * spring.inductance_windings();
         let lengths = [least.max(touching).min(mean_length), most];
         Ok(Self { coil, calibration, lengths, doubt: doubt(&spec.spring) })
     }
@@ -88,11 +88,6 @@ impl Meter {
     pub fn on(&self, plant: &ModalPlant) -> Result<ModalCoil, coilsense::Error> {
         plant.coil(&self.coil, self.calibration, self.lengths)
     }
-}
-
-/// Over how many windings the distance between the ends is divided.
-fn coil_windings(spring: &SpringSpec) -> f64 {
-    spring.spring.inductance_windings()
 }
 
 /// What wire of unknown permeability may do to F_L.

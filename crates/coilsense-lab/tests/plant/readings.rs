@@ -1,14 +1,18 @@
 //! What a spec's sensors read of a plant as it is written: the C header gives the bits that `coilsense-rt` gives, and the readings of the sensors
 //! over the motion's signals; what is not read is said.
 
+use std::path::Path;
+use std::process::Command;
+
 use coilsense::plant::{ModalPlant, Order};
 use coilsense::sensors::Readout;
 use coilsense_lab::mitigation::export::Precision;
 use coilsense_lab::plant::{Also, Fmi, Form, Plant, Request};
 use coilsense_lab::report::export_file;
+use coilsense_lab::spec::Spec;
 use coilsense_rt::Real;
 
-use super::{RUST, S_T, STEP, inputs, mounts, request, run_in_c_for, spec};
+use super::{RUST, S_T, STEP, inputs, mounts, ran, request, run_in_c_for, spec};
 
 const SAMPLES: usize = 3000;
 const SENSORS: &str = r#"
@@ -124,6 +128,31 @@ fn c_reads_what_rust_reads() {
 }
 
 #[test]
+fn the_books_c_reads_its_sensors() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/guide/export.md");
+    let page = std::fs::read_to_string(&page).unwrap_or_else(|error| panic!("{}: {error}", page.display()));
+    let code = page.split("```c\n").nth(2).and_then(|rest| rest.split("\n```").next()).expect("a second block of C");
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/sea-ankle.toml");
+    let form = Form::C { precision: Precision::Single, step: Some(1e-4) };
+    let request = Request { modes: None, damping_ratio: Some(0.005), ..asked(form) };
+    let made = Plant::of(Spec::read(&example).unwrap(), &request).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("ankle_sensors.h"), export_file(&made, "ankle_sensors").unwrap().bytes).unwrap();
+    let program = format!(
+        "#include \"ankle_sensors.h\"\nint main(void)\n{{\n    static ankle_sensors_plant plant;\n    static ankle_sensors_state state;\n    \
+         ankle_sensors_output out;\n    if (ankle_sensors_init(&plant, ANKLE_SENSORS_STIFFNESS, ANKLE_SENSORS_MASS, 0.005, 1e-4) != 0) return 2;\n    \
+         ankle_sensors_settle(&state, 0, 0);\n    out = ankle_sensors_step(&plant, &state, 0, 0);\n    {{\n{code}\n    \
+         return read.laser < 95.0f || read.laser > 96.5f;\n    }}\n}}\n"
+    );
+    std::fs::write(folder.path().join("x.c"), program).unwrap();
+    let mut compiler = Command::new("cc");
+    compiler.args(["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-o", "x", "x.c"]);
+    let made = compiler.current_dir(folder.path()).output().unwrap();
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    ran(&folder.path().join("x"), &[]);
+}
+
+#[test]
 fn a_sensor_that_is_not_read_is_named() {
     let text = with_sensors(&format!("{S_T}[mount]\ndamping_ratio = 0.005\n"));
     let made = Plant::of(spec(&text), &asked(RUST)).unwrap();
@@ -142,7 +171,7 @@ fn readings_go_with_their_step_and_with_c_and_rust() {
     let made = |form| Plant::of(spec(&text), &asked(form)).unwrap();
     let told = |form| export_file(&made(form), "x").map(|_| ()).unwrap_err().to_string();
     let c = |step| Form::C { precision: Precision::Double, step };
-    assert_eq!(told(c(None)), "a.toml: readings need --step, in which the instruments are read");
+    assert_eq!(told(c(None)), "a.toml: readings need a step, in which the instruments are read");
     assert!(
         told(c(Some(1e-9))).starts_with("a.toml: float: step must be at least 1.300e-9 s"),
         "{}",
@@ -158,5 +187,5 @@ fn readings_go_with_their_step_and_with_c_and_rust() {
     assert!(refused.contains("readings: no [[sensor]] looks at"), "{refused}");
     let plain = Plant::of(spec(&none), &request(c(Some(STEP)))).unwrap();
     let refused = export_file(&plain, "x").map(|_| ()).unwrap_err().to_string();
-    assert!(refused.contains("--step goes with state-space, fmu or readings, got c"), "{refused}");
+    assert!(refused.contains("step goes with state-space, fmu or readings, got c"), "{refused}");
 }

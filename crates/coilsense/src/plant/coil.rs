@@ -47,7 +47,7 @@ impl ModalPlant {
     ///
     /// Source:   geometry, as [`crate::Clash`].
     /// Valid:    as [`ModalPlant`].
-    /// Accuracy: with all modes the smallest pitch is that of a motion to 1e-10 of the largest way of an end (test).
+    /// Accuracy: with all modes the smallest pitch is that of a motion to 1e-9 of its range (test).
     ///
     /// # Errors
     /// [`Error::Value`] for a spring of one winding, and for a contact pitch that is not above zero.
