@@ -4,7 +4,7 @@
 
 use coilsense_lab::calibration::StoredCalibration;
 use coilsense_lab::calibration::request::{CALIBRATION, RE_ZERO, parse_pair};
-use coilsense_lab::recording::request::{COLUMN, LOG, MAPPING, PRESET, SAMPLE_RATE, WITH, WITH_COLUMN, WITH_MAPPING};
+use coilsense_lab::recording::request::{LOG, MAPPING, PRESET, WITH, WITH_COLUMN, WITH_MAPPING};
 use coilsense_lab::recording::{Cleaning, Clock, Mapping, Points, Recording, RecordingError};
 use coilsense_lab::request::Given;
 
@@ -27,14 +27,12 @@ pub fn points(given: &Given) -> anyhow::Result<Points> {
 
 /// Which column is which channel.
 pub fn mapping(given: &Given) -> Result<Mapping, RecordingError> {
-    let mut mapping = match (given.text(&PRESET), given.file(&MAPPING)) {
+    let mapping = match (given.text(&PRESET), given.file(&MAPPING)) {
         (Some(name), _) => Mapping::preset(&name)?,
         (None, Some(file)) => Mapping::read(file)?,
         (None, None) => Mapping::default(),
     };
-    given.texts(&COLUMN).iter().try_for_each(|column| mapping.set(column))?;
-    mapping.format.sample_rate = given.number(&SAMPLE_RATE).or(mapping.format.sample_rate);
-    Ok(mapping)
+    mapping.told(given)
 }
 
 /// The calibration that is applied to it, re-zeroed where that is asked for.

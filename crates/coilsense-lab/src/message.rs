@@ -29,6 +29,10 @@ pub enum Hint {
     Value(&'static str, String),
     /// An option with a channel of each of two devices: `--clock F_o=F_x`; `clock=("F_o", "F_x")`.
     Pair(&'static str, [&'static str; 2]),
+    /// An option with a value for a channel: `--gain F_o="12.5 N/V"`; `gain={"F_o": "12.5 N/V"}`.
+    Named(&'static str, &'static str, String),
+    /// Several at once, which are given together.
+    All(Vec<Hint>),
     /// Which column is a channel: `--column F_o="LC [N]"`; `columns={"F_o": "LC [N]"}`.
     Column(&'static str, String),
 }
@@ -37,12 +41,20 @@ impl Hint {
     fn name(&self) -> &'static str {
         match self {
             Self::Option(name, _) | Self::Open(name) | Self::Flag(name) => name,
-            Self::Value(name, _) | Self::Pair(name, _) => name,
+            Self::Value(name, _) | Self::Pair(name, _) | Self::Named(name, ..) => name,
             Self::Column(..) => "column",
+            Self::All(hints) => hints.first().map_or("", Self::name),
         }
     }
 
     fn told(&self, door: Door<'_>) -> String {
+        if let Self::All(hints) = self {
+            return match door {
+                Door::Python => Self::all_in_python(hints),
+                Door::Command => hints.iter().map(|hint| hint.told(door)).collect::<Vec<_>>().join(" "),
+                Door::Page(_) => hints.iter().map(|hint| hint.told(door)).collect::<Vec<_>>().join("; "),
+            };
+        }
         let flag = self.name().replace('_', "-");
         match door {
             Door::Command => self.with_value(format!("--{flag}")),
@@ -51,7 +63,9 @@ impl Hint {
                 let label = label(&flag).unwrap_or_else(|| flag.replace('-', " "));
                 match self {
                     Self::Option(..) => label,
-                    Self::Column(channel, title) => format!("{channel}={title:?} in {label}"),
+                    Self::Column(channel, text) | Self::Named(_, channel, text) => {
+                        format!("{channel}={text:?} in {label}")
+                    }
                     _ => self.with_value(label),
                 }
             }
@@ -64,10 +78,13 @@ impl Hint {
             Self::Option(_, "") | Self::Open(_) | Self::Flag(_) => option,
             Self::Option(_, value) => format!("{option} {value}"),
             // As a shell takes it for one word.
-            Self::Value(_, value) if value.contains(' ') => format!("{option} {value:?}"),
+            Self::Value(_, value) if value.contains(' ') => format!("{option} {}", quoted(value)),
             Self::Value(_, value) => format!("{option} {value}"),
             Self::Pair(_, [mine, theirs]) => format!("{option} {mine}={theirs}"),
-            Self::Column(channel, title) => format!("{option} {channel}={title:?}"),
+            Self::Column(channel, text) | Self::Named(_, channel, text) => {
+                format!("{option} {channel}={}", quoted(text))
+            }
+            Self::All(_) => option,
         }
     }
 
@@ -79,9 +96,38 @@ impl Hint {
             Self::Flag(_) => format!("{argument}=True"),
             Self::Value(_, value) => format!("{argument}={value:?}"),
             Self::Pair(_, [mine, theirs]) => format!("{argument}=({mine:?}, {theirs:?})"),
-            Self::Column(channel, title) => format!("{argument}={{{channel:?}: {title:?}}}"),
+            Self::Column(channel, text) | Self::Named(_, channel, text) => {
+                format!("{argument}={{{channel:?}: {text:?}}}")
+            }
+            Self::All(hints) => Self::all_in_python(hints),
         }
     }
+
+    /// Arguments of one name are one dictionary.
+    fn all_in_python(hints: &[Self]) -> String {
+        let mut told: Vec<(&'static str, Vec<String>)> = Vec::new();
+        let mut plain = Vec::new();
+        for hint in hints {
+            match hint {
+                Self::Column(channel, text) | Self::Named(_, channel, text) => {
+                    let (name, item) = (python_name(hint.name()), format!("{channel:?}: {text:?}"));
+                    match told.iter_mut().find(|(other, _)| *other == name) {
+                        Some((_, items)) => items.push(item),
+                        None => told.push((name, vec![item])),
+                    }
+                }
+                other => plain.push(other.in_python()),
+            }
+        }
+        let dictionaries = told.into_iter().map(|(name, items)| format!("{name}={{{}}}", items.join(", ")));
+        dictionaries.chain(plain).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A text as a shell takes it for one word, whatever stands in it.
+fn quoted(text: &str) -> String {
+    let is_plain = !text.contains(['"', '$', '`', '\\', '!']);
+    if is_plain { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
 /// The argument that Python has for an option.

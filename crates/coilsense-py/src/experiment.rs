@@ -159,7 +159,7 @@ pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<Co
 /// ----------
 /// folder : str or os.PathLike
 ///     With experiment.toml; see book/src/guide/experiment.md.
-/// drop_incomplete, sort, merge_repeated, fill_gaps, resample
+/// drop_incomplete, sort, merge_repeated, unwrap, fill_gaps, resample, repair_up_to
 ///     What may be cleaned in each of its logs, as `open_log` takes it; by default nothing.
 ///
 /// Returns
@@ -181,17 +181,21 @@ pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<Co
 /// >>> len(coilsense.experiment(folder)) == len(coilsense.experiment(folder).rows)
 /// True
 #[pyfunction]
-#[pyo3(signature = (folder, *, drop_incomplete=false, sort=false, merge_repeated=false, fill_gaps=None, resample=None))]
+#[pyo3(signature = (folder, *, drop_incomplete=false, sort=false, merge_repeated=false, unwrap=false, fill_gaps=None, resample=None,
+                    repair_up_to=None))]
+#[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn experiment(
     py: Python<'_>,
     folder: PathBuf,
     drop_incomplete: bool,
     sort: bool,
     merge_repeated: bool,
+    unwrap: bool,
     fill_gaps: Option<Quantity>,
     resample: Option<Quantity>,
+    repair_up_to: Option<Quantity>,
 ) -> PyResult<PyExperiment> {
-    let said = cleaning(drop_incomplete, sort, merge_repeated, fill_gaps, resample);
+    let said = cleaning(drop_incomplete, sort, merge_repeated, unwrap, fill_gaps, resample, repair_up_to);
     let cleaning = Cleaning::of(&given(said)?);
     let experiment = interruptible(py, move || Experiment::read(&folder, &cleaning))?.python()?;
     let findings = Findings::of(&experiment);

@@ -4,7 +4,9 @@
 
 use coilsense_lab::message::python_name;
 use coilsense_lab::quantity::Dimension;
-use coilsense_lab::recording::request::{DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, RESAMPLE, SORT};
+use coilsense_lab::recording::request::{
+    DROP_INCOMPLETE, FILL_GAPS, MERGE_REPEATED, REPAIR_UP_TO, RESAMPLE, SORT, UNWRAP,
+};
 use coilsense_lab::request::{Allowed, Given, Row, Takes, Value, Wrong};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -176,6 +178,8 @@ pub enum Said {
     Count(Count),
     /// A word.
     Word(Word),
+    /// Texts of an option that may be given several times.
+    Texts(Vec<String>),
 }
 
 impl<T: Into<Self>> From<Option<T>> for Said {
@@ -208,6 +212,12 @@ impl From<Count> for Said {
     }
 }
 
+impl From<String> for Said {
+    fn from(word: String) -> Self {
+        Self::Word(Word::Text(word))
+    }
+}
+
 impl From<&str> for Said {
     fn from(word: &str) -> Self {
         Self::Word(Word::Text(word.to_owned()))
@@ -230,6 +240,11 @@ pub fn given<'a>(said: impl IntoIterator<Item = (&'a Row, Said)>) -> PyResult<Gi
                 given.set(row, Vec::new());
                 continue;
             }
+            Said::Texts(texts) if texts.is_empty() => continue,
+            Said::Texts(texts) => {
+                given.set(row, texts.into_iter().map(Value::Text).collect());
+                continue;
+            }
             Said::Quantity(quantity) => Value::Number(quantity.checked(row)?),
             Said::Count(count) => {
                 let count = count.number(python_name(row.name))?;
@@ -247,15 +262,19 @@ pub fn cleaning(
     drop_incomplete: bool,
     sort: bool,
     merge_repeated: bool,
+    unwrap: bool,
     fill_gaps: Option<Quantity>,
     resample: Option<Quantity>,
-) -> [(&'static Row, Said); 5] {
+    repair_up_to: Option<Quantity>,
+) -> [(&'static Row, Said); 7] {
     [
         (&DROP_INCOMPLETE, drop_incomplete.into()),
         (&SORT, sort.into()),
         (&MERGE_REPEATED, merge_repeated.into()),
+        (&UNWRAP, unwrap.into()),
         (&FILL_GAPS, fill_gaps.into()),
         (&RESAMPLE, resample.into()),
+        (&REPAIR_UP_TO, repair_up_to.into()),
     ]
 }
 

@@ -213,21 +213,37 @@ impl PyRecording {
 /// units : dict of str to str, optional
 ///     Units by channel, where titles carry none, as in ``{"F_o": "mN"}``.
 /// mapping : str or os.PathLike, optional
-///     The same as a TOML file, which can say more: gains, offsets, means of several columns; see book/src/guide/logs.md.
+///     The same as a TOML file, which can say more: means of several columns, comment signs; see book/src/guide/logs.md.
 /// preset : {"lab-data"}, optional
 ///     A known layout.
 /// sample_rate : float or str, optional
-///     How often a log without a time column was sampled [Hz].
+///     How often a log without a time column was sampled [Hz]; a column of time is then left alone.
+/// gain : dict of str to str, optional
+///     What a sensor's own signal means, as in ``{"F_o": "12.5 N/V"}``, or ``"12.5 N"`` for one of the column's numbers.
+/// offset : dict of str to str, optional
+///     What is added to a channel in the end, as in ``{"F_o": "0.2 N"}``.
+/// negate : list of str, optional
+///     Channels whose sign is turned.
+/// constant : dict of str to str, optional
+///     Channels that are the same in every row, as in ``{"u2": "104 mm"}`` of an end that is held.
+/// delimiter : {",", ";", "|", "tab", "space"}, optional
+///     What separates the columns of a text; without it, it is found out.
+/// decimal : {".", ","}, optional
+///     The decimal sign; without it, it is found out.
 /// drop_incomplete : bool
 ///     Leave out rows that lack a value or cannot be read.
 /// sort : bool
 ///     Put rows into the order of their times.
 /// merge_repeated : bool
 ///     Take the mean of rows that have the same time.
+/// unwrap : bool
+///     Count on where midnight passes or a counter rolls over.
 /// fill_gaps : float or str, optional
 ///     Fill gaps and missing values up to this length [s] along straight lines.
 /// resample : float or str, optional
 ///     Bring all channels to this rate [Hz] along straight lines.
+/// repair_up_to : float or str, optional
+///     Share of the rows that each of these may leave out, move, merge or fill, such as ``"5 %"``; without it 1 %. Ten rows are never too many.
 /// from_, to : float or str, optional
 ///     Leave out what is before or after [s].
 ///
@@ -250,8 +266,9 @@ impl PyRecording {
 /// >>> recording.sample_rate, recording.signals["F_o"]
 /// (250.0, array([1.5 , 1.75, 1.5 ]))
 #[pyfunction]
-#[pyo3(signature = (path, columns=None, units=None, *, mapping=None, preset=None, sample_rate=None, drop_incomplete=false,
-                    sort=false, merge_repeated=false, fill_gaps=None, resample=None, from_=None, to=None))]
+#[pyo3(signature = (path, columns=None, units=None, *, mapping=None, preset=None, sample_rate=None, gain=None, offset=None,
+                    negate=None, constant=None, delimiter=None, decimal=None, drop_incomplete=false, sort=false,
+                    merge_repeated=false, unwrap=false, fill_gaps=None, resample=None, repair_up_to=None, from_=None, to=None))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn open_log(
     py: Python<'_>,
@@ -261,16 +278,26 @@ pub fn open_log(
     mapping: Option<PathBuf>,
     preset: Option<String>,
     sample_rate: Option<Quantity>,
+    gain: Option<Bound<'_, PyDict>>,
+    offset: Option<Bound<'_, PyDict>>,
+    negate: Option<Vec<String>>,
+    constant: Option<Bound<'_, PyDict>>,
+    delimiter: Option<String>,
+    decimal: Option<String>,
     drop_incomplete: bool,
     sort: bool,
     merge_repeated: bool,
+    unwrap: bool,
     fill_gaps: Option<Quantity>,
     resample: Option<Quantity>,
+    repair_up_to: Option<Quantity>,
     from_: Option<Quantity>,
     to: Option<Quantity>,
 ) -> PyResult<PyRecording> {
-    let mapping = LogOptions { columns, units, mapping, preset, sample_rate }.mapping()?;
-    let said = cleaning(drop_incomplete, sort, merge_repeated, fill_gaps, resample);
+    let told =
+        LogOptions { columns, units, gain, offset, negate, constant, mapping, preset, delimiter, decimal, sample_rate };
+    let mapping = told.mapping()?;
+    let said = cleaning(drop_incomplete, sort, merge_repeated, unwrap, fill_gaps, resample, repair_up_to);
     let cleaning = Cleaning::of(&given(said.into_iter().chain([(&FROM, from_.into()), (&TO, to.into())]))?);
     interruptible(py, move || Recording::read(&path, &mapping, &cleaning))?.python().map(PyRecording)
 }

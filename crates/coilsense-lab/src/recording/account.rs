@@ -82,7 +82,9 @@ pub struct Account {
     pub read: u64,
     /// Rows that were left out.
     pub left_out: BTreeMap<Reason, Tally>,
-    /// Rows that stood out of order and were sorted.
+    /// Where time was counted on behind a turn of its clock \[s\]: how often, and the line of the first.
+    pub turns: Option<(f64, Tally)>,
+    /// Rows that stood behind later ones and were sorted.
     pub sorted: u64,
     /// Missing values that were filled, by channel, and the longest stretch \[s\] over which that was.
     pub filled_values: BTreeMap<&'static str, (u64, f64)>,
@@ -133,6 +135,11 @@ impl Account {
     /// Counts a row that is left out.
     pub(super) fn leave_out(&mut self, reason: Reason, line: u64) {
         self.left_out.entry(reason).or_insert(Tally { count: 0, line }).count += 1;
+    }
+
+    /// Counts a turn of the clock.
+    pub(super) fn turned(&mut self, turn: f64, line: u64) {
+        self.turns.get_or_insert((turn, Tally { count: 0, line })).1.count += 1;
     }
 
     /// How many rows were left out.

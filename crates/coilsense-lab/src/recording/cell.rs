@@ -1,10 +1,11 @@
 //! One cell of a text: a number, a time stamp, nothing, or something else; and where a line's cells begin and end.
 //!
-//! Next door: dates and times of day (`stamp`), which signs part and mark them (`layout`), whole files (`text`).
+//! Next door: numbers (`numeral`), dates and times of day (`stamp`), which signs part and mark them (`layout`), whole files (`text`).
 
 use std::ops::Range;
 
-use super::stamp::stamp;
+use super::numeral::number;
+use super::stamp::Stamp;
 
 /// What parts the cells of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,13 +21,8 @@ pub(super) enum Delimiter {
 pub(super) enum Cell {
     /// A number; may be infinite.
     Number(f64),
-    /// A date, a time of day, or both.
-    Stamp {
-        /// Days since 1970; 0 where there is no date.
-        day: i64,
-        /// Seconds of that day.
-        second: f64,
-    },
+    /// A date, a time of day, or both; or a duration.
+    Stamp(Stamp),
     /// Nothing, or one of the words that mean so.
     Missing,
     /// Anything else.
@@ -85,40 +81,17 @@ impl Cell {
         match number(cell, decimal_comma) {
             Some(value) if value.is_nan() => Self::Missing,
             Some(value) => Self::Number(value),
-            None => Self::other(cell, decimal_comma),
+            None => Self::other(cell),
         }
     }
 
-    fn other(cell: &[u8], decimal_comma: bool) -> Self {
+    fn other(cell: &[u8]) -> Self {
         let Ok(text) = std::str::from_utf8(cell) else { return Self::Text };
         if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) {
             return Self::Missing;
         }
-        let text = if decimal_comma { text.replace(',', ".") } else { text.to_owned() };
-        stamp(&text).map_or(Self::Text, |(day, second)| Self::Stamp { day, second })
+        Stamp::of(text).map_or(Self::Text, Self::Stamp)
     }
-}
-
-/// Longest number that is read, in characters: 1e-300 written without an exponent fits.
-const LONGEST_NUMBER: usize = 400;
-
-fn number(cell: &[u8], decimal_comma: bool) -> Option<f64> {
-    if cell.len() > LONGEST_NUMBER || cell.ends_with(b",") {
-        return None;
-    }
-    if !decimal_comma {
-        return std::str::from_utf8(cell).ok()?.parse().ok();
-    }
-    let mut buffer = [0; LONGEST_NUMBER];
-    let copy = buffer.get_mut(..cell.len())?;
-    for (to, &from) in copy.iter_mut().zip(cell) {
-        *to = match from {
-            b',' => b'.',
-            b'.' => return None,
-            other => other,
-        };
-    }
-    std::str::from_utf8(copy).ok()?.parse().ok()
 }
 
 #[cfg(test)]
@@ -130,7 +103,7 @@ mod tests {
         assert_eq!(Cell::of(b" +1.5e-3 ", false), Cell::Number(0.0015));
         assert_eq!(Cell::of(b"\"1,5\"", true), Cell::Number(1.5));
         assert_eq!(Cell::of(b"1,5", false), Cell::Text);
-        assert_eq!(Cell::of(b"1.234,5", true), Cell::Text);
+        assert_eq!(Cell::of(b"1.234,5", true), Cell::Number(1234.5));
         assert_eq!(Cell::of(b"1e999", false), Cell::Number(f64::INFINITY));
         for missing in [&b""[..], b"  ", b"NaN", b"-nan", b"N/A", b"\"\""] {
             assert_eq!(Cell::of(missing, false), Cell::Missing, "{missing:?}");
@@ -138,7 +111,7 @@ mod tests {
         for text in [&b"abc"[..], b"1 N", b"0x10", b"\xb5", b"1:2:3:4", b"12:60:00"] {
             assert_eq!(Cell::of(text, false), Cell::Text, "{text:?}");
         }
-        assert_eq!(Cell::of(b"00:01:02,5", true), Cell::Stamp { day: 0, second: 62.5 });
+        assert!(matches!(Cell::of(b"00:01:02,5", true), Cell::Stamp(stamp) if stamp.second == 62.5));
     }
 
     #[test]

@@ -15,6 +15,10 @@ pub struct Cleaning {
     pub fill_gaps: Option<f64>,
     /// Bring all channels to this constant rate \[Hz\] along straight lines.
     pub resample: Option<f64>,
+    /// Count on where midnight passes or a counter rolls over.
+    pub unwrap: bool,
+    /// Share of the rows that a repair may touch; without it one in a hundred.
+    pub repair_up_to: Option<f64>,
     /// Leave out what is before this time \[s\].
     pub from: Option<f64>,
     /// Leave out what is after this time \[s\].

@@ -49,7 +49,7 @@ pub fn import(
     }
     let mut source = open(log, mapping)?;
     let remarks = source.remarks().to_vec();
-    let rows = Rows::of(source.as_mut(), mapping, cleaning)?;
+    let rows = Rows::of(source.as_mut(), mapping, cleaning, true)?;
     let channels = rows.channels();
     let columns: Vec<(&str, &'static str)> =
         std::iter::once(("time", "s")).chain(channels.iter().map(|channel| (channel.name(), channel.unit()))).collect();

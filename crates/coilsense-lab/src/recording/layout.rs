@@ -19,8 +19,21 @@ pub(super) struct Layout {
     pub header: Option<u64>,
     /// Line of the first row of numbers.
     pub first_row: u64,
+    /// Least cells of a row: the last columns may be left out.
+    pub shortest: usize,
+    /// What ends the head of a further segment, behind which titles stand again; such heads begin with `Channels`.
+    pub segments: Option<&'static [u8]>,
+    /// The clock that the head tells.
+    pub clock: Option<FileClock>,
     /// Comment lines and what else stands above, without marks.
     pub remarks: Vec<String>,
+}
+
+/// The clock of a log whose head tells it: row n is at start + n · interval \[s\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FileClock {
+    pub start: f64,
+    pub interval: f64,
 }
 
 /// A line and its number.

@@ -5,6 +5,7 @@
 use super::error::RecordingError;
 use super::quantity::Quantity;
 use super::title::Title;
+use super::unit::Gain;
 use crate::message::{Hint, Message};
 
 /// Which column is which channel. Columns that carry a channel's name need no entry.
@@ -36,21 +37,27 @@ pub struct Format {
 /// The columns of a quantity: one, or several of which the mean counts. In SI: mean · unit · `factor` + `offset`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Columns {
-    /// Titles, names or `#3`.
+    /// Titles, names or `#3`; none where the column carries the quantity's name.
     pub titles: Vec<String>,
     pub unit: Option<String>,
-    /// SI units for one of the column's numbers, in place of a unit.
-    pub gain: Option<f64>,
+    /// What the sensor's own signal means, in place of a unit.
+    pub gain: Option<Gain>,
     pub factor: f64,
     pub offset: f64,
+    /// The same value in every row \[SI\], in place of columns.
+    pub constant: Option<f64>,
 }
 
 impl Columns {
+    /// The column that carries the quantity's name.
+    pub const BY_NAME: Self =
+        Self { titles: Vec::new(), unit: None, gain: None, factor: 1.0, offset: 0.0, constant: None };
+
     /// One column as a title says it.
     pub fn titled(text: &str) -> Self {
         let title = Title::parse(text);
         // Where a number stands for the title, the unit is certainly none of it.
-        Self { titles: vec![title.name], unit: title.unit, gain: None, factor: 1.0, offset: 0.0 }
+        Self { titles: vec![title.name], unit: title.unit, ..Self::BY_NAME }
     }
 }
 
@@ -87,16 +94,62 @@ impl Mapping {
     /// # Errors
     /// [`RecordingError`] where it is not of that form or names no channel.
     pub fn set(&mut self, text: &str) -> Result<(), RecordingError> {
-        let refused = |message: &str| {
-            RecordingError::of_words(Message::from(Hint::Option("column", "")) + format!(" {text:?}: {message}"))
-        };
-        let (name, title) = text.split_once('=').ok_or_else(|| refused("must be NAME=\"title [unit]\""))?;
-        let quantity =
-            Quantity::named(name.trim()).map_err(|allowed| refused(&format!("the name before = {allowed}")))?;
-        if title.trim().is_empty() {
-            return Err(refused("the title behind = is missing"));
-        }
+        let (quantity, title) = named("column", "title [unit]", text)?;
         self.put(quantity, Columns::titled(title));
+        Ok(())
+    }
+
+    /// Tells what a sensor's own signal means, as in `F_o=12.5 N/V`, or `F_o=12.5 N` for one of the column's numbers.
+    ///
+    /// # Errors
+    /// [`RecordingError`] where it is not of that form, names no channel, or is not of that channel's dimension.
+    pub fn set_gain(&mut self, text: &str) -> Result<(), RecordingError> {
+        let (quantity, value) = named("gain", "12.5 N/V", text)?;
+        let dimension = quantity.dimension();
+        let gain = Gain::parse(dimension, value).ok_or_else(|| {
+            let unit = dimension.si_unit();
+            let allowed =
+                format!("the gain must be so many {unit} for one V, mV, A, mV/V or count, such as \"12.5 {unit}/V\"");
+            refused("gain", text, &allowed)
+        })?;
+        self.entry(quantity).gain = Some(gain);
+        Ok(())
+    }
+
+    /// Tells what is added to a channel in the end, as in `F_o=0.2 N`.
+    ///
+    /// # Errors
+    /// As [`Self::set_gain`].
+    pub fn set_offset(&mut self, text: &str) -> Result<(), RecordingError> {
+        let (quantity, value) = quantity_of("offset", text)?;
+        self.entry(quantity).offset = value;
+        Ok(())
+    }
+
+    /// Turns the sign of a channel, as in `F_o`.
+    ///
+    /// # Errors
+    /// [`RecordingError`] for a name that is no channel's.
+    pub fn set_negated(&mut self, name: &str) -> Result<(), RecordingError> {
+        let channel = Quantity::named(name.trim()).and_then(|quantity| match quantity {
+            Quantity::Time => Err("must be a channel; time has no sign to turn".to_owned()),
+            channel => Ok(channel),
+        });
+        let quantity = channel.map_err(|allowed| refused("negate", name, &allowed))?;
+        self.entry(quantity).factor *= -1.0;
+        Ok(())
+    }
+
+    /// Tells a channel that is the same in every row, as in `u2=104 mm` of an end that is held.
+    ///
+    /// # Errors
+    /// As [`Self::set_gain`]; for the time, too.
+    pub fn set_constant(&mut self, text: &str) -> Result<(), RecordingError> {
+        let (quantity, value) = quantity_of("constant", text)?;
+        if quantity == Quantity::Time {
+            return Err(refused("constant", text, "time cannot stand still"));
+        }
+        self.put(quantity, Columns { constant: Some(value), ..Columns::BY_NAME });
         Ok(())
     }
 
@@ -106,8 +159,43 @@ impl Mapping {
         self.columns.push((quantity, columns));
     }
 
+    /// What is told of a quantity's columns; that they carry its name, where nothing is.
+    fn entry(&mut self, quantity: Quantity) -> &mut Columns {
+        let place = self.columns.iter().position(|(other, _)| *other == quantity).unwrap_or_else(|| {
+            self.columns.push((quantity, Columns::BY_NAME));
+            self.columns.len() - 1
+        });
+        &mut self.columns[place].1
+    }
+
     /// Whether the column of a quantity is told.
     pub fn tells(&self, quantity: Quantity) -> bool {
         self.columns.iter().any(|(other, _)| *other == quantity)
     }
+}
+
+fn refused(option: &'static str, text: &str, message: &str) -> RecordingError {
+    RecordingError::of_words(Message::from(Hint::Option(option, "")) + format!(" {text:?}: {message}"))
+}
+
+/// The quantity of `NAME=VALUE`, and the value's text.
+fn named<'a>(option: &'static str, value: &str, text: &'a str) -> Result<(Quantity, &'a str), RecordingError> {
+    let form = || refused(option, text, &format!("must be NAME=\"{value}\""));
+    let (name, told) = text.split_once('=').ok_or_else(form)?;
+    let quantity = Quantity::named(name.trim())
+        .map_err(|allowed| refused(option, text, &format!("the name before = {allowed}")))?;
+    let what = if option == "column" { "title" } else { "value" };
+    if told.trim().is_empty() {
+        Err(refused(option, text, &format!("the {what} behind = is missing")))
+    } else {
+        Ok((quantity, told.trim()))
+    }
+}
+
+/// The quantity of `NAME=VALUE`, and the value in SI.
+fn quantity_of(option: &'static str, text: &str) -> Result<(Quantity, f64), RecordingError> {
+    let (quantity, told) = named(option, "0.2 N", text)?;
+    let dimension = quantity.dimension();
+    let value = dimension.parse(told).filter(|value| value.abs() <= quantity.largest());
+    value.map(|value| (quantity, value)).ok_or_else(|| refused(option, text, &dimension.refusal(told)))
 }

@@ -10,6 +10,7 @@ use super::error::RecordingError;
 use super::mapping::{Columns, Mapping};
 use super::quantity::Quantity;
 use super::title::Title;
+use super::unit::{self, Gain};
 use crate::quantity::Dimension;
 use crate::spec::Key;
 
@@ -29,18 +30,24 @@ pub const LOG_KEYS: [Key; 6] = [
 ];
 
 /// Keys of an entry of `[columns]` that is a table of its own.
-pub const COLUMN_KEYS: [Key; 6] = [
+pub const COLUMN_KEYS: [Key; 7] = [
     key("column", "\"LC [N]\"", "title of the column with its unit, or `#3` for the third", "needed"),
     key("columns", "[\"#6\", \"#8\"]", "several columns, of which the mean counts", "`column`"),
     key("unit", "\"mN\"", "unit of the numbers", "the one in the title"),
     key(
         "gain",
-        "\"12.5 N\"",
-        "what one of the column's numbers means, such as the newtons of a volt, in place of a unit",
+        "\"12.5 N/V\"",
+        "what a sensor's own signal means; `12.5 N` alone is for one of the column's numbers, whatever its unit",
         "the unit",
     ),
     key("factor", "-1", "a number by which all is multiplied; -1 turns the sign", "1"),
     key("offset", "\"0.2 N\"", "is added in the end", "none"),
+    key(
+        "constant",
+        "\"0.2 N\"",
+        "the same value in every row, in place of a column, such as the place of a held end",
+        "none",
+    ),
 ];
 
 const fn key(name: &'static str, example: &'static str, meaning: &'static str, default: &'static str) -> Key {
@@ -114,9 +121,6 @@ impl Mapping {
             "," => Some(true),
             _ => None,
         })?;
-        if (format.delimiter, format.decimal_comma) == (Some(','), Some(true)) {
-            return Err("decimal = \",\": must be \".\" where the delimiter is a comma, too".to_owned());
-        }
         format.header = take(table, "header", "true or false", Value::as_bool)?;
         format.comment = take(table, "comment", "a text of 1 to 8 characters", |value| {
             value.as_str().filter(|text| (1..=8).contains(&text.len())).map(str::to_owned)
@@ -152,18 +156,26 @@ fn of_table(table: &Table, quantity: Quantity) -> Result<Columns, String> {
     };
     let one = take(table, "column", "a title in quotes", text)?;
     let several = take(table, "columns", "a list of titles in quotes", texts)?;
+    let dimension = quantity.dimension();
+    let quantity_of = |value: &Value| dimension.parse(value.as_str()?).filter(|value| value.is_finite());
+    let constant = take(table, "constant", &dimension.expectation(), quantity_of)?;
+    if let Some(constant) = constant {
+        if table.len() > 1 || quantity == Quantity::Time {
+            return Err("constant stands alone, and not for time".to_owned());
+        }
+        return Ok(Columns { constant: Some(constant), ..Columns::BY_NAME });
+    }
     let titles = match (one, several) {
         (Some(one), None) => vec![one],
         (None, Some(several)) => several,
-        _ => return Err("needs one of column and columns".to_owned()),
+        _ => return Err("needs one of column, columns and constant".to_owned()),
     };
     let titles: Vec<Title> = titles.iter().map(|title| Title::parse(title)).collect();
-    let dimension = quantity.dimension();
     let unit = take(table, "unit", &dimension.expectation(), |value| {
-        value.as_str().filter(|unit| dimension.scale(unit).is_some()).map(str::to_owned)
+        value.as_str().filter(|unit| unit::scale(dimension, unit).is_some()).map(str::to_owned)
     })?;
-    let quantity_of = |value: &Value| dimension.parse(value.as_str()?).filter(|value| value.is_finite());
-    let gain = take(table, "gain", &dimension.expectation(), quantity_of)?;
+    let allowed = format!("{}, for one V, mV, A, mV/V or count", dimension.expectation());
+    let gain = take(table, "gain", &allowed, |value| Gain::parse(dimension, value.as_str()?))?;
     if gain.is_some() && unit.is_some() {
         return Err("unit and gain say the same thing; give one of them".to_owned());
     }
@@ -177,6 +189,7 @@ fn of_table(table: &Table, quantity: Quantity) -> Result<Columns, String> {
         gain,
         factor: take(table, "factor", "a number that is not zero", number)?.unwrap_or(1.0),
         offset: take(table, "offset", &dimension.expectation(), quantity_of)?.unwrap_or(0.0),
+        constant: None,
     })
 }
 

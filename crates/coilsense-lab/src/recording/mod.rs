@@ -2,11 +2,11 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `mapping`, `mapping_file`, `quantity`, `title` | which column is which channel, in which unit |
-//! | `selection` | finding those columns in a file |
-//! | `source`, `text`, `layout`, `trial`, `cell`, `stamp`, `formats`, `table`, `whole` | where rows come from |
+//! | `mapping`, `mapping_file`, `quantity`, `title`, `unit` | which column is which channel, in which unit |
+//! | `selection`, `proposal` | finding those columns in a file, and asking for what is not told of them |
+//! | `source`, `text`, `layout`, `trial`, `dialect`, `cell`, `numeral`, `stamp`, `formats`, `table`, `whole` | where rows come from |
 //! | `request` | what may be asked of a log |
-//! | `cleaning`, `pipeline`, `order`, `complete`, `spacing`, `row` | what is cleaned on their way |
+//! | `cleaning`, `pipeline`, `clock`, `nominal`, `repairs`, `order`, `complete`, `spacing`, `row` | what is cleaned on their way |
 //! | `account`, `telling` | what became of every row |
 //! | `points` | logs without a clock |
 //! | `join` | two devices on one clock |
@@ -17,18 +17,24 @@
 mod account;
 mod cell;
 mod cleaning;
+mod clock;
 mod complete;
 mod convert;
+mod dialect;
 mod error;
 mod formats;
 mod join;
 mod layout;
 mod mapping;
 mod mapping_file;
+mod nominal;
+mod numeral;
 mod order;
 mod pipeline;
 mod points;
+mod proposal;
 mod quantity;
+mod repairs;
 pub mod request;
 mod row;
 mod selection;
@@ -40,6 +46,7 @@ mod telling;
 mod text;
 mod title;
 mod trial;
+mod unit;
 mod whole;
 
 pub use account::{Account, Gaps, Joined, Reason, Tally};
@@ -94,7 +101,7 @@ impl Recording {
         let path = source.file().to_owned();
         let path = path.as_path();
         let remarks = source.remarks().to_vec();
-        let rows = Rows::of(source.as_mut(), mapping, cleaning)?;
+        let rows = Rows::of(source.as_mut(), mapping, cleaning, true)?;
         let channels = rows.channels();
         let mut time = Vec::new();
         let mut values = vec![Vec::new(); channels.len()];
@@ -182,19 +189,45 @@ impl Recording {
         if time.iter().enumerate().all(|(index, &time)| even(index, time)) {
             return Ok(1.0 / interval);
         }
+        let message = self.uneven(interval);
+        Err(RecordingError::of_file(&self.account.file, message))
+    }
+
+    /// How the times are uneven, whose mean step is `interval` \[s\], and what makes them even.
+    fn uneven(&self, interval: f64) -> Message {
+        let time = self.signals.time();
+        let first = time.first().copied().unwrap_or(0.0);
+        let off = |(index, time): (usize, &f64)| (time - first - index as f64 * interval).abs();
+        let jitter = time.iter().enumerate().map(off).fold(0.0, f64::max);
+        // A row that is missing makes a long step, and stamps that stray short ones, too.
         let usual = self.account.interval.unwrap_or(interval);
+        let strays = self.account.steps.is_some_and(|[least, _]| least < 0.75 * usual);
+        if self.account.gaps.count == 0 || strays && jitter <= MOST_JITTER * interval {
+            let rate = telling::hertz(nominal::nominal(1.0 / interval));
+            let text = format!(
+                "is not evenly sampled: its times stray by up to {} from an even clock of {rate}; ",
+                seconds(jitter)
+            );
+            return Message::from(text)
+                + Hint::Value("resample", rate.clone())
+                + " draws straight lines between them; where only the stamps stray and the samples are even, "
+                + Hint::Value("sample_rate", rate)
+                + " takes them so";
+        }
         let (step, at) = time
             .windows(2)
             .map(|pair| (pair[1] - pair[0], pair[0]))
-            .fold((0.0, *first), |most, next| if next.0 > most.0 { next } else { most });
+            .fold((0.0, first), |most, next| if next.0 > most.0 { next } else { most });
         let (usual_step, longest) = (seconds(usual), seconds(step));
         let text =
             format!("is not evenly sampled: its steps of time are usually {usual_step}, and {longest} at {at} s; ");
-        let rate = telling::hertz((1.0 / usual).round().max(1.0));
-        let message = Message::from(text) + Hint::Value("resample", rate) + " makes them even";
-        Err(RecordingError::of_file(&self.account.file, message))
+        let rate = telling::hertz(nominal::nominal(1.0 / usual));
+        Message::from(text) + Hint::Value("resample", rate) + " makes them even"
     }
 }
+
+/// Times that stray by so many steps from an even clock jitter; further ones lack rows.
+const MOST_JITTER: f64 = 3.0;
 
 /// Opens a log of any format.
 fn open(path: &Path, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {

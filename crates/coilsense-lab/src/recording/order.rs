@@ -1,6 +1,6 @@
-//! The first stage: the window of time, and times that rise.
+//! The second stage: rows in the order of their times, and one of each time.
 //!
-//! Next door: missing values (`complete`), gaps and rates (`spacing`).
+//! Next door: times and the window (`clock`), missing values (`complete`), gaps and rates (`spacing`).
 
 use std::path::PathBuf;
 
@@ -10,13 +10,13 @@ use super::error::{RecordingError, window};
 use super::row::{Onward, Row};
 use crate::message::{Hint, Message};
 
-/// Lets rows through whose times rise; sorts and merges where it may.
+/// Sorts rows and merges those of one time where it may.
 pub(super) struct Order {
     file: PathBuf,
     cleaning: Cleaning,
     /// Rows of the same time, as sums; how many values each sum has.
     open: Option<(Row, Vec<u32>)>,
-    /// Time of the row before.
+    /// Time of the row before; while rows are collected to be sorted, the last of all.
     last: f64,
     /// All rows, where they are to be sorted.
     all: Vec<Row>,
@@ -31,11 +31,6 @@ impl Order {
     }
 
     pub fn push(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
-        let before = self.cleaning.from.is_some_and(|from| row.time < from);
-        if before || self.cleaning.to.is_some_and(|to| row.time > to) {
-            account.leave_out(Reason::OutsideWindow, row.line);
-            return Ok(());
-        }
         if !self.cleaning.sort {
             return self.in_order(row, account, onward);
         }
@@ -43,9 +38,10 @@ impl Order {
             let message = Message::from("has too many rows to be sorted in memory; take a part of it by ") + window();
             return Err(RecordingError::of_file(&self.file, message));
         }
-        if self.all.last().is_some_and(|last| row.time < last.time) {
+        if row.time < self.last {
             account.sorted += 1;
         }
+        self.last = self.last.max(row.time);
         self.all.push(row);
         Ok(())
     }
@@ -53,6 +49,7 @@ impl Order {
     /// Lets the last rows go.
     pub fn finish(&mut self, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
         let mut all = std::mem::take(&mut self.all);
+        self.last = f64::NEG_INFINITY;
         all.sort_by(|a, b| a.time.total_cmp(&b.time));
         for row in all {
             self.in_order(row, account, onward)?;
@@ -62,16 +59,11 @@ impl Order {
 
     fn in_order(&mut self, row: Row, account: &mut Account, onward: &mut Onward<'_>) -> Result<(), RecordingError> {
         let before = std::mem::replace(&mut self.last, row.time);
-        if row.time < before {
-            let message = Message::from(format!("time goes back from {before} s to {} s; ", row.time))
-                + Hint::Flag("sort")
-                + " puts the rows in order";
-            return Err(RecordingError::of_line(&self.file, row.line, message));
-        }
         if !self.cleaning.merge_repeated {
             if row.time > before {
                 return onward(row, account);
             }
+            // Rows of one time were not neighbours before they were sorted.
             let message = Message::from(format!("time {before} s is there again; "))
                 + Hint::Flag("merge_repeated")
                 + " takes the mean of such rows";

@@ -6,16 +6,19 @@ use coilsense::Channel;
 
 use super::account::{Account, Reason};
 use super::cleaning::Cleaning;
+use super::clock::{Behind, Clock};
 use super::complete::Complete;
 use super::error::{RecordingError, leave_out};
+use super::layout::FileClock;
 use super::mapping::Mapping;
 use super::order::Order;
 use super::quantity::Quantity;
 use super::row::{Onward, Row};
-use super::selection::{Selection, Slot};
+use super::selection::{Clocked, Selection, Slot};
 use super::source::{Next, Source};
 use super::spacing::Spacing;
-use crate::message::{Hint, Message};
+use super::telling::{hertz, seconds};
+use crate::message::Message;
 
 /// A source whose rows are read as SI values of the columns that are taken.
 pub(super) struct Rows<'a> {
@@ -23,6 +26,7 @@ pub(super) struct Rows<'a> {
     selection: Selection,
     mapping: &'a Mapping,
     cleaning: &'a Cleaning,
+    clock: Option<FileClock>,
     cells: Vec<f64>,
     /// What became of the rows.
     pub account: Account,
@@ -31,6 +35,8 @@ pub(super) struct Rows<'a> {
 /// Hears how much of how much is done; says whether to go on.
 pub type Watch<'a> = dyn Fn(u64, u64) -> bool + 'a;
 
+/// So many rows behind a fault are looked at.
+const LOOKED_AT: usize = 100_000;
 /// It hears so every so many rows.
 const WATCHED: u64 = 4096;
 
@@ -44,15 +50,21 @@ pub(super) struct Reading {
 }
 
 impl<'a> Rows<'a> {
+    /// Chooses the columns; `timed` says whether rows need a clock.
     pub fn of(
         source: &'a mut dyn Source,
         mapping: &'a Mapping,
         cleaning: &'a Cleaning,
+        timed: bool,
     ) -> Result<Self, RecordingError> {
-        let mut selection = Selection::of(source.file(), source.titles(), mapping)?;
-        if mapping.format.sample_rate.is_some() && selection.has_time() {
-            selection.slots.remove(0);
-        }
+        let told = mapping.format.sample_rate.map(|rate| FileClock { start: 0.0, interval: 1.0 / rate });
+        let clock = told.or(source.clock().filter(|_| !mapping.tells(Quantity::Time)));
+        let clocked = match (timed, clock) {
+            (false, _) => Clocked::No,
+            (true, Some(_)) => Clocked::ByRate,
+            (true, None) => Clocked::ByColumn,
+        };
+        let selection = Selection::of(source.file(), source.titles(), mapping, clocked)?;
         let account = Account {
             file: source.file().to_owned(),
             description: source.description(),
@@ -61,10 +73,14 @@ impl<'a> Rows<'a> {
             notes: super::simulated(source.remarks())
                 .map(|remark| format!("its header says: {remark}"))
                 .into_iter()
+                .chain(clock.filter(|_| timed && told.is_none()).map(|clock| {
+                    let (rate, start) = (hertz(1.0 / clock.interval), seconds(clock.start));
+                    format!("its header tells the clock: {rate} from {start} on")
+                }))
                 .collect(),
             ..Account::default()
         };
-        Ok(Self { source, selection, mapping, cleaning, cells: Vec::new(), account })
+        Ok(Self { source, selection, mapping, cleaning, clock, cells: Vec::new(), account })
     }
 
     /// The channels that are taken, in order.
@@ -125,15 +141,10 @@ impl<'a> Rows<'a> {
     /// done, and says whether to go on.
     pub fn clean(mut self, watch: &Watch<'_>, onward: &mut Onward<'_>) -> Result<Account, RecordingError> {
         let file = self.source.file().to_owned();
+        let clock = self.clock;
         let rate = self.mapping.format.sample_rate;
-        if !self.selection.has_time() && rate.is_none() {
-            let message = Message::from("no column is known as the time; say which it is, as in ")
-                + Hint::Column("time", "#1 [s]".to_owned())
-                + ", or how often it was sampled by "
-                + Hint::Open("sample_rate");
-            return Err(RecordingError::of_file(&file, message));
-        }
         let names = self.channels().iter().map(|channel| channel.name()).collect();
+        let (mut follower, mut first) = (self.follower(), None);
         let mut order = Order::new(file.clone(), *self.cleaning);
         let mut complete = Complete::new(file.clone(), *self.cleaning, names);
         let mut spacing = Spacing::new(file.clone(), *self.cleaning);
@@ -142,7 +153,18 @@ impl<'a> Rows<'a> {
             if self.account.read.is_multiple_of(WATCHED) && !watch(done, of) {
                 return Err(RecordingError::of_file(&file, "the import was interrupted"));
             }
-            let time = reading.time.or(rate.map(|rate| reading.index as f64 / rate)).unwrap_or(0.0);
+            let by_rate = rate.map(|rate| reading.index as f64 / rate);
+            let by_head = || clock.map(|clock| clock.start + reading.index as f64 * clock.interval);
+            let time = reading.time.or(by_rate).or_else(by_head).unwrap_or(0.0);
+            let time = match follower.follow(time, reading.line, &mut self.account) {
+                Ok(Some(time)) => time,
+                Ok(None) => continue,
+                Err(fault) => {
+                    let message = fault.message(&self.behind(first, time));
+                    return Err(RecordingError::of_line(&file, reading.line, message));
+                }
+            };
+            first.get_or_insert(time);
             let row = Row { line: reading.line, time, values: reading.values };
             order.push(row, &mut self.account, &mut |row, account| {
                 complete.push(row, account, &mut |row, account| spacing.push(row, account, onward))
@@ -157,7 +179,27 @@ impl<'a> Rows<'a> {
         if account.rows == 0 {
             return Err(RecordingError::of_file(&file, nothing_left(&account)));
         }
+        account.check_repairs(self.cleaning)?;
         Ok(account)
+    }
+
+    /// What follows the times of the rows.
+    fn follower(&self) -> Clock {
+        let slot = self.selection.slots.first().filter(|slot| slot.quantity == Quantity::Time);
+        let column = slot.and_then(|slot| self.selection.wanted.get(*slot.places.first()?));
+        let stamps = column.and_then(|&column| self.source.titles().get(column)).is_some_and(|title| title.stamps);
+        let tick = slot.map_or(1.0, |slot| slot.scale.apply(1.0).abs());
+        Clock::new(*self.cleaning, stamps, tick)
+    }
+
+    /// The times of rows behind a fault, from that one on, as far as they tell what it is.
+    fn behind(&mut self, first: Option<f64>, time: f64) -> Behind {
+        let rows = self.account.read;
+        let mut times = vec![time];
+        while let (true, Ok(Some(reading))) = (times.len() < LOOKED_AT, self.next()) {
+            times.extend(reading.time);
+        }
+        Behind { times, rows, first: first.unwrap_or(time) }
     }
 }
 

@@ -47,7 +47,7 @@ impl Points {
         let path = source.file().to_owned();
         let path = path.as_path();
         let remarks = source.remarks().to_vec();
-        let mut rows = Rows::of(source.as_mut(), mapping, cleaning)?;
+        let mut rows = Rows::of(source.as_mut(), mapping, cleaning, false)?;
         let mut channels: Vec<(Channel, Vec<f64>)> =
             rows.channels().into_iter().map(|channel| (channel, Vec::new())).collect();
         let mut lines = Vec::new();
@@ -73,6 +73,7 @@ impl Points {
         if lines.is_empty() {
             return Err(RecordingError::of_file(path, nothing_left(&account)));
         }
+        account.check_repairs(cleaning)?;
         Ok(Self { channels, lines, account, remarks })
     }
 

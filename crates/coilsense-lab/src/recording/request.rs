@@ -2,14 +2,15 @@
 //!
 //! Next door: what a row says (`crate::request`), what is cleaned up (`cleaning`), which column is what (`mapping`).
 
-use super::{Cleaning, Clock, PRESETS};
+use super::{Cleaning, Clock, Mapping, PRESETS, RecordingError};
 use crate::quantity::Dimension;
 use crate::request::{Allowed, Door, Given, IfAbsent, Row, Takes};
 
 /// The log, and what is in it.
-pub const LAYOUT: [Row; 8] = [LOG, COLUMN, UNITS, MAPPING, PRESET, DELIMITER, DECIMAL, SAMPLE_RATE];
+pub const LAYOUT: [Row; 12] =
+    [LOG, COLUMN, UNITS, GAIN, OFFSET, NEGATE, CONSTANT, MAPPING, PRESET, DELIMITER, DECIMAL, SAMPLE_RATE];
 /// What may be cleaned up, in one log or in all of an experiment.
-pub const CLEANING: [Row; 5] = [DROP_INCOMPLETE, SORT, MERGE_REPEATED, FILL_GAPS, RESAMPLE];
+pub const CLEANING: [Row; 7] = [DROP_INCOMPLETE, SORT, MERGE_REPEATED, UNWRAP, FILL_GAPS, RESAMPLE, REPAIR_UP_TO];
 /// The window of time.
 pub const WINDOW: [Row; 2] = [FROM, TO];
 /// A second device.
@@ -53,6 +54,42 @@ pub const UNITS: Row = Row {
     elsewhere: &[(Door::Command, "column"), (Door::Page, "the table of columns")],
     ..IN_LOG
 };
+/// What a sensor's own signal means.
+pub const GAIN: Row = Row {
+    name: "gain",
+    takes: Takes::Text("NAME=\"GAIN\""),
+    meaning: "What a sensor's own signal means: F_o=\"12.5 N/V\" for a column in V or mV, u1=\"0.5 um/count\", or F_o=\"12.5 N\" for one of the column's numbers",
+    repeated: true,
+    elsewhere: &[(Door::Page, "mapping")],
+    ..IN_LOG
+};
+/// What is added to a channel.
+pub const OFFSET: Row = Row {
+    name: "offset",
+    takes: Takes::Text("NAME=\"VALUE\""),
+    meaning: "What is added to a channel in the end, such as F_o=\"0.2 N\"",
+    repeated: true,
+    elsewhere: &[(Door::Page, "mapping")],
+    ..IN_LOG
+};
+/// Whose sign is turned.
+pub const NEGATE: Row = Row {
+    name: "negate",
+    takes: Takes::Text("NAME"),
+    meaning: "A channel whose sign is turned: forces are positive in tension, u1 and u2 count in one direction, u2 - u1 rising as the spring grows longer",
+    repeated: true,
+    elsewhere: &[(Door::Page, "mapping")],
+    ..IN_LOG
+};
+/// A channel that stands still.
+pub const CONSTANT: Row = Row {
+    name: "constant",
+    takes: Takes::Text("NAME=\"VALUE\""),
+    meaning: "A channel that is the same in every row, such as u2=\"104 mm\" of an end that is held",
+    repeated: true,
+    elsewhere: &[(Door::Page, "mapping")],
+    ..IN_LOG
+};
 /// The same as a file.
 pub const MAPPING: Row = Row {
     name: "mapping",
@@ -75,7 +112,6 @@ pub const DELIMITER: Row = Row {
     takes: Takes::Word(&[",", ";", "|", "tab", "space"]),
     if_absent: IfAbsent::Found("what is found"),
     meaning: "What separates the columns",
-    elsewhere: &[(Door::Command, "mapping"), (Door::Python, "mapping")],
     ..IN_LOG
 };
 /// The decimal sign.
@@ -84,7 +120,6 @@ pub const DECIMAL: Row = Row {
     takes: Takes::Word(&[".", ","]),
     if_absent: IfAbsent::Found("what is found"),
     meaning: "The decimal sign",
-    elsewhere: &[(Door::Command, "mapping"), (Door::Python, "mapping")],
     ..IN_LOG
 };
 /// The rate of a log without a time column.
@@ -102,6 +137,18 @@ pub const SORT: Row = Row { name: "sort", meaning: "Put rows into the order of t
 /// Whether rows of one time are merged.
 pub const MERGE_REPEATED: Row =
     Row { name: "merge_repeated", meaning: "Take the mean of rows that have the same time", ..CLEAN };
+/// Whether time counts on.
+pub const UNWRAP: Row =
+    Row { name: "unwrap", meaning: "Count on where midnight passes or a counter rolls over", ..CLEAN };
+/// How many rows a repair may touch.
+pub const REPAIR_UP_TO: Row = Row {
+    name: "repair_up_to",
+    takes: Takes::Quantity(Dimension::Share),
+    allowed: Allowed::Within(0.0, 1.0),
+    if_absent: IfAbsent::Value("1 %"),
+    meaning: "Share of the rows that each of these may leave out, move, merge or fill; ten rows are never too many",
+    ..CLEAN
+};
 /// Up to where gaps are filled.
 pub const FILL_GAPS: Row = Row {
     name: "fill_gaps",
@@ -171,6 +218,8 @@ impl Cleaning {
             drop_incomplete: given.holds(&DROP_INCOMPLETE),
             sort: given.holds(&SORT),
             merge_repeated: given.holds(&MERGE_REPEATED),
+            unwrap: given.holds(&UNWRAP),
+            repair_up_to: given.number(&REPAIR_UP_TO),
             fill_gaps: given.number(&FILL_GAPS),
             resample: given.number(&RESAMPLE),
             from: given.number(&FROM),
@@ -183,6 +232,29 @@ impl Clock {
     /// Of what was given.
     pub fn of(given: &Given) -> Self {
         given.text(&CLOCK).and_then(|text| Self::parse(&text).ok()).unwrap_or(Self::Found(None))
+    }
+}
+
+impl Mapping {
+    /// Of what was given beside it: columns and what their numbers mean, how the text is written, its rate.
+    ///
+    /// # Errors
+    /// [`RecordingError`] with the option and what it may be.
+    pub fn told(mut self, given: &Given) -> Result<Self, RecordingError> {
+        let delimiter = given.text(&DELIMITER).and_then(|word| match word.as_str() {
+            "tab" => Some('\t'),
+            "space" => Some(' '),
+            sign => sign.chars().next(),
+        });
+        self.format.delimiter = delimiter.or(self.format.delimiter);
+        self.format.decimal_comma = given.text(&DECIMAL).map(|sign| sign == ",").or(self.format.decimal_comma);
+        self.format.sample_rate = given.number(&SAMPLE_RATE).or(self.format.sample_rate);
+        given.texts(&COLUMN).iter().try_for_each(|text| self.set(text))?;
+        given.texts(&CONSTANT).iter().try_for_each(|text| self.set_constant(text))?;
+        given.texts(&GAIN).iter().try_for_each(|text| self.set_gain(text))?;
+        given.texts(&OFFSET).iter().try_for_each(|text| self.set_offset(text))?;
+        given.texts(&NEGATE).iter().try_for_each(|text| self.set_negated(text))?;
+        Ok(self)
     }
 }
 

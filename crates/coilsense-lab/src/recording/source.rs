@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::account::Reason;
 use super::error::RecordingError;
+use super::layout::FileClock;
 use super::title::Title;
 
 /// A log that hands out its rows.
@@ -20,6 +21,10 @@ pub(super) trait Source {
     fn remarks(&self) -> &[String];
     /// How much of it is done, and of how much: bytes, or rows.
     fn progress(&self) -> [u64; 2];
+    /// The clock that the file tells without a column of it.
+    fn clock(&self) -> Option<FileClock> {
+        None
+    }
     /// From now on what is no number is a missing one.
     fn be_lenient(&mut self) {}
     /// The columns that hold numbers, as far as that is known beforehand.

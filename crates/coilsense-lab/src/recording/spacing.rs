@@ -27,6 +27,8 @@ pub(super) struct Spacing {
 const HEAD: usize = 1025;
 /// A step of more than so many usual ones is a gap.
 const GAP: f64 = 1.5;
+/// Most rows that resampling makes in one gap without being told of its length.
+const MOST_UNTOLD: f64 = 1e6;
 /// Most rows that come out of one log.
 const MOST_ROWS: f64 = 1e9;
 /// A time this close to a sample, in samples, is that sample.
@@ -153,6 +155,14 @@ impl Spacing {
                 + Hint::Open("to")
                 + " or "
                 + Hint::Open("from");
+            return Err(RecordingError::of_line(&self.file, next.line, message));
+        }
+        if is_gap && self.cleaning.fill_gaps.is_none() && length * rate > MOST_UNTOLD {
+            let message = Message::from(format!(
+                "a gap of {} is before it, over which {:.0} rows would be made up; where that is meant, add ",
+                seconds(length),
+                length * rate
+            )) + Hint::Value("fill_gaps", format!("{} s", length.ceil()));
             return Err(RecordingError::of_line(&self.file, next.line, message));
         }
         let mut sample = self.sample.unwrap_or(0.0);

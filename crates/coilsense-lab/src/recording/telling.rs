@@ -6,7 +6,8 @@ use std::fmt;
 
 use coilsense::measures::ClockOffset;
 
-use super::account::{Account, Gaps, Joined};
+use super::account::{Account, Gaps, Joined, Tally};
+use super::clock::what_turns;
 use crate::quantity::digits;
 
 impl Account {
@@ -43,6 +44,10 @@ impl Account {
 
     fn cleaned(&self) -> Vec<String> {
         let mut lines = Vec::new();
+        if let Some((turn, Tally { count, line })) = self.turns {
+            let times = if count == 1 { String::new() } else { format!(" {count} times") };
+            lines.push(format!("  time counts on{times}, first in line {line}: {}", what_turns(turn)));
+        }
         if self.sorted > 0 {
             lines.push(format!("  sorted: {} rows stood out of order", self.sorted));
         }
@@ -76,7 +81,9 @@ impl Account {
         }
         if self.gaps.count > 0 {
             let Gaps { count, longest, line } = self.gaps;
-            lines.push(format!("  {count} gaps of up to {}, the first before line {line}", seconds(longest)));
+            let plural = if count == 1 { "gap" } else { "gaps" };
+            let length = seconds(longest);
+            lines.push(format!("  {count} {plural} of up to {length}, the first before line {line}: rows are missing, or the clock was set"));
         }
         lines
     }

@@ -8,13 +8,16 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::account::Reason;
-use super::cell::{Cell, split, words};
+use super::cell::{Cell, bare, split, words};
 use super::error::{RecordingError, clipped};
-use super::layout::{Layout, Line, comment};
+use super::layout::{FileClock, Layout, Line, comment};
 use super::mapping::Format;
+use super::numeral::Thousands;
 use super::source::{Next, Source};
+use super::stamp::Stamp;
 use super::title::Title;
 use super::trial::detect;
+use crate::message::{Hint, Message};
 
 /// A text file that is being read.
 pub(super) struct Text {
@@ -27,8 +30,10 @@ pub(super) struct Text {
     progress: [u64; 2],
     buffer: Vec<u8>,
     cells: Vec<Range<usize>>,
-    /// The day of the first stamp, from which time counts.
-    day: Option<i64>,
+    /// The first stamp, from whose midnight time counts.
+    first_stamp: Option<Stamp>,
+    /// What each column tells of parted thousands.
+    thousands: Vec<Thousands>,
     /// Whether what is no number is a missing one.
     lenient: bool,
 }
@@ -69,16 +74,18 @@ impl Text {
     }
 
     fn begin(path: &Path, reader: Box<dyn BufRead + Send>, size: u64, layout: Layout, format: &Format) -> Self {
+        let unsettled = if format.decimal_comma.is_some() { Thousands::settled() } else { Thousands::default() };
         Self {
             path: path.to_owned(),
             reader,
+            thousands: vec![unsettled; layout.titles.len()],
             layout,
             comment: format.comment.clone(),
             line: 0,
             progress: [0, size],
             buffer: Vec::new(),
             cells: Vec::new(),
-            day: None,
+            first_stamp: None,
             lenient: false,
         }
     }
@@ -100,6 +107,34 @@ impl Text {
         Ok(read > 0)
     }
 
+    /// Moves on to the titles of a further segment.
+    fn skip_head(&mut self) -> Result<(), RecordingError> {
+        let end = self.layout.segments.unwrap_or_default();
+        while !self.buffer.starts_with(end) {
+            if !self.advance()? {
+                return Ok(());
+            }
+        }
+        self.advance().map(|_| ())
+    }
+
+    /// Refuses a column whose cells may be a thousand times as much.
+    fn certain(&self, wanted: &[usize]) -> Result<(), RecordingError> {
+        let doubted = wanted.iter().find_map(|&index| Some((index, self.thousands[index].doubt()?)));
+        let Some((index, cell)) = doubted else { return Ok(()) };
+        let sign = if cell.contains(',') { ',' } else { '.' };
+        let place = self.layout.titles[index].place(index);
+        let text =
+            format!("{place}: {cell} may be a decimal, or {} with its thousands parted; ", cell.replace(sign, ""));
+        let (decimal, parted) = if sign == ',' { (",", ".") } else { (".", ",") };
+        let message = Message::from(text)
+            + Hint::Value("decimal", decimal.to_owned())
+            + " takes it for a decimal, "
+            + Hint::Value("decimal", parted.to_owned())
+            + " for thousands";
+        Err(RecordingError::of_file(&self.path, message))
+    }
+
     fn broken(&self, reason: Reason, message: String) -> Next {
         Next::Broken { line: self.line, reason, message }
     }
@@ -108,12 +143,16 @@ impl Text {
         let Some(range) = self.cells.get(index) else { return Ok(f64::NAN) };
         let cell = &self.buffer[range.clone()];
         let stamps = self.layout.titles[index].stamps;
-        match Cell::of(cell, self.layout.decimal_comma) {
-            Cell::Number(value) if !stamps => Ok(value),
+        let comma = self.layout.decimal_comma;
+        match Cell::of(cell, comma) {
+            Cell::Number(value) if !stamps => {
+                self.thousands[index].see(bare(cell), comma);
+                Ok(value)
+            }
             Cell::Missing => Ok(f64::NAN),
-            Cell::Stamp { day, second } if stamps => {
-                let first = *self.day.get_or_insert(day);
-                Ok(86_400.0 * (day - first) as f64 + second)
+            Cell::Stamp(stamp) if stamps => {
+                let first = *self.first_stamp.get_or_insert(stamp);
+                Ok(86_400.0 * stamp.days_since(first) as f64 + stamp.second)
             }
             _ if self.lenient => Ok(f64::NAN),
             _ => {
@@ -146,6 +185,10 @@ impl Source for Text {
         self.progress
     }
 
+    fn clock(&self) -> Option<FileClock> {
+        self.layout.clock
+    }
+
     fn be_lenient(&mut self) {
         self.lenient = true;
     }
@@ -153,6 +196,7 @@ impl Source for Text {
     fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {
         loop {
             if !self.advance()? {
+                self.certain(wanted)?;
                 return Ok(Next::End);
             }
             if self.line < self.layout.first_row || comment(&self.buffer, self.comment.as_deref()).is_some() {
@@ -165,11 +209,16 @@ impl Source for Text {
             if self.buffer[..end].trim_ascii().is_empty() {
                 continue;
             }
+            if self.layout.segments.is_some_and(|_| self.buffer.starts_with(b"Channels")) {
+                self.skip_head()?;
+                continue;
+            }
             split(&self.buffer[..end], self.layout.delimiter, &mut self.cells);
             break;
         }
         let (columns, present) = (self.layout.titles.len(), self.cells.len());
-        if present != columns {
+        let too_many = self.cells.iter().skip(columns).any(|cell| !bare(&self.buffer[cell.clone()]).is_empty());
+        if present < self.layout.shortest || too_many {
             let plural = if present == 1 { "column" } else { "columns" };
             let whose = self.layout.header.map_or("the first row has".to_owned(), |line| format!("line {line} has"));
             return Ok(self.broken(Reason::CellCount, format!("it has {present} {plural} where {whose} {columns}")));

@@ -2,7 +2,7 @@
 //!
 //! Next door: where the header is (`layout`), which column is which channel (`selection`).
 
-use super::quantity::LOGGED;
+use super::unit;
 
 /// A column's title.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,18 +19,23 @@ pub struct Title {
 
 impl Title {
     /// Reads `F_o [N]`, `F_o (N)`, `F_o/N`, `F_o in N` or `F_o`. Between square brackets anything is a unit; elsewhere only what is known as one.
+    /// A title that is a unit spelled out is its own unit.
     pub fn parse(text: &str) -> Self {
         let text = text.trim();
-        let known = |unit: &str| LOGGED.iter().any(|dimension| dimension.scale(unit).is_some());
+        // As Rohde & Schwarz titles the time.
+        if let Some(unit) = text.strip_prefix("in ").filter(|unit| unit::is_known(unit)) {
+            return Self { text: text.to_owned(), name: text.to_owned(), unit: Some(unit.to_owned()), stamps: false };
+        }
         let bracket = text.strip_suffix(']').and_then(|text| text.rsplit_once('['));
         let parted = bracket.or_else(|| {
             let round = text.strip_suffix(')').and_then(|text| text.rsplit_once('('));
             let all = [round, text.rsplit_once('/'), text.rsplit_once(" in "), text.rsplit_once(',')];
-            all.into_iter().flatten().find(|(_, unit)| known(unit.trim()))
+            all.into_iter().flatten().find(|(_, unit)| unit::is_known(unit.trim()))
         });
         let (name, unit) = match parted {
             Some((name, unit)) => (name.trim(), Some(unit.trim().to_owned()).filter(|unit| !unit.is_empty())),
-            None => (text, None),
+            // Oscilloscopes write `Second` and `Volt` for titles.
+            None => (text, Some(text.to_owned()).filter(|text| unit::is_spelled(text))),
         };
         Self { text: text.to_owned(), name: name.to_owned(), unit, stamps: false }
     }
@@ -38,7 +43,7 @@ impl Title {
     /// The unit of a cell below the header, such as `N` or `[N]`; `None` where the cell is none.
     pub(super) fn unit_below(cell: &str) -> Option<&str> {
         let inner = cell.trim().trim_start_matches(['[', '(']).trim_end_matches([']', ')']).trim();
-        LOGGED.iter().any(|dimension| dimension.scale(inner).is_some()).then_some(inner)
+        unit::is_known(inner).then_some(inner)
     }
 
     /// How messages call column `index` (from 0): `column 3 "LC [N]"`.

@@ -1,10 +1,11 @@
 //! Finds out how a text is written: each way of parting it into cells, and what its first lines look like then.
 //!
-//! Next door: what is found (`layout`), single cells (`cell`).
+//! Next door: what is found (`layout`), texts whose head says it (`dialect`), single cells (`cell`).
 
 use std::ops::Range;
 
 use super::cell::{Cell, Delimiter, split, words};
+use super::dialect;
 use super::error::clipped;
 use super::layout::{Layout, Line, MOST_COLUMNS, comment, remarks};
 use super::mapping::Format;
@@ -12,6 +13,9 @@ use super::title::Title;
 
 /// Finds out how a text is written from its first lines.
 pub(super) fn detect(head: &[Line<'_>], format: &Format) -> Result<Layout, String> {
+    if let Some(layout) = dialect::known(head).filter(|_| format.header.is_none() && format.delimiter.is_none()) {
+        return layout;
+    }
     let own = format.comment.as_deref();
     let content: Vec<Line<'_>> = head
         .iter()
@@ -45,8 +49,8 @@ fn candidates(format: &Format) -> Vec<(Delimiter, bool)> {
         Some(false) => &[false],
         None => &[false, true],
     };
-    let pairs = delimiters.into_iter().flat_map(|delimiter| commas.iter().map(move |comma| (delimiter, *comma)));
-    pairs.filter(|(delimiter, comma)| !(*comma && *delimiter == Delimiter::Sign(b','))).collect()
+    // Decimal commas between commas stand in quotes; where they do not, they are not told from the others, and the first candidate is as good.
+    delimiters.into_iter().flat_map(|delimiter| commas.iter().map(move |comma| (delimiter, *comma))).collect()
 }
 
 /// What a text looks like when its cells are parted in one way.
@@ -63,18 +67,43 @@ pub(super) struct Trial {
 
 impl Trial {
     pub fn of(content: &[Line<'_>], delimiter: Delimiter, comma: bool) -> Self {
-        let counts: Vec<(usize, usize, usize)> =
-            content.iter().map(|(_, line)| count(line, delimiter, comma)).collect();
-        let columns = mode(counts.iter().filter(|(_, numbers, _)| *numbers > 0).map(|(cells, _, _)| *cells));
-        let is_row = |(cells, numbers, _): &(usize, usize, usize)| *cells == columns && *numbers > 0;
-        let rows = counts.iter().filter(|counted| is_row(counted));
+        let counts: Vec<Counted> = content.iter().map(|(_, line)| Counted::of(line, delimiter, comma)).collect();
+        let columns = mode(counts.iter().filter(|counted| counted.numbers > 0).map(Counted::cells));
+        let rows = || counts.iter().filter(|counted| counted.cells() == columns && counted.numbers > 0);
         // A text among numbers may be a label; that a sign parts into more numbers says more.
-        let score = rows.map(|(_, numbers, texts)| *numbers as f64 - 0.1 * *texts as f64).sum();
-        // A row of numbers that is too short is a row all the same, and not to be lost as a remark.
-        let is_short = |(_, numbers, texts): &&(usize, usize, usize)| *numbers > 0 && *texts == 0;
-        let whole = counts.iter().position(is_row);
+        let score = rows().map(|counted| counted.numbers as f64 - 0.1 * counted.texts as f64).sum();
+        // Which columns hold numbers: rows of many numbers say more of it than a line of settings with one.
+        let of_numbers = |index: usize| {
+            let weight = |counted: &Counted| match counted.kinds[index] {
+                Kind::Number => (counted.numbers * counted.numbers) as f64,
+                Kind::Text => -((counted.numbers * counted.numbers) as f64),
+                Kind::Missing => 0.0,
+            };
+            rows().map(weight).sum::<f64>() > 0.0
+        };
+        let numeric: Vec<bool> = (0..columns).map(of_numbers).collect();
+        let is_good = |counted: &Counted| {
+            let holds = |(kind, numeric): (&Kind, &bool)| !(*numeric && *kind == Kind::Text);
+            counted.cells() == columns && counted.numbers > 0 && counted.kinds.iter().zip(&numeric).all(holds)
+        };
+        let is_row = |counted: &Counted| counted.cells() == columns && counted.numbers > 0;
+        let good = counts.iter().position(is_good);
+        let titles =
+            good.and_then(|good| counts[..good].iter().rposition(|counted| counted.numbers == 0 && counted.texts > 0));
+        let whole = match titles {
+            // Whatever stands between the titles and the first good row is a row, too: it is not to be lost as a remark.
+            Some(titles) => Some(titles + 1),
+            None => counts.iter().position(is_row),
+        };
+        let is_short = |counted: &&Counted| counted.numbers > 0 && counted.texts == 0;
         let first = whole.map(|whole| whole - counts[..whole].iter().rev().take_while(is_short).count());
-        Self { delimiter, comma, score, columns, whole, first }
+        let whole = counts
+            .iter()
+            .enumerate()
+            .skip(first.unwrap_or(0))
+            .find(|(_, counted)| is_row(counted))
+            .map(|(place, _)| place);
+        Self { delimiter, comma, score, columns, whole: good.or(whole), first }
     }
 
     /// The layout, if this is the way.
@@ -121,6 +150,9 @@ impl Trial {
             ),
             header: header.as_ref().map(|(line, _)| *line),
             first_row,
+            shortest: columns,
+            segments: None,
+            clock: None,
             remarks: remarks(head, first_row, header.map(|(line, _)| line), format),
         })
     }
@@ -145,7 +177,7 @@ impl Trial {
                 let mut title = Title::parse(header.and_then(|cells| cells.get(index)).map_or("", String::as_str));
                 let below = units.as_ref().and_then(|units| units.get(index)).and_then(|unit| Title::unit_below(unit));
                 title.unit = title.unit.or_else(|| below.map(str::to_owned));
-                title.stamps = matches!(row.get(index), Some(Cell::Stamp { .. }));
+                title.stamps = matches!(row.get(index), Some(Cell::Stamp(_)));
                 title
             })
             .collect()
@@ -197,17 +229,39 @@ impl Trial {
     }
 }
 
-/// Cells, numbers and texts of a line.
-fn count(line: &[u8], delimiter: Delimiter, comma: bool) -> (usize, usize, usize) {
-    let mut cells = Vec::new();
-    split(line, delimiter, &mut cells);
-    let kinds = cells.iter().map(|range| Cell::of(&line[range.clone()], comma));
-    let (mut numbers, mut texts) = (0, 0);
-    for kind in kinds {
-        numbers += usize::from(matches!(kind, Cell::Number(_) | Cell::Stamp { .. }));
-        texts += usize::from(kind == Cell::Text);
+/// What a cell is to a row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    Number,
+    Text,
+    Missing,
+}
+
+/// The cells of a line, and how many of them are numbers and texts.
+struct Counted {
+    kinds: Vec<Kind>,
+    numbers: usize,
+    texts: usize,
+}
+
+impl Counted {
+    fn of(line: &[u8], delimiter: Delimiter, comma: bool) -> Self {
+        let mut ranges = Vec::new();
+        split(line, delimiter, &mut ranges);
+        let kind = |range: &Range<usize>| match Cell::of(&line[range.clone()], comma) {
+            Cell::Number(_) | Cell::Stamp(_) => Kind::Number,
+            Cell::Text => Kind::Text,
+            Cell::Missing => Kind::Missing,
+        };
+        let kinds: Vec<Kind> = ranges.iter().map(kind).collect();
+        let count = |wanted: Kind| kinds.iter().filter(|kind| **kind == wanted).count();
+        let (numbers, texts) = (count(Kind::Number), count(Kind::Text));
+        Self { kinds, numbers, texts }
     }
-    (cells.len(), numbers, texts)
+
+    fn cells(&self) -> usize {
+        self.kinds.len()
+    }
 }
 
 /// The most frequent count; the larger of two.

@@ -102,7 +102,7 @@ const FAULTS: [Fault; 36] = [
     (
         "time [s],F_o\n0,1\n1,2\n",
         &[],
-        "run.csv: column 2 \"F_o\": its unit is not told; say it, as in --column F_o=\"F_o [N]\"",
+        "run.csv: column 2 \"F_o\": its unit is not told; put in what holds, and add --column F_o=\"F_o [N]\"",
     ),
     (
         "time [s],F_o [mm]\n0,1\n1,2\n",
@@ -112,12 +112,12 @@ const FAULTS: [Fault; 36] = [
     (
         "time [N],F_o [N]\n0,1\n1,2\n",
         &[],
-        "run.csv: column 1 \"time [N]\": \"N\" is not a unit of a time; time may have s, ms, us, µs, ns",
+        "run.csv: column 1 \"time [N]\": \"N\" is not a unit of a time; time may have s, ms, us, µs, ns, min, h, d",
     ),
     (
         "time [s],LC [V]\n0,1\n1,2\n",
         &["F_o=LC"],
-        "run.csv: column 2 \"LC [V]\": \"V\" is not a unit of a force; F_o may have N, kN, mN, lbf, kgf, gf",
+        "run.csv: column 2 \"LC [V]\": V is no unit of a force, it needs a gain; put in the sensor's gain, and add --gain F_o=\"1 N/V\"",
     ),
     (
         "time [s],LC [kN]\n0,1\n1,2\n",
@@ -128,17 +128,17 @@ const FAULTS: [Fault; 36] = [
     (
         "a,b\n0,1\n1,2\n",
         &[],
-        "run.csv: no column is known as a channel; it has column 1 \"a\", column 2 \"b\"; say which is which, as in --column F_o=\"b\"",
+        "run.csv: no column is known as the time; no column is known as a channel; it has column 1 \"a\", column 2 \"b\"; put in what holds, and add --column time=\"a [s]\" --column F_o=\"b [N]\"; where no column is the time, --sample-rate says how often it was sampled",
     ),
     (
         "0,1\n1,2\n",
         &[],
-        "run.csv: no column is known as a channel; it has column 1, column 2; say which is which, as in --column F_o=\"#2 [N]\"",
+        "run.csv: no column is known as the time; no column is known as a channel; it has column 1, column 2; put in what holds, and add --column time=\"#1 [s]\" --column F_o=\"#2 [N]\"; where no column is the time, --sample-rate says how often it was sampled",
     ),
     (
         "a,F_o [N]\n0,1\n1,2\n",
         &[],
-        "run.csv: no column is known as the time; say which it is, as in --column time=\"#1 [s]\", or how often it was sampled by --sample-rate",
+        "run.csv: no column is known as the time; put in what holds, and add --column time=\"a [s]\"; where no column is the time, --sample-rate says how often it was sampled",
     ),
     (
         "time [s],force [N]\n0,1\n1,2\n",
@@ -213,7 +213,7 @@ fn a_mapping_that_is_wrong_is_said() {
         ("[log]\nskip = -1", "map.toml: [log] skip = -1: must be a whole number from 0 up"),
         ("[columns]\nforce = \"LC\"", "map.toml: [columns] force: must be one of time, u1, u2, F_i, F_o, F_x, F_L, L"),
         ("[columns]\nF_o = 3", "map.toml: [columns] F_o: must be a title in quotes or a table { column = …, … }"),
-        ("[columns]\nF_o = { unit = \"N\" }", "map.toml: [columns] F_o: needs one of column and columns"),
+        ("[columns]\nF_o = { unit = \"N\" }", "map.toml: [columns] F_o: needs one of column, columns and constant"),
         (
             "[columns]\nF_o = { column = \"a\", unit = \"mm\" }",
             "map.toml: [columns] F_o: unit = \"mm\": must be a force with its unit (N, kN, mN, lbf, kgf, gf)",
@@ -252,6 +252,8 @@ const ALL: Cleaning = Cleaning {
     drop_incomplete: true,
     sort: true,
     merge_repeated: true,
+    unwrap: true,
+    repair_up_to: Some(1.0),
     fill_gaps: Some(10.0),
     resample: None,
     from: None,

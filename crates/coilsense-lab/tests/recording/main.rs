@@ -4,13 +4,17 @@
 //! |---|---|
 //! | `layouts` | how texts are written: delimiters, decimal signs, titles, units, stamps |
 //! | `cleaning` | what is cleaned, and that nothing is lost without being counted |
+//! | `clocks` | times that do not rise evenly |
 //! | `formats` | files of other programs, values compared exactly |
 //! | `devices` | two clocks |
+//! | `dialects` | what instruments and programs write, as their makers document it |
 //! | `hostile` | what is wrong, said in one line; random bytes and edits |
 //! | `fixtures` | writing and reading a log |
 
 mod cleaning;
+mod clocks;
 mod devices;
+mod dialects;
 mod fixtures;
 mod formats;
 mod hostile;

@@ -61,7 +61,7 @@ pub fn measured(
             interruptible(py, move || read_lab_data(&path, zero))?.python()
         }
         PointsArgument::Path(path) => {
-            let options = LogOptions { columns, units, mapping: None, preset, sample_rate: None };
+            let options = LogOptions { columns, units, preset, ..LogOptions::default() };
             let mapping = options.mapping()?;
             let points = interruptible(py, move || Points::read(&path, &mapping, &Cleaning::default()))?.python()?;
             Measured::of_log(&points, zero).python()

@@ -7,7 +7,7 @@ use coilsense::identify::Settings;
 use coilsense_lab::identification::Coil;
 use coilsense_lab::identification::request::{OPTIONS, coil, settings};
 use coilsense_lab::message::{Door, Message};
-use coilsense_lab::recording::request::{CLEANING, DECIMAL, DELIMITER, LAYOUT, SAMPLE_RATE, SECOND, WINDOW};
+use coilsense_lab::recording::request::{CLEANING, LAYOUT, SECOND, WINDOW};
 use coilsense_lab::recording::{Cleaning, Clock, Mapping};
 use coilsense_lab::request::{Given, Row};
 use coilsense_lab::spec::SpringSpec;
@@ -57,20 +57,13 @@ impl Request {
 
     /// Which column is which, and how the text is written.
     pub(crate) fn mapping(&self) -> Result<Mapping, String> {
-        let mut mapping = match (self.text("preset"), self.text("mapping")) {
+        let mapping = match (self.text("preset"), self.text("mapping")) {
             (Some(_), Some(_)) => return Err("mapping: cannot be given beside a preset".to_owned()),
             (Some(name), None) => Mapping::preset(name).map_err(|error| format!("preset: {}", self.told(error)))?,
             (None, Some(text)) => Mapping::parse("mapping", text).map_err(|error| self.told(error))?,
             (None, None) => Mapping::default(),
         };
-        let (given, format) = (self.given(&LAYOUT)?, &mut mapping.format);
-        format.delimiter = given.text(&DELIMITER).and_then(|word| delimiter(&word)).or(format.delimiter);
-        format.decimal_comma = given.text(&DECIMAL).map(|sign| sign == ",").or(format.decimal_comma);
-        if (format.delimiter, format.decimal_comma) == (Some(','), Some(true)) {
-            return Err("decimal: must be \".\" where columns are separated by commas, got \",\"".to_owned());
-        }
-        format.sample_rate = given.number(&SAMPLE_RATE).or(format.sample_rate);
-        self.columns("column", mapping)
+        mapping.told(&self.given(&LAYOUT)?).map_err(|error| self.told(error))
     }
 
     /// The same of the second device.
@@ -107,14 +100,5 @@ impl Request {
     /// What no log tells of the coil, from the page's spring or told by hand: none where a part of it is missing.
     pub(super) fn coil(&self, spring: Option<&Spring>) -> Result<Option<Coil>, String> {
         Ok(coil(&self.given(&OPTIONS)?, spring))
-    }
-}
-
-/// What parts columns, by its word.
-fn delimiter(word: &str) -> Option<char> {
-    match word {
-        "tab" => Some('\t'),
-        "space" => Some(' '),
-        sign => sign.chars().next(),
     }
 }
