@@ -4,13 +4,16 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::Context;
+use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::calibration::Applied;
+use coilsense_lab::calibration::request::CALIBRATION;
 use coilsense_lab::output::Output;
 use coilsense_lab::recording::request::{LOG, WITH};
-use coilsense_lab::recording::{Account, Cleaning, ImportError, import, write_recording, write_recording_with};
-use coilsense_lab::report::{ImportOutcome, to_json};
+use coilsense_lab::recording::{
+    Account, Cleaning, ImportError, Overview, import, write_recording, write_recording_with,
+};
+use coilsense_lab::report::{ImportOutcome, overview_json, overview_text, to_json};
 use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::series::{Column, Format};
 
@@ -19,7 +22,8 @@ use crate::progress::Watch;
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
-    let (begun, path) = (Instant::now(), given.needed(&OUT)?);
+    let begun = Instant::now();
+    let Some(path) = given.file(&OUT) else { return look(given) };
     let known = Format::ALL.iter().map(|(ending, _)| *ending).collect::<Vec<_>>().join(", ");
     let ending = path.extension().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
     let wrong = || format!("{}: must end in one of {known}", path.display());
@@ -60,6 +64,23 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         let _ = writeln!(out, "{line}");
     }
     let _ = writeln!(out, "wrote {} in {:.2} s", path.display(), begun.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// Shows what is in the log.
+fn look(given: &Given) -> anyhow::Result<()> {
+    if let Some(option) = [&WITH, &CALIBRATION].into_iter().find(|option| given.holds(option)) {
+        bail!("--{} needs --out FILE: without it a log is only looked at", option.name);
+    }
+    let watch = Watch::begin("reading")?;
+    let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
+    let overview = Overview::read(given.needed(&LOG)?, &log::mapping(given)?, &tell);
+    watch.end();
+    if watch.is_stopped() {
+        return Err(AnalysisError::Interrupted.into());
+    }
+    let text = if given.holds(&JSON) { overview_json(&overview?)? } else { overview_text(&overview?) };
+    let _ = write!(anstream::stdout().lock(), "{text}");
     Ok(())
 }
 

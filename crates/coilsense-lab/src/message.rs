@@ -155,6 +155,14 @@ enum Piece {
 pub struct Message(Vec<Piece>);
 
 impl Message {
+    /// Without the text that it begins with.
+    pub(crate) fn without(mut self, beginning: &str) -> Self {
+        if let Some(Piece::Text(text)) = self.0.first_mut() {
+            *text = text.strip_prefix(beginning).unwrap_or(text).to_owned();
+        }
+        self
+    }
+
     /// In the words of a door.
     pub fn told(&self, door: Door<'_>) -> String {
         let piece = |piece: &Piece| match piece {

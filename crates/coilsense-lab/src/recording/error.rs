@@ -22,6 +22,11 @@ impl RecordingError {
         Self(Message::from(format!("{}:{line}: ", file.display())) + message)
     }
 
+    /// What is said of the file, without its name.
+    pub(super) fn without_file(self, file: &Path) -> Message {
+        self.0.without(&format!("{}: ", file.display()))
+    }
+
     /// About what somebody has typed.
     pub(crate) fn of_words(message: impl Into<Message>) -> Self {
         Self(message.into())

@@ -10,6 +10,7 @@
 //! | `account`, `telling` | what became of every row |
 //! | `points` | logs without a clock |
 //! | `join` | two devices on one clock |
+//! | `overview`, `summary` | what is in a log, before anything is taken from it |
 //! | `convert` | from file to file, in bounded memory |
 //!
 //! Next door: what writes such files (`crate::series`).
@@ -30,6 +31,7 @@ mod mapping_file;
 mod nominal;
 mod numeral;
 mod order;
+mod overview;
 mod pipeline;
 mod points;
 mod proposal;
@@ -41,6 +43,7 @@ mod selection;
 mod source;
 mod spacing;
 mod stamp;
+mod summary;
 mod table;
 mod telling;
 mod text;
@@ -56,9 +59,11 @@ pub use error::RecordingError;
 pub use join::Clock;
 pub use mapping::{Format, Mapping, PRESETS};
 pub use mapping_file::{COLUMN_KEYS, LOG_KEYS, keys_markdown};
+pub use overview::{ClockOverview, ColumnOverview, Overview};
 pub use pipeline::Watch;
 pub use points::Points;
 pub use quantity::Quantity;
+pub use summary::Summary;
 pub use table::Table;
 pub use title::Title;
 

@@ -185,10 +185,9 @@ impl<'a> Rows<'a> {
 
     /// What follows the times of the rows.
     fn follower(&self) -> Clock {
-        let slot = self.selection.slots.first().filter(|slot| slot.quantity == Quantity::Time);
-        let column = slot.and_then(|slot| self.selection.wanted.get(*slot.places.first()?));
-        let stamps = column.and_then(|&column| self.source.titles().get(column)).is_some_and(|title| title.stamps);
-        let tick = slot.map_or(1.0, |slot| slot.scale.apply(1.0).abs());
+        let column = self.selection.time_column();
+        let stamps = column.and_then(|column| self.source.titles().get(column)).is_some_and(|title| title.stamps);
+        let tick = self.selection.time_scale().map_or(1.0, |scale| scale.apply(1.0).abs());
         Clock::new(*self.cleaning, stamps, tick)
     }
 

@@ -111,6 +111,26 @@ impl Selection {
         Ok(Self { slots: found, wanted })
     }
 
+    /// The channel, or time, that a column is taken for.
+    pub fn channel_of(&self, column: usize) -> Option<&'static str> {
+        let place = self.wanted.binary_search(&column).ok()?;
+        self.slots.iter().find(|slot| slot.places.contains(&place)).map(|slot| slot.quantity.name())
+    }
+
+    fn time(&self) -> Option<&Slot> {
+        self.slots.first().filter(|slot| slot.quantity == Quantity::Time)
+    }
+
+    /// The column of time.
+    pub fn time_column(&self) -> Option<usize> {
+        self.wanted.get(*self.time()?.places.first()?).copied()
+    }
+
+    /// What takes its numbers to seconds.
+    pub fn time_scale(&self) -> Option<Scale> {
+        self.time().map(|slot| slot.scale)
+    }
+
     /// Name and columns of each quantity, for people.
     pub fn taken(&self, titles: &[Title]) -> Vec<(&'static str, String)> {
         let place = |place: &usize| {

@@ -13,6 +13,7 @@ use super::files::{ExportOutcome, ImportOutcome, InitOutcome, RigOutcome, Simula
 use super::identification::IdentificationOutcome;
 use super::mitigation::MitigationOutcome;
 use super::outcome::schema_of;
+use super::overview::OverviewOutcome;
 use super::placement::PlacementOutcome;
 use super::reproduction::ReproductionOutcome;
 use super::speed::SpeedOutcome;
@@ -31,6 +32,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         schema_of::<ExportOutcome<'static>>(),
         schema_of::<IdentificationOutcome<'static>>(),
         schema_of::<ImportOutcome<'static>>(),
+        schema_of::<OverviewOutcome<'static>>(),
         schema_of::<InitOutcome<'static>>(),
         schema_of::<MitigationOutcome>(),
         schema_of::<PlacementOutcome<'static>>(),

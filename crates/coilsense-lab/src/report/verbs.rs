@@ -223,8 +223,8 @@ const IMPORT: [Row; 4] = [
     Row {
         takes: Takes::File("FILE"),
         ..out(
-            "File for time and channels in SI units; its ending says the format: csv, json or parquet",
-            IfAbsent::Refused,
+            "File for time and channels in SI units; its ending says the format: csv, json or parquet. Without it nothing is written, and what is in the log is shown: columns, ranges, rates, and what is to be told",
+            IfAbsent::Nothing,
         )
     },
     JSON,
