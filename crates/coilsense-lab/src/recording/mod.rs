@@ -5,6 +5,7 @@
 //! | `mapping`, `mapping_file`, `quantity`, `title`, `unit` | which column is which channel, in which unit |
 //! | `selection`, `proposal` | finding those columns in a file, and asking for what is not told of them |
 //! | `source`, `text`, `layout`, `trial`, `dialect`, `cell`, `numeral`, `stamp`, `formats`, `table`, `whole` | where rows come from |
+//! | `input`, `packing`, `unicode` | what a log is read from: files, pipes, compressed or not |
 //! | `request` | what may be asked of a log |
 //! | `cleaning`, `pipeline`, `clock`, `nominal`, `repairs`, `order`, `complete`, `spacing`, `row` | what is cleaned on their way |
 //! | `account`, `telling` | what became of every row |
@@ -24,6 +25,7 @@ mod convert;
 mod dialect;
 mod error;
 mod formats;
+mod input;
 mod join;
 mod layout;
 mod mapping;
@@ -32,6 +34,7 @@ mod nominal;
 mod numeral;
 mod order;
 mod overview;
+mod packing;
 mod pipeline;
 mod points;
 mod proposal;
@@ -49,6 +52,7 @@ mod telling;
 mod text;
 mod title;
 mod trial;
+mod unicode;
 mod unit;
 mod whole;
 

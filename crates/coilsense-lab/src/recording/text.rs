@@ -2,21 +2,25 @@
 //!
 //! Next door: how it is written (`layout`), its cells (`cell`).
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::io::{BufRead, BufReader, Cursor, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::account::Reason;
 use super::cell::{Cell, bare, split, words};
 use super::error::{RecordingError, clipped};
+use super::input::{Input, Stream, unreadable};
 use super::layout::{FileClock, Layout, Line, comment};
 use super::mapping::Format;
 use super::numeral::Thousands;
+use super::packing::told;
 use super::source::{Next, Source};
 use super::stamp::Stamp;
 use super::title::Title;
 use super::trial::detect;
+use super::unicode::recoded;
 use crate::message::{Hint, Message};
 
 /// A text file that is being read.
@@ -24,10 +28,13 @@ pub(super) struct Text {
     path: PathBuf,
     reader: Box<dyn BufRead + Send>,
     layout: Layout,
+    /// What else there is to say of how it is written.
+    also: String,
     comment: Option<String>,
     line: u64,
-    /// Bytes read, and bytes there are.
-    progress: [u64; 2],
+    /// Bytes that there are, 0 where nobody knows, and how many of them were read.
+    size: u64,
+    done: Arc<AtomicU64>,
     buffer: Vec<u8>,
     cells: Vec<Range<usize>>,
     /// The first stamp, from whose midnight time counts.
@@ -47,47 +54,49 @@ const LONGEST_LINE: u64 = 1 << 20;
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 impl Text {
-    /// Opens a file and finds out how it is written.
-    pub fn open(path: &Path, format: &Format) -> Result<Self, RecordingError> {
-        let unreadable = |error: std::io::Error| RecordingError::of_file(path, format!("cannot be read: {error}"));
-        let mut file = File::open(path).map_err(unreadable)?;
-        let mut head = Vec::new();
-        (&mut file).take(HEAD).read_to_end(&mut head).map_err(unreadable)?;
-        let whole = (head.len() as u64) < HEAD;
-        let layout = text_only(&head)
-            .and_then(|()| detect(&lines(&head, whole), format))
-            .map_err(|message| RecordingError::of_file(path, message))?;
-        let size = file.metadata().map_or(0, |metadata| metadata.len());
-        file.seek(SeekFrom::Start(0)).map_err(unreadable)?;
-        Ok(Self::begin(path, Box::new(BufReader::with_capacity(1 << 20, file)), size, layout, format))
+    /// Finds out how a text is written.
+    pub fn open(input: Input, format: &Format) -> Result<Self, RecordingError> {
+        let path = input.path().to_owned();
+        Self::begin(path, input.stream(), format)
     }
 
     /// A text in memory, under a name for messages.
     pub fn held(name: &Path, text: Vec<u8>, format: &Format) -> Result<Self, RecordingError> {
-        let head = &text[..text.len().min(HEAD as usize)];
-        let whole = head.len() == text.len();
-        let layout = text_only(head)
-            .and_then(|()| detect(&lines(head, whole), format))
-            .map_err(|message| RecordingError::of_file(name, message))?;
         let size = text.len() as u64;
-        Ok(Self::begin(name, Box::new(Cursor::new(text)), size, layout, format))
+        let stream =
+            Stream { bytes: Box::new(Cursor::new(text)), size, done: Arc::new(AtomicU64::new(size)), packing: None };
+        Self::begin(name.to_owned(), stream, format)
     }
 
-    fn begin(path: &Path, reader: Box<dyn BufRead + Send>, size: u64, layout: Layout, format: &Format) -> Self {
+    fn begin(path: PathBuf, stream: Stream, format: &Format) -> Result<Self, RecordingError> {
+        let Stream { mut bytes, size, done, packing } = stream;
+        let mut first = Vec::new();
+        (&mut bytes).take(64).read_to_end(&mut first).map_err(|error| unreadable(&path, &error))?;
+        let (mut bytes, is_wide) = recoded(&first.clone(), Box::new(Cursor::new(first).chain(bytes)));
+        let mut head = Vec::new();
+        (&mut bytes).take(HEAD).read_to_end(&mut head).map_err(|error| unreadable(&path, &error))?;
+        let whole = (head.len() as u64) < HEAD;
+        let layout = text_only(&head)
+            .and_then(|()| detect(&lines(&head, whole), format))
+            .map_err(|message| RecordingError::of_file(&path, message))?;
+        let wide = if is_wide { ", in UTF-16" } else { "" };
         let unsettled = if format.decimal_comma.is_some() { Thousands::settled() } else { Thousands::default() };
-        Self {
-            path: path.to_owned(),
-            reader,
+        let packed = packing.map_or(String::new(), |packing| format!(", compressed by {}", packing.name()));
+        Ok(Self {
+            path,
+            reader: Box::new(BufReader::with_capacity(1 << 20, Cursor::new(head).chain(bytes))),
             thousands: vec![unsettled; layout.titles.len()],
             layout,
+            also: format!("{wide}{packed}"),
             comment: format.comment.clone(),
             line: 0,
-            progress: [0, size],
+            size,
+            done,
             buffer: Vec::new(),
             cells: Vec::new(),
             first_stamp: None,
             lenient: false,
-        }
+        })
     }
 
     /// Moves on to the next line; false at the end.
@@ -95,12 +104,10 @@ impl Text {
         self.buffer.clear();
         self.line += 1;
         let read = (&mut self.reader).take(LONGEST_LINE).read_until(b'\n', &mut self.buffer);
-        let read =
-            read.map_err(|error| RecordingError::of_line(&self.path, self.line, format!("cannot be read: {error}")))?;
+        let read = read.map_err(|error| RecordingError::of_line(&self.path, self.line, told(&error)))?;
         if read as u64 == LONGEST_LINE {
             return Err(RecordingError::of_line(&self.path, self.line, "the line is longer than 1 MiB"));
         }
-        self.progress[0] += read as u64;
         if self.line == 1 && self.buffer.starts_with(MARK) {
             self.buffer.drain(..MARK.len());
         }
@@ -170,7 +177,7 @@ impl Source for Text {
     }
 
     fn description(&self) -> String {
-        self.layout.description()
+        self.layout.description() + &self.also
     }
 
     fn titles(&self) -> &[Title] {
@@ -182,7 +189,7 @@ impl Source for Text {
     }
 
     fn progress(&self) -> [u64; 2] {
-        self.progress
+        [self.done.load(Ordering::Relaxed), self.size]
     }
 
     fn clock(&self) -> Option<FileClock> {
@@ -239,10 +246,9 @@ fn text_only(head: &[u8]) -> Result<(), String> {
     if head.is_empty() {
         return Err("is empty".to_owned());
     }
-    let known: [(&[u8], &str); 6] = [
-        (b"\xff\xfe", "text in UTF-16; save it as UTF-8"),
-        (b"\xfe\xff", "text in UTF-16; save it as UTF-8"),
+    let known: [(&[u8], &str); 5] = [
         (b"\x1f\x8b", "compressed by gzip; unpack it first"),
+        (b"\x28\xb5\x2f\xfd", "compressed by zstd; unpack it first"),
         (b"PK\x03\x04", "an Excel file or ZIP archive; save the table as CSV"),
         (b"\x89HDF", "HDF5, which is not read; save its columns as CSV or Parquet"),
         (b"TDSm", "NI TDMS, which is not read; save its channels as CSV or Parquet"),

@@ -6,6 +6,7 @@
 //! | `cleaning` | what is cleaned, and that nothing is lost without being counted |
 //! | `clocks` | times that do not rise evenly |
 //! | `formats` | files of other programs, values compared exactly |
+//! | `inputs` | pipes, compressed files, encodings |
 //! | `devices` | two clocks |
 //! | `dialects` | what instruments and programs write, as their makers document it |
 //! | `hostile` | what is wrong, said in one line; random bytes and edits |
@@ -18,4 +19,5 @@ mod dialects;
 mod fixtures;
 mod formats;
 mod hostile;
+mod inputs;
 mod layouts;

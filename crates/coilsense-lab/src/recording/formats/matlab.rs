@@ -2,14 +2,13 @@
 //!
 //! Next door: other files that are read as a whole (`mdf`), their rows (`table`).
 
-use std::fs::File;
 use std::io::Read;
-use std::path::Path;
 
 use flate2::read::ZlibDecoder;
 use matfile::{Array, MatFile, NumericData};
 
 use super::super::error::RecordingError;
+use super::super::input::Input;
 use super::super::selection::TIMES;
 use super::super::table::Table;
 use super::super::title::Title;
@@ -29,16 +28,11 @@ struct Variable<'a> {
 }
 
 /// Reads a file.
-pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
+pub(super) fn read(input: Input) -> Result<Table, RecordingError> {
+    let path = input.path().to_owned();
+    let path = path.as_path();
     let wrong = |message: String| RecordingError::of_file(path, message);
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
-    read.map_err(|error| wrong(format!("cannot be read: {error}")))?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(wrong(
-            "is a MATLAB file of more than 1 GiB, which is read as a whole; save it as Parquet".to_owned(),
-        ));
-    }
+    let bytes = input.bytes(MOST_BYTES, "a MATLAB file")?;
     let damaged = |message: &dyn std::fmt::Display| wrong(format!("is no MATLAB file that can be read: {message}"));
     let plain = unpacked(&bytes).map_err(|message| damaged(&message))?;
     let parsed = guarded(path, || MatFile::parse(plain.as_slice()).map_err(|error| damaged(&error)))?;

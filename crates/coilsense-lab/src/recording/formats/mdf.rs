@@ -2,12 +2,17 @@
 //!
 //! Next door: other files that are read as a whole (`matlab`), their rows (`table`).
 
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use falcon_mdf::blocks::{DataType, SyncType};
+use falcon_mdf::io::{ByteSlice, ByteSource};
 use falcon_mdf::{ChannelGroup, Mf4Error, Mf4File};
 
 use super::super::error::{RecordingError, shortened};
+use super::super::input::{Input, unreadable};
 use super::super::order::MOST_NUMBERS;
 use super::super::table::Table;
 use super::super::title::Title;
@@ -20,15 +25,43 @@ struct Group {
 }
 
 /// Reads a file.
-pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
-    guarded(path, || decoded(path))
+pub(super) fn read(input: Input) -> Result<Table, RecordingError> {
+    let path = input.path().to_owned();
+    let file = input.file()?;
+    guarded(&path, || decoded(&path, file))
 }
 
-fn decoded(path: &Path) -> Result<Table, RecordingError> {
+/// A file as the library reads one.
+struct Bytes {
+    file: Mutex<File>,
+    size: u64,
+}
+
+impl ByteSource for Bytes {
+    fn len(&self) -> u64 {
+        self.size
+    }
+
+    fn read_bytes(&self, offset: u64, len: usize) -> Result<ByteSlice<'_>, Mf4Error> {
+        // Of a damaged file a length may be anything.
+        let available = self.size.saturating_sub(offset);
+        if len as u64 > available {
+            return Err(Mf4Error::truncated(offset, len, available as usize));
+        }
+        let mut bytes = vec![0; len];
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        file.seek(SeekFrom::Start(offset))?;
+        file.read_exact(&mut bytes)?;
+        Ok(ByteSlice::Owned(bytes))
+    }
+}
+
+fn decoded(path: &Path, file: File) -> Result<Table, RecordingError> {
     let wrong = |error: Mf4Error| {
         RecordingError::of_file(path, format!("is no MDF 4 file that can be read: {}", shortened(&error.to_string())))
     };
-    let file = Mf4File::open_buffered(path).map_err(wrong)?;
+    let size = file.metadata().map_err(|error| unreadable(path, &error))?.len();
+    let file = Mf4File::from_source(Arc::new(Bytes { file: Mutex::new(file), size })).map_err(wrong)?;
     let all = file.data_groups().iter().flat_map(|data| &data.channel_groups);
     let timed = all.filter(|group| group.sample_count > 0 && clock(group).is_some());
     let numbers: u64 = timed.clone().map(|group| group.sample_count.saturating_mul(group.channels.len() as u64)).sum();

@@ -18,11 +18,10 @@ mod parquet;
 #[cfg(test)]
 mod toy;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use super::error::RecordingError;
+use super::input::Input;
 use super::mapping::Format;
 use super::source::Source;
 use super::text::Text;
@@ -40,7 +39,7 @@ struct Row {
 }
 
 /// Opens a file of a format.
-type Open = fn(&Path) -> Result<Box<dyn Source>, RecordingError>;
+type Open = fn(Input) -> Result<Box<dyn Source>, RecordingError>;
 
 /// What it takes to read a file.
 enum Takes {
@@ -57,7 +56,7 @@ const TABLE: &[Row] = &[
         magic: &[b"PAR1"],
         takes: Takes::Feature("parquet"),
         #[cfg(feature = "parquet")]
-        open: Some(|path| Ok(Box::new(parquet::ParquetRows::open(path)?))),
+        open: Some(|input| Ok(Box::new(parquet::ParquetRows::open(input)?))),
         #[cfg(not(feature = "parquet"))]
         open: None,
     },
@@ -72,7 +71,7 @@ const TABLE: &[Row] = &[
         magic: &[b"MATLAB 5.0"],
         takes: Takes::Feature("matlab"),
         #[cfg(feature = "matlab")]
-        open: Some(|path| Ok(Box::new(in_memory::TableRows::of(matlab::read(path)?)))),
+        open: Some(|input| Ok(Box::new(in_memory::TableRows::of(matlab::read(input)?)))),
         #[cfg(not(feature = "matlab"))]
         open: None,
     },
@@ -81,7 +80,7 @@ const TABLE: &[Row] = &[
         magic: &[b"MDF     ", b"UnFinMF "],
         takes: Takes::Feature("mdf"),
         #[cfg(feature = "mdf")]
-        open: Some(|path| Ok(Box::new(in_memory::TableRows::of(mdf::read(path)?)))),
+        open: Some(|input| Ok(Box::new(in_memory::TableRows::of(mdf::read(input)?)))),
         #[cfg(not(feature = "mdf"))]
         open: None,
     },
@@ -106,17 +105,14 @@ impl Row {
     }
 }
 
-/// Opens a log of any format; `format` says how a text is written.
+/// Opens a log of any format, from a file, a pipe or standard input; `format` says how a text is written.
 ///
 /// What is no text with columns is refused by the reader of texts.
 pub(super) fn open(path: &Path, format: &Format) -> Result<Box<dyn Source>, RecordingError> {
-    let wrong = |message: String| RecordingError::of_file(path, message);
-    let mut head = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(16).read_to_end(&mut head));
-    read.map_err(|error| wrong(format!("cannot be read: {error}")))?;
-    match Row::of(&head) {
-        None => Ok(Box::new(Text::open(path, format)?)),
-        Some(row) => row.open.ok_or_else(|| wrong(row.refusal()))?(path),
+    let input = Input::open(path)?;
+    match Row::of(input.head()) {
+        None => Ok(Box::new(Text::open(input, format)?)),
+        Some(row) => row.open.ok_or_else(|| RecordingError::of_file(input.path(), row.refusal()))?(input),
     }
 }
 

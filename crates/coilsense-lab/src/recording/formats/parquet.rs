@@ -13,6 +13,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::ColumnDescriptor;
 
 use super::super::error::RecordingError;
+use super::super::input::Input;
 use super::super::order::MOST_NUMBERS;
 use super::super::source::{Next, Source};
 use super::super::title::Title;
@@ -36,15 +37,16 @@ pub(super) struct ParquetRows {
 
 impl ParquetRows {
     /// Opens a file.
-    pub fn open(path: &Path) -> Result<Self, RecordingError> {
-        guarded(path, || Self::opened(path))
+    pub fn open(input: Input) -> Result<Self, RecordingError> {
+        let path = input.path().to_owned();
+        let file = input.file()?;
+        guarded(&path, || Self::opened(&path, file))
     }
 
-    fn opened(path: &Path) -> Result<Self, RecordingError> {
+    fn opened(path: &Path, file: File) -> Result<Self, RecordingError> {
         let wrong = |error: &dyn std::fmt::Display| {
             RecordingError::of_file(path, format!("is no Parquet file that can be read: {}", one_line(error)))
         };
-        let file = File::open(path).map_err(|error| wrong(&error))?;
         let reader = SerializedFileReader::new(file).map_err(|error| wrong(&error))?;
         let metadata = reader.metadata().file_metadata();
         let schema = metadata.schema_descr();

@@ -1,8 +1,7 @@
 //! A format of log files that only the tests know: one row of the table is all that reading it takes.
 
-use std::path::Path;
-
 use super::super::error::RecordingError;
+use super::super::input::Input;
 use super::super::source::Source;
 use super::super::table::Table;
 use super::super::title::Title;
@@ -13,14 +12,15 @@ pub(super) const ROW: Row =
     Row { name: "a toy", magic: &[b"TOY1"], takes: Takes::Advice("which is a toy"), open: Some(open) };
 
 /// After the magic bytes pairs of little-endian numbers: time in ms, force in N.
-fn open(path: &Path) -> Result<Box<dyn Source>, RecordingError> {
-    let bytes = std::fs::read(path).map_err(|error| RecordingError::of_file(path, error.to_string()))?;
+fn open(input: Input) -> Result<Box<dyn Source>, RecordingError> {
+    let path = input.path().to_owned();
+    let bytes = input.bytes(1 << 20, "a toy")?;
     let pairs: Vec<[f64; 2]> = bytes[4..]
         .chunks_exact(4)
         .map(|pair| [[pair[0], pair[1]], [pair[2], pair[3]]].map(|two| i16::from_le_bytes(two).into()))
         .collect();
     Ok(Box::new(TableRows::of(Table {
-        file: path.to_owned(),
+        file: path,
         description: "toy".to_owned(),
         remarks: Vec::new(),
         titles: vec![Title::parse("time [ms]"), Title::parse("F_o [N]")],
