@@ -5,6 +5,7 @@ file holds the same values, or what is told here of its narrower type.
 """
 
 import datetime
+import struct
 
 import asammdf
 import h5py
@@ -70,9 +71,55 @@ def write_mdf(time, force, inductance, counts):
     mdf.save(OUT / "motion-packed.mf4", overwrite=True, compression=1)
 
 
-def write_refused(time, force):
+LINEAR = {"NI_Number_Of_Scales": 1, "NI_Scaling_Status": "unscaled", "NI_Scale[0]_Scale_Type": "Linear",
+          "NI_Scale[0]_Linear_Slope": 0.5, "NI_Scale[0]_Linear_Y_Intercept": 3.0, "NI_Scale[0]_Linear_Input_Source": 0xFFFFFFFF}
+
+
+def write_tdms(time, force, inductance, counts):
+    columns = [("time", time, {"unit_string": "s"}), ("F_o", force, {"unit_string": "N"}), ("L", inductance, {"unit_string": "H"}),
+               ("counts", counts, {"unit_string": "mN", **LINEAR})]
     with nptdms.TdmsWriter(OUT / "motion.tdms") as file:
-        file.write_segment([nptdms.ChannelObject("run", "F_o", force[:5])])
+        for part in (slice(20), slice(20, 40), slice(40, 50)):
+            file.write_segment([nptdms.ChannelObject("run", name, values[part], told) for name, values, told in columns])
+    # LabVIEW's waveforms: no column of time, an increment for each channel.
+    fast, slow = ({"wf_increment": step, "wf_start_offset": 0.0, "wf_samples": 1} for step in (0.0004, 0.004))
+    with nptdms.TdmsWriter(OUT / "motion-wave.tdms") as file:
+        file.write_segment([nptdms.ChannelObject("cell", "F_o", force, {**fast, "NI_UnitDescription": "Newtons"}),
+                            nptdms.ChannelObject("meter", "L", inductance[::10], {**slow, "unit_string": "H"}),
+                            nptdms.ChannelObject("meter", "note", ["a", "b"])])
+
+
+def text(value):
+    return struct.pack("<I", len(value)) + value.encode()
+
+
+def property_of(name, value):
+    if isinstance(value, str):
+        return text(name) + struct.pack("<I", 0x20) + text(value)
+    return text(name) + (struct.pack("<Id", 10, value) if isinstance(value, float) else struct.pack("<II", 7, value))
+
+
+def card_channel(name, byte, rows, told):
+    """A DAQmx channel: one scaler of 16 bits at a byte of a row of 4, by a format changing scaler."""
+    index = struct.pack("<IIIQI", 0x1269, 0xFFFFFFFF, 1, rows, 1) + struct.pack("<IIIII", 3, 0, byte, 0, 0) + struct.pack("<II", 1, 4)
+    return text(f"/'card'/'{name}'") + index + struct.pack("<I", len(told)) + b"".join(property_of(*each) for each in told.items())
+
+
+def write_card(counts):
+    """What a card leaves: its own numbers with scales, chunks that repeat, a segment without metadata, and one cut off in a row."""
+    scales = {"NI_Number_Of_Scales": 2, "NI_Scaling_Status": "unscaled", "NI_Scale[1]_Scale_Type": "Linear",
+              "NI_Scale[1]_Linear_Slope": 0.5, "NI_Scale[1]_Linear_Y_Intercept": 3.0, "NI_Scale[1]_Linear_Input_Source": 0}
+    told = {"unit_string": "mN", "wf_increment": 0.0004, "wf_start_offset": 0.0, **scales}
+    metadata = struct.pack("<I", 2) + card_channel("F_o", 0, 10, told) + card_channel("F_i", 2, 10, told)
+    rows = np.stack([counts, -counts], axis=1).astype("<i2").tobytes()
+    with open(OUT / "motion-card.tdms", "wb") as file:
+        both = 1 << 1 | 1 << 2 | 1 << 3 | 1 << 7
+        file.write(struct.pack("<4siIQQ", b"TDSm", both, 4713, len(metadata) + 80, len(metadata)) + metadata + rows[:80])
+        file.write(struct.pack("<4siIQQ", b"TDSm", 1 << 3 | 1 << 7, 4713, 40, 0) + rows[80:120])
+        file.write(struct.pack("<4siIQQ", b"TDSm", 1 << 3 | 1 << 7, 4713, 2**64 - 1, 0) + rows[120:190])
+
+
+def write_refused(time, force):
     with h5py.File(OUT / "motion.h5", "w") as file:
         file["F_o"] = force[:5]
     # MATLAB writes 7.3 as HDF5 behind a header of its own of 512 bytes.
@@ -89,4 +136,6 @@ if __name__ == "__main__":
     write_mat(*values)
     write_mdf(*values)
     write_csv(*values)
+    write_tdms(*values)
+    write_card(values[3])
     write_refused(values[0], values[1])

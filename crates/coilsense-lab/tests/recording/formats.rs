@@ -118,24 +118,54 @@ fn mdf_of_asammdf_with_groups_of_their_own_rates() {
     }
 }
 
+#[cfg(feature = "tdms")]
+#[test]
+fn tdms_of_nptdms_in_segments_with_scales_and_waveforms() {
+    let found = read("motion.tdms", &mapping(&["F_x=counts"]), &Cleaning::default()).unwrap();
+    same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::DeflectionForce]);
+    assert_eq!(found.account().description, "NI TDMS, 3 channels on one clock");
+    let text = text();
+    let kept = Cleaning { drop_incomplete: true, ..Cleaning::default() };
+    let found = read("motion-wave.tdms", &Mapping::default(), &kept).unwrap();
+    for channel in [Channel::OutputForce, Channel::Inductance] {
+        let tenth: Vec<f64> = text.channel(channel).unwrap().iter().step_by(10).copied().collect();
+        assert_eq!(found.channel(channel).unwrap(), tenth, "{channel:?}");
+    }
+    assert_eq!(found.signals().time(), [0.0, 0.004, 0.008, 0.012, 0.016]);
+    assert_eq!(found.account().description, "NI TDMS, 2 channels on 2 clocks; not read: note (texts)");
+}
+
+#[cfg(feature = "tdms")]
+#[test]
+fn tdms_of_a_card_that_was_stopped_in_a_row() {
+    let found = read("motion-card.tdms", &Mapping::default(), &Cleaning::default()).unwrap();
+    let text = text();
+    // Rows 0 to 19 with metadata, 20 to 29 without, 30 to 46 and half of one before it was stopped.
+    assert_eq!(found.signals().time(), &text.signals().time()[..47]);
+    let counts = text.channel(Channel::InputForce).unwrap();
+    let scaled = |sign: f64| counts[..47].iter().map(|count| (sign * count * 0.5 + 3.0) / 1e3).collect::<Vec<f64>>();
+    assert_eq!(found.channel(Channel::OutputForce).unwrap(), scaled(1.0));
+    assert_eq!(found.channel(Channel::InputForce).unwrap(), scaled(-1.0));
+    assert_eq!(found.remarks(), ["the file is cut off in its last segment"]);
+}
+
 #[test]
 fn what_is_not_read_is_refused_by_name() {
-    for (name, word) in
-        [("motion.tdms", "NI TDMS"), ("motion.h5", "HDF5"), ("motion-v73.mat", "MATLAB file of version 7.3")]
-    {
+    for (name, word) in [("motion.h5", "HDF5"), ("motion-v73.mat", "MATLAB file of version 7.3")] {
         let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert!(message.starts_with(&path(name).display().to_string()) && message.contains(word), "{message}");
         assert_eq!(message.lines().count(), 1);
     }
 }
 
-#[cfg(not(all(feature = "parquet", feature = "matlab", feature = "mdf")))]
+#[cfg(not(all(feature = "parquet", feature = "matlab", feature = "mdf", feature = "tdms")))]
 #[test]
 fn a_format_that_was_left_out_is_named() {
-    let out: [(bool, &str, &str); 3] = [
+    let out: [(bool, &str, &str); 4] = [
         (cfg!(feature = "parquet"), "motion.parquet", "without the feature parquet"),
         (cfg!(feature = "matlab"), "motion-v5.mat", "without the feature matlab"),
         (cfg!(feature = "mdf"), "motion.mf4", "without the feature mdf"),
+        (cfg!(feature = "tdms"), "motion.tdms", "without the feature tdms"),
     ];
     for (_, name, words) in out.iter().filter(|(there, ..)| !there) {
         let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
@@ -145,8 +175,9 @@ fn a_format_that_was_left_out_is_named() {
 
 #[test]
 fn a_table_holds_columns_by_title_and_number() {
-    let names = ["motion.csv", "motion.parquet", "motion-v7.mat", "motion.mf4"];
-    let there = [true, cfg!(feature = "parquet"), cfg!(feature = "matlab"), cfg!(feature = "mdf")];
+    let names = ["motion.csv", "motion.parquet", "motion-v7.mat", "motion.mf4", "motion.tdms"];
+    let there =
+        [true, cfg!(feature = "parquet"), cfg!(feature = "matlab"), cfg!(feature = "mdf"), cfg!(feature = "tdms")];
     for (name, _) in names.iter().zip(there).filter(|(_, there)| *there) {
         let table = Table::read(&path(name), &Mapping::default().format).unwrap();
         assert_eq!(table.column("F_o").unwrap(), text().channel(Channel::OutputForce).unwrap(), "{name}");

@@ -13,7 +13,7 @@ const GOOD: &str = "time [s],F_o [N],L [uH]\n0,1,3.1\n0.1,2,3.2\n0.2,3,3.3\n";
 /// A text, the columns that are told, and what must be said of it.
 type Fault = (&'static str, &'static [&'static str], &'static str);
 
-const FAULTS: [Fault; 36] = [
+const FAULTS: [Fault; 37] = [
     // Empty and the like
     ("", &[], "run.csv: is empty"),
     ("\n\n", &[], "run.csv: has no rows: it is empty, or holds comments only"),
@@ -163,7 +163,8 @@ const FAULTS: [Fault; 36] = [
         "run.csv: no row of numbers is in its first 1 lines; the first begins with \"\\u{1f}\\u{8b}\"",
     ),
     ("PK\u{3}\u{4}", &[], "run.csv: is an Excel file or ZIP archive; save the table as CSV"),
-    ("TDSm", &[], "run.csv: is NI TDMS, which is not read; save its channels as CSV or Parquet"),
+    ("TDSm", &[], "run.csv: has no channel of numbers"),
+    ("TDSh", &[], "run.csv: is the index of an NI TDMS file, which holds no data; read the .tdms beside it"),
     (
         "MATLAB 7.3 MAT-file",
         &[],

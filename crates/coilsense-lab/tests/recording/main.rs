@@ -9,11 +9,13 @@
 //! | `inputs` | pipes, compressed files, encodings |
 //! | `devices` | two clocks |
 //! | `dialects` | what instruments and programs write, as their makers document it |
+//! | `damaged` | binary files of instruments, cut off anywhere and with wrong bytes |
 //! | `hostile` | what is wrong, said in one line; random bytes and edits |
 //! | `fixtures` | writing and reading a log |
 
 mod cleaning;
 mod clocks;
+mod damaged;
 mod devices;
 mod dialects;
 mod fixtures;

@@ -15,14 +15,8 @@ use super::super::error::{RecordingError, shortened};
 use super::super::input::{Input, unreadable};
 use super::super::order::MOST_NUMBERS;
 use super::super::table::Table;
-use super::super::title::Title;
+use super::grouped::{Group, one_table, titled};
 use super::guarded::guarded;
-
-/// A group of channels that were sampled together.
-struct Group {
-    times: Vec<f64>,
-    columns: Vec<(Title, Vec<f64>)>,
-}
 
 /// Reads a file.
 pub(super) fn read(input: Input) -> Result<Table, RecordingError> {
@@ -70,36 +64,8 @@ fn decoded(path: &Path, file: File) -> Result<Table, RecordingError> {
     }
     let groups = timed.map(|timed| group(&file, timed)).collect::<Result<Vec<Group>, Mf4Error>>().map_err(wrong)?;
     let description = format!("MDF {}, {} groups with a clock", file.version(), groups.len());
-    let times = one_clock(path, &groups)?;
-    let columns: usize = 1 + groups.iter().map(|group| group.columns.len()).sum::<usize>();
-    if columns < 2 || times.is_empty() {
-        return Err(RecordingError::of_file(path, "has no channel of numbers with a clock"));
-    }
-    if times.len().saturating_mul(columns) > MOST_NUMBERS {
-        return Err(RecordingError::of_file(path, "is too large to be held in memory"));
-    }
-    let mut table = Table {
-        file: path.to_owned(),
-        description,
-        remarks: file.comment().lines().map(|line| shortened(line.trim())).filter(|line| !line.is_empty()).collect(),
-        titles: vec![titled("time", "s")],
-        columns: Vec::new(),
-        lines: (1..=times.len() as u64).collect(),
-    };
-    for group in &groups {
-        for (title, values) in &group.columns {
-            table.titles.push(title.clone());
-            table.columns.push(spread(&group.times, values, &times));
-        }
-    }
-    table.columns.insert(0, times);
-    Ok(table)
-}
-
-fn titled(name: &str, unit: &str) -> Title {
-    let unit = Some(unit.trim().to_owned()).filter(|unit| !unit.is_empty());
-    let text = unit.as_ref().map_or(name.to_owned(), |unit| format!("{name} [{unit}]"));
-    Title { text, name: name.to_owned(), unit, stamps: false }
+    let remarks = file.comment().lines().map(|line| shortened(line.trim())).filter(|line| !line.is_empty()).collect();
+    one_table(path, description, remarks, groups)
 }
 
 /// The place of a group's clock among its channels.
@@ -135,31 +101,5 @@ fn group(file: &Mf4File, group: &ChannelGroup) -> Result<Group, Mf4Error> {
             columns.push((titled(&channel.name, &channel.unit), values));
         }
     }
-    Ok(Group { times, columns })
-}
-
-/// All times of all groups, each once; those of a single group as they are.
-fn one_clock(path: &Path, groups: &[Group]) -> Result<Vec<f64>, RecordingError> {
-    if let [only] = groups {
-        return Ok(only.times.clone());
-    }
-    for (index, group) in groups.iter().enumerate() {
-        if let Some(row) = (1..group.times.len()).find(|&row| {
-            !matches!(group.times[row].partial_cmp(&group.times[row - 1]), Some(std::cmp::Ordering::Greater))
-        }) {
-            let message =
-                format!("group {}, row {}: time must rise where several groups are to be one log", index + 1, row + 1);
-            return Err(RecordingError::of_file(path, message));
-        }
-    }
-    let mut all: Vec<f64> = groups.iter().flat_map(|group| group.times.iter().copied()).collect();
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    Ok(all)
-}
-
-/// A group's values at the times of all groups; NaN where it has none.
-fn spread(own: &[f64], values: &[f64], times: &[f64]) -> Vec<f64> {
-    let mut pairs = own.iter().zip(values).peekable();
-    times.iter().map(|time| pairs.next_if(|(own, _)| *own == time).map_or(f64::NAN, |(_, value)| *value)).collect()
+    Ok(Group { clock: titled("time", "s"), times, columns })
 }

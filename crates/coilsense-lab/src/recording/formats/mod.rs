@@ -5,9 +5,11 @@
 //!
 //! Next door: texts (`text`), rows one after the other (`source`), what becomes of them (`pipeline`).
 
+#[cfg(any(feature = "mdf", feature = "tdms"))]
+mod grouped;
 #[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
 mod guarded;
-#[cfg(any(feature = "matlab", feature = "mdf", test))]
+#[cfg(any(feature = "matlab", feature = "mdf", feature = "tdms", test))]
 mod in_memory;
 #[cfg(feature = "matlab")]
 mod matlab;
@@ -15,6 +17,8 @@ mod matlab;
 mod mdf;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "tdms")]
+mod tdms;
 #[cfg(test)]
 mod toy;
 
@@ -82,6 +86,21 @@ const TABLE: &[Row] = &[
         #[cfg(feature = "mdf")]
         open: Some(|input| Ok(Box::new(in_memory::TableRows::of(mdf::read(input)?)))),
         #[cfg(not(feature = "mdf"))]
+        open: None,
+    },
+    Row {
+        name: "NI TDMS",
+        magic: &[b"TDSm"],
+        takes: Takes::Feature("tdms"),
+        #[cfg(feature = "tdms")]
+        open: Some(|path| Ok(Box::new(in_memory::TableRows::of(tdms::read(path)?)))),
+        #[cfg(not(feature = "tdms"))]
+        open: None,
+    },
+    Row {
+        name: "the index of an NI TDMS file",
+        magic: &[b"TDSh"],
+        takes: Takes::Advice("which holds no data; read the .tdms beside it"),
         open: None,
     },
     #[cfg(test)]
