@@ -54,6 +54,9 @@ def write_mat(time, force, inductance, counts):
                  "both": np.column_stack([force, inductance]), "who": "the rig"}
     scipy.io.savemat(OUT / "motion-v5.mat", variables, do_compression=False)
     scipy.io.savemat(OUT / "motion-v7.mat", variables, do_compression=True)
+    scipy.io.savemat(OUT / "motion-v4.mat", variables, format="4")
+    run = {"time": time, "F_o": force.reshape(-1, 1), "cell": {"counts": counts, "offset": 3.0}}
+    scipy.io.savemat(OUT / "motion-struct.mat", {"run": run, "L": inductance}, do_compression=True)
 
 
 def write_mdf(time, force, inductance, counts):

@@ -96,6 +96,26 @@ impl Input {
         Stream { bytes, size: self.size, done: self.done, packing: self.packing }
     }
 
+    /// Lets `look` seek in all of it; what comes once only is put into a temporary file for that, from which it then comes.
+    #[cfg(feature = "matlab")]
+    pub fn in_file<T>(&mut self, look: impl FnOnce(&mut File) -> T) -> Result<T, RecordingError> {
+        let failed = |error: io::Error| unreadable(&self.path, &error);
+        if let Rest::Stream(stream) = &mut self.rest {
+            let mut bytes = io::Cursor::new(self.head.as_slice()).chain(stream);
+            let inner = aside(&self.path, &mut bytes)?;
+            self.rest = Rest::File(Counted { inner, done: self.done.clone() });
+        }
+        let head = self.head.len() as u64;
+        match &mut self.rest {
+            Rest::File(Counted { inner, .. }) => {
+                let found = look(inner);
+                inner.seek(SeekFrom::Start(head)).map_err(failed)?;
+                Ok(found)
+            }
+            Rest::Stream(_) => Err(RecordingError::of_file(&self.path, "cannot be put into a file")),
+        }
+    }
+
     /// A file to seek in, at its beginning: the log itself, or a temporary one of what is in it.
     pub fn file(self) -> Result<File, RecordingError> {
         let path = self.path;
@@ -107,30 +127,7 @@ impl Input {
             }
             Rest::Stream(stream) => stream,
         };
-        let aside = |error: io::Error| {
-            RecordingError::of_file(&path, format!("cannot be put into a temporary file to be read: {error}"))
-        };
-        let mut file = tempfile::tempfile().map_err(aside)?;
-        let mut bytes = io::Cursor::new(self.head).chain(stream).take(MOST_ASIDE + 1);
-        let mut block = vec![0; 1 << 16];
-        let mut there = 0;
-        loop {
-            // Apart, so that what is wrong with the log is not taken for a full disk.
-            let read = match bytes.read(&mut block) {
-                Ok(0) => break,
-                Ok(read) => read,
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                Err(error) => return Err(failed(error)),
-            };
-            there += read as u64;
-            if there > MOST_ASIDE {
-                let message = "holds more than 4 GiB and can be read from a plain file only; unpack it into one";
-                return Err(RecordingError::of_file(&path, message));
-            }
-            io::Write::write_all(&mut file, &block[..read]).map_err(aside)?;
-        }
-        file.seek(SeekFrom::Start(0)).map_err(aside)?;
-        Ok(file)
+        aside(&path, &mut io::Cursor::new(self.head).chain(stream))
     }
 
     /// All of it in memory, where it is at most `most` bytes.
@@ -165,6 +162,35 @@ impl Rest {
             Self::Stream(stream) => stream,
         }
     }
+}
+
+/// A temporary file of all these bytes, at its beginning.
+fn aside(path: &Path, bytes: &mut dyn Read) -> Result<File, RecordingError> {
+    let failed = |error: io::Error| unreadable(path, &error);
+    let aside = |error: io::Error| {
+        RecordingError::of_file(path, format!("cannot be put into a temporary file to be read: {error}"))
+    };
+    let mut file = tempfile::tempfile().map_err(aside)?;
+    let mut bytes = bytes.take(MOST_ASIDE + 1);
+    let mut block = vec![0; 1 << 16];
+    let mut there = 0;
+    loop {
+        // Apart, so that what is wrong with the log is not taken for a full disk.
+        let read = match bytes.read(&mut block) {
+            Ok(0) => break,
+            Ok(read) => read,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(failed(error)),
+        };
+        there += read as u64;
+        if there > MOST_ASIDE {
+            let message = "holds more than 4 GiB and can be read from a plain file only; unpack it into one";
+            return Err(RecordingError::of_file(path, message));
+        }
+        io::Write::write_all(&mut file, &block[..read]).map_err(aside)?;
+    }
+    file.seek(SeekFrom::Start(0)).map_err(aside)?;
+    Ok(file)
 }
 
 /// The first bytes.

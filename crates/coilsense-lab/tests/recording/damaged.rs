@@ -50,3 +50,11 @@ fn damaged_tdms_does_no_harm() {
         no_harm(name);
     }
 }
+
+#[cfg(feature = "matlab")]
+#[test]
+fn damaged_matlab_does_no_harm() {
+    for name in ["motion-v4.mat", "motion-struct.mat", "motion-v5.mat"] {
+        no_harm(name);
+    }
+}

@@ -5,6 +5,8 @@
 //!
 //! Next door: texts (`text`), rows one after the other (`source`), what becomes of them (`pipeline`).
 
+#[cfg(any(feature = "matlab", feature = "tdms"))]
+mod apart;
 #[cfg(any(feature = "mdf", feature = "tdms"))]
 mod grouped;
 #[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
@@ -15,12 +17,16 @@ mod in_memory;
 mod matlab;
 #[cfg(feature = "mdf")]
 mod mdf;
+#[cfg(feature = "matlab")]
+mod only_matlab;
 #[cfg(feature = "parquet")]
 mod parquet;
 #[cfg(feature = "tdms")]
 mod tdms;
 #[cfg(test)]
 mod toy;
+#[cfg(feature = "matlab")]
+mod vectors;
 
 use std::path::Path;
 
@@ -93,7 +99,7 @@ const TABLE: &[Row] = &[
         magic: &[b"TDSm"],
         takes: Takes::Feature("tdms"),
         #[cfg(feature = "tdms")]
-        open: Some(|path| Ok(Box::new(in_memory::TableRows::of(tdms::read(path)?)))),
+        open: Some(|input| Ok(Box::new(in_memory::TableRows::of(tdms::read(input)?)))),
         #[cfg(not(feature = "tdms"))]
         open: None,
     },
@@ -107,7 +113,27 @@ const TABLE: &[Row] = &[
     toy::ROW,
 ];
 
+/// A format whose files have no first bytes of their own; asked where no row of the table fits.
+#[cfg(feature = "matlab")]
+const MATLAB_4: Row = Row {
+    name: "a MATLAB file of version 4",
+    magic: &[],
+    takes: Takes::Feature("matlab"),
+    open: Some(|input| Ok(Box::new(in_memory::TableRows::of(matlab::read_level4(input)?)))),
+};
+
 impl Row {
+    /// The format of a file whose first bytes say nothing, by all of it; `None` of a text.
+    fn of_whole(input: &mut Input) -> Option<&'static Self> {
+        #[cfg(feature = "matlab")]
+        return matlab::is_level4(input).then_some(&MATLAB_4);
+        #[cfg(not(feature = "matlab"))]
+        {
+            let _ = input;
+            None
+        }
+    }
+
     /// The format of a file that begins so; `None` of a text.
     fn of(head: &[u8]) -> Option<&'static Self> {
         TABLE.iter().find(|row| row.magic.iter().any(|magic| head.starts_with(magic)))
@@ -128,8 +154,8 @@ impl Row {
 ///
 /// What is no text with columns is refused by the reader of texts.
 pub(super) fn open(path: &Path, format: &Format) -> Result<Box<dyn Source>, RecordingError> {
-    let input = Input::open(path)?;
-    match Row::of(input.head()) {
+    let mut input = Input::open(path)?;
+    match Row::of(input.head()).or_else(|| Row::of_whole(&mut input)) {
         None => Ok(Box::new(Text::open(input, format)?)),
         Some(row) => row.open.ok_or_else(|| RecordingError::of_file(input.path(), row.refusal()))?(input),
     }

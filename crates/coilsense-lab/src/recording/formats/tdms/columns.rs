@@ -10,6 +10,7 @@ use super::super::super::order::MOST_NUMBERS;
 use super::super::super::selection::TIMES;
 use super::super::super::table::Table;
 use super::super::super::title::Title;
+use super::super::apart::Apart;
 use super::super::grouped::{Group, one_table, titled};
 use super::Contained;
 use super::clock::{Wave, seconds};
@@ -34,13 +35,6 @@ struct Clocked {
     /// The instant of its time zero, where that is told.
     start: Option<i128>,
 }
-
-/// What is told of channels that were not taken.
-#[derive(Default)]
-struct Apart(Vec<String>);
-
-/// Most channels that are named as not taken.
-const MOST_NAMED: usize = 5;
 
 /// The table of a file.
 pub(super) fn table(path: &Path, contained: Contained) -> Result<Table, RecordingError> {
@@ -79,21 +73,6 @@ pub(super) fn table(path: &Path, contained: Contained) -> Result<Table, Recordin
     let clocks = if groups.len() == 1 { "one clock".to_owned() } else { format!("{} clocks", groups.len()) };
     let description = format!("NI TDMS, {count} channels on {clocks}{cut}{}", apart.told());
     one_table(path, description, remarks, groups)
-}
-
-impl Apart {
-    fn leave(&mut self, name: &str, why: &str) {
-        self.0.push(format!("{} ({why})", shortened(name)));
-    }
-
-    fn told(&self) -> String {
-        let (named, more) = (self.0.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>(), self.0.len());
-        match more.checked_sub(MOST_NAMED) {
-            _ if named.is_empty() => String::new(),
-            None | Some(0) => format!("; not read: {}", named.join(", ")),
-            Some(more) => format!("; not read: {}, and {more} more", named.join(", ")),
-        }
-    }
 }
 
 /// The channels of numbers and stamps.

@@ -136,10 +136,9 @@ impl Segment<'_> {
         for (object, index) in &self.layout.channels {
             channels[*object].goes_on(index.kind)?;
         }
-        if self.interleaved && self.layout.buffers.is_empty() {
-            if let Some(row) = self.layout.row()? {
-                return self.read_rows(row, whole, part.as_ref(), blocks, channels);
-            }
+        let interleaved = self.interleaved && self.layout.buffers.is_empty();
+        if let Some(row) = if interleaved { self.layout.row()? } else { None } {
+            return self.read_rows(row, whole, part.as_ref(), blocks, channels);
         }
         for chunk in 0..whole {
             blocks.seek(self.start + chunk * self.layout.bytes)?;

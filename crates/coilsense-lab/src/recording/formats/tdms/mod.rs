@@ -24,10 +24,8 @@ mod metadata;
 mod properties;
 mod scaling;
 
-use std::fs::File;
-use std::path::Path;
-
 use super::super::error::RecordingError;
+use super::super::input::Input;
 use super::super::order::MOST_NUMBERS;
 use super::super::table::Table;
 use bytes::Bytes;
@@ -58,10 +56,12 @@ struct Contained {
 }
 
 /// Reads a file.
-pub(super) fn read(path: &Path) -> Result<Table, RecordingError> {
+pub(super) fn read(input: Input) -> Result<Table, RecordingError> {
+    let path = input.path().to_owned();
+    let path = path.as_path();
     let wrong = |message: String| RecordingError::of_file(path, message);
     let unreadable = |error: std::io::Error| wrong(format!("cannot be read: {error}"));
-    let file = File::open(path).map_err(unreadable)?;
+    let file = input.file()?;
     let size = file.metadata().map_err(unreadable)?.len();
     let damaged = |message: String| wrong(format!("is no NI TDMS file that can be read: {message}"));
     let mut contained = Contained::default();
