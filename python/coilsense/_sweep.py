@@ -7,6 +7,7 @@ from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
 from contextlib import closing, suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Any, Literal
+from warnings import warn
 
 from coilsense._coilsense import Spec, SweepDataset, SweepError, SweepPlan, __version__, simd_path
 
@@ -40,7 +41,8 @@ def sweep(
 ) -> SweepDataset:
     """Judge many designs: a spec with some of its values replaced, row by row, into a folder of Parquet files.
 
-    A folder that a killed run left is gone on with, and then holds the same files as after an unbroken one.
+    A folder that a killed run left is gone on with, and then holds the same files as after an unbroken one. Chunks that are not as they were written,
+    damaged, cut off or copied over another, are made anew; a `UserWarning` names them.
 
     Parameters
     ----------
@@ -100,7 +102,12 @@ def sweep(
     )
     # However this ends, the folder and the workers are let go of at once: a traceback may keep everything here alive for as long as it likes.
     with SweepDataset(out, plan) as dataset:
+        # The folder's own, which may call the same spec otherwise: rows are those of an unbroken run.
+        plan = dataset.plan
         missing = dataset.missing
+        if damaged := [f"chunk {number} {why}" for number, why in dataset.damaged.items()]:
+            others = [f"and {len(damaged) - _TOLD} others"] if len(damaged) > _TOLD else []
+            warn(f"made anew: {'; '.join(damaged[:_TOLD] + others)}", stacklevel=2)
         whole = plan.chunks - len(missing)
         with closing(_here(plan, missing, jobs) if client is None else _on(client, plan, missing)) as chunks:
             for index, data in chunks:
@@ -116,6 +123,9 @@ def _here(plan: SweepPlan, missing: Iterable[int], jobs: int | None) -> Chunks:
     for index in missing:
         yield index, plan.chunk_bytes(index, jobs)
 
+
+#: Chunks that a warning names.
+_TOLD = 10
 
 #: Chunks that wait at the workers for each of their threads: one is worked on, others are at hand.
 _AHEAD = 3

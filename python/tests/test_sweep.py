@@ -1,5 +1,6 @@
 """Sweeps on this machine: rows against single designs, folders that are continued, refusals in one line."""
 
+import hashlib
 import pathlib
 import pickle
 import signal
@@ -193,3 +194,68 @@ def test_a_number_alone_is_varied_by_nothing_and_a_frame_is_a_catalogue(tmp_path
         coilsense.sweep(sweeps.SPEC, frame, tmp_path / "two", columns="f1")
     same = coilsense.sweep(sweeps.SPEC, catalogue=frame, out=tmp_path / "two", columns="f1").to_pandas()
     assert same["f1 [Hz]"].tolist() == found["f1 [Hz]"].tolist()
+
+
+def test_what_is_not_as_written_is_refused_and_made_anew(tmp_path: pathlib.Path) -> None:
+    sweeps.whole(tmp_path, rows=40, chunk=10)
+    before = sweeps.files(tmp_path)
+    one, two = tmp_path / "chunk-000001.parquet", tmp_path / "chunk-000002.parquet"
+    flipped = bytearray(before[one.name])
+    flipped[200] ^= 1
+    for data, words in [(bytes(flipped), "is damaged"), (before[two.name], "of another chunk"), (before[one.name][:-9], "is damaged or cut off")]:
+        one.write_bytes(data)
+        dataset = coilsense.SweepDataset(tmp_path)
+        assert dataset.damaged == {}  # only who writes looks through all of it
+        for asked in (
+            dataset.read,
+            dataset.tally,
+            dataset.to_pandas,
+            lambda: coilsense.pareto(tmp_path, minimize="f1"),
+        ):
+            with pytest.raises(coilsense.SweepError, match=f"chunk-000001.parquet: .*{words}.*sweep with the same options") as raised:
+                asked()
+            assert "\n" not in str(raised.value)
+        with pytest.warns(UserWarning, match=f"^made anew: chunk 1 .*{words}"):
+            sweeps.whole(tmp_path, rows=40, chunk=10)
+        assert sweeps.files(tmp_path) == before
+    with coilsense.SweepDataset(tmp_path, dataset.plan) as writer:
+        with pytest.raises(coilsense.SweepError, match="chunk-000001.parquet: what is to be written there holds rows 20 to 29"):
+            writer.write(1, before[two.name])
+    assert sweeps.files(tmp_path) == before
+
+
+def test_a_manifest_that_was_edited_is_refused(tmp_path: pathlib.Path) -> None:
+    sweeps.whole(tmp_path, rows=10, chunk=10)
+    manifest = tmp_path / "_manifest.json"
+    manifest.write_text(manifest.read_text().replace("65 g", "66 g"))
+    for asked in (lambda: coilsense.SweepDataset(tmp_path), lambda: sweeps.whole(tmp_path, rows=10, chunk=10)):
+        with pytest.raises(coilsense.SweepError, match="_manifest.json: has been changed since it was written"):
+            asked()
+
+
+def test_the_same_spec_by_another_name_is_the_same_sweep(tmp_path: pathlib.Path) -> None:
+    def swept(name: str, text: str) -> dict[str, bytes]:
+        (tmp_path / name).write_text(text)
+        options = {"rows": 20, "chunk": 10, "columns": ["f1"], "seed": 7}
+        coilsense.sweep(tmp_path / name, {"spring.mass": "-8..80 g"}, tmp_path / "out", **options)  # type: ignore[arg-type]
+        return sweeps.files(tmp_path / "out")
+
+    before = swept("a.toml", sweeps.SPEC)
+    (tmp_path / "out" / "chunk-000000.parquet").unlink()
+    assert swept("b.toml", f"# of today\n{sweeps.SPEC}") == before
+    with pytest.raises(coilsense.SweepError, match="holds another sweep: the spec .*c.toml says other than .*a.toml did"):
+        swept("c.toml", sweeps.SPEC.replace("windings = 52", "windings = 51"))
+
+
+def test_other_readers_pass_over_what_chunks_say_of_themselves(tmp_path: pathlib.Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    dataset = sweeps.whole(tmp_path, rows=40, chunk=10)
+    said = parquet.read_metadata(tmp_path / "chunk-000001.parquet").metadata
+    assert said[b"coilsense.plan"].decode() == dataset.plan.digest
+    assert (said[b"coilsense.chunk"], said[b"coilsense.rows"], len(said[b"coilsense.sha256"])) == (b"1", b"10 to 19", 64)
+    pandas.testing.assert_frame_equal(pandas.read_parquet(tmp_path)[list(dataset.plan.titles)], dataset.to_pandas(), check_dtype=False)
+    # Any program can check the digest: that of the file with zeros in its place.
+    data = (tmp_path / "chunk-000001.parquet").read_bytes()
+    digest = said[b"coilsense.sha256"]
+    before, _, after = data.rpartition(digest)
+    assert hashlib.sha256(before + b"0" * 64 + after).hexdigest().encode() == digest

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use anyhow::Context;
-use coilsense_lab::report::{ReasonRow, SweepOutcome, to_json};
+use coilsense_lab::report::{ReasonRow, RecomputedRow, SweepOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::sweep::request::{CATALOGUE, CHUNK, COLUMNS, JOBS, OVER, ROWS, SAMPLING, SEED};
 use coilsense_lab::sweep::{Catalogue, Dataset, Plan, PlanParameters, Sampling, Tally, column_words};
@@ -30,12 +30,14 @@ impl std::error::Error for Interrupted {}
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
-    let (plan, folder) = (plan(given)?, given.needed(&OUT)?);
+    let (asked, folder) = (plan(given)?, given.needed(&OUT)?);
     let threads = given.count(&JOBS).unwrap_or(0) as usize;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
     let watch = Watch::begin_designs()?;
-    let dataset = Dataset::create_or_open(folder, &plan)?;
-    let missing = dataset.missing();
+    let dataset = Dataset::create_or_open(folder, &asked)?;
+    // The folder's own, which may call the same spec otherwise: rows are those of an unbroken run.
+    let plan = dataset.plan();
+    let (missing, damaged) = (dataset.missing()?, dataset.damaged());
     let length = |chunk: &u64| {
         let rows = plan.rows_of(*chunk);
         rows.end - rows.start
@@ -60,7 +62,11 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let tally = dataset.tally()?;
     let made = plan.rows() - before;
     // A reader that closes the pipe early has all it wants.
-    let told = Told { folder, plan: &plan, tally: &tally, made, seconds };
+    let recomputed = damaged
+        .into_iter()
+        .map(|(chunk, why)| RecomputedRow { file: dataset.path(chunk), because: format!("it {why}") })
+        .collect();
+    let told = Told { folder, plan, tally: &tally, recomputed, made, seconds };
     let text = if given.holds(&JSON) { to_json(told.outcome())? } else { told.text() };
     let _ = write!(anstream::stdout().lock(), "{text}");
     Ok(())
@@ -92,6 +98,8 @@ struct Told<'a> {
     folder: &'a Path,
     plan: &'a Plan,
     tally: &'a Tally,
+    /// Chunks that were there and not as they had been written.
+    recomputed: Vec<RecomputedRow>,
     /// Rows that this run has made.
     made: u64,
     seconds: f64,
@@ -109,6 +117,17 @@ impl Told<'_> {
         );
         if let Some(note) = plan.note() {
             text.push_str(&format!("note: {note}\n"));
+        }
+        if !self.recomputed.is_empty() {
+            let (files, were) =
+                (plural(self.recomputed.len() as u64, "file"), if self.recomputed.len() == 1 { "was" } else { "were" });
+            text.push_str(&format!("{files} that {were} not as written {were} made anew:\n"));
+        }
+        for RecomputedRow { file, because } in self.recomputed.iter().take(SHOWN) {
+            text.push_str(&format!("  {}: {because}\n", file.display()));
+        }
+        if self.recomputed.len() > SHOWN {
+            text.push_str(&format!("  and {} others\n", self.recomputed.len() - SHOWN));
         }
         for (count, reason) in tally.reasons.iter().take(SHOWN) {
             text.push_str(&format!("  {count} × such as: {reason}\n"));
@@ -145,6 +164,7 @@ impl Told<'_> {
             reasons: reasons.collect(),
             note: self.plan.note(),
             chunks: self.plan.chunks(),
+            recomputed: &self.recomputed,
             made: self.made,
             seconds: self.seconds,
             designs_per_second: self.rate(),

@@ -170,3 +170,80 @@ fn ctrl_c_keeps_what_is_whole() {
     assert!(message.contains("of 10000 chunks are whole, the same command goes on from there"), "{message}");
     assert!(files(&place.path("out")).keys().all(|name| !name.starts_with('.')));
 }
+
+/// What is damaged, copied over or gone is said and made anew; until then nobody answers from it.
+#[test]
+fn chunks_that_are_not_as_written_are_made_anew_and_said() {
+    let place = Place::new();
+    assert!(place.command("out", 500).output().expect("it starts").status.success());
+    let whole = files(&place.path("out"));
+    let chunk = |number: u32| format!("chunk-{number:06}.parquet");
+    let put = |number: u32, bytes: &[u8]| fs::write(place.path("out").join(chunk(number)), bytes).expect("written");
+    let mut flipped = whole[&chunk(0)].clone();
+    flipped[100] ^= 4;
+    put(0, &flipped);
+    put(1, &whole[&chunk(2)]);
+    put(3, &whole[&chunk(3)][..2000]);
+    fs::remove_file(place.path("out").join(chunk(4))).expect("removed");
+    for (verb, option) in [("pareto", ["--minimize", "mass"]), ("sensitivity", ["--of", "mass"])] {
+        let mut asked = Command::new(env!("CARGO_BIN_EXE_coilsense"));
+        asked.current_dir(place.folder.path()).args([verb, "out"]).args(option);
+        let message = refusal(&asked.output().expect("it starts"));
+        // Not laid out for it, which is seen first.
+        let expected = match verb {
+            "pareto" => "out/chunk-000000.parquet: is damaged",
+            _ => "need a sweep with --sampling saltelli",
+        };
+        assert!(message.contains(expected), "{message}");
+    }
+    let json = place.command("out", 500).arg("--json").output().expect("it starts");
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    let recomputed = json["recomputed"].as_array().expect("a list");
+    let named: Vec<&str> = recomputed.iter().map(|row| row["file"].as_str().expect("a file")).collect();
+    assert_eq!(named, [0, 1, 3].map(|number| format!("out/{}", chunk(number))));
+    assert_eq!((json["made"].as_u64(), json["rows"].as_u64()), (Some(400), Some(500)));
+    assert!(files(&place.path("out")) == whole);
+    put(1, &whole[&chunk(2)]);
+    let printed = text(&place.command("out", 500).output().expect("it starts").stdout);
+    let said = "1 file that was not as written was made anew:\n  out/chunk-000001.parquet: it holds rows 200 to 299, which are those of another chunk\n";
+    assert!(printed.contains(said), "{printed}");
+}
+
+#[test]
+fn the_same_spec_elsewhere_and_with_a_comment_goes_on_and_another_does_not() {
+    let place = Place::new();
+    assert!(place.command("out", 300).output().expect("it starts").status.success());
+    let whole = files(&place.path("out"));
+    fs::remove_file(place.path("out/chunk-000000.parquet")).expect("removed");
+    fs::create_dir(place.path("sub")).expect("made");
+    let moved = |text: &str| {
+        fs::write(place.path("sub/moved.toml"), text).expect("written");
+        let mut command = place.command("out", 300);
+        let arguments: Vec<_> = command.get_args().map(|word| word.to_owned()).collect();
+        command = Command::new(env!("CARGO_BIN_EXE_coilsense"));
+        let elsewhere =
+            arguments.into_iter().map(|word| if word == "spec.toml" { "sub/moved.toml".into() } else { word });
+        command.current_dir(place.folder.path()).args(elsewhere).output().expect("it starts")
+    };
+    let output = moved(&format!("# moved\n\n{SPEC}"));
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(files(&place.path("out")) == whole);
+    let message = refusal(&moved(&SPEC.replacen("35 mm", "36 mm", 1)));
+    assert!(
+        message.contains("holds another sweep: the spec sub/moved.toml says other than spec.toml did"),
+        "{message}"
+    );
+}
+
+/// As many files as no folder bears are refused before anything is begun.
+#[test]
+fn a_thousand_million_chunks_are_refused_at_once() {
+    let place = Place::new();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_coilsense"));
+    command.current_dir(place.folder.path()).args(["sweep", "spec.toml", "--over", "spring.mass=1..20 g"]);
+    command.args(["--rows", "1000000000", "--chunk", "1", "--out", "out"]);
+    let begun = Instant::now();
+    let message = refusal(&command.output().expect("it starts"));
+    assert!(message.contains("are 1000000000 files, at most 100000 are taken; give --chunk from 10000"), "{message}");
+    assert!(begun.elapsed() < Duration::from_secs(10) && !place.path("out").exists(), "{:?}", begun.elapsed());
+}

@@ -11,6 +11,10 @@
 /// A word that is not known to the known one that was probably meant.
 mod likeness;
 
+/// A damaged file that a decoder falls over to an error.
+#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+mod guarded;
+
 /// A number with a unit as people write it to its SI value, and back.
 pub mod quantity;
 

@@ -170,6 +170,24 @@ fn files_that_are_not_the_commands_own_stay() {
     place.printed(&asked);
     assert_eq!(fs::read(place.path("front/pareto.parquet")).expect("read"), first, "asked again, answered the same");
     assert_eq!(fs::read_to_string(place.path("front/notes.txt")).expect("read"), "mine");
+    // Readers of the folder would take the answer's files for rows.
+    for (inside, apart) in
+        [("sweep", false), ("sweep/front", false), ("./sweep/../sweep", false), ("sweep/_front", true)]
+    {
+        let within: Vec<&str> = asked.iter().map(|word| if *word == "front" { inside } else { word }).collect();
+        let before = names(&place.path("sweep"));
+        match apart {
+            true => drop(place.printed(&within)),
+            false => {
+                let message = place.refusal(&within);
+                assert!(
+                    message.contains("lies in the sweep's folder") && message.contains("sweep/_asked"),
+                    "{message}"
+                );
+                assert_eq!(names(&place.path("sweep")), before);
+            }
+        }
+    }
     fs::remove_file(place.path("sweep/_manifest.json")).expect("removed");
     assert!(place.refusal(&asked).contains("sweep"));
 }

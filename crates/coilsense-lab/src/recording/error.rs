@@ -4,6 +4,8 @@
 
 use std::path::Path;
 
+#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+use crate::guarded::Damaged;
 use crate::message::{Hint, Message};
 
 /// Why a log cannot be used, in one line that names file, line and column, what is there, and what would do.
@@ -30,6 +32,13 @@ impl RecordingError {
     /// About what somebody has typed.
     pub(crate) fn of_words(message: impl Into<Message>) -> Self {
         Self(message.into())
+    }
+}
+
+#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+impl From<Damaged> for RecordingError {
+    fn from(damaged: Damaged) -> Self {
+        Self::of_file(&damaged.file, Damaged::WORDS)
     }
 }
 

@@ -3,6 +3,8 @@
 //! Next door: what other verbs find (`*/json.rs`), the form of all of them (`outcome`).
 
 use std::path::Path;
+#[cfg(feature = "parquet")]
+use std::path::PathBuf;
 
 use serde::Serialize;
 
@@ -150,6 +152,8 @@ pub struct SweepOutcome<'a> {
     pub note: Option<String>,
     /// Files of the dataset.
     pub chunks: u64,
+    /// Files that were there and not as they had been written, so that this run made them anew.
+    pub recomputed: &'a [RecomputedRow],
     /// Rows that this run has made.
     pub made: u64,
     /// How long it took.
@@ -163,6 +167,17 @@ pub struct SweepOutcome<'a> {
 #[cfg(feature = "parquet")]
 impl Outcome for SweepOutcome<'_> {
     const SCHEMA: &'static str = "coilsense/sweep-summary/1";
+}
+
+/// A file of a sweep that was not as it had been written.
+#[cfg(feature = "parquet")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+pub struct RecomputedRow {
+    /// The file.
+    pub file: PathBuf,
+    /// How that showed.
+    pub because: String,
 }
 
 /// Why designs were refused.

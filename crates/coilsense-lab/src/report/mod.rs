@@ -35,7 +35,7 @@ pub use experiment::{ExperimentOutcome, add_experiment, experiment_json, experim
 pub use export::{StateSpaceFile, export_file, write_export};
 pub use files::{ExportOutcome, ImportOutcome, InitOutcome, RigOutcome, SimulationOutcome};
 #[cfg(feature = "parquet")]
-pub use files::{ReasonRow, SweepOutcome};
+pub use files::{ReasonRow, RecomputedRow, SweepOutcome};
 pub use identification::{IdentificationOutcome, add_identification, identification_json, identification_text};
 pub use mitigation::{MitigationOutcome, add_mitigation, mitigation_json, mitigation_text};
 pub use outcome::{Headed, Outcome, to_json};
@@ -83,6 +83,10 @@ pub enum ReportError {
     /// Settings cannot be exported.
     #[error("export: {0}")]
     Export(#[from] crate::mitigation::export::ExportError),
+    /// It would lie where a sweep's rows are.
+    #[cfg(feature = "parquet")]
+    #[error(transparent)]
+    Sweep(#[from] crate::sweep::SweepError),
     /// A table cannot be written.
     #[error("{0}")]
     Table(String),

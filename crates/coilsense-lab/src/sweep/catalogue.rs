@@ -52,6 +52,11 @@ fn csv(path: &Path) -> Result<Catalogue, String> {
 
 #[cfg(feature = "parquet")]
 fn parquet(path: &Path) -> Result<Catalogue, String> {
+    crate::guarded::guarded(path, || decoded(path))
+}
+
+#[cfg(feature = "parquet")]
+fn decoded(path: &Path) -> Result<Catalogue, String> {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
     let file = std::fs::File::open(path).map_err(|error| error.to_string())?;

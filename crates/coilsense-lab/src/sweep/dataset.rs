@@ -1,31 +1,31 @@
-//! A sweep on disk: a folder with a manifest and one Parquet file a chunk. What exists under its final name is whole; a run that was killed
-//! is continued, and leaves the same files as one that was not.
+//! A sweep on disk: a folder with a manifest and one Parquet file a chunk. What exists under its final name was whole when it came there; a run
+//! that was killed is continued, and leaves the same files as one that was not. What is not as it was written is never read as rows.
 //!
-//! Next door: the manifest (`manifest`), a chunk's bytes (`encoded`).
+//! Next door: the folder's names (`folder`), the manifest (`manifest`), a chunk's bytes (`encoded`), what they say of themselves (`seal`).
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, TryLockError};
-use std::io::{self, Write};
+use std::fs::{self, File};
+use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{PoisonError, RwLock};
+use std::sync::{Mutex, PoisonError, RwLock};
 
 use super::SweepError;
 use super::chunk::Data;
 use super::encoded;
+use super::folder::{chunks_in, locked, name, put, remove_unfinished, shown, unwritable};
 use super::manifest::{self, Manifest};
 use super::plan::Plan;
-
-/// Held while a run writes; the system lets go of it with the process, however that ends. Readers pass over names that begin so.
-const LOCK: &str = "_lock";
-
-/// Files in the making begin so.
-const UNFINISHED: &str = ".unfinished-";
 
 /// A folder of chunks.
 #[derive(Debug)]
 pub struct Dataset {
     folder: PathBuf,
+    /// As the folder's manifest has it, whatever another plan of the same sweep calls its spec.
     plan: Plan,
+    /// Of the plan, as chunks bear it.
+    digest: String,
+    /// Chunks that are there and not as they were written, and how that shows.
+    damaged: Mutex<BTreeMap<u64, String>>,
     /// `None` where it is only read; held as a reader by what writes, so that it is let go of between files.
     lock: RwLock<Option<File>>,
 }
@@ -46,41 +46,54 @@ pub struct Tally {
 }
 
 impl Dataset {
-    /// Begins a folder, or goes on with one of the same plan; one writer at a time.
+    /// Begins a folder, or goes on with one of the same sweep; one writer at a time. Every chunk that is there is looked through: one that is not
+    /// as it was written is among [`Self::damaged`] and [`Self::missing`], to be made anew.
     ///
     /// # Errors
-    /// [`SweepError`] where the folder cannot be written, is held by another run, or holds another sweep: then it says what differs.
+    /// [`SweepError`] where the folder cannot be written, is held by another run, holds another sweep, of which it says what differs, or has a
+    /// manifest that was changed.
     pub fn create_or_open(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
         let wanted = Manifest::of(plan)?;
         fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
-        let lock = lock(folder)?;
+        let lock = locked(folder)?;
+        remove_unfinished(folder)?;
         let path = folder.join(manifest::NAME);
-        let dataset = Self { folder: folder.to_owned(), plan: plan.clone(), lock: RwLock::new(Some(lock)) };
-        dataset.remove_unfinished()?;
-        match fs::read_to_string(&path) {
+        let found = match fs::read_to_string(&path) {
             Ok(text) => {
                 let found = Manifest::from_json(&text).map_err(|message| SweepError::of(&shown(&path), message))?;
                 found.check(&wanted).map_err(|message| SweepError::of(&shown(folder), message))?;
+                found
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                dataset.check_empty()?;
-                dataset.put(manifest::NAME, wanted.to_json().as_bytes())?;
+                check_empty(folder)?;
+                put(folder, manifest::NAME, wanted.to_json().as_bytes())?;
+                wanted
             }
-            Err(error) => return Err(SweepError::new(format!("{}: cannot be read: {error}", path.display()))),
-        }
+            Err(error) => return Err(unreadable_manifest(&path, &error)),
+        };
+        let dataset = Self::of(folder, &found, Some(lock))?;
+        dataset.look_through()?;
         Ok(dataset)
     }
 
     /// Opens a folder to read from it; a run may be writing to it.
     ///
     /// # Errors
-    /// [`SweepError`] where it holds no sweep.
+    /// [`SweepError`] where it holds no sweep, or a manifest that was changed.
     pub fn open(folder: &Path) -> Result<Self, SweepError> {
         let path = folder.join(manifest::NAME);
-        let text = fs::read_to_string(&path);
-        let text = text.map_err(|error| SweepError::new(format!("{}: holds no sweep: {error}", path.display())))?;
+        let text = fs::read_to_string(&path).map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => SweepError::new(format!("{}: holds no sweep: {error}", path.display())),
+            _ => unreadable_manifest(&path, &error),
+        })?;
         let manifest = Manifest::from_json(&text).map_err(|message| SweepError::of(&shown(&path), message))?;
-        Ok(Self { folder: folder.to_owned(), plan: Plan::new(manifest.plan)?, lock: RwLock::new(None) })
+        Self::of(folder, &manifest, None)
+    }
+
+    fn of(folder: &Path, manifest: &Manifest, lock: Option<File>) -> Result<Self, SweepError> {
+        let plan = manifest.plan().map_err(|error| SweepError::of(&shown(&folder.join(manifest::NAME)), error))?;
+        let digest = manifest.digest.clone();
+        Ok(Self { folder: folder.to_owned(), plan, digest, damaged: Mutex::default(), lock: RwLock::new(lock) })
     }
 
     /// What its rows were made by.
@@ -88,9 +101,21 @@ impl Dataset {
         &self.plan
     }
 
-    /// Numbers of the chunks that are not there yet, in order.
-    pub fn missing(&self) -> Vec<u64> {
-        (0..self.plan.chunks()).filter(|chunk| !self.path(*chunk).is_file()).collect()
+    /// Numbers of the chunks that are not there yet, or are to be made anew, in order.
+    ///
+    /// # Errors
+    /// [`SweepError`] for a folder that cannot be read.
+    pub fn missing(&self) -> Result<Vec<u64>, SweepError> {
+        let (there, damaged) = (self.there()?, self.damaged.lock().unwrap_or_else(PoisonError::into_inner));
+        let whole = |chunk: &u64| there.binary_search(chunk).is_ok() && !damaged.contains_key(chunk);
+        Ok((0..self.plan.chunks()).filter(|chunk| !whole(chunk)).collect())
+    }
+
+    /// Chunks that were there when the folder was opened to be written and were not as they had been written, and how that shows; one that is
+    /// written leaves them.
+    pub fn damaged(&self) -> Vec<(u64, String)> {
+        let damaged = self.damaged.lock().unwrap_or_else(PoisonError::into_inner);
+        damaged.iter().map(|(chunk, why)| (*chunk, why.clone())).collect()
     }
 
     /// Where a chunk's file is, or will be.
@@ -101,13 +126,20 @@ impl Dataset {
     /// Writes a chunk's bytes (see [`Plan::chunk_bytes`]) under another name, lets them come to rest, and gives them their name.
     ///
     /// # Errors
-    /// [`SweepError`] where that fails; nothing is left of the chunk then. A folder that was opened to be read is not written to.
+    /// [`SweepError`] where that fails, and for bytes that are not those of this chunk; nothing is left of the chunk then. A folder that was opened
+    /// to be read is not written to.
     pub fn write(&self, chunk: u64, bytes: &[u8]) -> Result<(), SweepError> {
         let lock = self.lock.read().unwrap_or_else(PoisonError::into_inner);
         if lock.is_none() {
             return Err(SweepError::of(&shown(&self.folder), "was opened to be read"));
         }
-        self.put(&name(chunk), bytes)
+        let path = self.path(chunk);
+        let seal = self.plan.seal(chunk, self.digest.clone());
+        encoded::check(&path, bytes.to_vec(), &seal)
+            .map_err(|why| SweepError::of(&shown(&path), format!("what is to be written there {why}")))?;
+        put(&self.folder, &name(chunk), bytes)?;
+        self.damaged.lock().unwrap_or_else(PoisonError::into_inner).remove(&chunk);
+        Ok(())
     }
 
     /// Lets go of the folder, so that another run may write to it; from here on it is only read. A file that is being written is waited for.
@@ -159,96 +191,93 @@ impl Dataset {
         Ok(tally)
     }
 
+    /// That none of some files lies in the sweep's folder, or in one below it: readers of Parquet folders take every file in it for rows, but those
+    /// below names that begin with `_` or `.`.
+    ///
+    /// # Errors
+    /// [`SweepError`] that names the first of them.
+    pub(crate) fn check_apart(&self, files: &[PathBuf]) -> Result<(), SweepError> {
+        let Ok(folder) = fs::canonicalize(&self.folder) else { return Ok(()) };
+        match files.iter().find(|file| spoils(&folder, file)) {
+            None => Ok(()),
+            Some(file) => Err(SweepError::new(format!(
+                "{}: lies in the sweep's folder, where readers of Parquet take it for rows; write to another folder, or to {}",
+                file.display(),
+                self.folder.join("_asked").display()
+            ))),
+        }
+    }
+
     /// Shows some columns of each chunk that is there, one chunk in memory at a time.
     pub(crate) fn for_each_chunk(&self, titles: &[&str], mut visit: impl FnMut(Vec<Data>)) -> Result<(), SweepError> {
-        for chunk in 0..self.plan.chunks() {
-            let path = self.path(chunk);
-            if !path.is_file() {
-                continue;
-            }
-            let columns = encoded::read(&path, titles)?.into_iter().zip(titles);
-            let there = columns.map(|(data, title)| {
-                data.ok_or_else(|| SweepError::new(format!("{}: has no column {title:?}", path.display())))
-            });
-            visit(there.collect::<Result<_, _>>()?);
+        for chunk in self.there()? {
+            visit(self.columns_of(chunk, titles)?);
         }
         Ok(())
     }
 
-    /// Writes a file under another name, waits until it rests on the disk, and renames it.
-    fn put(&self, name: &str, bytes: &[u8]) -> Result<(), SweepError> {
-        let (unfinished, path) = (self.folder.join(format!("{UNFINISHED}{name}")), self.folder.join(name));
-        let write = || -> io::Result<()> {
-            let mut file = File::create(&unfinished)?;
-            file.write_all(bytes)?;
-            file.sync_all()?;
-            fs::rename(&unfinished, &path)?;
-            rest(&self.folder)
+    /// Some columns of a chunk, which is as it was written.
+    pub(super) fn columns_of(&self, chunk: u64, titles: &[&str]) -> Result<Vec<Data>, SweepError> {
+        let path = self.path(chunk);
+        let unlike = |why: String| {
+            let mended = "sweep with the same options on the same folder makes it anew";
+            SweepError::of(&shown(&path), format!("{why}; {mended}"))
         };
-        write().map_err(|error| {
-            // Nothing better can be done where that fails, too: the next run removes it.
-            let _ = fs::remove_file(&unfinished);
-            unwritable(&path, &error)
-        })
+        let seal = self.plan.seal(chunk, self.digest.clone());
+        let bytes = fs::read(&path).map_err(|error| unlike(format!("cannot be read: {error}")))?;
+        let columns = encoded::read(&path, bytes, &seal, titles).map_err(unlike)?.into_iter().zip(titles);
+        let there = columns
+            .map(|(data, title)| data.ok_or_else(|| SweepError::of(&shown(&path), format!("has no column {title:?}"))));
+        there.collect()
     }
 
-    /// Removes what killed runs left.
-    fn remove_unfinished(&self) -> Result<(), SweepError> {
-        let unreadable =
-            |error: io::Error| SweepError::new(format!("{}: cannot be read: {error}", self.folder.display()));
-        for entry in fs::read_dir(&self.folder).map_err(unreadable)? {
-            let path = entry.map_err(unreadable)?.path();
-            let name = path.file_name().and_then(std::ffi::OsStr::to_str);
-            if name.is_some_and(|name| name.starts_with(UNFINISHED)) {
-                fs::remove_file(&path).map_err(|error| unwritable(&path, &error))?;
+    /// Numbers of the chunks of the plan that are there, in order.
+    pub(super) fn there(&self) -> Result<Vec<u64>, SweepError> {
+        let mut there = chunks_in(&self.folder)?;
+        there.retain(|chunk| *chunk < self.plan.chunks());
+        Ok(there)
+    }
+
+    /// Finds the chunks that are there and not as they were written.
+    fn look_through(&self) -> Result<(), SweepError> {
+        let mut damaged = BTreeMap::new();
+        for chunk in self.there()? {
+            let path = self.path(chunk);
+            let seal = self.plan.seal(chunk, self.digest.clone());
+            let read = fs::read(&path).map_err(|error| format!("cannot be read: {error}"));
+            if let Err(why) = read.and_then(|bytes| encoded::check(&path, bytes, &seal)) {
+                damaged.insert(chunk, why);
             }
         }
+        *self.damaged.lock().unwrap_or_else(PoisonError::into_inner) = damaged;
         Ok(())
     }
-
-    /// A folder without a manifest holds no chunks, which would be of some other sweep.
-    fn check_empty(&self) -> Result<(), SweepError> {
-        match self.missing().len() as u64 == self.plan.chunks() {
-            true => Ok(()),
-            false => Err(SweepError::of(
-                &shown(&self.folder),
-                format!("has chunks but no {}: of what sweep, cannot be told; take another folder", manifest::NAME),
-            )),
-        }
-    }
 }
 
-/// Lets a folder's names come to rest, where the system can.
-fn rest(folder: &Path) -> io::Result<()> {
-    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+/// Whether a file, which need not be there yet, is in a folder under names that its readers see.
+fn spoils(folder: &Path, file: &Path) -> bool {
+    let Ok(file) = std::path::absolute(file) else { return false };
+    // Of the folders that the file is in, the last that is there says where that is.
+    let there = file.ancestors().skip(1).find_map(|above| Some((above, fs::canonicalize(above).ok()?)));
+    let Some((above, place)) = there else { return false };
+    let place = place.join(file.strip_prefix(above).unwrap_or(&file));
+    let seen = |part: &std::ffi::OsStr| !part.to_string_lossy().starts_with(['_', '.']);
+    place.strip_prefix(folder).is_ok_and(|below| below.iter().all(seen))
 }
 
-fn lock(folder: &Path) -> Result<File, SweepError> {
-    let path = folder.join(LOCK);
-    let file = File::options().create(true).truncate(false).write(true).open(&path);
-    let file = file.map_err(|error| unwritable(&path, &error))?;
-    match file.try_lock() {
-        Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => Err(SweepError::of(
+/// A folder without a manifest holds no chunks, which would be of some other sweep.
+fn check_empty(folder: &Path) -> Result<(), SweepError> {
+    match chunks_in(folder)?.is_empty() {
+        true => Ok(()),
+        false => Err(SweepError::of(
             &shown(folder),
-            "another run is writing to it; wait for its end, or take another folder",
+            format!("has chunks but no {}: of what sweep, cannot be told; take another folder", manifest::NAME),
         )),
-        Err(TryLockError::Error(error)) => {
-            Err(SweepError::new(format!("{}: cannot be locked: {error}", path.display())))
-        }
     }
 }
 
-fn name(chunk: u64) -> String {
-    format!("chunk-{chunk:06}.parquet")
-}
-
-fn shown(path: &Path) -> String {
-    path.display().to_string()
-}
-
-fn unwritable(path: &Path, error: &io::Error) -> SweepError {
-    SweepError::new(format!("{}: cannot be written: {}", path.display(), error.kind()))
+fn unreadable_manifest(path: &Path, error: &io::Error) -> SweepError {
+    SweepError::new(format!("{}: cannot be read: {error}", path.display()))
 }
 
 /// A reason without its numbers: those of a million rows fall into few kinds.

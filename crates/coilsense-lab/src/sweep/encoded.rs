@@ -1,14 +1,16 @@
 //! Columns as the bytes of a Parquet file, and back.
 //!
-//! Next door: the columns (`chunk`), the files (`dataset`).
+//! Next door: the columns (`chunk`), what a file says of itself (`seal`), the files (`dataset`).
 
-use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
+
+use bytes::Bytes;
 
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
@@ -17,6 +19,8 @@ use parquet::schema::types::Type;
 use super::SweepError;
 use super::chunk::{Chunk, Data};
 use super::plan::Plan;
+use super::seal::{self, Seal};
+use crate::guarded::guarded;
 
 impl Chunk {
     /// The bytes of its file: one row group; numbers and truths that are not there are null.
@@ -24,14 +28,25 @@ impl Chunk {
     /// # Errors
     /// [`SweepError`] with what the writer says.
     pub fn to_parquet(&self) -> Result<Vec<u8>, SweepError> {
-        self.written().map_err(|error| SweepError::of("a chunk as Parquet", error.to_string()))
+        self.written(None).map_err(|error| SweepError::of("a chunk as Parquet", error.to_string()))
     }
 
-    fn written(&self) -> Result<Vec<u8>, ParquetError> {
+    /// The same as a chunk of a sweep, which says of itself what it is.
+    pub(super) fn sealed(&self, seal: &Seal) -> Result<Vec<u8>, SweepError> {
+        let refused = |why: String| SweepError::of("a chunk as Parquet", why);
+        let mut bytes = self.written(Some(seal.open())).map_err(|error| refused(error.to_string()))?;
+        match seal::close(&mut bytes) {
+            true => Ok(bytes),
+            false => Err(refused("its footer has no place for a digest".to_owned())),
+        }
+    }
+
+    fn written(&self, metadata: Option<Vec<KeyValue>>) -> Result<Vec<u8>, ParquetError> {
         let fields = self.columns.iter().map(|(title, data)| field(title, data).map(Arc::new));
         let fields = fields.collect::<Result<Vec<_>, _>>()?;
         let schema = Arc::new(Type::group_type_builder("sweep").with_fields(fields).build()?);
-        let properties = WriterProperties::builder().set_compression(Compression::SNAPPY).build();
+        let properties = WriterProperties::builder().set_compression(Compression::SNAPPY);
+        let properties = properties.set_key_value_metadata(metadata).build();
         let mut bytes = Vec::new();
         let mut writer = SerializedFileWriter::new(&mut bytes, schema, Arc::new(properties))?;
         let mut group = writer.next_row_group()?;
@@ -45,12 +60,17 @@ impl Chunk {
 }
 
 impl Plan {
+    /// What a chunk's file says of itself, in a sweep of some digest.
+    pub(super) fn seal(&self, chunk: u64, digest: String) -> Seal {
+        Seal { plan: digest, chunk, rows: self.rows_of(chunk) }
+    }
+
     /// The bytes of a chunk's file; `None` where `go_on` says no.
     ///
     /// # Errors
-    /// As [`Plan::chunk`] and [`Chunk::to_parquet`].
+    /// As [`Plan::chunk`], and what the writer says.
     pub fn chunk_bytes(&self, index: u64, go_on: &(dyn Fn() -> bool + Sync)) -> Result<Option<Vec<u8>>, SweepError> {
-        self.chunk(index, go_on)?.map(|chunk| chunk.to_parquet()).transpose()
+        self.chunk(index, go_on)?.map(|chunk| chunk.sealed(&self.seal(index, self.digest()))).transpose()
     }
 }
 
@@ -95,16 +115,39 @@ fn values_of<T: DataType>(
     column.close()
 }
 
-/// Some columns of a file, by their titles, in their order; `None` of those that are not there.
-pub(super) fn read(path: &Path, titles: &[&str]) -> Result<Vec<Option<Data>>, SweepError> {
-    let fault = |error: ParquetError| SweepError::new(format!("{}: cannot be read: {error}", path.display()));
-    let file =
-        File::open(path).map_err(|error| SweepError::new(format!("{}: cannot be read: {error}", path.display())))?;
-    let reader = SerializedFileReader::new(file).map_err(fault)?;
-    titles.iter().map(|title| one(&reader, title).map_err(fault)).collect()
+/// Why a file cannot be taken for a chunk, said after its name.
+type Fault = String;
+
+/// Whether a file's bytes are those of a chunk as it was written.
+pub(super) fn check(file: &Path, bytes: Vec<u8>, seal: &Seal) -> Result<(), Fault> {
+    opened(file, bytes, seal).map(|_| ())
 }
 
-fn one(reader: &SerializedFileReader<File>, title: &str) -> Result<Option<Data>, ParquetError> {
+/// Some columns of a chunk, by their titles, in their order; `None` of those that are not there.
+pub(super) fn read(file: &Path, bytes: Vec<u8>, seal: &Seal, titles: &[&str]) -> Result<Vec<Option<Data>>, Fault> {
+    let reader = opened(file, bytes, seal)?;
+    let columns = || titles.iter().map(|title| one(&reader, title).map_err(|error| unreadable(&error))).collect();
+    guarded(file, columns)
+}
+
+/// A chunk whose bytes are whole, and which is the one that is looked for.
+fn opened(file: &Path, bytes: Vec<u8>, seal: &Seal) -> Result<SerializedFileReader<Bytes>, Fault> {
+    seal::whole(&bytes)?;
+    let reader = guarded(file, || SerializedFileReader::new(Bytes::from(bytes)).map_err(|error| unreadable(&error)))?;
+    let metadata = reader.metadata().file_metadata();
+    seal.check(metadata.key_value_metadata().map_or(&[], Vec::as_slice))?;
+    let (there, wanted) = (metadata.num_rows(), seal.rows.end - seal.rows.start);
+    match u64::try_from(there) == Ok(wanted) {
+        true => Ok(reader),
+        false => Err(format!("has {there} rows instead of {wanted}")),
+    }
+}
+
+fn unreadable(error: &ParquetError) -> Fault {
+    format!("cannot be read: {}", error.to_string().replace('\n', " "))
+}
+
+fn one(reader: &SerializedFileReader<Bytes>, title: &str) -> Result<Option<Data>, ParquetError> {
     let metadata = reader.metadata();
     let schema = metadata.file_metadata().schema_descr();
     let Some(index) = schema.columns().iter().position(|column| column.name() == title) else { return Ok(None) };

@@ -13,13 +13,17 @@
 mod catalogue;
 mod chosen;
 mod chunk;
+mod chunking;
 mod column;
 #[cfg(feature = "parquet")]
 mod dataset;
 mod design;
 #[cfg(feature = "parquet")]
 mod encoded;
+#[cfg(feature = "parquet")]
+mod folder;
 mod forces;
+mod identity;
 #[cfg(feature = "parquet")]
 mod manifest;
 mod note;
@@ -29,6 +33,8 @@ mod picked;
 mod plan;
 pub mod request;
 mod sampling;
+#[cfg(feature = "parquet")]
+mod seal;
 mod sobol;
 mod spread;
 mod values;

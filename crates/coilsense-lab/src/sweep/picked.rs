@@ -6,7 +6,6 @@ use super::SweepError;
 use super::chunk::{Chunk, Data};
 use super::column::Kind;
 use super::dataset::Dataset;
-use super::encoded;
 use super::plan::{Plan, titles};
 use crate::likeness::nearest;
 use crate::quantity::without_unit;
@@ -63,22 +62,22 @@ impl Dataset {
         let mut order: Vec<usize> = (0..rows.len()).collect();
         order.sort_by_key(|place| rows[*place]);
         let mut columns: Vec<Option<Data>> = vec![None; titles.len()];
+        let there = self.there()?;
         for group in order.chunk_by(|a, b| rows[*a] / length == rows[*b] / length) {
             let chunk = rows[group[0]] / length;
-            let (first, path) = (chunk * length, self.path(chunk));
+            let first = chunk * length;
             let missing = || SweepError::new(format!("row {} is not there yet", rows[group[0]]));
             if rows[group[0]] >= plan.rows() {
                 let message = format!("row {}: there are {}, counted from 0", rows[group[0]], plan.rows());
                 return Err(SweepError::new(message));
             }
-            if !path.is_file() {
+            if there.binary_search(&chunk).is_err() {
                 return Err(missing());
             }
             let places: Vec<usize> = group.iter().map(|place| (rows[*place] - first) as usize).collect();
-            for (column, data) in columns.iter_mut().zip(encoded::read(&path, &words)?) {
-                let data = data.and_then(|data| data.at(&places)).ok_or_else(|| {
-                    SweepError::new(format!("{}: does not hold the rows of its plan", path.display()))
-                })?;
+            for (column, data) in columns.iter_mut().zip(self.columns_of(chunk, &words)?) {
+                // A chunk that is as it was written has all of its rows.
+                let data = data.at(&places).ok_or_else(missing)?;
                 match column {
                     Some(column) => column.append(data),
                     None => *column = Some(data),

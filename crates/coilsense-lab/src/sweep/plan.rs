@@ -5,17 +5,16 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::SweepError;
 use super::catalogue::{Catalogue, Ready};
 use super::column::{self, Column, Kind, MOVES, Names, Needs};
 use super::sampling::{Sampler, Sampling};
 use super::variable::{Cell, Variable};
-use super::{sobol, variable};
+use super::{chunking, sobol, variable};
 use crate::message::{Hint, Message};
 use crate::spec::{Draft, Files, Recordings, Spec, SpringSpec, TABLES, files_beside, read_text};
 
@@ -69,11 +68,12 @@ pub struct Plan {
     inner: u64,
     rows: u64,
     chunk_rows: u64,
+    /// As it is once asked for.
+    pub(super) digest: OnceLock<String>,
 }
 
-/// Most rows of a sweep and of a chunk.
+/// Most rows of a sweep.
 const MOST_ROWS: u64 = 1_000_000_000;
-const MOST_CHUNK: u64 = 1_000_000;
 
 impl PlanParameters {
     /// The plan's spec from a file, with the files that it names beside it.
@@ -149,10 +149,7 @@ impl Plan {
                 refused.map_err(|error| SweepError::new(error.to_string()))?;
             }
         }
-        let chunk_rows = parameters.chunk_rows.unwrap_or(usual_chunk(&needs));
-        if !(1..=MOST_CHUNK).contains(&chunk_rows) {
-            return Err(SweepError::new(format!("a chunk must have from 1 to {MOST_CHUNK} rows, got {chunk_rows}")));
-        }
+        let chunk_rows = chunking::rows_of_chunk(parameters.chunk_rows, &needs, rows)?;
         let parameters = PlanParameters {
             sampling: Some(sampling),
             rows: Some(asked),
@@ -171,6 +168,7 @@ impl Plan {
             inner,
             rows,
             chunk_rows,
+            digest: OnceLock::new(),
         };
         plan.check_titles()?;
         plan.check_spec()?;
@@ -194,11 +192,6 @@ impl Plan {
     /// What it was made from, with all that was left open filled in.
     pub fn parameters(&self) -> &PlanParameters {
         &self.parameters
-    }
-
-    /// SHA-256 of [`Self::to_json`], in hexadecimal digits.
-    pub fn digest(&self) -> String {
-        Sha256::digest(self.to_json()).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
     /// How many rows there are.
@@ -284,16 +277,6 @@ impl Plan {
 
 /// How many rows are tried with a spec that cannot be read by itself.
 const TRIED: u64 = 100;
-
-/// Rows of a chunk where nothing is said: seconds of one core's work.
-fn usual_chunk(needs: &Needs) -> u64 {
-    match needs {
-        Needs { sensors, .. } if !sensors.is_empty() => 64,
-        Needs { pitch: true, .. } => 512,
-        Needs { forces: [.., true], .. } => 1024,
-        _ => 8192,
-    }
-}
 
 const ROWS: Hint = Hint::Option("rows", "");
 

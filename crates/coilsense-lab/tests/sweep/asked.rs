@@ -12,7 +12,7 @@ use super::{QUICK, numbers, of, texts, whole};
 
 fn filled(folder: &Path, plan: &Plan) -> Dataset {
     let dataset = Dataset::create_or_open(folder, plan).unwrap();
-    for chunk in dataset.missing() {
+    for chunk in dataset.missing().unwrap() {
         dataset.write(chunk, &plan.chunk_bytes(chunk, &|| true).unwrap().unwrap()).unwrap();
     }
     dataset

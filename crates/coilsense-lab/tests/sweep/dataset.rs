@@ -7,19 +7,19 @@ use coilsense_lab::sweep::{Data, Dataset, Plan, PlanParameters};
 
 use super::{QUICK, of};
 
-fn quick(seed: u64) -> Plan {
+pub fn quick(seed: u64) -> Plan {
     let parameters = of(QUICK, &["spring.mass=-5..80 g"], &["F_o.rmsd"]);
     Plan::new(PlanParameters { rows: Some(50), chunk_rows: Some(8), seed, ..parameters }).unwrap()
 }
 
-fn fill(folder: &Path, plan: &Plan) {
+pub fn fill(folder: &Path, plan: &Plan) {
     let dataset = Dataset::create_or_open(folder, plan).unwrap();
-    for chunk in dataset.missing() {
+    for chunk in dataset.missing().unwrap() {
         dataset.write(chunk, &plan.chunk_bytes(chunk, &|| true).unwrap().unwrap()).unwrap();
     }
 }
 
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let file = |entry: std::io::Result<std::fs::DirEntry>| {
         let entry = entry.unwrap();
         (entry.file_name().into_string().unwrap(), std::fs::read(entry.path()).unwrap())
@@ -81,7 +81,8 @@ fn another_sweep_another_processor_and_a_second_run_are_refused() {
     let manifest = place.path().join("_manifest.json");
     let text = std::fs::read_to_string(&manifest).unwrap();
     let path = coilsense::simd::SimdPath::selected().unwrap().name();
-    std::fs::write(&manifest, text.replace(&format!("\"simd\": \"{path}\""), "\"simd\": \"neon\"")).unwrap();
+    let other = text.replace(&format!("\"simd\": \"{path}\""), "\"simd\": \"neon\"");
+    std::fs::write(&manifest, super::damaged::sealed_anew(&other)).unwrap();
     assert!(refusal(&quick(1)).ends_with("set COILSENSE_SIMD=neon"), "{}", refusal(&quick(1)));
     std::fs::write(&manifest, &text[..text.len() / 2]).unwrap();
     assert!(refusal(&quick(1)).contains("is no manifest of a sweep"));

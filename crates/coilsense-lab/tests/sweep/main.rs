@@ -3,6 +3,7 @@
 //! Next door: the command with its kills (`coilsense-cli/tests/sweep.rs`).
 
 mod asked;
+mod damaged;
 mod dataset;
 mod refusals;
 mod rows;

@@ -2,6 +2,7 @@
 //!
 //! Next door: what decides its rows (`plan`).
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use coilsense_lab::sweep::Dataset;
@@ -18,8 +19,8 @@ use crate::value::getters;
 
 /// A sweep on disk: a folder with a manifest and one Parquet file a chunk.
 ///
-/// What exists under its final name is whole; a run that was killed is continued, and leaves the same files as one that was not. pandas, Polars,
-/// DuckDB and Dask read the folder as it is.
+/// What exists under its final name was whole when it came there; a run that was killed is continued, and leaves the same files as one that was not.
+/// Chunks bear a digest: what is not as it was written is never read as rows. pandas, Polars, DuckDB and Dask read the folder as it is.
 ///
 /// Parameters
 /// ----------
@@ -32,7 +33,8 @@ use crate::value::getters;
 /// Raises
 /// ------
 /// SweepError
-///     Where the folder cannot be written or read, is held by another run, or holds another sweep: then it says what differs.
+///     Where the folder cannot be written or read, is held by another run, has a manifest that was changed, or holds another sweep: then it says
+///     what differs.
 ///
 /// Examples
 /// --------
@@ -54,19 +56,22 @@ getters! {
     folder: PathBuf = self.folder.clone();
     /// What its rows are made by.
     plan: PySweepPlan = PySweepPlan(self.dataset.plan().clone());
-    /// Numbers of the chunks that are not there yet, in order.
-    missing: Vec<u64> = self.dataset.missing();
+    /// Numbers of the chunks that are not there yet, or are to be made anew, in order.
+    missing: PyResult<Vec<u64>> = self.dataset.missing().python();
+    /// Chunks that were there when the folder was opened with a plan and were not as they had been written, by number: how that shows. One that is
+    /// written leaves them.
+    damaged: BTreeMap<u64, String> = self.dataset.damaged().into_iter().collect();
 }
 
 #[pymethods]
 impl PySweepDataset {
     #[new]
     #[pyo3(signature = (folder, plan=None))]
-    fn new(folder: PathBuf, plan: Option<&PySweepPlan>) -> PyResult<Self> {
-        let dataset = match plan {
+    fn new(py: Python<'_>, folder: PathBuf, plan: Option<&PySweepPlan>) -> PyResult<Self> {
+        let dataset = py.detach(|| match plan {
             Some(plan) => Dataset::create_or_open(&folder, &plan.0),
             None => Dataset::open(&folder),
-        };
+        });
         Ok(Self { dataset: dataset.python()?, folder })
     }
 
@@ -82,7 +87,7 @@ impl PySweepDataset {
     /// Raises
     /// ------
     /// SweepError
-    ///     Where that fails; nothing is left of the chunk then.
+    ///     Where that fails, and for bytes that are not those of this chunk; nothing is left of the chunk then.
     ///
     /// Returns
     /// -------
@@ -131,7 +136,7 @@ impl PySweepDataset {
     /// Raises
     /// ------
     /// SweepError
-    ///     For a title that is not there, or a file that cannot be read.
+    ///     For a title that is not there, or a chunk that is not as it was written: :func:`sweep` on the same folder makes it anew.
     ///
     /// Examples
     /// --------
@@ -234,24 +239,24 @@ impl PySweepDataset {
         laid_out(slf.py(), "sweep_plot", (slf, over, of, ax))
     }
 
-    fn __len__(&self) -> usize {
+    fn __len__(&self) -> PyResult<usize> {
         let plan = self.dataset.plan();
         let there = |chunk: u64| {
             let rows = plan.rows_of(chunk);
             (rows.end - rows.start) as usize
         };
-        plan.rows() as usize - self.dataset.missing().into_iter().map(there).sum::<usize>()
+        Ok(plan.rows() as usize - self.dataset.missing().python()?.into_iter().map(there).sum::<usize>())
     }
 
-    fn __repr__(&self) -> String {
+    fn __repr__(&self) -> PyResult<String> {
         let plan = self.dataset.plan();
-        let missing = self.dataset.missing().len() as u64;
+        let missing = self.dataset.missing().python()?.len() as u64;
         let (whole, of) = (plan.chunks() - missing, plan.chunks());
-        format!(
+        Ok(format!(
             "<SweepDataset in {}: {} of {} rows, {whole} of {of} chunks>",
             self.folder.display(),
-            self.__len__(),
+            self.__len__()?,
             plan.rows()
-        )
+        ))
     }
 }

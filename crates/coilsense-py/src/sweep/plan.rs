@@ -134,7 +134,8 @@ getters! {
     chunks: u64 = self.0.chunks();
     /// Titles of all columns, in order, each with its unit in brackets where it holds numbers.
     titles: Vec<String> = self.0.titles();
-    /// SHA-256 of the plan, in hexadecimal digits.
+    /// SHA-256 of all that decides the rows, in hexadecimal digits: of a spec its keys and their values, not its name, its comments or the order of its
+    /// keys.
     digest: String = self.0.digest();
 }
 

@@ -16,7 +16,7 @@ use super::super::input::{Input, unreadable};
 use super::super::order::MOST_NUMBERS;
 use super::super::table::Table;
 use super::grouped::{Group, one_table, titled};
-use super::guarded::guarded;
+use crate::guarded::guarded;
 
 /// Reads a file.
 pub(super) fn read(input: Input) -> Result<Table, RecordingError> {

@@ -9,8 +9,6 @@
 mod apart;
 #[cfg(any(feature = "mdf", feature = "tdms"))]
 mod grouped;
-#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
-mod guarded;
 #[cfg(any(feature = "matlab", feature = "mdf", feature = "tdms", test))]
 mod in_memory;
 #[cfg(feature = "matlab")]

@@ -17,7 +17,7 @@ use super::super::input::Input;
 use super::super::order::MOST_NUMBERS;
 use super::super::source::{Next, Source};
 use super::super::title::Title;
-use super::guarded::guarded;
+use crate::guarded::guarded;
 use crate::series::parquet::REMARKS;
 
 /// A Parquet file that is being read.

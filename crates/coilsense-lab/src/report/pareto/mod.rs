@@ -20,7 +20,7 @@ use crate::sweep::Dataset;
 /// Adds `report.html`, `results.json`, `pareto.csv`, `pareto.parquet`, and the figure as SVG and PNG where there are two objectives or more.
 ///
 /// # Errors
-/// [`ReportError`] for the first part that fails.
+/// [`ReportError`] for the first part that fails, and for an output within the sweep's folder.
 pub fn add_pareto(study: &Study, dataset: &Dataset, date: &str, output: &mut Output) -> Result<(), ReportError> {
     let figure = figures::front(study).map(|figure| draw("front".to_owned(), String::new(), &figure)).transpose()?;
     output.add("report.html", html::page(study, dataset, date, figure.as_ref())?.as_bytes())?;
@@ -34,5 +34,6 @@ pub fn add_pareto(study: &Study, dataset: &Dataset, date: &str, output: &mut Out
         output.add("front.svg", figure.light.as_bytes())?;
         output.add("front.png", &figure.png)?;
     }
+    dataset.check_apart(&output.files())?;
     Ok(())
 }

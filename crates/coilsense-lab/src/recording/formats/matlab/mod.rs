@@ -17,8 +17,8 @@ mod level5;
 use super::super::error::RecordingError;
 use super::super::input::Input;
 use super::super::table::Table;
-use super::guarded::guarded;
 use super::vectors;
+use crate::guarded::guarded;
 
 /// Reads a file of version 5 to 7.
 pub(super) fn read(input: Input) -> Result<Table, RecordingError> {
