@@ -33,6 +33,12 @@ pub mod published;
 /// Signals and readings to text and files.
 pub mod series;
 
+/// What the system says of a file to plain words.
+pub mod system;
+
+/// Files that were read to what must not be overwritten.
+pub mod input;
+
 /// All files of a command to their places, or none.
 pub mod output;
 

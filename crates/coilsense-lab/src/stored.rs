@@ -61,6 +61,7 @@ impl StoredCalibration {
     /// [`StoredError`] with the file and what is wrong in it.
     pub fn read(path: &Path) -> Result<Self, StoredError> {
         let name = path.display().to_string();
+        crate::input::note(path);
         let text = std::fs::read_to_string(path).map_err(|error| StoredError::of(&name, error.to_string()))?;
         Self::of_text(&name, &text)
     }

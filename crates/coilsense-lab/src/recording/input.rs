@@ -59,7 +59,7 @@ impl Input {
             let bytes = Counted { inner: io::stdin(), done: done.clone() };
             return Self::begin(Path::new("standard input"), Rest::Stream(Box::new(bytes)), 0, done);
         }
-        let file = File::open(path).map_err(|error| unreadable(path, &error))?;
+        let file = crate::input::open(path).map_err(|error| unreadable(path, &error))?;
         let plain = file.metadata().ok().filter(std::fs::Metadata::is_file);
         let file = Counted { inner: file, done: done.clone() };
         match plain {

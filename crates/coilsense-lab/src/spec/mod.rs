@@ -78,7 +78,6 @@ pub(crate) use tolerance::DIMENSIONS as TOLERANCE_DIMENSIONS;
 pub use tolerance::{Departure, Tolerances};
 
 use std::fmt::Display;
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -205,7 +204,7 @@ pub(crate) fn read_text(path: &Path) -> Result<String, SpecError> {
 /// The text of a file of at most so many bytes: a wrong name may be that of a disk image, or of a device that never ends.
 pub(crate) fn bounded(path: &Path, most: u64) -> Result<String, String> {
     let mut text = String::new();
-    let file = File::open(path).map_err(|error| error.to_string())?;
+    let file = crate::input::open(path).map_err(|error| error.to_string())?;
     let read = file.take(most + 1).read_to_string(&mut text).map_err(|error| error.to_string())?;
     if read as u64 > most { Err(format!("it is larger than {} MiB", most >> 20)) } else { Ok(text) }
 }

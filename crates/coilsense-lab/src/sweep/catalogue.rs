@@ -59,7 +59,7 @@ fn parquet(path: &Path) -> Result<Catalogue, String> {
 fn decoded(path: &Path) -> Result<Catalogue, String> {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
-    let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
+    let file = crate::input::open(path).map_err(|error| error.to_string())?;
     let reader = SerializedFileReader::new(file).map_err(|error| error.to_string())?;
     let schema = reader.metadata().file_metadata().schema().clone();
     let titles: Vec<String> = schema.get_fields().iter().map(|field| field.name().to_owned()).collect();

@@ -224,6 +224,7 @@ impl Dataset {
             SweepError::of(&shown(&path), format!("{why}; {mended}"))
         };
         let seal = self.plan.seal(chunk, self.digest.clone());
+        crate::input::note(&path);
         let bytes = fs::read(&path).map_err(|error| unlike(format!("cannot be read: {error}")))?;
         let columns = encoded::read(&path, bytes, &seal, titles).map_err(unlike)?.into_iter().zip(titles);
         let there = columns
