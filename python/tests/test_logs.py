@@ -133,7 +133,7 @@ def test_a_ringing_log_is_identified_within_its_own_intervals(tmp_path: pathlib.
     assert found != coilsense.identify(coilsense.Recording(signals))
     files = found.save(tmp_path / "out", date="2026-11-22")
     written = json.loads((tmp_path / "out" / "results.json").read_text())
-    assert files == sum(path.is_file() for path in (tmp_path / "out").rglob("*"))
+    assert files == sum(path.is_file() for path in (tmp_path / "out").rglob("[!.]*"))
     assert written == {**found.to_dict(), "date": "2026-11-22"}
 
 

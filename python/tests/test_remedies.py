@@ -36,7 +36,7 @@ def test_the_ranking_is_that_of_the_report(remedies: coilsense.Mitigation, tmp_p
     assert remedies[0].name == remedies.remedies[0].name and remedies[-1].name == remedies.remedies[-1].name
     with pytest.raises(IndexError, match="got place 1000"):
         remedies[1000]
-    assert remedies.save(tmp_path, date="2026-11-22") == sum(path.is_file() for path in tmp_path.rglob("*"))
+    assert remedies.save(tmp_path, date="2026-11-22") == sum(path.is_file() for path in tmp_path.rglob("[!.]*"))
     assert (tmp_path / "force_filter.h").read_text() == best.to_c()
     assert (tmp_path / "force_filter.rs").read_text() == best.to_rust()
     assert (tmp_path / "force_filter.json").read_text() == best.to_json()

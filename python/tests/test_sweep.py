@@ -151,7 +151,11 @@ def script(rows: int, chunk: int) -> list[str]:
 
 def test_ctrl_c_stops_in_the_middle_of_a_chunk(tmp_path: pathlib.Path) -> None:
     run = subprocess.Popen(
-        [*script(rows=1_000_000, chunk=1_000_000), str(tmp_path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        [*script(rows=1_000_000, chunk=1_000_000), str(tmp_path)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        # Who runs the tests in the background of a script has Ctrl-C ignored, and children inherit that.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     assert run.stdout is not None
     assert run.stdout.readline() == b"begun\n"

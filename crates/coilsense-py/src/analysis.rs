@@ -192,6 +192,8 @@ impl PyAnalysis {
     ///     Where; its other files are left alone.
     /// date : str, optional
     ///     The date that the report carries; today without it.
+    /// overwrite : bool
+    ///     Whether files are replaced, too, that coilsense did not write or that have changed since.
     ///
     /// Returns
     /// -------
@@ -209,11 +211,11 @@ impl PyAnalysis {
     /// >>> spec = coilsense.Spec.parse(coilsense.Spec.template("S_T"))
     /// >>> coilsense.analyze(spec).save(tempfile.mkdtemp()) > 2
     /// True
-    #[pyo3(signature = (folder, date=None))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>) -> PyResult<usize> {
+    #[pyo3(signature = (folder, date=None, overwrite=false))]
+    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>, overwrite: bool) -> PyResult<usize> {
         let date = day(py, date)?;
         let written = spread(py, || {
-            let mut output = Output::begin(&folder)?;
+            let mut output = Output::begin(&folder)?.overwriting(overwrite);
             add_analysis(&self.analysis, &date, &mut output)?;
             Ok::<usize, ReportError>(output.commit()?)
         })?;

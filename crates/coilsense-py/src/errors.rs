@@ -74,7 +74,7 @@ impl<T> IntoPython<T> for Result<T, coilsense_lab::analysis::AnalysisError> {
 impl<T> IntoPython<T> for Result<T, coilsense_lab::report::ReportError> {
     fn python(self) -> PyResult<T> {
         self.map_err(|error| match error {
-            coilsense_lab::report::ReportError::Output(error) => OutputError::new_err(error.to_string()),
+            coilsense_lab::report::ReportError::Output(error) => OutputError::new_err(in_python(error)),
             other => Error::new_err(other.to_string()),
         })
     }
@@ -117,7 +117,7 @@ impl<T> IntoPython<T> for Result<T, coilsense_lab::sweep::SweepError> {
 }
 
 /// The text of an error, with options as arguments.
-fn in_python(error: impl Into<Message>) -> String {
+pub fn in_python(error: impl Into<Message>) -> String {
     error.into().told(Door::Python)
 }
 

@@ -103,7 +103,7 @@ impl PyExperiment {
 }
 
 fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
-    OutputError::new_err(error.to_string())
+    OutputError::new_err(crate::errors::in_python(error))
 }
 
 /// The logs of a simulated test rig: a folder that `experiment` processes, as it would those of a real one.
@@ -116,6 +116,8 @@ fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
 ///     Folder for experiment.toml and two CSV files per run; its other files are left alone.
 /// seed : int, optional
 ///     Seed of noise, of each instrument's own errors and of hits; without it, that of [uncertainty].
+/// overwrite : bool
+///     Whether files are replaced, too, that coilsense did not write or that have changed since.
 ///
 /// Returns
 /// -------
@@ -137,11 +139,17 @@ fn unwritable(error: coilsense_lab::output::OutputError) -> PyErr {
 /// >>> (folder / "experiment.toml").exists()
 /// True
 #[pyfunction]
-#[pyo3(signature = (spec, out, seed=None))]
-pub fn rig(py: Python<'_>, spec: SpecArgument<'_>, out: PathBuf, seed: Option<Count>) -> PyResult<Vec<String>> {
+#[pyo3(signature = (spec, out, seed=None, overwrite=false))]
+pub fn rig(
+    py: Python<'_>,
+    spec: SpecArgument<'_>,
+    out: PathBuf,
+    seed: Option<Count>,
+    overwrite: bool,
+) -> PyResult<Vec<String>> {
     let (spec, seed) = (spec.spec(py)?, number(seed.as_ref(), "seed")?);
     let rig = Rig::new(&spec, seed.unwrap_or(spec.uncertainty.seed)).map_err(refused)?;
-    let mut output = Output::begin(&out).map_err(unwritable)?;
+    let mut output = Output::begin(&out).map_err(unwritable)?.overwriting(overwrite);
     let written = watched(py, None, |progress| rig.write(&mut output, progress))?;
     if let Err(error) = written {
         return Err(match error {

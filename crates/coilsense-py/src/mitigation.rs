@@ -106,15 +106,26 @@ impl PyMitigation {
     ///     What the report carries; without it, today's.
     /// precision : {"single", "double"}
     ///     Numbers of the exported settings.
+    /// overwrite : bool
+    ///     Whether files are replaced, too, that coilsense did not write or that have changed since.
     ///
     /// Returns
     /// -------
     /// int
     ///     How many files.
-    #[pyo3(signature = (folder, date=None, precision="single"))]
-    fn save(&self, py: Python<'_>, folder: PathBuf, date: Option<String>, precision: &str) -> PyResult<usize> {
+    #[pyo3(signature = (folder, date=None, precision="single", overwrite=false))]
+    fn save(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        date: Option<String>,
+        precision: &str,
+        overwrite: bool,
+    ) -> PyResult<usize> {
         let precision = self::precision(precision)?;
-        save(py, &folder, date, |date, output| add_mitigation(&self.answer, &self.spec, date, precision, output))
+        save(py, &folder, date, overwrite, |date, output| {
+            add_mitigation(&self.answer, &self.spec, date, precision, output)
+        })
     }
 
     fn __len__(&self) -> usize {

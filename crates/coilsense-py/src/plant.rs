@@ -207,6 +207,8 @@ impl PyPlant {
     ///     Adds matrices for this step [s] to a state space; of an FMU, that of its default experiment, 1 ms without it.
     /// fmi : {"2.0", "3.0"}, optional
     ///     Version of the standard that an FMU keeps to, 2.0 without it.
+    /// overwrite : bool
+    ///     Whether a file is replaced, too, that coilsense did not write or that has changed since.
     ///
     /// Returns
     /// -------
@@ -219,7 +221,8 @@ impl PyPlant {
     ///     For a name that C cannot have, more modes than a file gets, or a step, a precision or a version of FMI that goes with another form.
     /// OutputError
     ///     Where nothing can be written.
-    #[pyo3(signature = (path, form="c", precision="double", step=None, fmi=None))]
+    #[pyo3(signature = (path, form="c", precision="double", step=None, fmi=None, overwrite=false))]
+    #[expect(clippy::too_many_arguments, reason = "they are Python's, by name")]
     fn save(
         &self,
         py: Python<'_>,
@@ -228,6 +231,7 @@ impl PyPlant {
         precision: &str,
         step: Option<Quantity>,
         fmi: Option<&str>,
+        overwrite: bool,
     ) -> PyResult<usize> {
         let words: &[&str] = if let Takes::Word(words) = AS.takes { words } else { &[] };
         if !words.contains(&form) {
@@ -236,7 +240,7 @@ impl PyPlant {
         let given =
             given([(&AS, form.into()), (&STEP, step.into()), (&PRECISION, precision.into()), (&FMI, fmi.into())])?;
         let made = Plant { form: Form::of(&given).map_err(wrong)?, ..self.0.clone() };
-        let left_out = interruptible(py, move || write_export(&made, &path))?.python()?;
+        let left_out = interruptible(py, move || write_export(&made, &path, overwrite))?.python()?;
         if let Some(left_out) = left_out {
             let warned = std::ffi::CString::new(left_out).unwrap_or_default();
             PyErr::warn(py, &py.get_type::<PyUserWarning>(), &warned, 1)?;

@@ -85,20 +85,23 @@ macro_rules! study_result {
                 ///     Its other files are left alone.
                 /// date : str, optional
                 ///     What the report carries; without it, today's.
+                /// overwrite : bool
+                ///     Whether files are replaced, too, that coilsense did not write or that have changed since.
                 ///
                 /// Returns
                 /// -------
                 /// int
                 ///     How many files.
-                #[pyo3(signature = (folder, date=None))]
+                #[pyo3(signature = (folder, date=None, overwrite=false))]
                 fn save(
                     &$self,
                     py: ::pyo3::Python<'_>,
                     folder: ::std::path::PathBuf,
                     date: Option<String>,
+                    overwrite: bool,
                 ) -> ::pyo3::PyResult<usize> {
                     $(let $given = $found;)?
-                    $crate::results::save(py, &folder, date, |$date, $output| $add)
+                    $crate::results::save(py, &folder, date, overwrite, |$date, $output| $add)
                 }
             )?
         }
@@ -162,11 +165,12 @@ pub fn save(
     py: Python<'_>,
     folder: &Path,
     date: Option<String>,
+    overwrite: bool,
     add: impl FnOnce(&str, &mut Output) -> Result<(), ReportError> + Send,
 ) -> PyResult<usize> {
     let date = day(py, date)?;
     let written = || -> Result<usize, ReportError> {
-        let mut output = Output::begin(folder)?;
+        let mut output = Output::begin(folder)?.overwriting(overwrite);
         add(&date, &mut output)?;
         Ok(output.commit()?)
     };
