@@ -1,16 +1,14 @@
 //! `coilsense analyze`.
 
-use std::io::Write;
 use std::time::Instant;
 
 use coilsense_lab::analysis::{Analysis, AnalysisError};
-use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_analysis, analysis_json, analysis_text};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
 
-use crate::date;
 use crate::progress::Watch;
+use crate::{date, files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -18,7 +16,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let (spec, folder) = (Spec::read(given.needed(&SPEC)?)?, given.needed(&OUT)?);
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("simulating")?;
-    let mut output = Output::begin(folder)?;
+    let mut output = files::folder(given, folder)?;
     let analysis = Analysis::run(spec, &|done, of| watch.tell(done, of))?;
     let date = date::or_today(given);
     add_analysis(&analysis, &date, &mut output)?;
@@ -28,18 +26,6 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let text = if given.holds(&JSON) { analysis_json(&analysis, &date)? } else { analysis_text(&analysis) };
     let files = output.commit()?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants: the files are written.
-    let _ = write!(out, "{text}");
-    if given.holds(&JSON) {
-        return Ok(());
-    }
-    let _ = writeln!(
-        out,
-        "\n{files} files in {} in {:.2} s; open {}",
-        folder.display(),
-        begun.elapsed().as_secs_f64(),
-        folder.join("report.html").display()
-    );
-    Ok(())
+    let text = text + &terminal::where_to_look(given, files, folder, Some(begun.elapsed()));
+    Ok(terminal::answer(given, &text)?)
 }

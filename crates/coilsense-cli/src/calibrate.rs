@@ -1,7 +1,5 @@
 //! `coilsense calibrate`.
 
-use std::io::Write;
-
 use anyhow::Context;
 use coilsense::inductance::theories::Coil;
 use coilsense_lab::calibration::request::{LENGTH_AT_ZERO, SPEC};
@@ -13,31 +11,28 @@ use coilsense_lab::report::{add_calibration, calibration_json, calibration_text}
 use coilsense_lab::request::{DATE, Given, JSON, OUT};
 use coilsense_lab::spec::SpringSpec;
 
-use crate::{date, log, options};
+use crate::{date, files, log, options, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let spec = given.file(&SPEC).map(SpringSpec::read).transpose()?;
     let plan = plan(given, spec.as_ref())?;
     let measured = measured(given)?;
-    let mut output = given.file(&OUT).map(Output::begin).transpose()?;
+    let mut output = files::asked(given)?;
     let outcome = Outcome::new(measured, plan)?;
     if let Some(output) = &mut output {
         let date = date::or_today(given);
         add_calibration(&outcome, &date, output)?;
     }
-    let text = match given.holds(&JSON) {
+    let mut text = match given.holds(&JSON) {
         true => calibration_json(&outcome, given.text(&DATE).as_deref())?,
         false => calibration_text(&outcome),
     };
     let files = output.map(Output::commit).transpose()?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants: the files are written.
-    let _ = write!(out, "{text}");
-    if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
-        let _ = writeln!(out, "\n{files} files in {}; open {}", folder.display(), folder.join("report.html").display());
+    if let (Some(files), Some(folder)) = (files, given.file(&OUT)) {
+        text.push_str(&terminal::where_to_look(given, files, folder, None));
     }
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
 
 fn measured(given: &Given) -> anyhow::Result<Measured> {

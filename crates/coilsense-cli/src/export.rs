@@ -1,26 +1,24 @@
 //! `coilsense export`.
 
-use std::io::Write;
-
 use coilsense_lab::plant::request::{AS, FILE};
 use coilsense_lab::plant::{Plant, Request};
 use coilsense_lab::report::{ExportOutcome, to_json, write_export};
-use coilsense_lab::request::{Given, JSON, SPEC};
+use coilsense_lab::request::{Given, JSON, OVERWRITE, SPEC};
 use coilsense_lab::spec::Spec;
 
-use crate::options;
+use crate::{options, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let request = Request::of(given).map_err(options::wrong)?;
     let file = given.needed(&FILE)?;
     let made = Plant::of(Spec::read(given.needed(&SPEC)?)?, &request)?;
-    let left_out = write_export(&made, file)?;
+    let left_out = write_export(&made, file, given.holds(&OVERWRITE))?;
     for warning in &made.warnings {
-        anstream::eprintln!("warning: {}: {warning}", made.spec_file);
+        terminal::warn(format_args!("{}: {warning}", made.spec_file));
     }
     if let Some(left_out) = &left_out {
-        anstream::eprintln!("warning: {}: {left_out}", file.display());
+        terminal::warn(format_args!("{}: {left_out}", file.display()));
     }
     let plant = &made.plant;
     let told = match given.holds(&JSON) {
@@ -41,7 +39,5 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         })?,
         false => format!("{}{}\n", made.summary(), file.display()),
     };
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(anstream::stdout().lock(), "{told}");
-    Ok(())
+    Ok(terminal::answer(given, &told)?)
 }

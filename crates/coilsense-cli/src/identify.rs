@@ -11,8 +11,7 @@ use coilsense_lab::report::{add_identification, identification_json, identificat
 use coilsense_lab::request::{DATE, Given, JSON, OUT};
 use coilsense_lab::spec::SpringSpec;
 
-use crate::init::write_one;
-use crate::{date, log, options};
+use crate::{date, files, log, options, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -24,31 +23,30 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         "--spec-out needs --windings, --radius and --wire, or --spec: no log of forces and positions tells them";
     let coil = spec_out.map(|_| coil(given, spring).context(needed)).transpose()?;
     let settings = settings(given, spring).map_err(options::wrong)?;
-    let mut output = given.file(&OUT).map(Output::begin).transpose()?;
+    let mut output = files::asked(given)?;
     let identified = Identified::of(log::recording(given)?, &settings)?;
     if let Some(output) = &mut output {
         let date = date::or_today(given);
         add_identification(&identified, &date, output)?;
     }
-    let text = match given.holds(&JSON) {
+    let mut text = match given.holds(&JSON) {
         true => identification_json(&identified, given.text(&DATE).as_deref())?,
         false => identification_text(&identified),
     };
-    let spec_text = coil.map(|coil| spec_file(&identified, &coil)).transpose();
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(out, "{text}");
-    if let (Some(spec_text), Some(path)) = (spec_text?, spec_out) {
-        write_one(path, |file| file.write_all(spec_text.as_bytes()))?;
+    let spec_text = match coil.map(|coil| spec_file(&identified, &coil)).transpose() {
+        Ok(spec_text) => spec_text,
+        // What was found is told all the same.
+        Err(error) => return Err(terminal::answer(given, &text).map_or_else(Into::into, |()| error.into())),
+    };
+    if let (Some(spec_text), Some(path)) = (spec_text, spec_out) {
+        files::write_one(given, path, |file| file.write_all(spec_text.as_bytes()))?;
         if !given.holds(&JSON) {
-            let _ = writeln!(out, "\n{}; next: coilsense analyze {} --out DIR", path.display(), path.display());
+            text.push_str(&format!("\n{0}; next: coilsense analyze {0} --out DIR\n", path.display()));
         }
     }
     let files = output.map(Output::commit).transpose()?;
-    if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
-        let seconds = begun.elapsed().as_secs_f64();
-        let page = folder.join("report.html");
-        let _ = writeln!(out, "\n{files} files in {} in {seconds:.2} s; open {}", folder.display(), page.display());
+    if let (Some(files), Some(folder)) = (files, given.file(&OUT)) {
+        text.push_str(&terminal::where_to_look(given, files, folder, Some(begun.elapsed())));
     }
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }

@@ -1,6 +1,5 @@
 //! `coilsense import`.
 
-use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
@@ -8,7 +7,6 @@ use anyhow::{Context, bail};
 use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::calibration::Applied;
 use coilsense_lab::calibration::request::CALIBRATION;
-use coilsense_lab::output::Output;
 use coilsense_lab::recording::request::{LOG, WITH};
 use coilsense_lab::recording::{
     Account, Cleaning, ImportError, Overview, import, write_recording, write_recording_with,
@@ -17,8 +15,8 @@ use coilsense_lab::report::{ImportOutcome, overview_json, overview_text, to_json
 use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::series::{Column, Format};
 
-use crate::log;
 use crate::progress::Watch;
+use crate::{files, log, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -31,7 +29,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let (mapping, cleaning) = (log::mapping(given)?, Cleaning::of(given));
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("reading")?;
-    let (mut output, name) = Output::of_file(path)?;
+    let (mut output, name) = files::one(given, path)?;
     let name = name.as_str();
     let stored = log::stored_calibration(given)?;
     let tell = |done: u64, of: u64| watch.tell(done as usize, of as usize);
@@ -53,18 +51,12 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         other => anyhow::Error::from(other),
     })?;
     output.commit()?;
-    // A reader that closes the pipe early has all it wants: the file is written.
-    let mut out = anstream::stdout().lock();
     if given.holds(&JSON) {
-        let _ = write!(out, "{}", to_json(outcome(&account, path, told))?);
-        return Ok(());
+        return Ok(terminal::answer(given, &to_json(outcome(&account, path, told))?)?);
     }
-    let _ = writeln!(out, "{account}");
-    for line in told {
-        let _ = writeln!(out, "{line}");
-    }
-    let _ = writeln!(out, "wrote {} in {:.2} s", path.display(), begun.elapsed().as_secs_f64());
-    Ok(())
+    let wrote = format!("wrote {} in {:.2} s", path.display(), begun.elapsed().as_secs_f64());
+    let lines = [account.to_string()].into_iter().chain(told).chain([wrote]);
+    Ok(terminal::say(&lines.map(|line| line + "\n").collect::<String>())?)
 }
 
 /// Shows what is in the log.
@@ -80,8 +72,7 @@ fn look(given: &Given) -> anyhow::Result<()> {
         return Err(AnalysisError::Interrupted.into());
     }
     let text = if given.holds(&JSON) { overview_json(&overview?)? } else { overview_text(&overview?) };
-    let _ = write!(anstream::stdout().lock(), "{text}");
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
 
 /// Length and force with their uncertainties, as columns.

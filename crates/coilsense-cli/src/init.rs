@@ -1,14 +1,14 @@
 //! `coilsense init`.
 
 use std::io::Write;
-use std::path::Path;
 
 use anyhow::bail;
-use coilsense_lab::output::Output;
 use coilsense_lab::report::verbs::{FROM, SENSORS};
 use coilsense_lab::report::{InitOutcome, to_json};
-use coilsense_lab::request::{Given, JSON, OUT};
+use coilsense_lab::request::{Given, JSON, OUT, OVERWRITE};
 use coilsense_lab::spec;
+
+use crate::{files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -22,30 +22,15 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         false => Ok(text.clone()),
     };
     let Some(path) = given.file(&OUT) else {
-        // A reader that closes the pipe early has all it wants.
-        let _ = write!(anstream::stdout().lock(), "{}", told(None)?);
-        return Ok(());
+        return Ok(terminal::answer(given, &told(None)?)?);
     };
-    if path.exists() {
-        bail!("{}: is there already; name a file that is not, or remove it", path.display());
+    if path.exists() && !given.holds(&OVERWRITE) {
+        bail!("{}: is there already; name a file that is not, or replace it with --overwrite", path.display());
     }
-    write_one(path, |file| file.write_all(text.as_bytes()))?;
-    if given.holds(&JSON) {
-        let _ = write!(anstream::stdout().lock(), "{}", told(Some(path))?);
-        return Ok(());
-    }
-    let _ =
-        writeln!(anstream::stdout().lock(), "{}; next: coilsense analyze {} --out DIR", path.display(), path.display());
-    Ok(())
-}
-
-/// Writes one file, whole or not at all.
-pub fn write_one(
-    path: &Path,
-    write: impl FnOnce(&mut std::io::BufWriter<std::fs::File>) -> std::io::Result<()>,
-) -> anyhow::Result<()> {
-    let (mut output, name) = Output::of_file(path)?;
-    output.write(&name, write)?;
-    output.commit()?;
-    Ok(())
+    files::write_one(given, path, |file| file.write_all(text.as_bytes()))?;
+    let said = match given.holds(&JSON) {
+        true => told(Some(path))?,
+        false => format!("{0}; next: coilsense analyze {0} --out DIR\n", path.display()),
+    };
+    Ok(terminal::answer(given, &said)?)
 }

@@ -9,6 +9,7 @@ mod calibrate;
 mod date;
 mod experiment;
 mod export;
+mod files;
 mod identify;
 mod import;
 mod init;
@@ -21,16 +22,17 @@ mod progress;
 mod reproduce;
 mod rig;
 mod sensitivity;
+mod signals;
 mod simulate;
 mod speed;
 mod spring;
 mod sweep;
+mod terminal;
 
 use std::process::ExitCode;
 
 use clap::Command;
 use clap::error::ErrorKind;
-use coilsense_lab::analysis::AnalysisError;
 use coilsense_lab::report::verbs::VERBS;
 use coilsense_lab::request::{Given, Verb};
 
@@ -77,32 +79,49 @@ fn verb(name: &str) -> Option<(&'static Verb, Run)> {
 
 /// Exit code of bad input and of output that cannot be written, as clap's own for bad arguments.
 const BAD_INPUT: u8 = 2;
-/// Exit code after Ctrl-C, as shells have it.
-const INTERRUPTED: u8 = 130;
+
+/// Help and version, and arguments that cannot be.
+fn said_by_clap(error: &clap::Error) -> ExitCode {
+    match terminal::of_clap(error) {
+        Ok(()) => ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(BAD_INPUT)),
+        Err(unsaid) => {
+            terminal::refuse(unsaid);
+            ExitCode::from(BAD_INPUT)
+        }
+    }
+}
 
 fn main() -> ExitCode {
+    if let Err(error) = signals::watch() {
+        terminal::refuse(format_args!("cannot watch for Ctrl-C: {error}"));
+        return ExitCode::from(BAD_INPUT);
+    }
     let matches = match command().try_get_matches() {
         Ok(matches) => matches,
         Err(error) if error.kind() == ErrorKind::ValueValidation => {
             // What is wrong with a value is said in a line, as of a value in a file; the rest of clap's text points to the help.
-            anstream::eprintln!("{}", error.render().ansi().to_string().lines().next().unwrap_or_default());
+            let text = error.render().ansi().to_string();
+            terminal::tell(text.lines().next().unwrap_or_default());
             return ExitCode::from(BAD_INPUT);
         }
-        Err(error) => error.exit(),
+        Err(error) => return said_by_clap(&error),
     };
     // A wrong COILSENSE_SIMD is bad input like any other.
     let simd = coilsense::simd::SimdPath::selected().map_err(anyhow::Error::from);
     let result = simd.and_then(|_| match matches.subcommand().and_then(|(name, said)| Some((verb(name)?, said))) {
-        Some(((verb, run), said)) => run(&options::given(verb, said)),
+        Some(((verb, run), said)) => {
+            let given = options::given(verb, said);
+            files::remember(verb, &given);
+            run(&given)
+        }
         None => Ok(()),
     });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            anstream::eprintln!("error: {error:#}");
-            let interrupted =
-                matches!(error.downcast_ref(), Some(AnalysisError::Interrupted)) || error.is::<sweep::Interrupted>();
-            ExitCode::from(if interrupted { INTERRUPTED } else { BAD_INPUT })
+            signals::last_word();
+            terminal::refuse(format_args!("{error:#}"));
+            ExitCode::from(signals::code().unwrap_or(BAD_INPUT))
         }
     }
 }

@@ -1,6 +1,5 @@
 //! `coilsense mitigate`.
 
-use std::io::Write;
 use std::time::Instant;
 
 use anyhow::Context;
@@ -13,14 +12,14 @@ use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
 
-use crate::{date, log, options};
+use crate::{date, files, log, options, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let spec = Spec::read(given.needed(&SPEC)?)?;
     spec.needs_chain("mitigate")?;
     spec.needs_no_contact("mitigate")?;
-    let mut output = given.file(&OUT).map(Output::begin).transpose()?;
+    let mut output = files::asked(given)?;
     let file = spec.file.clone();
     let study = if given.holds(&STATED) {
         Study::stated(&spec.spring.spring)?
@@ -33,8 +32,8 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     };
     let begun = Instant::now();
     let answer = study.run().context(file)?;
-    let seconds = begun.elapsed().as_secs_f64();
-    let text = if given.holds(&JSON) { mitigation_json(&answer)? } else { mitigation_text(&answer) };
+    let took = begun.elapsed();
+    let mut text = if given.holds(&JSON) { mitigation_json(&answer)? } else { mitigation_text(&answer) };
     if let Some(output) = &mut output {
         let precision = match given.text(&PRECISION).as_deref() {
             Some("double") => Precision::Double,
@@ -44,19 +43,10 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         add_mitigation(&answer, &spec, &date, precision, output)?;
     }
     let files = output.map(Output::commit).transpose()?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(out, "{text}");
-    if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
-        let _ = writeln!(
-            out,
-            "\n{files} files in {} in {:.2} s; open {}",
-            folder.display(),
-            seconds,
-            folder.join("report.html").display()
-        );
+    if let (Some(files), Some(folder)) = (files, given.file(&OUT)) {
+        text.push_str(&terminal::where_to_look(given, files, folder, Some(took)));
     }
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
 
 /// On the log, its lengths by its inductance where a calibration is given.

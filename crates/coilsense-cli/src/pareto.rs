@@ -1,6 +1,5 @@
 //! `coilsense pareto`.
 
-use std::io::Write;
 use std::path::{Component, Path};
 
 use anyhow::bail;
@@ -11,7 +10,7 @@ use coilsense_lab::report::{add_pareto, pareto_json, pareto_text};
 use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::sweep::Dataset;
 
-use crate::date;
+use crate::{date, files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -21,9 +20,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let dataset = Dataset::open(given.needed(&DATASET)?)?;
     let question = Question::new(dataset.plan(), &minimize, &maximize, &conditions)?;
-    let mut output = given.file(&OUT).map(Output::begin).transpose()?;
+    let mut output = files::asked(given)?;
     let study = Study::of(&dataset, question)?;
-    let text = if given.holds(&JSON) { pareto_json(&study)? } else { pareto_text(&study) };
+    let mut text = if given.holds(&JSON) { pareto_json(&study)? } else { pareto_text(&study) };
     let mut specs = Vec::new();
     if let Some(output) = &mut output {
         let date = date::or_today(given);
@@ -31,16 +30,13 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         specs = add_specs(&given.texts(&SPEC_ROW), &study, &dataset, output)?;
     }
     let files = output.map(Output::commit).transpose()?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(out, "{text}");
     if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
-        let _ = writeln!(out, "\n{files} files in {}; open {}", folder.display(), folder.join("report.html").display());
+        text.push_str(&terminal::where_to_look(given, files, folder, None));
         for spec in specs {
-            let _ = writeln!(out, "coilsense analyze {}", folder.join(spec).display());
+            text.push_str(&format!("coilsense analyze {}\n", folder.join(spec).display()));
         }
     }
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
 
 /// Adds the specs of rows and the files that they name; gives the specs' names.

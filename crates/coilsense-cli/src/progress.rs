@@ -1,13 +1,12 @@
-//! A progress bar on work of over a second, and Ctrl-C that lets go cleanly.
+//! A progress bar on work of over a second, which stops at its next step where somebody wants it to end.
+//!
+//! Next door: who wants that (`signals`).
 
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use anyhow::Context;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Whether somebody pressed Ctrl-C.
-static STOPPED: AtomicBool = AtomicBool::new(false);
+use crate::signals;
 
 /// The bar appears after this long.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -19,7 +18,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// From here on Ctrl-C stops the work at its next step, so that what it had begun to write is removed.
+    /// Begins.
     pub fn begin(what: &'static str) -> anyhow::Result<Self> {
         Self::with_template(what, "{msg} [{bar:40}] {pos}/{len}, {eta} left")
     }
@@ -30,7 +29,6 @@ impl Watch {
     }
 
     fn with_template(message: &'static str, template: &str) -> anyhow::Result<Self> {
-        ctrlc::set_handler(|| STOPPED.store(true, Ordering::SeqCst)).context("cannot watch for Ctrl-C")?;
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         bar.set_style(ProgressStyle::with_template(template)?.progress_chars("=> "));
         bar.set_message(message);
@@ -64,6 +62,6 @@ impl Watch {
 
     /// Whether somebody pressed Ctrl-C.
     pub fn is_stopped(&self) -> bool {
-        STOPPED.load(Ordering::SeqCst)
+        signals::came()
     }
 }

@@ -1,16 +1,15 @@
 //! `coilsense reproduce`.
 
-use std::io::Write;
 use std::time::Instant;
 
 use coilsense_lab::analysis::AnalysisError;
-use coilsense_lab::output::Output;
 use coilsense_lab::report::verbs::{PROTOCOL, SPRINGS};
 use coilsense_lab::report::{add_reproduction, reproduction_json, reproduction_text};
 use coilsense_lab::reproduce::{PaperSprings, Protocol, reproduce};
 use coilsense_lab::request::{Given, JSON, OUT};
 
 use crate::progress::Watch;
+use crate::{files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -26,7 +25,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     };
     let folder = given.needed(&OUT)?;
     let watch = Watch::begin("reproducing")?;
-    let mut output = Output::begin(folder)?;
+    let mut output = files::folder(given, folder)?;
     let reproduction = reproduce(springs, protocols)?;
     add_reproduction(&reproduction, &mut output)?;
     if watch.is_stopped() {
@@ -34,18 +33,6 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let text = if given.holds(&JSON) { reproduction_json(&reproduction)? } else { reproduction_text(&reproduction) };
     let files = output.commit()?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early (`| head`) has all it wants: the files are written.
-    let _ = write!(out, "{text}");
-    if given.holds(&JSON) {
-        return Ok(());
-    }
-    let _ = writeln!(
-        out,
-        "\n{files} files in {} in {:.2} s; open {}",
-        folder.display(),
-        begun.elapsed().as_secs_f64(),
-        folder.join("report.html").display()
-    );
-    Ok(())
+    let text = text + &terminal::where_to_look(given, files, folder, Some(begun.elapsed()));
+    Ok(terminal::answer(given, &text)?)
 }

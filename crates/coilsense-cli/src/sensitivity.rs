@@ -1,7 +1,5 @@
 //! `coilsense sensitivity`.
 
-use std::io::Write;
-
 use coilsense_lab::output::Output;
 use coilsense_lab::report::verbs::{DATASET, DRAWS_SEED, OF, RESAMPLES};
 use coilsense_lab::report::{add_sensitivity, sensitivity_json, sensitivity_text};
@@ -9,12 +7,12 @@ use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::sensitivity::{Resampling, Study};
 use coilsense_lab::sweep::Dataset;
 
-use crate::date;
+use crate::{date, files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
     let dataset = Dataset::open(given.needed(&DATASET)?)?;
-    let mut output = given.file(&OUT).map(Output::begin).transpose()?;
+    let mut output = files::asked(given)?;
     let usual = Resampling::default();
     let resampling = Resampling {
         resamples: given.count(&RESAMPLES).map_or(usual.resamples, |count| count as usize),
@@ -22,17 +20,14 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         ..usual
     };
     let study = Study::of(&dataset, &given.texts(&OF), resampling)?;
-    let text = if given.holds(&JSON) { sensitivity_json(&study)? } else { sensitivity_text(&study) };
+    let mut text = if given.holds(&JSON) { sensitivity_json(&study)? } else { sensitivity_text(&study) };
     if let Some(output) = &mut output {
         let date = date::or_today(given);
         add_sensitivity(&study, &dataset, &date, output)?;
     }
     let files = output.map(Output::commit).transpose()?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(out, "{text}");
-    if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
-        let _ = writeln!(out, "\n{files} files in {}; open {}", folder.display(), folder.join("report.html").display());
+    if let (Some(files), Some(folder)) = (files, given.file(&OUT)) {
+        text.push_str(&terminal::where_to_look(given, files, folder, None));
     }
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }

@@ -1,12 +1,10 @@
 //! `coilsense simulate`.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
 use coilsense_lab::analysis::{AnalysisError, Together, simulate};
-use coilsense_lab::output::Output;
 use coilsense_lab::report::verbs::ONE_FILE;
 use coilsense_lab::report::{SimulationOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
@@ -14,6 +12,7 @@ use coilsense_lab::series::{self, Format, Run};
 use coilsense_lab::spec::Spec;
 
 use crate::progress::Watch;
+use crate::{files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -25,7 +24,11 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let spec = Spec::read(given.needed(&SPEC)?)?;
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("simulating")?;
-    let mut output = Output::begin(&folder)?;
+    let mut output = files::folder(given, &folder)?;
+    let apart = format == Format::Csv && spec.conditions.len() * spec.mount.cases.len() > 1 && !given.holds(&ONE_FILE);
+    if !apart {
+        output.check(&format!("{stem}.{ending}"))?;
+    }
     let progress = |done, of| watch.tell(done, of);
     let (cases, together) = match spec.beside.is_empty() {
         true => (simulate(&spec, &progress)?, None),
@@ -35,7 +38,6 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         Some(together) => (0..together.all.len()).map(|number| together.series(number)).collect(),
         None => cases.iter().map(|case| case.series(&spec, &spec.sensors)).collect(),
     };
-    let apart = format == Format::Csv && runs.len() > 1 && !given.holds(&ONE_FILE);
     if apart {
         let cases = together.as_ref().map_or(&cases, |together| &together.springs[0].cases);
         for (case, run) in cases.iter().zip(&runs) {
@@ -55,25 +57,22 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let files = output.commit()?;
     let samples: usize = runs.iter().map(Run::samples).sum();
     if let Some(left_out) = spec.spring.magnetisation_left_out() {
-        anstream::eprintln!("warning: {left_out}");
+        terminal::warn(left_out);
     }
     if given.holds(&JSON) {
         let (spec_file, runs) = (spec.file.as_str(), runs.len());
         let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples })?;
-        let _ = write!(anstream::stdout().lock(), "{text}");
-        return Ok(());
+        return Ok(terminal::answer(given, &text)?);
     }
     let plural = if files == 1 { "file" } else { "files" };
-    // A reader that closes the pipe early has all it wants.
-    let _ = writeln!(
-        anstream::stdout().lock(),
-        "{samples} samples of {} run{} in {files} {plural} in {} in {:.2} s",
+    let text = format!(
+        "{samples} samples of {} run{} in {files} {plural} in {} in {:.2} s\n",
         runs.len(),
         if runs.len() == 1 { "" } else { "s" },
         folder.display(),
         begun.elapsed().as_secs_f64()
     );
-    Ok(())
+    Ok(terminal::say(&text)?)
 }
 
 /// Folder, stem and ending of a file's path.

@@ -1,6 +1,5 @@
 //! `coilsense speed`.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use coilsense_lab::output::Output;
@@ -10,8 +9,8 @@ use coilsense_lab::spec::Spec;
 use coilsense_lab::speed::request::{CAM_RATIO, FROM, PART, STEP, TO};
 use coilsense_lab::speed::{Part, Range, SpeedError, SpeedMap};
 
-use crate::date;
 use crate::progress::Watch;
+use crate::{date, files, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -23,8 +22,11 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     // Before anything is on disk, so that nothing is left there.
     let watch = Watch::begin("running speeds")?;
-    let mut output = given.file(&OUT).map(Output::begin).transpose()?;
+    let mut output = files::asked(given)?;
     let points = given.file(&OUT).map(points_of);
+    if points.is_some() {
+        terminal::keeps(KEPT);
+    }
     let progress = |done, of| watch.tell(done, of);
     let map = match &points {
         Some(folder) => SpeedMap::kept(spec, range, folder, &progress)?,
@@ -38,17 +40,17 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         let kept = points.map(|folder| SpeedError::Paused(folder.display().to_string()));
         return Err(kept.unwrap_or(SpeedError::Interrupted).into());
     }
-    let text = if given.holds(&JSON) { speed_json(&map)? } else { speed_text(&map) };
+    let mut text = if given.holds(&JSON) { speed_json(&map)? } else { speed_text(&map) };
     let files = output.map(Output::commit).transpose()?;
     points.iter().try_for_each(|folder| map.forget(folder))?;
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(out, "{text}");
-    if let (Some(files), Some(folder), false) = (files, given.file(&OUT), given.holds(&JSON)) {
-        let _ = writeln!(out, "\n{files} files in {}; open {}", folder.display(), folder.join("report.html").display());
+    if let (Some(files), Some(folder)) = (files, given.file(&OUT)) {
+        text.push_str(&terminal::where_to_look(given, files, folder, None));
     }
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
+
+/// What is said where the command is ended before a run is through.
+const KEPT: &str = "interrupted; what was computed stays, the same command goes on from there";
 
 /// Where points are kept until a map is whole: beside its folder.
 fn points_of(out: &Path) -> PathBuf {
@@ -63,6 +65,7 @@ fn part(given: &Given, spec: Spec, range: Range, part: Part) -> anyhow::Result<(
     let folder = points_of(given.needed(&OUT)?);
     anyhow::ensure!(!given.holds(&JSON), "json: a share prints no map; the same command without --part does");
     let watch = Watch::begin("running speeds")?;
+    terminal::keeps(KEPT);
     let share = SpeedMap::part(spec, range, &folder, part, &|done, of| watch.tell(done, of))?;
     watch.end();
     let Part { number, of } = part;
@@ -70,8 +73,6 @@ fn part(given: &Given, spec: Spec, range: Range, part: Part) -> anyhow::Result<(
         0 => "all are there: the same command without --part writes the map".to_owned(),
         missing => format!("{missing} of {} are still missing", share.of),
     };
-    let mut out = anstream::stdout().lock();
-    // A reader that closes the pipe early has all it wants.
-    let _ = writeln!(out, "share {number} of {of}: {} runs are in {}; {left}", share.points, folder.display());
-    Ok(())
+    let text = format!("share {number} of {of}: {} runs are in {}; {left}\n", share.points, folder.display());
+    Ok(terminal::say(&text)?)
 }

@@ -1,13 +1,13 @@
 //! `coilsense spring`.
 
-use std::io::Write;
-
 use coilsense_lab::data_sheet::DataSheet;
 use coilsense_lab::report::verbs::MATERIALS;
 use coilsense_lab::report::{data_sheet_json, data_sheet_text};
 use coilsense_lab::request::{Given, JSON, SPEC};
 use coilsense_lab::spec::{self, Spec};
 use coilsense_lab::study;
+
+use crate::terminal;
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -21,9 +21,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         let each = spec.each().into_iter().map(|(_, spec)| sheet(spec, given.holds(&JSON)));
         each.collect::<anyhow::Result<Vec<_>>>()?.join("\n")
     };
-    // A reader that closes the pipe early has all it wants.
-    let _ = write!(anstream::stdout().lock(), "{text}");
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
 
 /// The data sheet of a spec of one spring.

@@ -1,6 +1,5 @@
 //! `coilsense sweep`.
 
-use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
@@ -12,6 +11,7 @@ use coilsense_lab::sweep::request::{CATALOGUE, CHUNK, COLUMNS, JOBS, OVER, ROWS,
 use coilsense_lab::sweep::{Catalogue, Dataset, Plan, PlanParameters, Sampling, Tally, column_words};
 
 use crate::progress::Watch;
+use crate::terminal;
 
 /// Ctrl-C came; the chunks that are there stay.
 #[derive(Debug)]
@@ -34,6 +34,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let threads = given.count(&JOBS).unwrap_or(0) as usize;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
     let watch = Watch::begin_designs()?;
+    terminal::keeps("interrupted; whole chunks stay, the same command goes on from there");
     let dataset = Dataset::create_or_open(folder, &asked)?;
     // The folder's own, which may call the same spec otherwise: rows are those of an unbroken run.
     let plan = dataset.plan();
@@ -61,15 +62,13 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     watch.end();
     let tally = dataset.tally()?;
     let made = plan.rows() - before;
-    // A reader that closes the pipe early has all it wants.
     let recomputed = damaged
         .into_iter()
         .map(|(chunk, why)| RecomputedRow { file: dataset.path(chunk), because: format!("it {why}") })
         .collect();
     let told = Told { folder, plan, tally: &tally, recomputed, made, seconds };
     let text = if given.holds(&JSON) { to_json(told.outcome())? } else { told.text() };
-    let _ = write!(anstream::stdout().lock(), "{text}");
-    Ok(())
+    Ok(terminal::answer(given, &text)?)
 }
 
 /// Rows from one look at the bar to the next.

@@ -151,6 +151,91 @@ mod served {
         assert!(message.contains(&format!("127.0.0.1:{}", served.port)), "{message}");
     }
 
+    /// What a reader that is no browser gets; nothing where the connection is ended without a word.
+    fn rest(mut stream: &TcpStream) -> String {
+        let mut all = Vec::new();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).expect("a timeout");
+        // What is ended in the middle of a request may come as an error.
+        let _ = stream.read_to_end(&mut all);
+        String::from_utf8_lossy(&all).into_owned()
+    }
+
+    #[test]
+    fn thousands_who_ask_nothing_keep_nobody_waiting() {
+        let served = Served::begin(&[]);
+        let connect = || TcpStream::connect(("127.0.0.1", served.port));
+        let mut idle = Vec::new();
+        for _ in 0..2000 {
+            match connect() {
+                Ok(stream) => idle.push(stream),
+                // This process may have no more.
+                Err(_) => break,
+            }
+        }
+        assert!(idle.len() > 500, "{}", idle.len());
+        // One for the next reader of our own.
+        idle.pop();
+        let begun = Instant::now();
+        assert_eq!(served.get("/").status, 200);
+        assert!(begun.elapsed() < Duration::from_secs(2), "{:?}", begun.elapsed());
+        // The newest wait on, the oldest are gone.
+        assert_eq!(rest(&idle[0]), "");
+        #[cfg(target_os = "linux")]
+        {
+            let status = std::fs::read_to_string(format!("/proc/{}/status", served.child.id())).expect("its status");
+            let threads = status.lines().find_map(|line| line.strip_prefix("Threads:")).expect("a line");
+            assert!(threads.trim().parse::<u32>().expect("a number") < 100, "{threads}");
+        }
+    }
+
+    #[test]
+    fn a_head_without_an_end_and_one_that_drips_are_ended() {
+        let served = Served::begin(&[]);
+        let connect = || TcpStream::connect(("127.0.0.1", served.port)).expect("it listens");
+        let mut endless = connect();
+        let _ = endless.write_all(b"GET / HTTP/1.1\r\n");
+        let line = format!("X-Y: {}\r\n", "z".repeat(1000));
+        let sent = (0..10_000).take_while(|_| endless.write_all(line.as_bytes()).is_ok()).count();
+        assert!(sent < 9_000, "{sent} kB of headers were taken");
+        for (bytes, status) in [
+            (format!("GET / HTTP/1.1\r\n{}", "A: b\r\n".repeat(100)), "431"),
+            (format!("GET /{} HTTP/1.1\r\n", "x".repeat(17_000)), "431"),
+            ("no request at all\r\n\r\n".to_owned(), "400"),
+        ] {
+            let mut stream = connect();
+            stream.write_all(bytes.as_bytes()).expect("sent");
+            let said = rest(&stream);
+            assert!(said.starts_with(&format!("HTTP/1.1 {status} ")), "{said}");
+        }
+        let mut slow = connect();
+        let begun = Instant::now();
+        while slow.write_all(b"G").is_ok() {
+            assert!(begun.elapsed() < Duration::from_secs(20), "it waits on");
+            std::thread::sleep(Duration::from_millis(200));
+        }
+        assert!(begun.elapsed() > Duration::from_secs(5), "{:?}", begun.elapsed());
+        assert_eq!(served.get("/").status, 200);
+    }
+
+    #[test]
+    fn a_connection_carries_several_requests() {
+        let served = Served::begin(&[]);
+        let mut stream = TcpStream::connect(("127.0.0.1", served.port)).expect("it listens");
+        let host = format!("Host: 127.0.0.1:{}\r\n", served.port);
+        write!(stream, "HEAD / HTTP/1.1\r\n{host}\r\nGET /nothing HTTP/1.1\r\n{host}Connection: close\r\n\r\n")
+            .expect("sent");
+        let said = rest(&stream);
+        assert!(said.contains("HTTP/1.1 200 OK") && said.contains("HTTP/1.1 404 Not Found"), "{said}");
+        // A body would be taken for a request; and who names two hosts names none.
+        let mut stream = TcpStream::connect(("127.0.0.1", served.port)).expect("it listens");
+        write!(stream, "GET / HTTP/1.1\r\n{host}Content-Length: 40\r\n\r\nGET /nothing HTTP/1.1\r\n{host}\r\n")
+            .expect("sent");
+        assert_eq!(rest(&stream).matches("HTTP/1.1 ").count(), 1);
+        let mut stream = TcpStream::connect(("127.0.0.1", served.port)).expect("it listens");
+        write!(stream, "GET / HTTP/1.1\r\n{host}Host: example.org\r\nConnection: close\r\n\r\n").expect("sent");
+        assert!(rest(&stream).starts_with("HTTP/1.1 403 "));
+    }
+
     #[cfg(unix)]
     #[test]
     fn ctrl_c_ends_it() {

@@ -1,7 +1,9 @@
 //! `coilsense app`: the page out of this binary, in the user's browser.
 //!
-//! Next door: what is answered to whom (`server`).
+//! Next door: what is answered to whom (`server`), how it is carried (`http`).
 
+#[cfg(page_is_built)]
+mod http;
 #[cfg(page_is_built)]
 mod server;
 
@@ -14,12 +16,12 @@ const BUILD: &str = "cargo xtask page && cargo build --release --package coilsen
 /// Serves the page until Ctrl-C.
 #[cfg(page_is_built)]
 pub fn run(given: &Given) -> anyhow::Result<()> {
-    use std::io::Write;
     use std::sync::Arc;
     use std::sync::atomic::{AtomicBool, Ordering};
 
-    use anyhow::Context;
     use coilsense_lab::report::verbs::{NO_OPEN, PORT};
+
+    use crate::{signals, terminal};
 
     let server =
         Arc::new(server::Server::begin(given.count(&PORT).and_then(|port| u16::try_from(port).ok()).unwrap_or(0))?);
@@ -29,15 +31,14 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         their_stopped.store(true, Ordering::SeqCst);
         their_server.wake();
     };
-    ctrlc::set_handler(stop).context("cannot watch for Ctrl-C")?;
+    signals::on_stop(stop);
     let address = server.address();
-    // Whoever has closed the pipe does not want to know.
-    let _ = writeln!(anstream::stdout(), "The page is at {address} until Ctrl-C.");
-    let _ = anstream::stdout().flush();
+    terminal::say(&format!("The page is at {address} until Ctrl-C.\n"))?;
     if !given.holds(&NO_OPEN) && open::that_detached(&address).is_err() {
-        anstream::eprintln!("no browser was found; open that address in one");
+        terminal::tell("no browser was found; open that address in one");
     }
-    server.serve(&stopped)
+    server.serve(&stopped);
+    Ok(())
 }
 
 /// Says how to get a command that has the page.

@@ -62,11 +62,12 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-/// Names of what a folder holds.
+/// Names of what a folder holds, but the list of what was written there.
 fn names(folder: &Path) -> Vec<String> {
     let name =
         |entry: std::io::Result<fs::DirEntry>| entry.expect("an entry").file_name().into_string().expect("UTF-8");
     let mut names: Vec<String> = fs::read_dir(folder).expect("a folder").map(name).collect();
+    names.retain(|name| name != ".coilsense");
     names.sort();
     names
 }

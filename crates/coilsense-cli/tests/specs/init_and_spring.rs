@@ -29,7 +29,10 @@ fn init_keeps_what_is_there_and_knows_its_springs() {
     let message = refused(&["init", "--out", path(&file)]);
     assert_eq!(
         message,
-        format!("error: {}: is there already; name a file that is not, or remove it\n", file.display())
+        format!(
+            "error: {}: is there already; name a file that is not, or replace it with --overwrite\n",
+            file.display()
+        )
     );
     assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
     let message = refused(&["init", "--from", "S_X"]);

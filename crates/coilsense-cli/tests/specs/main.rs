@@ -98,11 +98,12 @@ fn place(tables: &str) -> (TempDir, PathBuf) {
     (place, spec)
 }
 
-/// Names of all that is in a folder, hidden or not.
+/// Names of all that is in a folder, hidden or not, but the list of what was written there.
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder");
     let mut names: Vec<String> =
         entries.map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8")).collect();
+    names.retain(|name| name != ".coilsense");
     names.sort();
     names
 }

@@ -12,10 +12,11 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::staging::NEW;
 use super::written::digest;
 
-/// Where in a staging folder what was there before is.
+/// Where in a staging folder files are made.
+pub(super) const NEW: &str = "new";
+/// Where in it what was there before is.
 const OLD: &str = "old";
 const JOURNAL: &str = "journal";
 

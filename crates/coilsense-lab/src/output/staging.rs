@@ -8,14 +8,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::commit;
+use super::commit::{self, NEW};
 
 /// How the names of all such folders begin; the process and a number follow.
 const PREFIX: &str = ".coilsense-";
 /// The file in it that its process holds locked for as long as it lives.
 const LOCK: &str = "lock";
-/// Where in it files are made.
-pub(super) const NEW: &str = "new";
 
 /// How many folders this process has named.
 static NAMED: AtomicU64 = AtomicU64::new(0);

@@ -26,12 +26,14 @@ pub fn export_file(made: &Plant, name: &str) -> Result<Made, PlantError> {
     Ok(Made { bytes: text.into_bytes(), left_out: None })
 }
 
-/// Writes that file, named as it is; tells what is not in it, though it could be.
+/// Writes that file, named as it is, over one that is not our own only where that is asked for; tells what is not in it, though it could be.
 ///
 /// # Errors
 /// As [`export_file`], and where nothing can be written.
-pub fn write_export(made: &Plant, file: &Path) -> Result<Option<String>, ReportError> {
-    let (mut output, name) = Output::of_file(file)?;
+pub fn write_export(made: &Plant, file: &Path, overwrites: bool) -> Result<Option<String>, ReportError> {
+    let (output, name) = Output::of_file(file)?;
+    let mut output = output.overwriting(overwrites);
+    output.check(&name)?;
     let stem = file.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
     let written = export_file(made, stem)?;
     output.add(&name, &written.bytes)?;

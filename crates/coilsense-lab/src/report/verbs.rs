@@ -5,7 +5,9 @@
 
 mod sweeps;
 
-use crate::request::{Allowed, DATE, DATE_OF_OUT, IfAbsent, JSON, Row, SPEC, Takes, Verb, out};
+use crate::request::{
+    Allowed, DATE, DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE, OVERWRITE_OUT, Row, SPEC, Takes, Verb, out,
+};
 use crate::{calibration, identification, mitigation, plant, recording, speed, sweep};
 pub use sweeps::{DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_ROW, WHERE};
 use sweeps::{PARETO, SENSITIVITY, SWEEP, VARIED};
@@ -40,7 +42,7 @@ pub const VERBS: [Verb; 18] = [
             &recording::request::WINDOW,
             &recording::request::SECOND,
             &calibration::request::OPTIONS,
-            &[JSON, FIGURES, DATE],
+            &[JSON, FIGURES, OVERWRITE_OUT, DATE],
         ],
         more: "",
     },
@@ -53,7 +55,7 @@ pub const VERBS: [Verb; 18] = [
             &recording::request::WINDOW,
             &recording::request::SECOND,
             &identification::request::OPTIONS,
-            &[JSON, FIGURES, DATE],
+            &[JSON, FIGURES, OVERWRITE, DATE],
         ],
         more: "",
     },
@@ -91,7 +93,7 @@ pub const VERBS: [Verb; 18] = [
     Verb {
         name: "export",
         about: "The spring as a part of your simulation: modes, stepped exactly, as a C header, a Rust constant or matrices",
-        groups: &[&[MODELLED], &plant::request::OPTIONS, &[JSON]],
+        groups: &[&[MODELLED], &plant::request::OPTIONS, &[EXPORTED_OVER, JSON]],
         more: "",
     },
     Verb {
@@ -163,12 +165,16 @@ pub const SENSORS: Row = Row {
     conflicts: &["from", "out"],
     ..Row::PLAIN
 };
-const INIT: [Row; 4] = [
+const INIT: [Row; 5] = [
     FROM,
     Row {
         takes: Takes::File("FILE"),
-        ..out("Write to this file, which must not be there yet, in place of the terminal", IfAbsent::Nothing)
+        ..out(
+            "Write to this file, which must not be there yet without --overwrite, in place of the terminal",
+            IfAbsent::Nothing,
+        )
     },
+    OVERWRITE_OUT,
     SENSORS,
     JSON,
 ];
@@ -196,7 +202,7 @@ pub const ONE_FILE: Row = Row {
     meaning: "Put everything into one CSV, with the columns condition and damping in front where there are several",
     ..Row::PLAIN
 };
-const SIMULATE: [Row; 4] = [
+const SIMULATE: [Row; 5] = [
     SPEC,
     Row {
         takes: Takes::File("FILE"),
@@ -205,19 +211,21 @@ const SIMULATE: [Row; 4] = [
             IfAbsent::Refused,
         )
     },
+    OVERWRITE,
     ONE_FILE,
     JSON,
 ];
-const ANALYZE: [Row; 4] = [
+const ANALYZE: [Row; 5] = [
     SPEC,
     out(
         "Folder for report.html, results.json and signals.parquet; its other files are left alone",
         IfAbsent::Value("out/analysis"),
     ),
+    OVERWRITE,
     Row { meaning: "Print JSON, as it stands in results.json", ..JSON },
     DATE,
 ];
-const IMPORT: [Row; 4] = [
+const IMPORT: [Row; 5] = [
     calibration::request::CALIBRATION,
     Row { requires: &["calibration"], ..calibration::request::RE_ZERO },
     Row {
@@ -227,6 +235,7 @@ const IMPORT: [Row; 4] = [
             IfAbsent::Nothing,
         )
     },
+    OVERWRITE,
     JSON,
 ];
 
@@ -238,7 +247,7 @@ pub const SEED: Row = Row {
     meaning: "Seed of noise, of each instrument's own errors and of hits",
     ..Row::PLAIN
 };
-const RIG: [Row; 4] = [
+const RIG: [Row; 5] = [
     Row {
         meaning: "The spec: its spring, one damping in [mount], and what differs from the paper's rig in [rig]",
         ..SPEC
@@ -250,21 +259,24 @@ const RIG: [Row; 4] = [
             IfAbsent::Value("out/rig"),
         )
     },
+    Row { elsewhere: &[], ..OVERWRITE },
     SEED,
     JSON,
 ];
-const MITIGATE: [Row; 4] = [
+const MITIGATE: [Row; 5] = [
     out(
         "Folder for report.html, results.json, the trade-off as a figure, and settings as JSON, C header and Rust constant; its other files are left alone",
         IfAbsent::Nothing,
     ),
+    OVERWRITE_OUT,
     DATE_OF_OUT,
     mitigation::request::PRECISION,
     JSON,
 ];
-const PLACEMENT: [Row; 4] = [
+const PLACEMENT: [Row; 5] = [
     Row { meaning: "The spec; its table [control] describes the loop", ..SPEC },
     out("Folder for report.html and results.json; its other files are left alone", IfAbsent::Nothing),
+    OVERWRITE_OUT,
     JSON,
     DATE_OF_OUT,
 ];
@@ -272,11 +284,12 @@ const TURNED: Row = Row {
     meaning: "The spec; its table [cam] says what moves end 1, [contact] what windings do when they meet",
     ..SPEC
 };
-const SPEED: [Row; 3] = [
+const SPEED: [Row; 4] = [
     out(
         "Folder for report.html, results.json, speed.csv and speed.parquet; its other files are left alone. Until the map is whole, results are kept in DIR.points",
         IfAbsent::Nothing,
     ),
+    OVERWRITE_OUT,
     JSON,
     DATE_OF_OUT,
 ];
@@ -284,6 +297,7 @@ const MODELLED: Row = Row {
     meaning: "The spec: its spring, what end 2 is tied to, one damping, and the mean length of its conditions",
     ..SPEC
 };
+const EXPORTED_OVER: Row = Row { elsewhere: &[(Door::Python, "Plant.save")], ..OVERWRITE };
 /// Where the experiment lies.
 pub const FOLDER: Row = Row {
     name: "folder",
@@ -293,7 +307,7 @@ pub const FOLDER: Row = Row {
     by_place: true,
     ..Row::PLAIN
 };
-const EXPERIMENT: [Row; 3] = [JSON, Row { if_absent: IfAbsent::Value("out/experiment"), ..FIGURES }, DATE];
+const EXPERIMENT: [Row; 4] = [JSON, Row { if_absent: IfAbsent::Value("out/experiment"), ..FIGURES }, OVERWRITE, DATE];
 
 /// Where the page is served.
 pub const PORT: Row = Row {
@@ -323,11 +337,12 @@ pub const SPRINGS: Row = Row {
     meaning: "Folder with S_T.toml and S_A.toml to use in place of the built-in springs of Table I",
     ..Row::PLAIN
 };
-const REPRODUCE: [Row; 4] = [
+const REPRODUCE: [Row; 5] = [
     out(
         "Folder for report.html, tables.json, figures/ and signals/; its other files are left alone",
         IfAbsent::Value("out/paper"),
     ),
+    OVERWRITE,
     PROTOCOL,
     JSON,
     SPRINGS,

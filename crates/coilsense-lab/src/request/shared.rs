@@ -33,6 +33,15 @@ pub const KNOWN_SPRING: Row = Row {
     elsewhere: &[(Door::Python, "spring"), (Door::Page, "spring")],
     ..Row::PLAIN
 };
+/// What may be replaced.
+pub const OVERWRITE: Row = Row {
+    name: "overwrite",
+    meaning: "Replace files, too, that coilsense did not write or that have changed since; a file that is read never is",
+    elsewhere: &[(Door::Python, "the result's method `save`"), (Door::Page, "its buttons that save")],
+    ..Row::PLAIN
+};
+/// The same of files that are written only where a folder is named.
+pub const OVERWRITE_OUT: Row = Row { requires: &["out"], ..OVERWRITE };
 /// What programs read.
 pub const JSON: Row = Row {
     name: "json",

@@ -2,12 +2,14 @@
 //!
 //! Next door: where they come from (`analysis`, `reproduce`), how files come to disk whole (`output`).
 
+mod cell;
 mod csv;
 mod json;
 #[cfg(feature = "parquet")]
 pub(crate) mod parquet;
 mod stream;
 
+pub(crate) use cell::text_cell;
 pub use stream::Stream;
 
 use std::borrow::Cow;

@@ -4,7 +4,7 @@
 
 use std::io::{self, Write};
 
-use super::Format;
+use super::{Format, text_cell};
 
 /// Where rows of numbers go.
 pub struct Stream<W: Write + Send> {
@@ -30,7 +30,8 @@ impl<W: Write + Send> Stream<W> {
                 for remark in remarks {
                     writeln!(out, "# {remark}")?;
                 }
-                writeln!(out, "{}", titles().collect::<Vec<_>>().join(","))?;
+                let titles = titles().map(|title| text_cell(&title).into_owned());
+                writeln!(out, "{}", titles.collect::<Vec<_>>().join(","))?;
                 Inner::Csv(out)
             }
             #[cfg(feature = "parquet")]

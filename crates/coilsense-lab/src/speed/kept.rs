@@ -121,10 +121,10 @@ impl Kept {
         let bytes = postcard::to_stdvec(point).map_err(|error| self.fault(&error))?;
         let mut file = self.file.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if file.is_none() {
-            *file = Some(self.begin().map_err(|error| self.fault(&error))?);
+            *file = Some(self.begin().map_err(|error| self.unwritten(&error))?);
         }
         let written = file.as_mut().map_or(Ok(()), |file| file.write_all(&bytes));
-        written.map_err(|error| self.fault(&error))
+        written.map_err(|error| self.unwritten(&error))
     }
 
     /// A file that no other run has.
@@ -142,6 +142,10 @@ impl Kept {
     /// Where it is.
     pub fn place(&self) -> String {
         self.folder.display().to_string()
+    }
+
+    fn unwritten(&self, error: &std::io::Error) -> SpeedError {
+        self.fault(&format!("cannot be written: {}", crate::system::said(error)))
     }
 
     fn fault(&self, reason: &dyn std::fmt::Display) -> SpeedError {

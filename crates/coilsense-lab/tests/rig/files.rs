@@ -16,6 +16,7 @@ fn files(tables: &str, seed: u64) -> Vec<(String, String)> {
     output.commit().unwrap();
     let entries = std::fs::read_dir(place.path()).unwrap().map(|entry| entry.unwrap());
     let mut files: Vec<(String, String)> = entries
+        .filter(|entry| entry.file_name() != coilsense_lab::output::WRITTEN)
         .map(|entry| (entry.file_name().into_string().unwrap(), std::fs::read_to_string(entry.path()).unwrap()))
         .collect();
     files.sort();

@@ -8,7 +8,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::output::staging::{NEW, Staging};
+use super::NEW;
+use crate::output::Staging;
 
 /// What becomes of a run: how many steps it still makes, and whether all steps after these fail or only the next one.
 #[derive(Clone, Copy)]

@@ -6,6 +6,8 @@ use std::io::ErrorKind;
 use std::process::{Command, Stdio};
 
 use super::Fmi;
+use crate::output::Staging;
+use crate::system;
 
 /// A shared library and where it lies in an FMU.
 pub(super) struct Binary {
@@ -44,10 +46,11 @@ pub(super) fn binary(name: &str, version: Fmi, files: &[(String, String)]) -> Re
     let Some((machine, ending)) = version.machine() else {
         return Err(format!("FMI {version} has no name for this machine, or a compiler is not at hand on it"));
     };
-    let folder = tempfile::tempdir().map_err(|error| format!("no temporary folder: {}", error.kind()))?;
+    let folder = Staging::within(&std::env::temp_dir())
+        .map_err(|error| format!("no temporary folder: {}", system::said(&error)))?;
     for (file, text) in files {
         let written = std::fs::write(folder.path().join(file), text);
-        written.map_err(|error| format!("no temporary file: {}", error.kind()))?;
+        written.map_err(|error| format!("no temporary file: {}", system::said(&error)))?;
     }
     let library = format!("{name}.{ending}");
     let mut compiler = Command::new("cc");

@@ -4,15 +4,20 @@
 
 use std::io::{self, Write};
 
+use crate::series::text_cell;
 use crate::sweep::{Chunk, Data};
 
 /// Writes titles and rows; what is not there is empty.
 pub(super) fn write(chunk: &Chunk, to: &mut impl Write) -> io::Result<()> {
     let mut writer = ::csv::Writer::from_writer(to);
-    writer.write_record(chunk.columns.iter().map(|(title, _)| title))?;
+    writer.write_record(chunk.columns.iter().map(|(title, _)| text_cell(title).into_owned()))?;
     let rows = chunk.columns.first().map_or(0, |(_, data)| data.len());
     for row in 0..rows {
-        writer.write_record(chunk.columns.iter().map(|(_, data)| cell(data, row)))?;
+        let cells = chunk.columns.iter().map(|(_, data)| match data {
+            Data::Texts(_) => text_cell(&cell(data, row)).into_owned(),
+            _ => cell(data, row),
+        });
+        writer.write_record(cells)?;
     }
     writer.flush()
 }

@@ -2,7 +2,7 @@
 //!
 //! Next door: the other commands (the parent), what a sweep may be asked (`crate::sweep::request`).
 
-use crate::request::{DATE_OF_OUT, Door, IfAbsent, JSON, Row, SPEC, Takes, out};
+use crate::request::{DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE_OUT, Row, SPEC, Takes, out};
 
 pub(super) const VARIED: Row = Row { meaning: "The spec whose values are varied", ..SPEC };
 pub(super) const SWEEP: [Row; 2] = [
@@ -47,12 +47,13 @@ pub const DRAWS_SEED: Row = Row {
     meaning: "Seed of these draws",
     ..Row::PLAIN
 };
-pub(super) const SENSITIVITY: [Row; 7] = [
+pub(super) const SENSITIVITY: [Row; 8] = [
     Row { meaning: "Folder of a sweep that was made with --sampling saltelli", ..DATASET },
     OF,
     RESAMPLES,
     DRAWS_SEED,
     out("Folder for report.html and results.json; its other files are left alone", IfAbsent::Nothing),
+    OVERWRITE_OUT,
     JSON,
     DATE_OF_OUT,
 ];
@@ -83,7 +84,7 @@ pub const SPEC_ROW: Row = Row {
     elsewhere: &[(Door::Python, "SweepPlan.spec_of")],
     ..COLUMN
 };
-pub(super) const PARETO: [Row; 8] = [
+pub(super) const PARETO: [Row; 9] = [
     DATASET,
     MINIMIZE,
     MAXIMIZE,
@@ -92,6 +93,7 @@ pub(super) const PARETO: [Row; 8] = [
         "Folder for report.html, pareto.csv, pareto.parquet, results.json and the figure; its other files are left alone",
         IfAbsent::Nothing,
     ),
+    OVERWRITE_OUT,
     SPEC_ROW,
     JSON,
     DATE_OF_OUT,
