@@ -11,12 +11,13 @@ use coilsense_lab::recording::request::{LOG, WITH};
 use coilsense_lab::recording::{
     Account, Cleaning, ImportError, Overview, import, write_recording, write_recording_with,
 };
-use coilsense_lab::report::{ImportOutcome, overview_json, overview_text, to_json};
+use coilsense_lab::report::verbs::REPORT;
+use coilsense_lab::report::{ImportOutcome, add_overview, overview_json, overview_text, to_json};
 use coilsense_lab::request::{Given, JSON, OUT};
 use coilsense_lab::series::{Column, Format};
 
 use crate::progress::Watch;
-use crate::{files, log, terminal};
+use crate::{date, files, log, terminal};
 
 /// Runs the command.
 pub fn run(given: &Given) -> anyhow::Result<()> {
@@ -71,7 +72,16 @@ fn look(given: &Given) -> anyhow::Result<()> {
     if watch.is_stopped() {
         return Err(AnalysisError::Interrupted.into());
     }
-    let text = if given.holds(&JSON) { overview_json(&overview?)? } else { overview_text(&overview?) };
+    let overview = overview?;
+    let mut text = if given.holds(&JSON) { overview_json(&overview)? } else { overview_text(&overview) };
+    if let Some(folder) = given.file(&REPORT) {
+        let begun = Instant::now();
+        let recording = log::recording(given)?;
+        let mut output = files::folder(given, folder)?;
+        add_overview(&overview, &recording, &date::or_today(given), &mut output)?;
+        let files = output.commit()?;
+        text += &terminal::where_to_look(given, files, folder, Some(begun.elapsed()));
+    }
     Ok(terminal::answer(given, &text)?)
 }
 

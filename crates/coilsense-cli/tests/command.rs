@@ -244,3 +244,39 @@ fn a_wrong_option_is_refused_with_a_hint() {
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("--protocol"));
 }
+
+#[test]
+fn a_log_is_shown_before_anything_is_made_of_it() {
+    let place = tempfile::tempdir().unwrap();
+    let log = place.path().join("run.csv");
+    let rows: String = (0..2000).map(|k| format!("{};{};7\n", f64::from(k) * 0.4, f64::from(k / 25))).collect();
+    fs::write(&log, format!("by hand\nZeit (ms);LC (V);LCR\n{rows}")).unwrap();
+    let shown = coilsense(&["import", path(&log)]);
+    assert_eq!(shown.status.code(), Some(0), "{}", text(&shown.stderr));
+    let shown = text(&shown.stdout);
+    for words in [
+        "2000 rows; 2.5 kHz, from 0 s to 0.7996 s",
+        "#2  LC",
+        "changes 98.8 times a second",
+        "stands still",
+        "its head says: by hand",
+        "add --column F_o=\"LC\" --gain F_o=\"1 N/V\"",
+    ] {
+        assert!(shown.contains(words), "{words}: {shown}");
+    }
+    let told = ["--column", "F_o=LC", "--gain", "F_o=12.5 N/V", "--constant", "u2=104 mm"];
+    let page = place.path().join("page");
+    let all = [&["import", path(&log)], &told[..], &["--report", path(&page)]].concat();
+    assert_eq!(coilsense(&all).status.code(), Some(0));
+    let page = fs::read_to_string(page.join("report.html")).unwrap();
+    assert!(page.contains("F_o over time and its spectrogram.") && page.contains("12.5 N/V"));
+    // What stands still has a course only.
+    assert!(page.contains("u2 over time."));
+    let json = coilsense(&[&["import", path(&log), "--json"], &told[..]].concat());
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(
+        (&json["schema"], &json["lacks"], &json["columns"][1]["channel"]),
+        (&"coilsense/log/1".into(), &serde_json::Value::Null, &"F_o".into())
+    );
+    assert!(refused(&["import", path(&log), "--with", path(&log)]).contains("--with needs --out FILE"));
+}

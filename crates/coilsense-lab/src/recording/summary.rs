@@ -63,7 +63,9 @@ impl Summary {
 
     /// The mean; `None` without values.
     pub fn mean(&self) -> Option<f64> {
-        (self.count > 0).then_some(self.mean)
+        let [least, most] = self.range?;
+        // What is left of a mean of zero is rounding.
+        Some(if self.mean.abs() < 1e-12 * least.abs().max(most.abs()) { 0.0 } else { self.mean })
     }
 
     /// Its course in so many signs at most: the middle of what each stands for, between the smallest and the largest value.

@@ -39,7 +39,7 @@ pub use files::{ReasonRow, RecomputedRow, SweepOutcome};
 pub use identification::{IdentificationOutcome, add_identification, identification_json, identification_text};
 pub use mitigation::{MitigationOutcome, add_mitigation, mitigation_json, mitigation_text};
 pub use outcome::{Headed, Outcome, to_json};
-pub use overview::{OverviewOutcome, overview_json, overview_text};
+pub use overview::{OverviewOutcome, add_overview, overview_json, overview_text};
 #[cfg(feature = "parquet")]
 pub use pareto::{ParetoOutcome, add_pareto, pareto_json, pareto_text};
 pub use placement::{PlacementOutcome, add_placement, placement_json, placement_text};

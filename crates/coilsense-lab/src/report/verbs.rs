@@ -225,7 +225,16 @@ const ANALYZE: [Row; 5] = [
     Row { meaning: "Print JSON, as it stands in results.json", ..JSON },
     DATE,
 ];
-const IMPORT: [Row; 5] = [
+/// The page of a log.
+pub const REPORT: Row = Row {
+    name: "report",
+    takes: Takes::File("DIR"),
+    conflicts: &["out", "with", "calibration"],
+    meaning: "Folder for report.html: the course and the spectrogram of each channel, and what is in the log; its other files are left alone",
+    elsewhere: &[(Door::Python, "`Signals.plot`"), (Door::Page, "the log's own page")],
+    ..Row::PLAIN
+};
+const IMPORT: [Row; 7] = [
     calibration::request::CALIBRATION,
     Row { requires: &["calibration"], ..calibration::request::RE_ZERO },
     Row {
@@ -236,6 +245,8 @@ const IMPORT: [Row; 5] = [
         )
     },
     OVERWRITE,
+    REPORT,
+    Row { requires: &["report"], ..DATE },
     JSON,
 ];
 

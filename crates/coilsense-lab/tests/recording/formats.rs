@@ -47,7 +47,7 @@ fn parquet_with_stamps_nulls_and_narrow_numbers() {
     let stamped = mapping(&["time=when"]);
     let message = read("narrow.parquet", &stamped, &Cleaning::default()).unwrap_err();
     assert!(message.contains("narrow.parquet:4: F_o has no value"), "{message}");
-    let found = read("narrow.parquet", &stamped, &Cleaning { drop_incomplete: true, ..Cleaning::default() }).unwrap();
+    let found = read("narrow.parquet", &stamped, &Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() }).unwrap();
     let text = text();
     let kept: Vec<usize> = (0..50).filter(|row| row % 7 != 3).collect();
     let pick = |values: &[f64]| kept.iter().map(|&row| values[row]).collect::<Vec<f64>>();
@@ -217,7 +217,7 @@ fn tdms_of_nptdms_in_segments_with_scales_and_waveforms() {
     same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::DeflectionForce]);
     assert_eq!(found.account().description, "NI TDMS, 3 channels on one clock");
     let text = text();
-    let kept = Cleaning { drop_incomplete: true, ..Cleaning::default() };
+    let kept = Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() };
     let found = read("motion-wave.tdms", &Mapping::default(), &kept).unwrap();
     for channel in [Channel::OutputForce, Channel::Inductance] {
         let tenth: Vec<f64> = text.channel(channel).unwrap().iter().step_by(10).copied().collect();

@@ -64,7 +64,7 @@ fn a_compressed_log_that_is_cut_off_anywhere_gives_no_rows() {
         let packed = packer(text.as_bytes());
         let lengths = (6..packed.len()).step_by(packed.len() / 40).chain(packed.len() - 12..packed.len());
         for length in lengths {
-            let kept = Cleaning { drop_incomplete: true, ..Cleaning::default() };
+            let kept = Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() };
             let message = read_with(&packed[..length], &Mapping::default(), &kept).unwrap_err();
             let end = format!(": is cut off: its {name} data break off before their end");
             assert!(message.starts_with("run.csv:") && message.ends_with(&end), "{length} bytes: {message}");
@@ -152,7 +152,7 @@ fn piped(bytes: Vec<u8>, columns: &[&str]) -> Result<Recording, String> {
         // Who reads may have had enough.
         let _ = bytes.chunks(1000).try_for_each(|part| pipe.write_all(part));
     });
-    let cleaning = Cleaning { drop_incomplete: true, ..Cleaning::default() };
+    let cleaning = Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() };
     let found = Recording::read(&path, &mapping(columns), &cleaning);
     writer.join().unwrap();
     found.map_err(|error| error.to_string().replace(&folder, ""))
@@ -169,7 +169,7 @@ fn a_pipe_gives_what_a_file_gives() {
     }
     for (_, file) in BINARY.iter().filter(|(there, _)| *there) {
         let columns = ["time=time [s]", "F_o=F_o [N]", "L=L [H]"];
-        let cleaning = Cleaning { drop_incomplete: true, ..Cleaning::default() };
+        let cleaning = Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() };
         let plain = Recording::read(&golden(file), &mapping(&columns), &cleaning).unwrap();
         let found = piped(std::fs::read(golden(file)).unwrap(), &columns).unwrap();
         assert_eq!(found.signals(), plain.signals(), "{file}");

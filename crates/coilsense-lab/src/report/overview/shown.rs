@@ -1,13 +1,13 @@
 //! What is in a log: for people, and for machines.
 //!
-//! Next door: the log itself (`crate::recording`).
+//! Next door: the page with figures (`super`), the log itself (`crate::recording`).
 
 use std::path::Path;
 
 use serde::Serialize;
 
-use super::ReportError;
-use super::outcome::{Outcome, to_json};
+use super::super::ReportError;
+use super::super::outcome::{Outcome, to_json};
 use crate::message::Door;
 use crate::quantity::digits;
 use crate::recording::{ClockOverview, ColumnOverview, Overview};
@@ -133,14 +133,42 @@ const MOST_COLUMNS: usize = 64;
 
 /// What is in a log, for people.
 pub fn overview_text(overview: &Overview) -> String {
-    let mut lines = vec![format!("{}: {}", overview.file.display(), overview.description)];
-    lines.push(rows(overview));
-    let span = overview.clock.as_ref().map(|clock| clock.span[1] - clock.span[0]);
+    let mut lines = summary(overview);
+    let rows = lines.split_off(1);
+    lines.extend(rows.into_iter().take(1).map(|line| format!("  {line}")));
     let header = ["", "column", "unit", "as", "from", "to", "mean", "", ""].map(str::to_owned);
-    let mut table = vec![header];
-    for column in overview.columns.iter().take(MOST_COLUMNS) {
+    let table: Vec<[String; 9]> = std::iter::once(header).chain(columns(overview)).collect();
+    lines.extend(aligned(&table));
+    if overview.columns.len() > MOST_COLUMNS {
+        lines.push(format!("  and {} columns more", overview.columns.len() - MOST_COLUMNS));
+    }
+    lines.extend(
+        overview.clock.iter().flat_map(|clock| irregular(clock, overview.rows)).map(|line| format!("  {line}")),
+    );
+    lines.extend(overview.remarks.iter().take(3).map(|remark| format!("  its head says: {remark}")));
+    match &overview.lacks {
+        Some(message) => lines.push(format!("to be told before it can be imported: {message}")),
+        None => lines.push(
+            "all is told; next: the same with --out FILE or --report DIR, or identify, calibrate and mitigate"
+                .to_owned(),
+        ),
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The file, its rows, and what is odd about its clock, a line each.
+pub(super) fn summary(overview: &Overview) -> Vec<String> {
+    let first = [format!("{}: {}", overview.file.display(), overview.description), rows(overview)];
+    let clock = overview.clock.iter().flat_map(|clock| irregular(clock, overview.rows));
+    first.into_iter().chain(clock).collect()
+}
+
+/// The rows of the table of columns: number, name, unit, channel, range, mean, course, what is odd.
+pub(super) fn columns(overview: &Overview) -> Vec<[String; 9]> {
+    let span = overview.clock.as_ref().map(|clock| clock.span[1] - clock.span[0]);
+    let row = |column: &ColumnOverview| {
         let [from, to] = column.summary.range.map_or([String::new(), String::new()], |range| range.map(digits));
-        table.push([
+        [
             format!("#{}", column.number),
             column.name.clone(),
             column.unit.clone().unwrap_or_default(),
@@ -150,23 +178,9 @@ pub fn overview_text(overview: &Overview) -> String {
             column.summary.mean().map_or(String::new(), digits),
             column.summary.sparkline(COURSE),
             said(column, overview.rows, span),
-        ]);
-    }
-    lines.extend(aligned(&table));
-    if overview.columns.len() > MOST_COLUMNS {
-        lines.push(format!("  and {} columns more", overview.columns.len() - MOST_COLUMNS));
-    }
-    if let Some(clock) = &overview.clock {
-        lines.extend(irregular(clock, overview.rows));
-    }
-    lines.extend(overview.remarks.iter().take(3).map(|remark| format!("  its head says: {remark}")));
-    match &overview.lacks {
-        Some(message) => lines.push(format!("to be told before it can be imported: {message}")),
-        None => {
-            lines.push("all is told; next: the same with --out FILE, or identify, calibrate and mitigate".to_owned())
-        }
-    }
-    lines.join("\n") + "\n"
+        ]
+    };
+    overview.columns.iter().take(MOST_COLUMNS).map(row).collect()
 }
 
 fn rows(overview: &Overview) -> String {
@@ -179,9 +193,9 @@ fn rows(overview: &Overview) -> String {
         Some(clock) => {
             let [from, to] = clock.span;
             let rate = rate(clock.rate());
-            format!("  {} rows{broken}; {rate}, from {from} s to {to} s", overview.rows)
+            format!("{} rows{broken}; {rate}, from {from} s to {to} s", overview.rows)
         }
-        None => format!("  {} rows{broken}; no column is known as the time", overview.rows),
+        None => format!("{} rows{broken}; no column is known as the time", overview.rows),
     }
 }
 
@@ -213,17 +227,17 @@ fn irregular(clock: &ClockOverview, rows: u64) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some((count, what)) = &clock.turns {
         let times = if *count == 1 { "once".to_owned() } else { format!("{count} times") };
-        lines.push(format!("  {times}: {what}"));
+        lines.push(format!("{times}: {what}"));
     }
     for (count, what) in [(clock.back, "go back in time"), (clock.repeated, "have the time of the row before")] {
         if count > 0 {
-            lines.push(format!("  {count} of {rows} rows {what}"));
+            lines.push(format!("{count} of {rows} rows {what}"));
         }
     }
     if clock.gaps > 0 {
-        lines.push(format!("  {} steps are longer than usual, the longest {} s", clock.gaps, digits(largest)));
+        lines.push(format!("{} steps are longer than usual, the longest {} s", clock.gaps, digits(largest)));
     } else if largest - least > 1e-3 * clock.usual {
-        lines.push(format!("  its steps of time are from {} to {} s", digits(least), digits(largest)));
+        lines.push(format!("its steps of time are from {} to {} s", digits(least), digits(largest)));
     }
     lines
 }

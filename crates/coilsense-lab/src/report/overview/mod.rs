@@ -1,0 +1,62 @@
+//! A log before anything is made of it: what is in it, in words, for machines, and as a page with the course and the spectrogram of each channel.
+//!
+//! Next door: the log itself (`crate::recording`).
+
+mod figures;
+mod shown;
+
+use minijinja::{AutoEscape, Environment, context};
+
+pub use shown::{OverviewOutcome, overview_json, overview_text};
+
+use super::prose::file_name;
+use super::{Drawn, ReportError, draw};
+use crate::output::Output;
+use crate::recording::{Overview, Recording};
+
+/// Adds the page of a log to `output`: `report.html`, `results.json`, `figures/*`.
+///
+/// # Errors
+/// [`ReportError`] for the first part that fails.
+pub fn add_overview(
+    overview: &Overview,
+    recording: &Recording,
+    date: &str,
+    output: &mut Output,
+) -> Result<(), ReportError> {
+    let drawn: Vec<Drawn> = figures::all(recording)
+        .into_iter()
+        .map(|(name, caption, figure)| draw(name, caption, &figure))
+        .collect::<Result<_, _>>()?;
+    for figure in &drawn {
+        output.add(&format!("figures/{}.svg", figure.name), figure.light.as_bytes())?;
+        output.add(&format!("figures/{}.png", figure.name), &figure.png)?;
+    }
+    output.add("report.html", page(overview, recording, date, &drawn)?.as_bytes())?;
+    output.add("results.json", overview_json(overview)?.as_bytes())?;
+    Ok(())
+}
+
+fn page(overview: &Overview, recording: &Recording, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_template("page", include_str!("page.html"))?;
+    let figure = |figure: &Drawn| {
+        context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
+    };
+    let rows = shown::columns(overview);
+    let page = environment.get_template("page")?.render(context! {
+        version => env!("CARGO_PKG_VERSION"),
+        style => include_str!("../style.css"),
+        date,
+        file => file_name(&overview.file.display().to_string()),
+        simulated => recording.simulated(),
+        summary => shown::summary(overview),
+        uneven => recording.sample_rate().err().map(|error| error.to_string()),
+        columns => rows,
+        remarks => &overview.remarks,
+        figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+        account => recording.account().lines(),
+    })?;
+    Ok(page)
+}
