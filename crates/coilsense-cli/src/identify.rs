@@ -1,6 +1,5 @@
 //! `coilsense identify`.
 
-use std::io::Write;
 use std::time::Instant;
 
 use anyhow::Context;
@@ -24,6 +23,8 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let coil = spec_out.map(|_| coil(given, spring).context(needed)).transpose()?;
     let settings = settings(given, spring).map_err(options::wrong)?;
     let mut output = files::asked(given)?;
+    // Refused before the work where it must not be written.
+    let spec_output = spec_out.map(|path| files::one(given, path)).transpose()?;
     let identified = Identified::of(log::recording(given)?, &settings)?;
     if let Some(output) = &mut output {
         let date = date::or_today(given);
@@ -38,8 +39,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         // What was found is told all the same.
         Err(error) => return Err(terminal::answer(given, &text).map_or_else(Into::into, |()| error.into())),
     };
-    if let (Some(spec_text), Some(path)) = (spec_text, spec_out) {
-        files::write_one(given, path, |file| file.write_all(spec_text.as_bytes()))?;
+    if let (Some(spec_text), Some(path), Some((mut output, name))) = (spec_text, spec_out, spec_output) {
+        output.add(&name, spec_text.as_bytes())?;
+        output.commit()?;
         if !given.holds(&JSON) {
             text.push_str(&format!("\n{0}; next: coilsense analyze {0} --out DIR\n", path.display()));
         }

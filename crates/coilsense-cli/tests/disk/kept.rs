@@ -17,7 +17,7 @@ fn what_is_read_is_never_overwritten_by_whatever_name_it_is_called() {
     fs::write(place.path("my.toml"), recorded).unwrap();
     fs::write(place.path("mapping.toml"), "[columns]\nu2 = \"l\"\n").unwrap();
     fs::create_dir(place.path("sub")).unwrap();
-    for (name, of) in [("link.csv", "my.csv"), ("sub/link.toml", "../my.toml"), ("hit.csv", "bench/hit-1-fast.csv")] {
+    for (name, of) in [("link.csv", "my.csv"), ("sub/link.toml", "../spec.toml"), ("hit.csv", "bench/hit-1-fast.csv")] {
         symlink(of, place.path(name)).unwrap();
     }
     fs::hard_link(place.path("my.csv"), place.path("hard.csv")).unwrap();
@@ -27,7 +27,7 @@ fn what_is_read_is_never_overwritten_by_whatever_name_it_is_called() {
         ("simulate my.toml --one-file --out ./sub/../my.csv", "my.csv"),
         ("simulate my.toml --one-file --out link.csv", "link.csv"),
         ("simulate my.toml --one-file --out hard.csv", "hard.csv"),
-        ("simulate sub/link.toml --one-file --out my.csv", "my.csv"),
+        ("export spec.toml --as c --out sub/link.toml", "link.toml"),
         ("identify bench/hit-1-fast.csv --spec spec.toml --spec-out bench/hit-1-fast.csv", "hit-1-fast.csv"),
         ("identify bench/hit-1-fast.csv --spec spec.toml --spec-out spec.toml", "spec.toml"),
         ("import bench/hit-1-fast.csv --to 0.05s --out bench/hit-1-fast.csv", "hit-1-fast.csv"),

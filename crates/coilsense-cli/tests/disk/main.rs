@@ -85,7 +85,7 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     for entry in fs::read_dir(folder).into_iter().flatten().map(|entry| entry.expect("an entry").path()) {
         if entry.is_dir() {
             found.extend(files(&entry));
-        } else if entry.file_name().is_some_and(|name| name != ".coilsense") {
+        } else if entry.is_file() && entry.file_name().is_some_and(|name| name != ".coilsense") {
             found.insert(entry.clone(), fs::read(&entry).unwrap_or_default());
         }
     }
