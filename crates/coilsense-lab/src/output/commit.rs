@@ -186,6 +186,11 @@ fn forget(staging: &Path) -> io::Result<()> {
     sync_folder(staging)
 }
 
+/// Whether files of a staging folder have begun to take their places, and neither all have nor none.
+pub(super) fn is_begun(staging: &Path) -> bool {
+    is_there(&staging.join(JOURNAL))
+}
+
 /// Whether there is anything of this name, a link that leads nowhere included.
 pub(super) fn is_there(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok()

@@ -34,7 +34,10 @@ pub fn abandon() {
     for folder in ours.iter() {
         // Another thread may still be writing into it.
         for _ in 0..5 {
-            match fs::remove_dir_all(folder) {
+            if commit::is_begun(folder) {
+                break;
+            }
+            match empty(folder).and_then(|()| remove(folder)) {
                 Err(error) if error.kind() != ErrorKind::NotFound => std::thread::yield_now(),
                 _ => break,
             }
@@ -151,9 +154,13 @@ fn is_name(name: &str) -> bool {
 impl Drop for Staging {
     fn drop(&mut self) {
         let mut ours = gate();
-        // Some systems remove no file that is open.
-        self.lock = None;
-        let _ = fs::remove_dir_all(&self.path);
+        // What could not be undone is there for the next run to undo.
+        if !commit::is_begun(&self.path) {
+            let emptied = empty(&self.path);
+            // Some systems remove no file that is open.
+            self.lock = None;
+            let _ = emptied.and_then(|()| remove(&self.path));
+        }
         ours.retain(|folder| *folder != self.path);
     }
 }
@@ -171,9 +178,30 @@ fn clear_one(left: &Path, folder: &Path) -> io::Result<()> {
     }
     let _gate = gate();
     commit::complete(left, folder)?;
-    // On systems that remove no open file, another run may come between: it finds nothing to complete.
+    empty(left)?;
     drop(lock);
-    fs::remove_dir_all(left)
+    remove(left)
+}
+
+/// Removes all that is in a staging folder but its lock: a folder without one is empty, wherever a run is killed.
+fn empty(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        match entry.file_type()?.is_dir() {
+            true => fs::remove_dir_all(entry.path())?,
+            false if entry.file_name() == LOCK => (),
+            false => fs::remove_file(entry.path())?,
+        }
+    }
+    Ok(())
+}
+
+/// Removes a staging folder of which only the lock is left.
+fn remove(folder: &Path) -> io::Result<()> {
+    match fs::remove_file(folder.join(LOCK)) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
+        _ => fs::remove_dir(folder),
+    }
 }
 
 /// A folder that nobody else can look into.
