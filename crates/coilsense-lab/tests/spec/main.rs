@@ -7,6 +7,7 @@
 //! | `keys` | that what is documented is what is read, with every template, material and sensor class |
 //! | `placed` | that a refusal stands at the line of its key |
 //! | `hostile` | random edits and random trees, read and simulated |
+//! | `mutated` | every example, of which a few bytes or words are changed |
 //! | `fixtures` | the good specs |
 
 mod conditions;
@@ -14,6 +15,7 @@ mod files;
 mod fixtures;
 mod hostile;
 mod keys;
+mod mutated;
 mod placed;
 mod sections;
 mod sensors;
