@@ -59,8 +59,9 @@ fn parquet(path: &Path) -> Result<Catalogue, String> {
 fn decoded(path: &Path) -> Result<Catalogue, String> {
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
+    let one_line = |error: parquet::errors::ParquetError| error.to_string().replace('\n', " ");
     let file = crate::input::open(path).map_err(|error| error.to_string())?;
-    let reader = SerializedFileReader::new(file).map_err(|error| error.to_string())?;
+    let reader = SerializedFileReader::new(file).map_err(one_line)?;
     let schema = reader.metadata().file_metadata().schema().clone();
     let titles: Vec<String> = schema.get_fields().iter().map(|field| field.name().to_owned()).collect();
     let text = |field: &Field| match field {
@@ -69,8 +70,8 @@ fn decoded(path: &Path) -> Result<Catalogue, String> {
         other => other.to_string(),
     };
     let mut rows = Vec::new();
-    for row in reader.get_row_iter(None).map_err(|error| error.to_string())?.take(MOST_ROWS + 1) {
-        let row = row.map_err(|error| error.to_string())?;
+    for row in reader.get_row_iter(None).map_err(one_line)?.take(MOST_ROWS + 1) {
+        let row = row.map_err(one_line)?;
         rows.push(row.get_column_iter().map(|(_, field)| text(field)).collect());
     }
     Ok(Catalogue { titles, rows })

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use coilsense_lab::pareto::{Question, Study};
-use coilsense_lab::sweep::{Dataset, Plan, PlanParameters};
+use coilsense_lab::sweep::{Catalogue, Chunk, Data, Dataset, Plan, PlanParameters};
 use sha2::{Digest, Sha256};
 
 use super::dataset::{files, fill, quick};
@@ -168,6 +168,35 @@ fn a_chunk_that_is_cut_off_copied_or_of_another_sweep_is_refused_and_made_anew()
     assert!(whole.refusal(one).contains("cannot be read"));
     let dataset = Dataset::create_or_open(whole.place.path(), &whole.plan).unwrap();
     assert!(dataset.write(1, good).unwrap_err().to_string().contains("cannot be written"));
+}
+
+/// Others' files bear no digest: what is damaged in one is refused, or another number.
+#[test]
+fn a_catalogue_of_which_a_bit_is_flipped_is_read_or_refused_in_one_line() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("springs.parquet");
+    let names = ["a", "b", "a", "c"].map(str::to_owned).to_vec();
+    let columns = [
+        ("spring.name", Data::Texts(names)),
+        ("spring.mass [kg]", Data::Numbers(vec![0.05, 0.06, f64::NAN, 0.08])),
+        ("article", Data::Whole(vec![1, 2, 3, 4])),
+    ];
+    let columns = columns.map(|(title, data)| (title.to_owned(), data)).to_vec();
+    let good = Chunk { columns }.to_parquet().unwrap();
+    std::fs::write(&path, &good).unwrap();
+    assert_eq!(Catalogue::read(&path).unwrap().rows[1], ["b", "0.06", "2"]);
+    let mut refused = 0;
+    for bit in (0..8 * good.len()).step_by(3) {
+        let mut bytes = good.clone();
+        bytes[bit / 8] ^= 1 << (bit % 8);
+        std::fs::write(&path, &bytes).unwrap();
+        if let Err(error) = Catalogue::read(&path) {
+            refused += 1;
+            let line = error.to_string();
+            assert!(line.contains("springs.parquet: ") && !line.contains('\n'), "bit {bit}: {line}");
+        }
+    }
+    assert!(refused > 0);
 }
 
 #[test]
