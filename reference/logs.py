@@ -5,15 +5,21 @@ file holds the same values, or what is told here of its narrower type.
 """
 
 import datetime
+import decimal
 import struct
 
 import asammdf
 import h5py
 import numpy as np
 import nptdms
+import openpyxl
 import pyarrow as pa
+import pyarrow.feather as feather
 import pyarrow.parquet as pq
 import scipy.io
+from odf.opendocument import OpenDocumentSpreadsheet
+from odf.table import Table, TableCell, TableRow
+from odf.text import P
 
 from golden import LAB
 
@@ -47,6 +53,118 @@ def write_parquet(time, force, inductance, counts):
     force_of_some = pa.array([None if row % 7 == 3 else value for row, value in enumerate(force)], pa.float64())
     narrow = {"when": stamps, "F_o [N]": force_of_some, "F_i [N]": pa.array(force.astype(np.float32)), "note": ["x"] * ROWS}
     pq.write_table(pa.table(narrow), OUT / "narrow.parquet")
+
+
+def write_arrow(time, force, inductance, counts):
+    table = pa.table({"time [s]": time, "F_o [N]": force, "L [H]": inductance, "counts": counts})
+    feather.write_feather(table, OUT / "motion.feather", compression="lz4", chunksize=20)
+    options = pa.ipc.IpcWriteOptions(compression="zstd")
+    with pa.ipc.new_stream(OUT / "motion.arrows", table.schema, options=options) as file:
+        file.write_table(table, max_chunksize=20)
+
+
+def write_types():
+    """Each type of a column that holds numbers, in eight rows; `types.csv` has the same as the nearest doubles, instants from the first one on."""
+    count, stamp = range(8), 1_795_262_400_123_456_789
+    parts = [0, 400_000, 800_001, 1_200_000, 1_600_007, 2_000_000, 2_400_000, 90_000_000_000_123]
+    money = [decimal.Decimal(x) for x in ("0.1", "-2.345678", "0", "999999.999999", "-0.000001", "3", "1e3", "7.7")]
+    columns = {
+        "int8": (pa.int8(), [-128, -1, 0, 1, 2, 3, 4, 127], float),
+        "uint8": (pa.uint8(), [255, 128, 0, 1, 2, 3, 4, 5], float),
+        "uint16": (pa.uint16(), [65_535 - i for i in count], float),
+        "int32": (pa.int32(), [-(2**31), *range(7)], float),
+        "uint32": (pa.uint32(), [2**32 - 1 - i for i in count], float),
+        "int64": (pa.int64(), [2**53 + 1 + 2 * i for i in count], float),
+        "uint64": (pa.uint64(), [2**64 - 1 - 1500 * i for i in count], float),
+        "float16": (pa.float16(), [np.float16(x) for x in (0.1, -2.5, 6e-8, 65_504, 1, 2, 3, 4)], float),
+        "float32": (pa.float32(), [float(np.float32(x)) for x in (0.1, -2.5, 1e-40, 3e38, 1, 2, 3, 4)], float),
+        "gaps": (pa.float64(), [0.1, None, 0.3, None, None, 0.6, 0.7, 0.8], float),
+        "gaps in whole numbers": (pa.int64(), [1, None, 3, None, None, 6, 7, 8], float),
+        "decimal": (pa.decimal128(12, 6), money, float),
+        "long decimal": (pa.decimal128(38, 20), [x / 3 for x in money], float),
+        "longer decimal": (pa.decimal256(60, 6), money, float),
+        "stamps in s": (pa.timestamp("s"), [stamp // 10**9 + i for i in count], 1),
+        "stamps in ms": (pa.timestamp("ms", "UTC"), [stamp // 10**6 + i for i in count], 10**3),
+        "stamps in us": (pa.timestamp("us", "Europe/Berlin"), [stamp // 10**3 + i for i in parts], 10**6),
+        "stamps in ns": (pa.timestamp("ns"), [stamp + i for i in parts], 10**9),
+        "times of day": (pa.time64("us"), [43_200_000_000 + i // 2000 for i in parts], 10**6),
+        "days": (pa.date32(), [20_000 + i for i in count], 1 / 86_400),
+        "stretches": (pa.duration("ns"), parts, None),
+    }
+    table = {}
+    with open(OUT / "types.csv", "w", encoding="ascii", newline="\n") as file:
+        numbers = []
+        for name, (kind, values, meaning) in columns.items():
+            exact = [x if x is None or not isinstance(x, decimal.Decimal) else round(x, kind.scale) for x in values]
+            table[name] = pa.array(exact, kind)
+            if meaning is float:
+                numbers.append(["" if x is None else repr(float(x)) for x in exact])
+            elif meaning is None:
+                numbers.append([repr(x / 10**9) for x in exact])
+            else:
+                numbers.append([repr((x - exact[0]) / meaning) for x in exact])
+        file.write(",".join(columns) + "\n")
+        file.writelines(",".join(row) + "\n" for row in zip(*numbers))
+    others = {"ok": pa.array([True] * 8), "note": pa.array(["x"] * 8), "list": pa.array([[1.0]] * 8), "none": pa.nulls(8)}
+    table = pa.table(table | others)
+    pq.write_table(table, OUT / "types.parquet", compression="zstd")
+    # Other pages, and other encodings than dictionaries.
+    pq.write_table(table, OUT / "types-v2.parquet", compression="brotli", data_page_version="2.0", use_dictionary=False, row_group_size=5,
+                   column_encoding={"int32": "DELTA_BINARY_PACKED", "int64": "DELTA_BINARY_PACKED", "float32": "BYTE_STREAM_SPLIT",
+                                    "long decimal": "DELTA_BYTE_ARRAY", "uint64": "BYTE_STREAM_SPLIT"})
+    # Stamps of 96 bits.
+    pq.write_table(table, OUT / "types-old.parquet", compression="gzip", use_deprecated_int96_timestamps=True)
+    feather.write_feather(table, OUT / "types.feather", compression="zstd", chunksize=5)
+    feather.write_feather(table.select([0]), OUT / "old.feather", version=1)
+
+
+def write_workbooks(time, force, inductance, counts):
+    """A sheet of settings, the log below a remark and over a row of units, and five rows with instants, gaps, shares and truth values."""
+    noon = datetime.datetime(2026, 11, 21, 12, 0, 0)
+    settings = [["device", "rig"], ["rate", 2500, "Hz"]]
+    run = [["the rig, 21.11.2026"], ["time", "F_o", "L", "counts"], ["s", "N", "H", ""]]
+    run += [[x.item() for x in row] for row in zip(time, force, inductance, counts)]
+    stamped = [["five rows"], ["when", "elapsed", "F_o [N]", "share", "ok"]]
+    stamped += [[noon + i * datetime.timedelta(milliseconds=4), i * datetime.timedelta(milliseconds=4), None if i == 2 else force[i].item(), 0.05 * i, True]
+                for i in range(5)]
+    sheets = {"settings": settings, "run": run, "stamped": stamped}
+    book = openpyxl.Workbook()
+    book.remove(book.active)
+    for name, rows in sheets.items():
+        sheet = book.create_sheet(name)
+        for row in rows:
+            sheet.append(row)
+    for row in sheet.iter_rows(min_row=3):
+        row[0].number_format, row[1].number_format, row[3].number_format = "yyyy-mm-dd hh:mm:ss.000", "[h]:mm:ss.000", "0 %"
+    book.save(OUT / "motion.xlsx")
+    document = OpenDocumentSpreadsheet()
+    for name, rows in sheets.items():
+        table = Table(name=name)
+        for row in rows:
+            cells = TableRow()
+            for value in row:
+                cells.addElement(cell_of(value))
+            table.addElement(cells)
+        document.spreadsheet.addElement(table)
+    document.save(OUT / "motion.ods")
+
+
+def cell_of(value):
+    """A cell of OpenDocument as LibreOffice writes it."""
+    match value:
+        case bool():
+            return TableCell(valuetype="boolean", booleanvalue="true")
+        case datetime.datetime():
+            return TableCell(valuetype="date", datevalue=value.isoformat())
+        case datetime.timedelta():
+            return TableCell(valuetype="time", timevalue=f"PT00H00M{value.total_seconds():06.3f}S")
+        case str():
+            cell = TableCell(valuetype="string")
+            cell.addElement(P(text=value))
+            return cell
+        case None:
+            return TableCell()
+    return TableCell(valuetype="float", value=repr(value))
 
 
 def write_mat(time, force, inductance, counts):
@@ -136,6 +254,9 @@ if __name__ == "__main__":
     OUT.mkdir(exist_ok=True)
     values = motion()
     write_parquet(*values)
+    write_arrow(*values)
+    write_types()
+    write_workbooks(*values)
     write_mat(*values)
     write_mdf(*values)
     write_csv(*values)

@@ -12,7 +12,7 @@
 mod likeness;
 
 /// A damaged file that a decoder falls over to an error.
-#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+#[cfg(any(feature = "parquet", feature = "arrow", feature = "sheets", feature = "matlab", feature = "mdf"))]
 mod guarded;
 
 /// A number with a unit as people write it to its SI value, and back.

@@ -11,7 +11,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::IntoPython;
+use crate::errors::{IntoPython, LogError};
 use crate::log_options::LogOptions;
 use crate::long_work::interruptible;
 use crate::names::Names;
@@ -294,6 +294,9 @@ pub fn open_log(
     from_: Option<Quantity>,
     to: Option<Quantity>,
 ) -> PyResult<PyRecording> {
+    if path.as_os_str() == "-" {
+        return Err(LogError::new_err("path must name a file, got \"-\": standard input is read by the command only"));
+    }
     let told =
         LogOptions { columns, units, gain, offset, negate, constant, mapping, preset, delimiter, decimal, sample_rate };
     let mapping = told.mapping()?;

@@ -117,6 +117,7 @@ impl Input {
     }
 
     /// A file to seek in, at its beginning: the log itself, or a temporary one of what is in it.
+    #[cfg_attr(not(feature = "parquet"), allow(dead_code, reason = "the formats that need it may be left out"))]
     pub fn file(self) -> Result<File, RecordingError> {
         let path = self.path;
         let failed = |error: io::Error| unreadable(&path, &error);
@@ -133,6 +134,7 @@ impl Input {
     /// All of it in memory, where it is at most `most` bytes.
     ///
     /// `kind` says what it is, after "is", in the message that it is larger.
+    #[cfg_attr(not(feature = "matlab"), allow(dead_code, reason = "the formats that need it may be left out"))]
     pub fn bytes(self, most: u64, kind: &str) -> Result<Vec<u8>, RecordingError> {
         let path = self.path.clone();
         let mut bytes = Vec::new();

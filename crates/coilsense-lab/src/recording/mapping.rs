@@ -32,6 +32,8 @@ pub struct Format {
     pub skip: u64,
     /// Samples per second \[Hz\], in place of a time column: row 0 is at 0 s.
     pub sample_rate: Option<f64>,
+    /// Which sheet of a workbook is the log.
+    pub sheet: Option<String>,
 }
 
 /// The columns of a quantity: one, or several of which the mean counts. In SI: mean · unit · `factor` + `offset`.

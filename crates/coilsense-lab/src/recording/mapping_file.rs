@@ -15,7 +15,7 @@ use crate::quantity::Dimension;
 use crate::spec::Key;
 
 /// Keys of `[log]`: how the text is written.
-pub const LOG_KEYS: [Key; 6] = [
+pub const LOG_KEYS: [Key; 7] = [
     key(
         "delimiter",
         "\";\"",
@@ -27,6 +27,7 @@ pub const LOG_KEYS: [Key; 6] = [
     key("comment", "\"!\"", "what comment lines begin with", "`#`, `%` and `//`"),
     key("skip", "1", "so many rows of numbers are left out at the beginning", "0"),
     key("sample_rate", "\"2.5 kHz\"", "of a log without a time column: row 0 is at 0 s", "none"),
+    key("sheet", "\"Run 2\"", "which sheet of a workbook is the log", "the first with numbers"),
 ];
 
 /// Keys of an entry of `[columns]` that is a table of its own.
@@ -130,6 +131,8 @@ impl Mapping {
         let frequency =
             |value: &Value| Dimension::Frequency.parse(value.as_str()?).filter(|rate| (1e-9..=1e9).contains(rate));
         format.sample_rate = take(table, "sample_rate", &Dimension::Frequency.expectation(), frequency)?;
+        let name = |value: &Value| value.as_str().filter(|name| !name.trim().is_empty()).map(str::to_owned);
+        format.sheet = take(table, "sheet", "the name of a sheet", name)?;
         Ok(())
     }
 

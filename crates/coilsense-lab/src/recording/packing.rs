@@ -63,22 +63,38 @@ impl Packing {
 
     /// What is in it; errors of reading say whether it is cut off or damaged.
     pub fn unpacked(self, packed: Bytes) -> Result<Bytes, String> {
+        let name = self.name();
         let inner = match self {
-            #[cfg(feature = "gzip")]
-            Self::Gzip => Box::new(flate2::read::MultiGzDecoder::new(packed)) as Bytes,
-            #[cfg(feature = "zstd")]
-            Self::Zstd => Box::new(zstd::Decoder::new(packed).map_err(|error| error.to_string())?) as Bytes,
-            #[allow(unreachable_patterns)]
-            _ => {
-                drop(packed);
-                let name = self.name();
-                return Err(format!(
-                    "is compressed by {name}, which this build cannot read: it was made without the feature {name}"
-                ));
-            }
+            Self::Gzip => of_gzip(packed),
+            Self::Zstd => of_zstd(packed),
         };
-        Ok(Box::new(Unpacking { inner, name: self.name() }))
+        let inner = inner.ok_or_else(|| {
+            format!("is compressed by {name}, which this build cannot read: it was made without the feature {name}")
+        })?;
+        Ok(Box::new(Unpacking { inner: inner.map_err(|error| told(&error))?, name }))
     }
+}
+
+/// What gzip packed; `None` where that is not built.
+#[cfg(feature = "gzip")]
+fn of_gzip(packed: Bytes) -> Option<io::Result<Bytes>> {
+    Some(Ok(Box::new(flate2::read::MultiGzDecoder::new(packed))))
+}
+
+#[cfg(not(feature = "gzip"))]
+fn of_gzip(_packed: Bytes) -> Option<io::Result<Bytes>> {
+    None
+}
+
+/// What zstd packed; `None` where that is not built.
+#[cfg(feature = "zstd")]
+fn of_zstd(packed: Bytes) -> Option<io::Result<Bytes>> {
+    Some(zstd::Decoder::new(packed).map(|decoder| Box::new(decoder) as Bytes))
+}
+
+#[cfg(not(feature = "zstd"))]
+fn of_zstd(_packed: Bytes) -> Option<io::Result<Bytes>> {
+    None
 }
 
 /// A decompressor whose errors are told in plain words.

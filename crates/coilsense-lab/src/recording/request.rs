@@ -31,7 +31,7 @@ pub const LOG: Row = Row {
     name: "log",
     takes: Takes::File("LOG"),
     if_absent: IfAbsent::Refused,
-    meaning: "The log: a text with columns (CSV and the like)",
+    meaning: "The log: a text with columns (CSV and the like), Parquet, Arrow, a workbook and others; - is standard input",
     by_place: true,
     elsewhere: &[(Door::Python, "path"), (Door::Page, "dropped")],
     ..Row::PLAIN

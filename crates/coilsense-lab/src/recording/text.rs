@@ -28,6 +28,8 @@ pub(super) struct Text {
     path: PathBuf,
     reader: Box<dyn BufRead + Send>,
     layout: Layout,
+    /// What it was before it was a text, where it was something else.
+    what: Option<String>,
     /// What else there is to say of how it is written.
     also: String,
     comment: Option<String>,
@@ -87,6 +89,7 @@ impl Text {
             reader: Box::new(BufReader::with_capacity(1 << 20, Cursor::new(head).chain(bytes))),
             thousands: vec![unsettled; layout.titles.len()],
             layout,
+            what: None,
             also: format!("{wide}{packed}"),
             comment: format.comment.clone(),
             line: 0,
@@ -97,6 +100,12 @@ impl Text {
             first_stamp: None,
             lenient: false,
         })
+    }
+
+    /// The same, made of something that is no text.
+    #[cfg(feature = "sheets")]
+    pub fn described(self, what: String) -> Self {
+        Self { what: Some(what), ..self }
     }
 
     /// Moves on to the next line; false at the end.
@@ -177,7 +186,11 @@ impl Source for Text {
     }
 
     fn description(&self) -> String {
-        self.layout.description() + &self.also
+        let header = || self.layout.header.map_or("no header".to_owned(), |row| format!("header in row {row}"));
+        match &self.what {
+            Some(what) => format!("{what}, {}", header()),
+            None => self.layout.description() + &self.also,
+        }
     }
 
     fn titles(&self) -> &[Title] {
@@ -246,10 +259,9 @@ fn text_only(head: &[u8]) -> Result<(), String> {
     if head.is_empty() {
         return Err("is empty".to_owned());
     }
-    let known: [(&[u8], &str); 4] = [
+    let known: [(&[u8], &str); 3] = [
         (b"\x1f\x8b", "compressed by gzip; unpack it first"),
         (b"\x28\xb5\x2f\xfd", "compressed by zstd; unpack it first"),
-        (b"PK\x03\x04", "an Excel file or ZIP archive; save the table as CSV"),
         (b"\x89HDF", "HDF5, which is not read; save its columns as CSV or Parquet"),
     ];
     match known.iter().find(|(magic, _)| head.starts_with(magic)) {

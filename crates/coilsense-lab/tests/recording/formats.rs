@@ -47,7 +47,12 @@ fn parquet_with_stamps_nulls_and_narrow_numbers() {
     let stamped = mapping(&["time=when"]);
     let message = read("narrow.parquet", &stamped, &Cleaning::default()).unwrap_err();
     assert!(message.contains("narrow.parquet:4: F_o has no value"), "{message}");
-    let found = read("narrow.parquet", &stamped, &Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() }).unwrap();
+    let found = read(
+        "narrow.parquet",
+        &stamped,
+        &Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() },
+    )
+    .unwrap();
     let text = text();
     let kept: Vec<usize> = (0..50).filter(|row| row % 7 != 3).collect();
     let pick = |values: &[f64]| kept.iter().map(|&row| values[row]).collect::<Vec<f64>>();
@@ -62,7 +67,7 @@ fn parquet_with_stamps_nulls_and_narrow_numbers() {
     assert!(off.fold(0.0, f64::max) <= 1e-18);
     assert_eq!((found.account().read, found.account().left_out(), found.account().rows), (50, 7, 43));
     let message = read("narrow.parquet", &mapping(&["time=when", "u1=note [m]"]), &Cleaning::default()).unwrap_err();
-    assert!(message.ends_with("column 4 \"note\": it holds no numbers"), "{message}");
+    assert!(message.ends_with("column 4 \"note\": it holds texts, no numbers"), "{message}");
 }
 
 #[cfg(feature = "parquet")]
@@ -83,6 +88,61 @@ fn what_is_written_as_parquet_or_csv_is_read_as_the_same() {
         let again = Recording::read(&place.path().join(name), &mapping, &Cleaning::default()).unwrap();
         assert_eq!(again.signals(), first.signals());
         assert_eq!(again.simulated(), Some("simulated: seed 7"), "what is simulated says so after each step");
+    }
+}
+
+/// Bits of a column, all that are no number as one.
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| if value.is_nan() { f64::NAN } else { *value }.to_bits()).collect()
+}
+
+#[cfg(all(feature = "parquet", feature = "arrow"))]
+#[test]
+fn every_type_of_numbers_gives_the_nearest_doubles() {
+    let text = Table::read(&path("types.csv"), &Mapping::default().format).unwrap();
+    assert_eq!(text.titles().len(), 21);
+    for name in ["types.parquet", "types-v2.parquet", "types-old.parquet", "types.feather"] {
+        let table = Table::read(&path(name), &Mapping::default().format).unwrap();
+        let titles = |table: &Table| table.titles().iter().map(|title| title.text.clone()).collect::<Vec<_>>();
+        // Truth values, texts, lists and nothing are no numbers.
+        assert_eq!(titles(&table), titles(&text), "{name}");
+        for title in titles(&text) {
+            let [found, told] = [&table, &text].map(|table| bits(table.column(&title).unwrap()));
+            assert_eq!(found, told, "{name}: {title}");
+        }
+        for (column, what) in [("ok", "true and false"), ("note", "texts"), ("none", "nothing")] {
+            let told = mapping(&[&format!("F_o={column} [N]"), "time=stretches"]);
+            let message = read(name, &told, &Cleaning::default()).unwrap_err();
+            assert!(message.ends_with(&format!("\"{column}\": it holds {what}, no numbers")), "{message}");
+        }
+        // Stretches of time carry their unit.
+        let told = mapping(&["time=stretches", "F_o=uint8 [N]"]);
+        assert_eq!(read(name, &told, &Cleaning::default()).unwrap().signals().time()[2], 0.000_800_001);
+    }
+}
+
+#[cfg(feature = "arrow")]
+#[test]
+fn arrow_files_and_streams_in_record_batches() {
+    for (name, description) in
+        [("motion.feather", "Arrow file (Feather), 4 columns"), ("motion.arrows", "Arrow stream, 4 columns")]
+    {
+        let found = read(name, &mapping(&["F_i=counts [N]"]), &Cleaning::default()).unwrap();
+        same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
+        assert_eq!(found.account().description, description);
+        let bytes = std::fs::read(path(name)).unwrap();
+        let place = tempfile::tempdir().unwrap();
+        let cut = place.path().join("cut");
+        for length in (8..bytes.len() - 8).step_by(7) {
+            std::fs::write(&cut, &bytes[..length]).unwrap();
+            let found =
+                Recording::read(&cut, &Mapping::default(), &Cleaning::default()).map_err(|error| error.to_string());
+            match found {
+                // A stream may end behind any of its messages.
+                Ok(found) => assert!(name == "motion.arrows" && found.account().rows.is_multiple_of(20)),
+                Err(message) => assert!(message.contains(": is ") || message.ends_with("has no rows"), "{message}"),
+            }
+        }
     }
 }
 
@@ -242,19 +302,35 @@ fn tdms_of_a_card_that_was_stopped_in_a_row() {
 }
 
 #[test]
+fn a_refusal_holds_a_line_to_paste() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("FILE of Bob's.csv.bz2");
+    std::fs::write(&path, b"BZh91AY&SY").unwrap();
+    let message = Recording::read(&path, &Mapping::default(), &Cleaning::default()).unwrap_err().to_string();
+    let quoted = format!("'{}/FILE of Bob'\\''s.csv.bz2'", place.path().display());
+    let line = format!("is compressed by bzip2, which is not read; unpack it first: bunzip2 --keep {quoted}");
+    assert!(message.ends_with(&line), "{message}");
+}
+
+#[test]
 fn what_is_not_read_is_refused_by_name() {
-    for (name, word) in [("motion.h5", "HDF5"), ("motion-v73.mat", "MATLAB file of version 7.3")] {
+    for (name, word) in [
+        ("motion.h5", "HDF5"),
+        ("motion-v73.mat", "MATLAB file of version 7.3"),
+        ("old.feather", "is Feather of version 1, which is not read; convert it by: python3 -c"),
+    ] {
         let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert!(message.starts_with(&path(name).display().to_string()) && message.contains(word), "{message}");
         assert_eq!(message.lines().count(), 1);
     }
 }
 
-#[cfg(not(all(feature = "parquet", feature = "matlab", feature = "mdf", feature = "tdms")))]
+#[cfg(not(all(feature = "parquet", feature = "arrow", feature = "matlab", feature = "mdf", feature = "tdms")))]
 #[test]
 fn a_format_that_was_left_out_is_named() {
-    let out: [(bool, &str, &str); 4] = [
+    let out: [(bool, &str, &str); 5] = [
         (cfg!(feature = "parquet"), "motion.parquet", "without the feature parquet"),
+        (cfg!(feature = "arrow"), "motion.feather", "without the feature arrow"),
         (cfg!(feature = "matlab"), "motion-v5.mat", "without the feature matlab"),
         (cfg!(feature = "mdf"), "motion.mf4", "without the feature mdf"),
         (cfg!(feature = "tdms"), "motion.tdms", "without the feature tdms"),

@@ -115,8 +115,10 @@ fn what_swells_when_it_is_unpacked_is_refused_soon() {
 }
 
 /// Files that somebody has to seek in.
-const BINARY: [(bool, &str); 3] = [
+const BINARY: [(bool, &str); 5] = [
     (cfg!(feature = "parquet"), "motion.parquet"),
+    (cfg!(feature = "arrow"), "motion.feather"),
+    (cfg!(feature = "arrow"), "motion.arrows"),
     (cfg!(feature = "matlab"), "motion-v7.mat"),
     (cfg!(feature = "mdf"), "motion.mf4"),
 ];

@@ -7,6 +7,7 @@
 //! | `clocks` | times that do not rise evenly |
 //! | `formats` | files of other programs, values compared exactly |
 //! | `inputs` | pipes, compressed files, encodings |
+//! | `sheets` | workbooks |
 //! | `devices` | two clocks |
 //! | `dialects` | what instruments and programs write, as their makers document it |
 //! | `damaged` | binary files of instruments, cut off anywhere and with wrong bytes |
@@ -23,3 +24,5 @@ mod formats;
 mod hostile;
 mod inputs;
 mod layouts;
+#[cfg(feature = "sheets")]
+mod sheets;

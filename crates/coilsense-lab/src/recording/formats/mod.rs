@@ -7,6 +7,10 @@
 
 #[cfg(any(feature = "matlab", feature = "tdms"))]
 mod apart;
+#[cfg(feature = "arrow")]
+mod arrow;
+#[cfg(any(feature = "parquet", feature = "arrow"))]
+mod columnar;
 #[cfg(any(feature = "mdf", feature = "tdms"))]
 mod grouped;
 #[cfg(any(feature = "matlab", feature = "mdf", feature = "tdms", test))]
@@ -19,6 +23,8 @@ mod mdf;
 mod only_matlab;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "sheets")]
+mod sheets;
 #[cfg(feature = "tdms")]
 mod tdms;
 #[cfg(test)]
@@ -46,14 +52,14 @@ struct Row {
     open: Option<Open>,
 }
 
-/// Opens a file of a format.
-type Open = fn(Input) -> Result<Box<dyn Source>, RecordingError>;
+/// Opens a file of a format; what is told of how it is written matters to those that look like texts.
+type Open = fn(Input, &Format) -> Result<Box<dyn Source>, RecordingError>;
 
 /// What it takes to read a file.
 enum Takes {
     /// A build with this feature.
     Feature(&'static str),
-    /// Something that only its owner can do.
+    /// Something that only its owner can do; in it FILE is the file, and STEM what its name is without the ending.
     Advice(&'static str),
 }
 
@@ -64,8 +70,54 @@ const TABLE: &[Row] = &[
         magic: &[b"PAR1"],
         takes: Takes::Feature("parquet"),
         #[cfg(feature = "parquet")]
-        open: Some(|input| Ok(Box::new(parquet::ParquetRows::open(input)?))),
+        open: Some(|input, _| Ok(Box::new(parquet::ParquetRows::open(input)?))),
         #[cfg(not(feature = "parquet"))]
+        open: None,
+    },
+    Row {
+        name: "Arrow",
+        magic: &[b"ARROW1", b"\xff\xff\xff\xff"],
+        takes: Takes::Feature("arrow"),
+        #[cfg(feature = "arrow")]
+        open: Some(|input, _| Ok(Box::new(arrow::ArrowRows::open(input)?))),
+        #[cfg(not(feature = "arrow"))]
+        open: None,
+    },
+    Row {
+        name: "Feather of version 1",
+        magic: &[b"FEA1"],
+        takes: Takes::Advice(
+            "which is not read; convert it by: python3 -c \"import sys, pandas; \
+             pandas.read_feather(sys.argv[1]).to_parquet(sys.argv[2])\" FILE STEM.parquet",
+        ),
+        open: None,
+    },
+    Row {
+        name: "a workbook or ZIP archive",
+        // What old Office wrote, and what has a password, begins as the second does.
+        magic: &[b"PK\x03\x04", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"],
+        takes: Takes::Feature("sheets"),
+        #[cfg(feature = "sheets")]
+        open: Some(|input, format| Ok(Box::new(sheets::open(input, format)?))),
+        #[cfg(not(feature = "sheets"))]
+        open: None,
+    },
+    Row {
+        name: "compressed by bzip2",
+        magic: &[b"BZh"],
+        takes: Takes::Advice("which is not read; unpack it first: bunzip2 --keep FILE"),
+        open: None,
+    },
+    Row {
+        name: "compressed by xz",
+        magic: &[b"\xfd7zXZ\0"],
+        takes: Takes::Advice("which is not read; unpack it first: unxz --keep FILE"),
+        open: None,
+    },
+    Row {
+        name: "compressed by lz4",
+        magic: &[b"\x04\x22\x4d\x18"],
+        takes: Takes::Advice("which is not read; unpack it first: unlz4 --keep FILE"),
         open: None,
     },
     Row {
@@ -79,7 +131,7 @@ const TABLE: &[Row] = &[
         magic: &[b"MATLAB 5.0"],
         takes: Takes::Feature("matlab"),
         #[cfg(feature = "matlab")]
-        open: Some(|input| Ok(Box::new(in_memory::TableRows::of(matlab::read(input)?)))),
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(matlab::read(input)?)))),
         #[cfg(not(feature = "matlab"))]
         open: None,
     },
@@ -88,7 +140,7 @@ const TABLE: &[Row] = &[
         magic: &[b"MDF     ", b"UnFinMF "],
         takes: Takes::Feature("mdf"),
         #[cfg(feature = "mdf")]
-        open: Some(|input| Ok(Box::new(in_memory::TableRows::of(mdf::read(input)?)))),
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(mdf::read(input)?)))),
         #[cfg(not(feature = "mdf"))]
         open: None,
     },
@@ -97,7 +149,7 @@ const TABLE: &[Row] = &[
         magic: &[b"TDSm"],
         takes: Takes::Feature("tdms"),
         #[cfg(feature = "tdms")]
-        open: Some(|input| Ok(Box::new(in_memory::TableRows::of(tdms::read(input)?)))),
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(tdms::read(input)?)))),
         #[cfg(not(feature = "tdms"))]
         open: None,
     },
@@ -117,7 +169,7 @@ const MATLAB_4: Row = Row {
     name: "a MATLAB file of version 4",
     magic: &[],
     takes: Takes::Feature("matlab"),
-    open: Some(|input| Ok(Box::new(in_memory::TableRows::of(matlab::read_level4(input)?)))),
+    open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(matlab::read_level4(input)?)))),
 };
 
 impl Row {
@@ -138,13 +190,35 @@ impl Row {
     }
 
     /// Why it cannot be opened.
-    fn refusal(&self) -> String {
+    fn refusal(&self, file: &Path) -> String {
         match self.takes {
             Takes::Feature(feature) => {
                 format!("is {}, which this build cannot read: it was made without the feature {feature}", self.name)
             }
-            Takes::Advice(advice) => format!("is {}, {advice}", self.name),
+            Takes::Advice(advice) => advised(file, self.name, advice),
         }
+    }
+}
+
+/// That a file is not read, and what its owner can do.
+fn advised(file: &Path, name: &str, advice: &str) -> String {
+    let (file, stem) = (quoted(file), quoted(&file.with_extension("")));
+    // Each word once, so that a file whose name has such a word in it is not torn.
+    let words = advice.split(' ').map(|word| match word.strip_prefix("STEM") {
+        Some(ending) => format!("{stem}{ending}"),
+        None if word == "FILE" => file.clone(),
+        None => word.to_owned(),
+    });
+    format!("is {name}, {}", words.collect::<Vec<_>>().join(" "))
+}
+
+/// A path as a shell takes it.
+fn quoted(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |c: char| c.is_alphanumeric() || "/._-+:,@%".contains(c);
+    match text.chars().all(is_plain) {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
     }
 }
 
@@ -155,7 +229,9 @@ pub(super) fn open(path: &Path, format: &Format) -> Result<Box<dyn Source>, Reco
     let mut input = Input::open(path)?;
     match Row::of(input.head()).or_else(|| Row::of_whole(&mut input)) {
         None => Ok(Box::new(Text::open(input, format)?)),
-        Some(row) => row.open.ok_or_else(|| RecordingError::of_file(input.path(), row.refusal()))?(input),
+        Some(row) => {
+            row.open.ok_or_else(|| RecordingError::of_file(input.path(), row.refusal(input.path())))?(input, format)
+        }
     }
 }
 
@@ -165,6 +241,11 @@ pub(super) fn held(name: &str, text: Vec<u8>, format: &Format) -> Result<Text, R
     match Row::of(&text) {
         None => Text::held(name, text, format),
         Some(Row { open: Some(_), .. }) => Err(RecordingError::of_file(name, "is no text")),
-        Some(row) => Err(RecordingError::of_file(name, row.refusal())),
+        // What is built for the page has no room for other formats.
+        Some(Row { name: kind, takes: Takes::Feature(_), .. }) => {
+            let message = format!("is {kind}, which is not read here; save its columns as CSV");
+            Err(RecordingError::of_file(name, message))
+        }
+        Some(row) => Err(RecordingError::of_file(name, row.refusal(name))),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::error::RecordingError;
 use super::super::input::Input;
+use super::super::mapping::Format;
 use super::super::source::Source;
 use super::super::table::Table;
 use super::super::title::Title;
@@ -12,7 +13,7 @@ pub(super) const ROW: Row =
     Row { name: "a toy", magic: &[b"TOY1"], takes: Takes::Advice("which is a toy"), open: Some(open) };
 
 /// After the magic bytes pairs of little-endian numbers: time in ms, force in N.
-fn open(input: Input) -> Result<Box<dyn Source>, RecordingError> {
+fn open(input: Input, _: &Format) -> Result<Box<dyn Source>, RecordingError> {
     let path = input.path().to_owned();
     let bytes = input.bytes(1 << 20, "a toy")?;
     let pairs: Vec<[f64; 2]> = bytes[4..]

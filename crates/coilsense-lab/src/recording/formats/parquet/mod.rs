@@ -1,13 +1,18 @@
 //! Rows of a Parquet file, one row group in memory at a time.
 //!
+//! | file | holds |
+//! |---|---|
+//! | `kind` | what a column holds |
+//! | `values` | its values in one row group |
+//!
 //! Next door: who writes such files here (`crate::series`), texts (`text`).
+
+mod kind;
+mod values;
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use parquet::basic::{LogicalType, TimeUnit, Type};
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
-use parquet::data_type::DataType;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::ColumnDescriptor;
@@ -17,6 +22,7 @@ use super::super::input::Input;
 use super::super::order::MOST_NUMBERS;
 use super::super::source::{Next, Source};
 use super::super::title::Title;
+use super::columnar::Kind;
 use crate::guarded::guarded;
 use crate::series::parquet::REMARKS;
 
@@ -26,8 +32,10 @@ pub(super) struct ParquetRows {
     reader: SerializedFileReader<File>,
     titles: Vec<Title>,
     remarks: Vec<String>,
-    /// First stamp of each column that holds stamps.
-    origins: Vec<Option<i64>>,
+    /// What each column holds: numbers, or something else.
+    kinds: Vec<Result<Kind, &'static str>>,
+    /// First instant of each column that holds such.
+    origins: Vec<Option<i128>>,
     /// The row group in memory: its number, the columns that were wanted, and the next row of it.
     group: usize,
     columns: Vec<Vec<f64>>,
@@ -50,13 +58,22 @@ impl ParquetRows {
         let reader = SerializedFileReader::new(file).map_err(|error| wrong(&error))?;
         let metadata = reader.metadata().file_metadata();
         let schema = metadata.schema_descr();
-        let titles: Vec<Title> = schema.columns().iter().map(|column| title(column)).collect();
-        let texts = metadata.key_value_metadata().into_iter().flatten().filter(|pair| pair.key == REMARKS);
-        let remarks = texts.filter_map(|pair| pair.value.as_deref()).flat_map(str::lines).map(str::to_owned).collect();
+        let pairs = || metadata.key_value_metadata().into_iter().flatten();
+        let texts = |key| pairs().filter(move |pair| pair.key == key).filter_map(|pair| pair.value.as_deref());
+        let durations = kind::durations(texts("ARROW:schema").next());
+        let columns = schema.columns().iter();
+        let (titles, kinds): (Vec<Title>, Vec<_>) = columns
+            .map(|column| {
+                let kind = kind::kind(column, &durations);
+                (title(column, kind), kind)
+            })
+            .unzip();
+        let remarks = texts(REMARKS).flat_map(str::lines).map(str::to_owned).collect();
         let rows = u64::try_from(metadata.num_rows()).unwrap_or(0);
         let origins = vec![None; titles.len()];
         let (path, progress) = (path.to_owned(), [0, rows]);
-        Ok(Self { path, reader, titles, remarks, origins, group: 0, columns: Vec::new(), row: 0, progress })
+        let columns = Vec::new();
+        Ok(Self { path, reader, titles, remarks, kinds, origins, group: 0, columns, row: 0, progress })
     }
 
     /// Reads the next row group that has rows; false where none is left.
@@ -74,10 +91,10 @@ impl ParquetRows {
                 let place = self.titles[index].place(index);
                 let failed =
                     |error: ParquetError| wrong(format!("{place}, row group {}: {}", self.group, one_line(&error)));
+                let kind = self.kinds[index].map_err(|what| wrong(format!("{place}: it holds {what}, no numbers")))?;
                 let reader = group.get_column_reader(index).map_err(failed)?;
-                let descriptor = group.metadata().schema_descr().column(index);
-                let values = numbers(reader, &descriptor, rows, &mut self.origins[index]).map_err(failed)?;
-                let values = values.ok_or_else(|| wrong(format!("{place}: it holds no numbers")))?;
+                let most = group.metadata().schema_descr().column(index).max_def_level();
+                let values = values::numbers(reader, kind, rows, most, &mut self.origins[index]).map_err(failed)?;
                 if values.len() != rows {
                     let found = values.len();
                     return Err(wrong(format!(
@@ -118,12 +135,7 @@ impl Source for ParquetRows {
     }
 
     fn numeric(&self) -> Vec<usize> {
-        let is_number = |column: &ColumnDescriptor| {
-            let kind = column.physical_type();
-            column.max_rep_level() == 0 && matches!(kind, Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64)
-        };
-        let columns = self.reader.metadata().file_metadata().schema_descr().columns().iter().enumerate();
-        columns.filter(|(_, column)| is_number(column)).map(|(index, _)| index).collect()
+        (0..self.kinds.len()).filter(|&index| self.kinds[index].is_ok()).collect()
     }
 
     fn next(&mut self, wanted: &[usize], values: &mut Vec<f64>) -> Result<Next, RecordingError> {
@@ -141,76 +153,17 @@ impl Source for ParquetRows {
     }
 }
 
-fn title(column: &ColumnDescriptor) -> Title {
-    let stamps = matches!(column.logical_type_ref(), Some(LogicalType::Timestamp(_) | LogicalType::Time(_)));
-    Title { stamps, ..Title::parse(column.name()) }
-}
-
-/// Seconds of one unit of a stamp.
-fn tick(column: &ColumnDescriptor) -> Option<f64> {
-    let (Some(LogicalType::Timestamp(stamp)) | Some(LogicalType::Time(stamp))) = column.logical_type_ref() else {
-        return None;
+/// A column's title; one within another is called by both names.
+fn title(column: &ColumnDescriptor, kind: Result<Kind, &str>) -> Title {
+    let parts = column.path().parts();
+    // A list's own names below its name are its writer's.
+    let parts = if column.max_rep_level() > 0 { &parts[..parts.len().min(1)] } else { parts };
+    let title = Title::parse(&parts.join("."));
+    let unit = match kind {
+        Ok(Kind::Duration(_)) => Some("s".to_owned()),
+        _ => title.unit,
     };
-    Some(match stamp.unit {
-        TimeUnit::MILLIS => 1e3,
-        TimeUnit::MICROS => 1e6,
-        TimeUnit::NANOS => 1e9,
-    })
-}
-
-/// A column's numbers, NaN for nulls; `None` where it holds none.
-fn numbers(
-    reader: ColumnReader,
-    column: &ColumnDescriptor,
-    rows: usize,
-    origin: &mut Option<i64>,
-) -> Result<Option<Vec<f64>>, ParquetError> {
-    if column.max_rep_level() > 0 {
-        return Ok(None);
-    }
-    let ticks = tick(column);
-    let mut whole = |value: i64| match ticks {
-        Some(ticks) => value.wrapping_sub(*origin.get_or_insert(value)) as f64 / ticks,
-        None => value as f64,
-    };
-    let most = column.max_def_level();
-    Ok(Some(match reader {
-        ColumnReader::DoubleColumnReader(reader) => all(reader, rows, most, |value| value)?,
-        ColumnReader::FloatColumnReader(reader) => all(reader, rows, most, f64::from)?,
-        ColumnReader::Int32ColumnReader(reader) => all(reader, rows, most, |value| whole(i64::from(value)))?,
-        ColumnReader::Int64ColumnReader(reader) => all(reader, rows, most, whole)?,
-        _ => return Ok(None),
-    }))
-}
-
-fn all<T: DataType>(
-    mut reader: ColumnReaderImpl<T>,
-    rows: usize,
-    most: i16,
-    mut number: impl FnMut(T::T) -> f64,
-) -> Result<Vec<f64>, ParquetError> {
-    let mut numbers = Vec::new();
-    let (mut values, mut levels) = (Vec::new(), Vec::new());
-    while numbers.len() < rows {
-        values.clear();
-        levels.clear();
-        let (records, ..) =
-            reader.read_records((rows - numbers.len()).min(1 << 16), Some(&mut levels), None, &mut values)?;
-        if records == 0 {
-            break;
-        }
-        let mut present = values.drain(..);
-        if most == 0 {
-            numbers.extend(present.map(&mut number));
-        } else {
-            let levels = levels.iter();
-            numbers.extend(
-                levels
-                    .map(|&level| if level == most { present.next().map_or(f64::NAN, &mut number) } else { f64::NAN }),
-            );
-        }
-    }
-    Ok(numbers)
+    Title { stamps: kind.is_ok_and(Kind::stamps), unit, ..title }
 }
 
 /// What a library says, on one line.
