@@ -6,6 +6,7 @@ file holds the same values, or what is told here of its narrower type.
 
 import datetime
 import decimal
+import json
 import struct
 
 import asammdf
@@ -17,6 +18,7 @@ import pyarrow as pa
 import pyarrow.feather as feather
 import pyarrow.parquet as pq
 import scipy.io
+from mcap.writer import CompressionType, Writer as McapWriter
 from odf.opendocument import OpenDocumentSpreadsheet
 from odf.table import Table, TableCell, TableRow
 from odf.text import P
@@ -190,6 +192,12 @@ def write_mdf(time, force, inductance, counts):
     mdf.header.start_time = datetime.datetime(2026, 11, 21, 12, 0, 0, tzinfo=datetime.timezone.utc)
     mdf.save(OUT / "motion.mf4", overwrite=True)
     mdf.save(OUT / "motion-packed.mf4", overwrite=True, compression=1)
+    old = asammdf.MDF(version="3.30")
+    old.append(fast, comment="load cell")
+    old.append([asammdf.Signal(inductance[::10], time[::10], name="L", unit="H")], comment="LCR meter")
+    old.append([asammdf.Signal((counts > 0).astype("u1"), time, name="state", conversion={"val_0": 0, "text_0": b"off", "val_1": 1, "text_1": b"on"})])
+    old.header.start_time = mdf.header.start_time
+    old.save(OUT / "motion.mdf", overwrite=True)
 
 
 LINEAR = {"NI_Number_Of_Scales": 1, "NI_Scaling_Status": "unscaled", "NI_Scale[0]_Scale_Type": "Linear",
@@ -240,13 +248,58 @@ def write_card(counts):
         file.write(struct.pack("<4siIQQ", b"TDSm", 1 << 3 | 1 << 7, 4713, 2**64 - 1, 0) + rows[120:190])
 
 
-def write_refused(time, force):
+def write_mcap(time, force, inductance, counts):
+    nanoseconds = 1_795_262_400_000_000_000 + np.round(time * 1e9).astype(int)
+    for name, packing in [("motion.mcap", CompressionType.ZSTD), ("motion-lz4.mcap", CompressionType.LZ4)]:
+        with open(OUT / name, "wb") as file:
+            writer = McapWriter(file, compression=packing, chunk_size=1500)
+            writer.start()
+            schema = writer.register_schema("log", "jsonschema", b"{}")
+            cell, meter = (writer.register_channel(topic, "json", schema) for topic in ("/cell", "/meter"))
+            for row, at in enumerate(nanoseconds.tolist()):
+                message = {"F_o [N]": force[row].item(), "raw": {"counts": counts[row].item()}, "who": "the rig"}
+                writer.add_message(cell, log_time=at, publish_time=at, data=json.dumps(message).encode())
+                if row % 10 == 0:
+                    writer.add_message(meter, log_time=at, publish_time=at, data=json.dumps({"L [H]": inductance[row].item()}).encode())
+            writer.finish()
+    with open(OUT / "proto.mcap", "wb") as file:
+        writer = McapWriter(file)
+        writer.start()
+        schema = writer.register_schema("Force", "protobuf", b"")
+        channel = writer.register_channel("/cell", "protobuf", schema)
+        writer.add_message(channel, log_time=1, publish_time=1, data=b"\x08\x01")
+        writer.finish()
+
+
+def write_hdf5(time, force, inductance, counts):
     with h5py.File(OUT / "motion.h5", "w") as file:
-        file["F_o"] = force[:5]
-    # MATLAB writes 7.3 as HDF5 behind a header of its own of 512 bytes.
+        run = file.create_group("run")
+        run["time"] = time
+        run.create_dataset("F_o", data=force, chunks=(16,), compression="gzip", shuffle=True, fletcher32=True)
+        run.create_dataset("L", data=inductance.astype(">f8"), chunks=(16,), compression="lzf")
+        run["counts"] = counts
+        for name, unit in [("time", "s"), ("F_o", "N"), ("L", "H"), ("counts", "mN")]:
+            run[name].attrs["unit"] = unit
+    rows = np.rec.fromarrays([time, force, counts], names=["time", "F_o", "counts"])
+    with h5py.File(OUT / "motion-rows.h5", "w", libver="latest") as file:
+        file["log"] = rows
+        file["both"] = np.column_stack([force, inductance])
+        file["note"] = "the rig"
+    # MATLAB writes 7.3 as HDF5 behind a header of its own of 512 bytes, a column as a row.
     with h5py.File(OUT / "motion-v73.mat", "w", userblock_size=512) as file:
-        file["F_o"] = force[:5]
+        for name, values in [("time", time), ("F_o", force), ("run/L", inductance), ("run/counts", counts.astype(float))]:
+            file.create_dataset(name, data=values.reshape(1, -1), chunks=(1, ROWS), compression="gzip")
+            file[name].attrs["MATLAB_class"] = np.bytes_("double")
+        file["both"] = np.stack([force, inductance])
+        file["who"] = np.frombuffer("the rig".encode("utf-16-le"), dtype="<u2").reshape(-1, 1)
+        file["who"].attrs["MATLAB_class"] = np.bytes_("char")
     with open(OUT / "motion-v73.mat", "r+b") as file:
+        file.write(b"MATLAB 7.3 MAT-file, written by h5py".ljust(116) + bytes(8) + b"\x00\x02IM")
+    with h5py.File(OUT / "timetable-v73.mat", "w", userblock_size=512) as file:
+        file["TT"] = np.array([[3707764736, 2, 1, 1, 1, 1]], dtype="u4")
+        file["TT"].attrs["MATLAB_class"] = np.bytes_("timetable")
+        file["TT"].attrs["MATLAB_object_decode"] = np.int32(3)
+    with open(OUT / "timetable-v73.mat", "r+b") as file:
         file.write(b"MATLAB 7.3 MAT-file, written by h5py".ljust(116) + bytes(8) + b"\x00\x02IM")
 
 
@@ -262,4 +315,5 @@ if __name__ == "__main__":
     write_csv(*values)
     write_tdms(*values)
     write_card(values[3])
-    write_refused(values[0], values[1])
+    write_hdf5(*values)
+    write_mcap(*values)

@@ -1701,8 +1701,10 @@ def experiment(
     drop_incomplete: bool = False,
     sort: bool = False,
     merge_repeated: bool = False,
+    unwrap: bool = False,
     fill_gaps: float | str | None = None,
     resample: float | str | None = None,
+    repair_up_to: float | str | None = None,
 ) -> Experiment: ...
 def identify(
     record: Recording | Signals | pandas.DataFrame | Mapping[str, ArrayLike] | str | PathLike[str],
@@ -1749,11 +1751,19 @@ def open_log(
     mapping: str | PathLike[str] | None = None,
     preset: Literal["lab-data"] | None = None,
     sample_rate: float | str | None = None,
+    gain: Mapping[str, str] | None = None,
+    offset: Mapping[str, str] | None = None,
+    negate: Sequence[str] | None = None,
+    constant: Mapping[str, str] | None = None,
+    delimiter: Literal[",", ";", "|", "tab", "space"] | None = None,
+    decimal: Literal[".", ","] | None = None,
     drop_incomplete: bool = False,
     sort: bool = False,
     merge_repeated: bool = False,
+    unwrap: bool = False,
     fill_gaps: float | str | None = None,
     resample: float | str | None = None,
+    repair_up_to: float | str | None = None,
     from_: float | str | None = None,
     to: float | str | None = None,
 ) -> Recording: ...
@@ -1776,7 +1786,10 @@ def plant(
     mean_length: float | str | None = None,
 ) -> Plant: ...
 def rig(
-    spec: Spec | str | PathLike[str], out: str | PathLike[str], seed: int | None = None, overwrite: bool = False
+    spec: Spec | str | PathLike[str],
+    out: str | PathLike[str],
+    seed: int | None = None,
+    overwrite: bool = False,
 ) -> list[str]: ...
 def sampled_window(rate: float | str, start: float | str, stop: float | str) -> _Floats: ...
 def sensitivity(

@@ -198,7 +198,7 @@ impl PyRecording {
     }
 }
 
-/// A log of any layout as a recording: text (CSV and the like), Parquet, MATLAB up to 7, MDF 4.
+/// A log of any layout as a recording: text (CSV and the like), Parquet, MATLAB, HDF5, MDF, NI TDMS, MCAP.
 ///
 /// Nothing is cleaned unless an argument says so, and whatever is cleaned or left out is counted in the recording's account. Quantities are
 /// numbers in SI, or texts with a unit such as ``"2.5 kHz"``.

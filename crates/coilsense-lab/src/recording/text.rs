@@ -259,10 +259,9 @@ fn text_only(head: &[u8]) -> Result<(), String> {
     if head.is_empty() {
         return Err("is empty".to_owned());
     }
-    let known: [(&[u8], &str); 3] = [
+    let known: [(&[u8], &str); 2] = [
         (b"\x1f\x8b", "compressed by gzip; unpack it first"),
         (b"\x28\xb5\x2f\xfd", "compressed by zstd; unpack it first"),
-        (b"\x89HDF", "HDF5, which is not read; save its columns as CSV or Parquet"),
     ];
     match known.iter().find(|(magic, _)| head.starts_with(magic)) {
         Some((_, what)) => Err(format!("is {what}")),

@@ -58,3 +58,25 @@ fn damaged_matlab_does_no_harm() {
         no_harm(name);
     }
 }
+
+#[cfg(feature = "hdf5")]
+#[test]
+fn damaged_hdf5_does_no_harm() {
+    for name in ["motion.h5", "motion-rows.h5", "motion-v73.mat"] {
+        no_harm(name);
+    }
+}
+
+#[cfg(feature = "mdf")]
+#[test]
+fn damaged_mdf_3_does_no_harm() {
+    no_harm("motion.mdf");
+}
+
+#[cfg(feature = "mcap")]
+#[test]
+fn damaged_mcap_does_no_harm() {
+    for name in ["motion.mcap", "motion-lz4.mcap"] {
+        no_harm(name);
+    }
+}

@@ -270,6 +270,19 @@ fn mdf_of_asammdf_with_groups_of_their_own_rates() {
     }
 }
 
+#[cfg(feature = "mdf")]
+#[test]
+fn mdf_3_of_asammdf_is_read_as_mdf_4_is() {
+    let kept = Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() };
+    let found = read("motion.mdf", &mapping(&["F_x=counts"]), &kept).unwrap();
+    let text = text();
+    for channel in [Channel::OutputForce, Channel::Inductance, Channel::DeflectionForce] {
+        let tenth: Vec<f64> = text.channel(channel).unwrap().iter().step_by(10).copied().collect();
+        assert_eq!(found.channel(channel).unwrap(), tenth, "{channel:?}");
+    }
+    assert!(found.account().description.ends_with("; not read: state (converted to texts)"), "{}", found.account());
+}
+
 #[cfg(feature = "tdms")]
 #[test]
 fn tdms_of_nptdms_in_segments_with_scales_and_waveforms() {
@@ -314,26 +327,79 @@ fn a_refusal_holds_a_line_to_paste() {
 
 #[test]
 fn what_is_not_read_is_refused_by_name() {
-    for (name, word) in [
-        ("motion.h5", "HDF5"),
-        ("motion-v73.mat", "MATLAB file of version 7.3"),
-        ("old.feather", "is Feather of version 1, which is not read; convert it by: python3 -c"),
-    ] {
+    for (name, word) in [("old.feather", "is Feather of version 1, which is not read; convert it by: python3 -c")] {
         let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();
         assert!(message.starts_with(&path(name).display().to_string()) && message.contains(word), "{message}");
         assert_eq!(message.lines().count(), 1);
     }
 }
 
-#[cfg(not(all(feature = "parquet", feature = "arrow", feature = "matlab", feature = "mdf", feature = "tdms")))]
+#[cfg(feature = "hdf5")]
+#[test]
+fn hdf5_of_h5py_in_chunks_with_filters_units_and_compound_rows() {
+    let found = read("motion.h5", &mapping(&["F_x=counts"]), &Cleaning::default()).unwrap();
+    let text = text();
+    assert_eq!(found.signals().time(), text.signals().time());
+    for channel in [Channel::OutputForce, Channel::Inductance] {
+        assert_eq!(found.channel(channel).unwrap(), text.channel(channel).unwrap(), "{channel:?}");
+    }
+    let told = mapping(&["time=log/time [s]", "F_o=log/F_o [N]", "F_i=log/counts [N]", "L=both(:,2) [H]"]);
+    let found = read("motion-rows.h5", &told, &Cleaning::default()).unwrap();
+    same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
+}
+
+#[cfg(feature = "hdf5")]
+#[test]
+fn matlab_7_3_is_hdf5_column_by_column() {
+    let told = mapping(&["time=time [s]", "F_o=both(:,1) [N]", "L=run.L [H]", "F_i=run.counts [N]"]);
+    let found = read("motion-v73.mat", &told, &Cleaning::default()).unwrap();
+    same(&found, &[Channel::OutputForce, Channel::Inductance, Channel::InputForce]);
+    assert_eq!(found.account().description, "MATLAB 7.3, vectors of 50");
+    let message = read("timetable-v73.mat", &Mapping::default(), &Cleaning::default()).unwrap_err();
+    assert!(message.contains("TT is a timetable, which only MATLAB reads; there: S = table2struct("), "{message}");
+}
+
+#[cfg(feature = "mcap")]
+#[test]
+fn mcap_of_json_in_chunks_of_its_topics() {
+    let kept = Cleaning { drop_incomplete: true, repair_up_to: Some(0.9), ..Cleaning::default() };
+    for name in ["motion.mcap", "motion-lz4.mcap"] {
+        let found = read(name, &mapping(&["F_i=raw.counts [N]"]), &kept).unwrap();
+        let text = text();
+        for channel in [Channel::OutputForce, Channel::Inductance, Channel::InputForce] {
+            let tenth: Vec<f64> = text.channel(channel).unwrap().iter().step_by(10).copied().collect();
+            assert_eq!(found.channel(channel).unwrap(), tenth, "{channel:?}");
+        }
+        assert_eq!(found.signals().time(), [0.0, 0.004, 0.008, 0.012, 0.016]);
+    }
+    let message = read("proto.mcap", &Mapping::default(), &Cleaning::default()).unwrap_err();
+    assert!(
+        message.contains("holds messages in protobuf, which is not read; write them as CSV: python -c '"),
+        "{message}"
+    );
+}
+
+#[cfg(not(all(
+    feature = "parquet",
+    feature = "arrow",
+    feature = "matlab",
+    feature = "mdf",
+    feature = "tdms",
+    feature = "hdf5",
+    feature = "mcap"
+)))]
 #[test]
 fn a_format_that_was_left_out_is_named() {
-    let out: [(bool, &str, &str); 5] = [
+    let out: [(bool, &str, &str); 9] = [
         (cfg!(feature = "parquet"), "motion.parquet", "without the feature parquet"),
         (cfg!(feature = "arrow"), "motion.feather", "without the feature arrow"),
         (cfg!(feature = "matlab"), "motion-v5.mat", "without the feature matlab"),
         (cfg!(feature = "mdf"), "motion.mf4", "without the feature mdf"),
         (cfg!(feature = "tdms"), "motion.tdms", "without the feature tdms"),
+        (cfg!(feature = "hdf5"), "motion.h5", "without the feature hdf5"),
+        (cfg!(feature = "hdf5"), "motion-v73.mat", "without the feature hdf5"),
+        (cfg!(feature = "mdf"), "motion.mdf", "without the feature mdf"),
+        (cfg!(feature = "mcap"), "motion.mcap", "without the feature mcap"),
     ];
     for (_, name, words) in out.iter().filter(|(there, ..)| !there) {
         let message = read(name, &Mapping::default(), &Cleaning::default()).unwrap_err();

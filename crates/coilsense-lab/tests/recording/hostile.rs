@@ -165,11 +165,7 @@ const FAULTS: [Fault; 37] = [
     ("PK\u{3}\u{4}", &[], "run.csv: is a ZIP archive that is cut off or damaged"),
     ("TDSm", &[], "run.csv: has no channel of numbers"),
     ("TDSh", &[], "run.csv: is the index of an NI TDMS file, which holds no data; read the .tdms beside it"),
-    (
-        "MATLAB 7.3 MAT-file",
-        &[],
-        "run.csv: is a MATLAB file of version 7.3 (HDF5), which is not read; save it with -v7",
-    ),
+    ("\u{89}HDF", &[], "run.csv: no row of numbers is in its first 1 lines; the first begins with \"\\u{89}HDF\""),
 ];
 
 #[test]

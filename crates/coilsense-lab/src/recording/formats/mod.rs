@@ -5,21 +5,29 @@
 //!
 //! Next door: texts (`text`), rows one after the other (`source`), what becomes of them (`pipeline`).
 
-#[cfg(any(feature = "matlab", feature = "tdms"))]
+#[cfg(any(feature = "matlab", feature = "mdf", feature = "tdms", feature = "hdf5", feature = "mcap"))]
 mod apart;
 #[cfg(feature = "arrow")]
 mod arrow;
+#[cfg(any(feature = "mdf", feature = "tdms"))]
+mod between;
 #[cfg(any(feature = "parquet", feature = "arrow"))]
 mod columnar;
-#[cfg(any(feature = "mdf", feature = "tdms"))]
+#[cfg(any(feature = "mdf", feature = "tdms", feature = "mcap"))]
 mod grouped;
-#[cfg(any(feature = "matlab", feature = "mdf", feature = "tdms", test))]
+#[cfg(feature = "hdf5")]
+mod hdf5;
+#[cfg(any(feature = "matlab", feature = "mdf", feature = "tdms", feature = "hdf5", feature = "mcap", test))]
 mod in_memory;
 #[cfg(feature = "matlab")]
 mod matlab;
+#[cfg(feature = "mcap")]
+mod mcap;
 #[cfg(feature = "mdf")]
 mod mdf;
-#[cfg(feature = "matlab")]
+#[cfg(feature = "mdf")]
+mod mdf3;
+#[cfg(any(feature = "matlab", feature = "hdf5"))]
 mod only_matlab;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -29,7 +37,7 @@ mod sheets;
 mod tdms;
 #[cfg(test)]
 mod toy;
-#[cfg(feature = "matlab")]
+#[cfg(any(feature = "matlab", feature = "hdf5"))]
 mod vectors;
 
 use std::path::Path;
@@ -123,7 +131,10 @@ const TABLE: &[Row] = &[
     Row {
         name: "a MATLAB file of version 7.3 (HDF5)",
         magic: &[b"MATLAB 7.3"],
-        takes: Takes::Advice("which is not read; save it with -v7"),
+        takes: Takes::Feature("hdf5"),
+        #[cfg(feature = "hdf5")]
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(hdf5::read_matlab(input)?)))),
+        #[cfg(not(feature = "hdf5"))]
         open: None,
     },
     Row {
@@ -133,6 +144,15 @@ const TABLE: &[Row] = &[
         #[cfg(feature = "matlab")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(matlab::read(input)?)))),
         #[cfg(not(feature = "matlab"))]
+        open: None,
+    },
+    Row {
+        name: "MDF 3",
+        magic: &[b"MDF     3", b"MDF     2"],
+        takes: Takes::Feature("mdf"),
+        #[cfg(feature = "mdf")]
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(mdf3::read(input)?)))),
+        #[cfg(not(feature = "mdf"))]
         open: None,
     },
     Row {
@@ -157,6 +177,24 @@ const TABLE: &[Row] = &[
         name: "the index of an NI TDMS file",
         magic: &[b"TDSh"],
         takes: Takes::Advice("which holds no data; read the .tdms beside it"),
+        open: None,
+    },
+    Row {
+        name: "HDF5",
+        magic: &[b"\x89HDF\r\n\x1a\n"],
+        takes: Takes::Feature("hdf5"),
+        #[cfg(feature = "hdf5")]
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(hdf5::read(input)?)))),
+        #[cfg(not(feature = "hdf5"))]
+        open: None,
+    },
+    Row {
+        name: "MCAP",
+        magic: &[b"\x89MCAP"],
+        takes: Takes::Feature("mcap"),
+        #[cfg(feature = "mcap")]
+        open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(mcap::read(input)?)))),
+        #[cfg(not(feature = "mcap"))]
         open: None,
     },
     #[cfg(test)]

@@ -44,3 +44,37 @@ impl Wave {
 pub(super) fn seconds(from: i128, to: i128) -> f64 {
     to.wrapping_sub(from) as f64 / SECOND
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Wave;
+    use crate::recording::formats::tdms::properties::{Properties, Value};
+
+    fn wave(more: &[(&str, Value)]) -> Result<Option<Wave>, String> {
+        let increment = [("wf_increment", Value::Number(0.0004)), ("wf_start_offset", Value::Number(0.5))];
+        Wave::of(&Properties::of(&[&increment[..], more].concat()))
+    }
+
+    #[test]
+    fn only_what_is_over_time_has_an_even_clock() {
+        let times = wave(&[]).unwrap().unwrap().times(3);
+        assert_eq!(times, [0.5, 0.5004, 0.5008]);
+        let over = |unit: &str| wave(&[("wf_xunit_string", Value::Text(unit.to_owned()))]);
+        assert_eq!(over("s").unwrap(), wave(&[]).unwrap());
+        assert_eq!(over("Hz").unwrap_err(), "over Hz, not over time");
+        for step in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(wave(&[("wf_increment", Value::Number(step))]), Ok(None), "{step}");
+        }
+        assert_eq!(Wave::of(&Properties::default()), Ok(None));
+        // 1904 is what LabVIEW writes where nobody told a start.
+        assert_eq!(wave(&[("wf_start_time", Value::Stamp(0))]).unwrap().unwrap().start, None);
+    }
+
+    #[test]
+    fn clocks_of_whole_rates_meet_to_the_last_bit() {
+        let of = |increment: f64| Wave { increment, offset: 0.0, start: None };
+        let (fast, slow) = (of(0.0004).times(1001), of(0.004).times(101));
+        assert!(slow.iter().zip(fast.iter().step_by(10)).all(|(slow, fast)| slow == fast));
+        assert_eq!(of(0.3).times(4)[3], 3.0 * 0.3);
+    }
+}

@@ -6,7 +6,14 @@ use std::rc::Rc;
 
 use super::index::Index;
 use super::kind::Kind;
-use super::metadata::Entry;
+
+/// An object in the list of a segment.
+#[derive(Debug, Clone)]
+pub(super) struct Entry {
+    pub object: usize,
+    pub index: Option<Rc<Index>>,
+    pub has_data: bool,
+}
 
 /// A chunk of a segment.
 #[derive(Debug, Default)]

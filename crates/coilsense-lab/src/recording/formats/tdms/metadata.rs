@@ -8,7 +8,7 @@ use std::rc::Rc;
 use super::super::super::error::shortened;
 use super::bytes::Bytes;
 use super::index::Index;
-use super::layout::Layout;
+use super::layout::{Entry, Layout};
 use super::properties::Properties;
 
 /// What is known of a file, a group or a channel.
@@ -18,14 +18,6 @@ pub(super) struct Object {
     pub properties: Properties,
     /// The index that it had last.
     index: Option<Rc<Index>>,
-}
-
-/// An object in the list of a segment.
-#[derive(Debug, Clone)]
-pub(super) struct Entry {
-    pub object: usize,
-    pub index: Option<Rc<Index>>,
-    pub has_data: bool,
 }
 
 /// What the segments so far have told.

@@ -24,6 +24,12 @@ pub(super) struct Properties(BTreeMap<String, Value>);
 const MOST: usize = 10_000;
 
 impl Properties {
+    /// Of these names and values.
+    #[cfg(test)]
+    pub fn of(pairs: &[(&str, Value)]) -> Self {
+        Self(pairs.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect())
+    }
+
     /// Reads a list and keeps what may matter, in place of what was told before.
     pub fn read(&mut self, bytes: &mut Bytes<'_>) -> Result<(), String> {
         for _ in 0..bytes.word()? {

@@ -4,6 +4,7 @@
 //! As npTDMS does it, in double precision throughout.
 
 use super::super::super::error::shortened;
+use super::super::between::between;
 use super::data::Raw;
 use super::properties::Properties;
 
@@ -222,16 +223,71 @@ fn points(from: &[f64], to: &[f64]) -> Result<Vec<[f64; 2]>, &'static str> {
     if rises(&points) { Ok(points) } else { Err("is a table that neither rises nor falls") }
 }
 
-/// On the straight line between two points; beyond the outer ones their own.
-fn between(points: &[[f64; 2]], value: f64) -> f64 {
-    let after = points.partition_point(|point| point[0] <= value);
-    match (after.checked_sub(1).map(|before| points[before]), points.get(after)) {
-        _ if value.is_nan() => value,
-        (None, Some(first)) => first[1],
-        (Some(last), None) => last[1],
-        (Some(before), Some(after)) => {
-            (after[1] - before[1]) / (after[0] - before[0]) * (value - before[0]) + before[1]
+#[cfg(test)]
+mod tests {
+    use super::{Raw, Scaling};
+    use crate::recording::formats::tdms::properties::{Properties, Value};
+
+    fn told(pairs: &[(&str, &str, f64)]) -> Properties {
+        let value = |text: &str, number: f64| match text {
+            "" => Value::Number(number),
+            text => Value::Text(text.to_owned()),
+        };
+        Properties::of(&pairs.iter().map(|(name, text, number)| (*name, value(text, *number))).collect::<Vec<_>>())
+    }
+
+    fn scaled(pairs: &[(&str, &str, f64)]) -> Result<Vec<f64>, String> {
+        let raw = Raw { values: vec![1.0, 2.0, 4.0], ..Raw::default() };
+        let properties = told(pairs);
+        Scaling::of([&Properties::default(), &properties].into_iter())?
+            .map_or(Ok(raw.values.clone()), |found| found.apply(&raw))
+    }
+
+    const RAW: f64 = u32::MAX as f64;
+
+    #[test]
+    fn scales_build_on_one_another() {
+        let linear = [
+            ("NI_Number_Of_Scales", "", 3.0),
+            ("NI_Scale[0]_Scale_Type", "Linear", 0.0),
+            ("NI_Scale[0]_Linear_Slope", "", 2.0),
+            ("NI_Scale[0]_Linear_Y_Intercept", "", 1.0),
+            ("NI_Scale[1]_Scale_Type", "Table", 0.0),
+            ("NI_Scale[1]_Table_Pre_Scaled_Values_Size", "", 2.0),
+            ("NI_Scale[1]_Table_Scaled_Values_Size", "", 2.0),
+            ("NI_Scale[1]_Table_Pre_Scaled_Values[0]", "", 9.0),
+            ("NI_Scale[1]_Table_Pre_Scaled_Values[1]", "", 1.0),
+            ("NI_Scale[1]_Table_Scaled_Values[0]", "", 0.0),
+            ("NI_Scale[1]_Table_Scaled_Values[1]", "", 16.0),
+            ("NI_Scale[1]_Table_Input_Source", "", 0.0),
+            ("NI_Scale[2]_Scale_Type", "Subtract", 0.0),
+            ("NI_Scale[2]_Subtract_Left_Operand_Input_Source", "", RAW),
+            ("NI_Scale[2]_Subtract_Right_Operand_Input_Source", "", 1.0),
+        ];
+        // 3, 5, 9 by the first; 12, 8, 0 by the table, which falls; less 1, 2, 4.
+        assert_eq!(scaled(&linear).unwrap(), [11.0, 6.0, -4.0]);
+        let already = [&linear[..], &[("NI_Scaling_Status", "scaled", 0.0)]].concat();
+        assert_eq!(scaled(&already).unwrap(), [1.0, 2.0, 4.0]);
+    }
+
+    #[test]
+    fn numbers_whose_scale_is_not_done_are_never_raw_ones() {
+        for (pairs, words) in [
+            (&[("NI_Scale[0]_Scale_Type", "Thermocouple", 0.0)][..], "of the kind Thermocouple, which is not done"),
+            (&[("NI_Scale[0]_Scale_Type", "Linear", 0.0)], "its scale 0 lacks Linear_Slope"),
+            (&[("NI_Number_Of_Scales", "", 1e9)], "more than 100 scales"),
+            (&[("NI_Number_Of_Scales", "", 1.0)], "it has no scale 0"),
+            (
+                &[
+                    ("NI_Scale[0]_Scale_Type", "Add", 0.0),
+                    ("NI_Scale[0]_Add_Left_Operand_Input_Source", "", 0.0),
+                    ("NI_Scale[0]_Add_Right_Operand_Input_Source", "", RAW),
+                ],
+                "in a circle",
+            ),
+        ] {
+            let message = scaled(pairs).unwrap_err();
+            assert!(message.contains(words), "{message}");
         }
-        (None, None) => f64::NAN,
     }
 }
