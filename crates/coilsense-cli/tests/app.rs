@@ -44,9 +44,19 @@ mod served {
         body: Vec<u8>,
     }
 
+    /// The command, as started by somebody who does not ignore Ctrl-C: who runs the tests in the background of a script does, and children inherit it.
+    fn answering() -> Command {
+        if cfg!(target_os = "linux") {
+            let mut command = Command::new("env");
+            command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_coilsense")]);
+            return command;
+        }
+        Command::new(env!("CARGO_BIN_EXE_coilsense"))
+    }
+
     impl Served {
         fn begin(arguments: &[&str]) -> Self {
-            let mut command = Command::new(env!("CARGO_BIN_EXE_coilsense"));
+            let mut command = answering();
             command.args(["app", "--no-open"]).args(arguments).stdout(Stdio::piped());
             let mut child = command.spawn().expect("it starts");
             let mut line = String::new();

@@ -6,13 +6,24 @@ use std::time::{Duration, Instant};
 
 use super::{Place, text};
 
+/// The command, as started by somebody who does not ignore Ctrl-C: who runs the tests in the background of a script does, and children inherit it.
+fn answering() -> Command {
+    if cfg!(target_os = "linux") {
+        let mut command = Command::new("env");
+        command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_coilsense")]);
+        return command;
+    }
+    Command::new(env!("CARGO_BIN_EXE_coilsense"))
+}
+
 fn send(signal: &str, child: &Child) {
     assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill").success());
 }
 
 /// Starts a command, lets it get to work, and ends it; what it says, and how long it still took.
 fn ended(place: &Place, arguments: &str, signal: &str) -> (Output, Duration) {
-    let mut command = place.command(arguments);
+    let mut command = answering();
+    command.args(arguments.split(' ')).current_dir(place.path(""));
     let mut child =
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
     // Longer than it takes to start, much shorter than its work.
