@@ -100,17 +100,17 @@ fn what_is_damaged_inside_is_said_and_what_is_no_log_too() {
 #[test]
 fn what_swells_when_it_is_unpacked_is_refused_soon() {
     for (name, packer) in packers() {
-        let begun = Instant::now();
         // A gigabyte of zeros, in members of 16 MiB; and one line without an end.
         for (byte, words) in [(0, "run.csv: is no text: it holds zero bytes"), (b'7', "the line is longer than 1 MiB")]
         {
             let member = packer(&vec![byte; 16 << 20]);
             let start = packer(b"time [s],F_o [N]\n0,1\n1,2\n");
             let bytes = if byte == 0 { member.repeat(64) } else { [start, member.repeat(64)].concat() };
+            let begun = Instant::now();
             let message = read(bytes).unwrap_err();
             assert!(message.contains(words), "{name}: {message}");
+            assert!(begun.elapsed() < Duration::from_secs(5), "{name}: {:?}", begun.elapsed());
         }
-        assert!(begun.elapsed() < Duration::from_secs(10), "{:?}", begun.elapsed());
     }
 }
 
