@@ -43,9 +43,9 @@ def log() -> pandas.DataFrame:
     )
 
 
-Write = collections.abc.Callable[[pathlib.Path], object]
-# The columns of a file, as its program reads them.
-Read = collections.abc.Callable[[pathlib.Path], collections.abc.Mapping[str, typing.Any]]
+# What writes a log to a path, and what reads the columns that are in it, by their titles.
+Write = collections.abc.Callable[..., object]
+Read = collections.abc.Callable[..., typing.Any]
 
 
 class Writer(typing.NamedTuple):
@@ -85,7 +85,7 @@ def arrow_stream(path: pathlib.Path, codec: str | None) -> None:
         file.write_table(table, max_chunksize=25)
 
 
-def arrow_read(path: pathlib.Path) -> pandas.DataFrame:
+def arrow_read(path: pathlib.Path) -> typing.Any:
     with pyarrow.ipc.open_stream(path) as file:
         return file.read_all().to_pandas()
 
@@ -220,7 +220,7 @@ WRITERS = [
     Writer("pandas, openpyxl", "xlsx", lambda path: log().to_excel(path, index=False, engine="openpyxl"), pandas.read_excel),
     Writer("pandas with its index, openpyxl", "xlsx", lambda path: log().to_excel(path, engine="openpyxl"), pandas.read_excel),
     Writer("pandas, XlsxWriter", "xlsx", lambda path: log().to_excel(path, index=False, engine="xlsxwriter"), pandas.read_excel),
-    Writer("pandas, odfpy", "ods", lambda path: log().to_excel(path, index=False, engine="odf"),
+    Writer("pandas, odfpy", "ods", lambda path: log().to_excel(path, index=False),
            lambda path: pandas.read_excel(path, engine="odf")),
     Writer("polars", "xlsx", lambda path: polars.from_pandas(log()).write_excel(path), pandas.read_excel),
     Writer("openpyxl, units below titles", "xlsx", units_below, below),
@@ -230,10 +230,10 @@ WRITERS = [
 
 
 def bits(values: typing.Any) -> list[int]:
-    return numpy.asarray(values, dtype=numpy.float64).view(numpy.uint64).tolist()
+    return [int(each) for each in numpy.asarray(values, dtype=numpy.float64).view(numpy.uint64)]
 
 
-def agrees(recording: coilsense.Recording, columns: collections.abc.Mapping[str, typing.Any]) -> None:
+def agrees(recording: coilsense.Recording, columns: typing.Any) -> None:
     for title, name in NAMES.items():
         found = recording.signals.time if name == "time" else recording.signals[name]
         assert bits(found) == bits(columns[title]), title
