@@ -7,6 +7,7 @@ mod commands;
 #[cfg(test)]
 mod floors;
 mod from_python;
+mod fuzz;
 mod goals;
 #[cfg(test)]
 mod links;
@@ -40,6 +41,8 @@ enum Chore {
     Test(test::Arguments),
     /// Measure coilsense and its peers on the same jobs, print a table, write target/bench.json
     Bench(bench::Arguments),
+    /// Send random bytes to what reads specs and logs, guided by what they reach; needs a nightly compiler
+    Fuzz(fuzz::Arguments),
     /// Build the page into web/dist, for any static host
     Page,
     /// Write the interactive part of reports, from the page's modules
@@ -52,6 +55,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().chore {
         Chore::Test(arguments) => test::run(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),
+        Chore::Fuzz(arguments) => fuzz::run(&arguments),
         Chore::Page => page_chore(),
         Chore::Viewer => viewer::write(),
         Chore::Stubs => stubs::write(),

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, built, cargo, commands, package, packed, page, robot, strict, viewer};
+use crate::{browser, built, cargo, commands, fuzz, package, packed, page, robot, strict, viewer};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -15,7 +15,7 @@ pub struct Arguments {
     /// Run only this part, by its name in the table; may be given several times
     #[arg(long, value_name = "PART")]
     only: Vec<String>,
-    /// Run the part long, too: the statistical tests that take minutes
+    /// Run the parts long and fuzz, too: the tests that take minutes, and ten minutes of each fuzzer
     #[arg(long)]
     long: bool,
 }
@@ -24,7 +24,7 @@ impl Arguments {
     /// Whether the part of this name is to run.
     fn want(&self, name: &str) -> bool {
         let is_named = self.only.iter().any(|only| only == name);
-        is_named || if name == LONG { self.long } else { self.only.is_empty() }
+        is_named || if ASKED_FOR.contains(&name) { self.long } else { self.only.is_empty() }
     }
 }
 
@@ -44,7 +44,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 15] = [
+const PARTS: [Part; 16] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -59,11 +59,12 @@ const PARTS: [Part; 15] = [
     Part { name: "report page", run: report_page },
     Part { name: "Python", run: python },
     Part { name: "page", run: page },
-    Part { name: LONG, run: long },
+    Part { name: "long", run: long },
+    Part { name: "fuzz", run: fuzzers },
 ];
 
-/// The part that only runs where it is asked for.
-const LONG: &str = "long";
+/// The parts that only run where they are asked for.
+const ASKED_FOR: [&str; 2] = ["long", "fuzz"];
 /// What is marked to be ignored and is not run by `long`: a benchmark, and what has a part of its own.
 const NOT_LONG: [&str; 2] = ["a_million_points", "measured_runs"];
 
@@ -278,6 +279,15 @@ fn long(_: &Arguments) -> anyhow::Result<Outcome> {
     let mut command = cargo(&["test", "--release", "--workspace", "--tests", "--", "--ignored"]);
     command.args(NOT_LONG.iter().flat_map(|name| ["--skip", name]));
     outcome(command)
+}
+
+/// Random bytes at whatever reads what strangers may send.
+fn fuzzers(_: &Arguments) -> anyhow::Result<Outcome> {
+    if let Some(missing) = fuzz::missing() {
+        return Ok(Outcome::Missing(missing));
+    }
+    let all = fuzz::Arguments::all(fuzz::SECONDS);
+    passed(fuzz::run(&all).inspect_err(|error| eprintln!("{error:#}")).is_ok())
 }
 
 fn passed(success: bool) -> anyhow::Result<Outcome> {

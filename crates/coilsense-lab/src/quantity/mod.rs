@@ -143,6 +143,7 @@ impl Dimension {
     /// ```
     /// use coilsense_lab::quantity::Dimension;
     /// assert!(Dimension::Length.refusal("4,5 mm").ends_with("; write 4.5 mm with a point"));
+    /// assert!(Dimension::Length.refusal("4,5\n mm\n").ends_with("; write 4.5 mm with a point"));
     /// ```
     pub fn refusal(self, text: &str) -> String {
         format!("must be {}{}", self.expectation(), pointed(text, |text| self.parse(text).is_some()))
@@ -238,7 +239,9 @@ pub fn with_point(text: &str) -> Option<String> {
 /// What to write in place of a decimal comma, where that is all that keeps `text` from being taken; else nothing.
 pub(crate) fn pointed(text: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let point = with_point(text).filter(|text| is_taken(text));
-    point.map_or_else(String::new, |text| format!("; write {text} with a point"))
+    // On one line, whatever space the text has.
+    let plain = |text: String| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    point.map_or_else(String::new, |text| format!("; write {} with a point", plain(text)))
 }
 
 /// Below this a number is written with a power of ten: its zeros would be counted, not read.
