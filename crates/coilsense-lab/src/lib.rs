@@ -11,6 +11,10 @@
 /// A word that is not known to the known one that was probably meant.
 mod likeness;
 
+/// A Parquet file that ends.
+#[cfg(feature = "parquet")]
+mod bounded;
+
 /// A damaged file that a decoder falls over to an error.
 #[cfg(any(feature = "parquet", feature = "arrow", feature = "sheets", feature = "matlab", feature = "mdf"))]
 mod guarded;

@@ -205,7 +205,7 @@ mod tests {
         assert!(matches!(follow(&midnight, true, 1.0, false), Err(Fault::Turn { turn: 86_400.0, .. })));
         assert_eq!(follow(&midnight, true, 1.0, true).unwrap(), [86_399.8, 86_399.9, 86_400.0, 86_400.1]);
         // A 16-bit counter of milliseconds, in seconds; one of microseconds of 32 bit; a signed one.
-        for turn in [65.536, 4294.967_296] {
+        for turn in [65.536, 4_294.967_296] {
             let times = [turn - 0.002, turn - 0.001, 0.0, 0.001];
             let found = follow(&times, false, 1.0, true).unwrap();
             assert!((found[3] - turn - 0.001).abs() < 1e-9, "{found:?}");

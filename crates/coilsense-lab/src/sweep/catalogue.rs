@@ -61,7 +61,7 @@ fn decoded(path: &Path) -> Result<Catalogue, String> {
     use parquet::record::Field;
     let one_line = |error: parquet::errors::ParquetError| error.to_string().replace('\n', " ");
     let file = crate::input::open(path).map_err(|error| error.to_string())?;
-    let reader = SerializedFileReader::new(file).map_err(one_line)?;
+    let reader = SerializedFileReader::new(crate::bounded::Bounded(file)).map_err(one_line)?;
     let schema = reader.metadata().file_metadata().schema().clone();
     let titles: Vec<String> = schema.get_fields().iter().map(|field| field.name().to_owned()).collect();
     let text = |field: &Field| match field {

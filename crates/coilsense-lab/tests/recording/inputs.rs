@@ -33,10 +33,12 @@ fn golden(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden/logs").join(name)
 }
 
+/// Packs bytes.
+type Pack = fn(&[u8]) -> Vec<u8>;
+
 /// Compressors, with the word for each; those that this build has.
-fn packers() -> Vec<(&'static str, fn(&[u8]) -> Vec<u8>)> {
-    let all: [(bool, &str, fn(&[u8]) -> Vec<u8>); 2] =
-        [(cfg!(feature = "gzip"), "gzip", gzip), (cfg!(feature = "zstd"), "zstd", zstd)];
+fn packers() -> Vec<(&'static str, Pack)> {
+    let all: [(bool, &str, Pack); 2] = [(cfg!(feature = "gzip"), "gzip", gzip), (cfg!(feature = "zstd"), "zstd", zstd)];
     all.into_iter().filter(|(there, ..)| *there).map(|(_, name, packer)| (name, packer)).collect()
 }
 

@@ -23,13 +23,14 @@ use super::super::order::MOST_NUMBERS;
 use super::super::source::{Next, Source};
 use super::super::title::Title;
 use super::columnar::Kind;
+use crate::bounded::Bounded;
 use crate::guarded::guarded;
 use crate::series::parquet::REMARKS;
 
 /// A Parquet file that is being read.
 pub(super) struct ParquetRows {
     path: PathBuf,
-    reader: SerializedFileReader<File>,
+    reader: SerializedFileReader<Bounded>,
     titles: Vec<Title>,
     remarks: Vec<String>,
     /// What each column holds: numbers, or something else.
@@ -55,7 +56,7 @@ impl ParquetRows {
         let wrong = |error: &dyn std::fmt::Display| {
             RecordingError::of_file(path, format!("is no Parquet file that can be read: {}", one_line(error)))
         };
-        let reader = SerializedFileReader::new(file).map_err(|error| wrong(&error))?;
+        let reader = SerializedFileReader::new(Bounded(file)).map_err(|error| wrong(&error))?;
         let metadata = reader.metadata().file_metadata();
         let schema = metadata.schema_descr();
         let pairs = || metadata.key_value_metadata().into_iter().flatten();

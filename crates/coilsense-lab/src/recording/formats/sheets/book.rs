@@ -12,7 +12,7 @@ use crate::recording::error::shortened;
 
 /// A workbook that is open.
 pub(super) enum Book {
-    Xlsx(Xlsx<Cursor<Vec<u8>>>),
+    Xlsx(Box<Xlsx<Cursor<Vec<u8>>>>),
     Ods(Ods<Cursor<Vec<u8>>>),
 }
 
@@ -63,7 +63,7 @@ impl Book {
             });
         }
         match looked_into(&bytes)? {
-            Kind::Xlsx => Ok(Self::Xlsx(Xlsx::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?)),
+            Kind::Xlsx => Ok(Self::Xlsx(Box::new(Xlsx::new(Cursor::new(bytes)).map_err(|error| damaged(&error))?))),
             Kind::Ods => match Ods::new(Cursor::new(bytes)) {
                 Ok(book) => Ok(Self::Ods(book)),
                 Err(OdsError::Password) => Err(PROTECTED.into()),
