@@ -16,6 +16,8 @@ const ALL: Cleaning = Cleaning {
     drop_incomplete: true,
     sort: true,
     merge_repeated: true,
+    unwrap: true,
+    repair_up_to: Some(1.0),
     fill_gaps: Some(10.0),
     resample: None,
     from: None,

@@ -42,11 +42,16 @@ enum Seeds {
 }
 
 /// What each target begins with, and words that it may put together.
-const SEEDS: [(&str, Seeds, Words); 6] = [
+const SEEDS: [(&str, Seeds, Words); 11] = [
     ("spec", Seeds::Files(&["toml"]), Words::OfSeeds),
     ("text_log", Seeds::Files(&["csv"]), Words::These(&LOG_WORDS)),
     ("mat", Seeds::Files(&["mat"]), Words::None),
-    ("mdf", Seeds::Files(&["mf4"]), Words::None),
+    ("mdf", Seeds::Files(&["mf4", "mdf"]), Words::None),
+    ("tdms", Seeds::Files(&["tdms"]), Words::None),
+    ("workbook", Seeds::Files(&["xlsx", "ods"]), Words::None),
+    ("arrow", Seeds::Files(&["feather"]), Words::None),
+    ("hdf5", Seeds::Files(&["h5"]), Words::None),
+    ("mcap", Seeds::Files(&["mcap"]), Words::None),
     ("parquet", Seeds::Files(&["parquet"]), Words::None),
     ("quantity", Seeds::Values, Words::OfSeeds),
 ];

@@ -66,7 +66,7 @@ fn every_command_ends_within_a_second_of_a_signal() {
         "calibrate pipe.csv --out new",
         "import pipe.csv --out new/run.csv",
         "import /dev/stdin --out new/run.csv",
-        "sweep spec.toml --over spring.stiffness=600..900N/m --rows 1000000000 --chunk 1 --out designs",
+        "sweep spec.toml --over spring.stiffness=600..900N/m --rows 1000000000 --out designs",
     ]
     .into_iter()
     .enumerate()

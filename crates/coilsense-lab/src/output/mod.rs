@@ -102,17 +102,6 @@ impl Output {
         self.check_place(Path::new(relative), &Written::of(&self.target))
     }
 
-    /// Keeps out of a folder that holds something else: `what` it is.
-    ///
-    /// # Errors
-    /// [`OutputError`] where it is the one that is to be written.
-    pub fn keep_out_of(&self, folder: &Path, what: &str) -> Result<(), OutputError> {
-        match input::is_same(folder, &self.target) {
-            true => Err(fault(&self.target, format!("is {what}; name another folder"))),
-            false => Ok(()),
-        }
-    }
-
     /// Where files are made that will be in the target.
     fn made(&self) -> PathBuf {
         self.staging.path().join(NEW).join(&self.rest)

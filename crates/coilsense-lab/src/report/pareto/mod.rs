@@ -22,9 +22,6 @@ use crate::sweep::Dataset;
 /// # Errors
 /// [`ReportError`] for the first part that fails, and for an output within the sweep's folder.
 pub fn add_pareto(study: &Study, dataset: &Dataset, date: &str, output: &mut Output) -> Result<(), ReportError> {
-    if let Some(sweep) = dataset.path(0).parent() {
-        output.keep_out_of(sweep, "the sweep's own folder, of which every file is a part")?;
-    }
     let figure = figures::front(study).map(|figure| draw("front".to_owned(), String::new(), &figure)).transpose()?;
     output.add("report.html", html::page(study, dataset, date, figure.as_ref())?.as_bytes())?;
     output.add("results.json", pareto_json(study)?.as_bytes())?;

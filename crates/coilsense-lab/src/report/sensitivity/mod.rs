@@ -20,9 +20,6 @@ use crate::sweep::Dataset;
 /// # Errors
 /// [`ReportError`] for the first part that fails, and for an output within the sweep's folder.
 pub fn add_sensitivity(study: &Study, dataset: &Dataset, date: &str, output: &mut Output) -> Result<(), ReportError> {
-    if let Some(sweep) = dataset.path(0).parent() {
-        output.keep_out_of(sweep, "the sweep's own folder, of which every file is a part")?;
-    }
     output.add("report.html", html::page(study, dataset, date)?.as_bytes())?;
     output.add("results.json", sensitivity_json(study)?.as_bytes())?;
     dataset.check_apart(&output.files())?;
