@@ -121,7 +121,8 @@ fn every_wrong_choice_is_refused_by_its_name_with_its_value_and_what_is_allowed(
         (json!({ "mapping": "[columns]\nF_o = 3" }), "mapping: [columns] F_o: must be a title"),
         (json!({ "mapping": "[log]\nx" }), "mapping:2: not TOML"),
         (json!({ "preset": "x" }), "preset: "),
-        (json!({ "delimiter": ",", "decimal": "," }), "decimal: must be \".\""),
+        // Decimal commas between commas stand in quotes; these do not.
+        (json!({ "delimiter": ",", "decimal": "," }), "first.csv:4: column 1"),
     ] {
         let said = identify(&text, None, &asked).unwrap_err();
         assert!(said.starts_with(refusal), "{said}");
@@ -151,7 +152,7 @@ fn an_error_calls_options_as_the_page_does() {
             "; drop incomplete leaves such rows out",
         ),
         ("time [s],F_o [N]\n1,1\n0,2\n", "“put in order” puts the rows in order", "; sort puts the rows in order"),
-        ("time [s],a\n0,1\n", "as in F_o=\"a\" in the table of columns", "as in F_o=\"a\" in column"),
+        ("time [s],a\n0,1\n", "add F_o=\"a [N]\" in the table of columns", "add F_o=\"a [N]\" in column"),
     ] {
         let said = |asked: &Value| identify(text, None, asked).unwrap_err();
         let (named, unnamed) = (said(&json!({ "labels": labels })), said(&json!({})));

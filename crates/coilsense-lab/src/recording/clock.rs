@@ -6,7 +6,7 @@
 use super::account::{Account, Reason};
 use super::cleaning::Cleaning;
 use super::nominal::nominal;
-use super::telling::hertz;
+use super::telling::{hertz, what_turns};
 use crate::message::{Hint, Message};
 
 /// Follows the times of a log's rows.
@@ -175,16 +175,6 @@ fn rate(times: &[f64]) -> Option<f64> {
     let (first, last) = (times.first()?, times.last()?);
     let rises = times.len() >= FEW && times.windows(2).all(|pair| pair[1] > pair[0]);
     rises.then(|| nominal((times.len() - 1) as f64 / (last - first)))
-}
-
-/// What begins anew so.
-pub(super) fn what_turns(turn: f64) -> String {
-    match turn {
-        DAY => "midnight has passed".to_owned(),
-        43_200.0 => "a clock of twelve hours begins anew".to_owned(),
-        3600.0 => "a clock of minutes begins anew".to_owned(),
-        turn => format!("a counter rolls over at {turn} s, or another run begins"),
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::account::Account;
 use super::cleaning::Cleaning;
-use super::clock::{Clock, what_turns};
+use super::clock::Clock;
 use super::error::RecordingError;
 use super::formats;
 use super::mapping::Mapping;
@@ -15,6 +15,7 @@ use super::pipeline::Watch;
 use super::selection::{Clocked, Selection};
 use super::source::{Next, Source};
 use super::summary::Summary;
+use super::telling::what_turns;
 use super::unit;
 use crate::message::Message;
 use crate::quantity::{Dimension, Scale};

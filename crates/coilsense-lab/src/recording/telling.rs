@@ -7,7 +7,6 @@ use std::fmt;
 use coilsense::measures::ClockOffset;
 
 use super::account::{Account, Gaps, Joined, Tally};
-use super::clock::what_turns;
 use crate::quantity::digits;
 
 impl Account {
@@ -148,6 +147,16 @@ fn listed(names: &[String]) -> String {
 /// An uncertainty of an offset that is printed to the nanosecond: below that it is rounding.
 fn half_width(value: f64) -> String {
     if value < 1e-9 { "less than 1 ns".to_owned() } else { seconds(value) }
+}
+
+/// What begins anew so.
+pub(super) fn what_turns(turn: f64) -> String {
+    match turn {
+        86_400.0 => "midnight has passed".to_owned(),
+        43_200.0 => "a clock of twelve hours begins anew".to_owned(),
+        3600.0 => "a clock of minutes begins anew".to_owned(),
+        turn => format!("a counter rolls over at {turn} s, or another run begins"),
+    }
 }
 
 /// A time as people write it.

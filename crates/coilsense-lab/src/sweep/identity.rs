@@ -136,7 +136,7 @@ mod tests {
     fn what_is_only_written_otherwise_is_the_same() {
         for same in [
             "# said\nb = '104 mm' # here\na = 1.0\n[[s]]\nd = 1\n[[s]]\nd = 0x2\n[t]\nc=[ 1.50 , 2.0, ]\n",
-            "a = 1_0e-1\nb = \"\\u0031\\u003004 mm\"\ns = [{d = 1}, {d = 2}]\nt = {c = [15e-1, 2]}\r\n",
+            "a = 1_0e-1\nb = \"\\u0031\\u00304 mm\"\ns = [{d = 1}, {d = 2}]\nt = {c = [15e-1, 2]}\r\n",
             "a = 1\nb = \"104 mm\"\nt.c = [1.5, 2]\n[[s]]\nd = 1\n[[s]]\nd = 2",
         ] {
             assert_eq!(canonical(same), canonical(SPEC), "{same}");
