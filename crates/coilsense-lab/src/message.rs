@@ -10,7 +10,8 @@ use std::ops::Add;
 pub enum Door<'a> {
     /// The command: `--drop-incomplete`.
     Command,
-    /// Python: `drop_incomplete=True`.
+    /// Python: `drop_incomplete=True`; the browser has none.
+    #[cfg(not(target_family = "wasm"))]
     Python,
     /// The page, by what it calls an option of the command's name (`drop-incomplete`), where it has that option.
     Page(&'a dyn Fn(&str) -> Option<String>),
@@ -48,27 +49,22 @@ impl Hint {
     }
 
     fn told(&self, door: Door<'_>) -> String {
+        let between = match door {
+            #[cfg(not(target_family = "wasm"))]
+            Door::Python => return Self::in_python(std::slice::from_ref(self)),
+            Door::Command => " ",
+            Door::Page(_) => "; ",
+        };
         if let Self::All(hints) = self {
-            return match door {
-                Door::Python => Self::all_in_python(hints),
-                Door::Command => hints.iter().map(|hint| hint.told(door)).collect::<Vec<_>>().join(" "),
-                Door::Page(_) => hints.iter().map(|hint| hint.told(door)).collect::<Vec<_>>().join("; "),
-            };
+            return hints.iter().map(|hint| hint.told(door)).collect::<Vec<_>>().join(between);
         }
         let flag = self.name().replace('_', "-");
-        match door {
-            Door::Command => self.with_value(format!("--{flag}")),
-            Door::Python => self.in_python(),
-            Door::Page(label) => {
-                let label = label(&flag).unwrap_or_else(|| flag.replace('-', " "));
-                match self {
-                    Self::Option(..) => label,
-                    Self::Column(channel, text) | Self::Named(_, channel, text) => {
-                        format!("{channel}={text:?} in {label}")
-                    }
-                    _ => self.with_value(label),
-                }
-            }
+        let Door::Page(label) = door else { return self.with_value(format!("--{flag}")) };
+        let label = label(&flag).unwrap_or_else(|| flag.replace('-', " "));
+        match self {
+            Self::Option(..) => label,
+            Self::Column(channel, text) | Self::Named(_, channel, text) => format!("{channel}={text:?} in {label}"),
+            _ => self.with_value(label),
         }
     }
 
@@ -88,39 +84,35 @@ impl Hint {
         }
     }
 
-    fn in_python(&self) -> String {
-        let argument = python_name(self.name());
-        match self {
-            Self::Option(..) => argument.to_owned(),
-            Self::Open(_) => format!("{argument}="),
-            Self::Flag(_) => format!("{argument}=True"),
-            Self::Value(_, value) => format!("{argument}={value:?}"),
-            Self::Pair(_, [mine, theirs]) => format!("{argument}=({mine:?}, {theirs:?})"),
-            Self::Column(channel, text) | Self::Named(_, channel, text) => {
-                format!("{argument}={{{channel:?}: {text:?}}}")
-            }
-            Self::All(hints) => Self::all_in_python(hints),
-        }
-    }
-
-    /// Arguments of one name are one dictionary.
-    fn all_in_python(hints: &[Self]) -> String {
-        let mut told: Vec<(&'static str, Vec<String>)> = Vec::new();
-        let mut plain = Vec::new();
+    /// Arguments, those of one name as one dictionary.
+    #[cfg(not(target_family = "wasm"))]
+    fn in_python(hints: &[Self]) -> String {
+        let mut told: Vec<(&'static str, String)> = Vec::new();
         for hint in hints {
-            match hint {
+            let argument = python_name(hint.name());
+            let text = match hint {
+                Self::All(hints) => Self::in_python(hints),
+                Self::Option(..) => argument.to_owned(),
+                Self::Open(_) => format!("{argument}="),
+                Self::Flag(_) => format!("{argument}=True"),
+                Self::Value(_, value) => format!("{argument}={value:?}"),
+                Self::Pair(_, [mine, theirs]) => format!("{argument}=({mine:?}, {theirs:?})"),
                 Self::Column(channel, text) | Self::Named(_, channel, text) => {
-                    let (name, item) = (python_name(hint.name()), format!("{channel:?}: {text:?}"));
-                    match told.iter_mut().find(|(other, _)| *other == name) {
-                        Some((_, items)) => items.push(item),
-                        None => told.push((name, vec![item])),
+                    let item = format!("{channel:?}: {text:?}}}");
+                    match told.iter_mut().find(|(other, _)| *other == argument) {
+                        Some((_, items)) => {
+                            items.pop();
+                            items.push_str(", ");
+                            items.push_str(&item);
+                            continue;
+                        }
+                        None => format!("{argument}={{{item}"),
                     }
                 }
-                other => plain.push(other.in_python()),
-            }
+            };
+            told.push((argument, text));
         }
-        let dictionaries = told.into_iter().map(|(name, items)| format!("{name}={{{}}}", items.join(", ")));
-        dictionaries.chain(plain).collect::<Vec<_>>().join(", ")
+        told.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(", ")
     }
 }
 
