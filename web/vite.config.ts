@@ -30,7 +30,8 @@ const footer: Plugin = {
 export default defineConfig({
   base: './',
   plugins: [specs, footer],
-  build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000 },
+  // A browser without module preloads loads the same modules when they are asked for.
+  build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000, modulePreload: { polyfill: false } },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
 });
