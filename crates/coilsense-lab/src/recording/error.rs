@@ -4,7 +4,14 @@
 
 use std::path::Path;
 
-#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+#[cfg(any(
+    feature = "parquet",
+    feature = "arrow",
+    feature = "sheets",
+    feature = "matlab",
+    feature = "mdf",
+    feature = "hdf5"
+))]
 use crate::guarded::Damaged;
 use crate::message::{Hint, Message};
 
@@ -35,7 +42,14 @@ impl RecordingError {
     }
 }
 
-#[cfg(any(feature = "parquet", feature = "matlab", feature = "mdf"))]
+#[cfg(any(
+    feature = "parquet",
+    feature = "arrow",
+    feature = "sheets",
+    feature = "matlab",
+    feature = "mdf",
+    feature = "hdf5"
+))]
 impl From<Damaged> for RecordingError {
     fn from(damaged: Damaged) -> Self {
         Self::of_file(&damaged.file, Damaged::WORDS)

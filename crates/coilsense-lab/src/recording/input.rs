@@ -135,6 +135,7 @@ impl Input {
     ///
     /// `kind` says what it is, after "is", in the message that it is larger.
     #[cfg_attr(not(feature = "matlab"), allow(dead_code, reason = "the formats that need it may be left out"))]
+    #[cfg(any(feature = "mdf", feature = "sheets"))]
     pub fn bytes(self, most: u64, kind: &str) -> Result<Vec<u8>, RecordingError> {
         let path = self.path.clone();
         let mut bytes = Vec::new();
