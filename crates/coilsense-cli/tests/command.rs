@@ -258,9 +258,9 @@ fn a_log_is_shown_before_anything_is_made_of_it() {
         "2000 rows; 2.5 kHz, from 0 s to 0.7996 s",
         "#2  LC",
         "changes 98.8 times a second",
-        "stands still",
-        "its head says: by hand",
-        "add --column F_o=\"LC\" --gain F_o=\"1 N/V\"",
+        "constant",
+        "header: by hand",
+        "in place of 1: --column F_o=\"LC\" --gain F_o=\"1 N/V\"",
     ] {
         assert!(shown.contains(words), "{words}: {shown}");
     }

@@ -16,14 +16,7 @@ mod likeness;
 mod bounded;
 
 /// A damaged file that a decoder falls over to an error.
-#[cfg(any(
-    feature = "parquet",
-    feature = "arrow",
-    feature = "sheets",
-    feature = "matlab",
-    feature = "mdf",
-    feature = "hdf5"
-))]
+#[cfg(feature = "decoders")]
 mod guarded;
 
 /// A number with a unit as people write it to its SI value, and back.

@@ -152,7 +152,11 @@ fn an_error_calls_options_as_the_page_does() {
             "; drop incomplete leaves such rows out",
         ),
         ("time [s],F_o [N]\n1,1\n0,2\n", "“put in order” puts the rows in order", "; sort puts the rows in order"),
-        ("time [s],a\n0,1\n", "add F_o=\"a [N]\" in the table of columns", "add F_o=\"a [N]\" in column"),
+        (
+            "time [s],a\n0,1\n",
+            "guess is wrong: F_o=\"a [N]\" in the table of columns",
+            "guess is wrong: F_o=\"a [N]\" in column",
+        ),
     ] {
         let said = |asked: &Value| identify(text, None, asked).unwrap_err();
         let (named, unnamed) = (said(&json!({ "labels": labels })), said(&json!({})));

@@ -68,10 +68,8 @@ impl Clock {
         }
         self.raw = raw;
         let time = raw + self.added;
-        let out = |window: &Self| {
-            window.cleaning.from.is_some_and(|from| time < from) || window.cleaning.to.is_some_and(|to| time > to)
-        };
-        if out(self) {
+        let is_before = self.cleaning.from.is_some_and(|from| time < from);
+        if is_before || self.cleaning.to.is_some_and(|to| time > to) {
             account.leave_out(Reason::OutsideWindow, line);
             return Ok(None);
         }
@@ -152,12 +150,12 @@ impl Fault {
                 }
                 let share = 100.0 * again as f64 / all as f64;
                 let text = format!(
-                    "{text}, as {share:.0} % of the rows' are: the clock counts in coarser steps than the rows; "
+                    "{text}; {share:.0} % of the rows repeat the time before them: the clock is coarser than the rows; "
                 );
                 let span = behind.times.last().copied().unwrap_or(time) - behind.first;
                 let rows = (behind.rows as usize + behind.times.len() - 2) as f64;
                 let even = nominal(rows / span.max(f64::MIN_POSITIVE));
-                Message::from(text + "where they are evenly sampled, ")
+                Message::from(text + "if they are evenly sampled, ")
                     + Hint::Value("sample_rate", hertz(even))
                     + " takes them so"
             }

@@ -4,14 +4,7 @@
 
 use std::path::Path;
 
-#[cfg(any(
-    feature = "parquet",
-    feature = "arrow",
-    feature = "sheets",
-    feature = "matlab",
-    feature = "mdf",
-    feature = "hdf5"
-))]
+#[cfg(feature = "decoders")]
 use crate::guarded::Damaged;
 use crate::message::{Hint, Message};
 
@@ -42,14 +35,7 @@ impl RecordingError {
     }
 }
 
-#[cfg(any(
-    feature = "parquet",
-    feature = "arrow",
-    feature = "sheets",
-    feature = "matlab",
-    feature = "mdf",
-    feature = "hdf5"
-))]
+#[cfg(feature = "decoders")]
 impl From<Damaged> for RecordingError {
     fn from(damaged: Damaged) -> Self {
         Self::of_file(&damaged.file, Damaged::WORDS)

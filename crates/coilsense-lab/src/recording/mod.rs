@@ -69,6 +69,7 @@ pub use points::Points;
 pub use quantity::Quantity;
 pub use summary::Summary;
 pub use table::Table;
+pub(crate) use telling::hertz;
 pub use title::Title;
 
 use std::path::Path;
@@ -208,18 +209,18 @@ impl Recording {
         let first = time.first().copied().unwrap_or(0.0);
         let off = |(index, time): (usize, &f64)| (time - first - index as f64 * interval).abs();
         let jitter = time.iter().enumerate().map(off).fold(0.0, f64::max);
-        // A row that is missing makes a long step, and stamps that stray short ones, too.
+        // A row that is missing makes a long step, and jitter short ones, too.
         let usual = self.account.interval.unwrap_or(interval);
-        let strays = self.account.steps.is_some_and(|[least, _]| least < 0.75 * usual);
-        if self.account.gaps.count == 0 || strays && jitter <= MOST_JITTER * interval {
+        let jitters = self.account.steps.is_some_and(|[least, _]| least < 0.75 * usual);
+        if self.account.gaps.count == 0 || jitters && jitter <= MOST_JITTER * interval {
             let rate = telling::hertz(nominal::nominal(1.0 / interval));
             let text = format!(
-                "is not evenly sampled: its times stray by up to {} from an even clock of {rate}; ",
+                "is not evenly sampled: its time stamps jitter by up to {} around an even clock of {rate}; ",
                 seconds(jitter)
             );
             return Message::from(text)
                 + Hint::Value("resample", rate.clone())
-                + " draws straight lines between them; where only the stamps stray and the samples are even, "
+                + " interpolates linearly; if only the stamps jitter and the samples are evenly spaced, "
                 + Hint::Value("sample_rate", rate)
                 + " takes them so";
         }
@@ -235,7 +236,7 @@ impl Recording {
     }
 }
 
-/// Times that stray by so many steps from an even clock jitter; further ones lack rows.
+/// Stamps that are off by at most so many steps jitter; beyond that rows are missing.
 const MOST_JITTER: f64 = 3.0;
 
 /// Opens a log of any format.

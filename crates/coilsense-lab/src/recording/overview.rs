@@ -14,6 +14,7 @@ use super::nominal::nominal;
 use super::pipeline::Watch;
 use super::selection::{Clocked, Selection};
 use super::source::{Next, Source};
+use super::spacing::{GAP, HEAD};
 use super::summary::Summary;
 use super::telling::what_turns;
 use super::unit;
@@ -81,9 +82,6 @@ impl ClockOverview {
         nominal(1.0 / self.usual)
     }
 }
-
-/// Steps of the head, of which the usual one is the median.
-const HEAD: usize = 1025;
 
 /// Follows the times of all rows.
 struct Follower {
@@ -231,7 +229,7 @@ impl Follower {
                 if self.head.len() < HEAD {
                     self.head.push(step);
                     self.settle(false);
-                } else if step > 1.5 * self.found.usual {
+                } else if step > GAP * self.found.usual {
                     self.found.gaps += 1;
                 }
             }
@@ -246,7 +244,7 @@ impl Follower {
         let mut sorted = self.head.clone();
         sorted.sort_by(f64::total_cmp);
         self.found.usual = sorted[(sorted.len() - 1) / 2];
-        self.found.gaps += self.head.iter().filter(|step| **step > 1.5 * self.found.usual).count() as u64;
+        self.found.gaps += self.head.iter().filter(|step| **step > GAP * self.found.usual).count() as u64;
     }
 
     fn found(mut self) -> Option<ClockOverview> {

@@ -75,7 +75,7 @@ impl<'a> Rows<'a> {
                 .into_iter()
                 .chain(clock.filter(|_| timed && told.is_none()).map(|clock| {
                     let (rate, start) = (hertz(1.0 / clock.interval), seconds(clock.start));
-                    format!("its header tells the clock: {rate} from {start} on")
+                    format!("clock from its header: {rate}, from {start} on")
                 }))
                 .collect(),
             ..Account::default()

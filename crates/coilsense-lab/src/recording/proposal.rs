@@ -70,7 +70,7 @@ impl Proposal {
         let for_time = self.time_place;
         let names: Vec<String> = titles.iter().enumerate().map(|(index, title)| title.place(index)).take(8).collect();
         let more = if titles.len() > 8 { format!(" and {} more", titles.len() - 8) } else { String::new() };
-        self.reasons.push(format!("no column is known as a channel; it has {}{more}", names.join(", ")));
+        self.reasons.push(format!("no column is recognised as a channel: it has {}{more}", names.join(", ")));
         self.guessed = true;
         let is_free = |index: &usize| !taken.contains(index) && Some(*index) != for_time;
         let free: Vec<usize> = (0..titles.len()).filter(is_free).collect();
@@ -95,7 +95,7 @@ impl Proposal {
 
     /// No column is known as the time.
     pub fn time(&mut self, titles: &[Title], taken: &[usize]) {
-        self.reasons.push("no column is known as the time".to_owned());
+        self.reasons.push("no column is recognised as the time".to_owned());
         self.guessed = true;
         let free = || (0..titles.len()).filter(|index| !taken.contains(index));
         let named = |index: &usize| {
@@ -135,16 +135,18 @@ impl Proposal {
     /// All that is asked for, in one line.
     pub fn message(self) -> Message {
         let needs = match (self.guessed, self.of_one) {
-            (true, true) => "; put in what holds, the gains first of all (1 is no sensor's), and add ",
-            (true, false) => "; put in what holds, and add ",
-            (false, _) => "; put in the sensor's gain, and add ",
+            (true, true) => {
+                "; add these options, corrected where the guess is wrong and with your sensors' gains in place of 1: "
+            }
+            (true, false) => "; add these options, corrected where the guess is wrong: ",
+            (false, _) => "; add this option, with your sensor's gain in place of 1: ",
         };
         let text = self.reasons.join("; ") + needs;
         let message = Message::from(text) + Hint::All(self.hints);
         match self.maybe_time {
             true => {
                 message
-                    + "; where no column is the time, "
+                    + "; if the log has no time column, "
                     + Hint::Open("sample_rate")
                     + " says how often it was sampled"
             }

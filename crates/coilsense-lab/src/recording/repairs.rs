@@ -34,7 +34,7 @@ impl Account {
                 continue;
             }
             let text = format!(
-                " would {does} {touched} of {of} rows, more than {} %; where that is meant, add ",
+                " would {does} {touched} of {of} rows, more than {} %; if that is intended, add ",
                 100.0 * most
             );
             let enough = format!("{} %", (100.0 * share).ceil());

@@ -24,9 +24,9 @@ pub(super) struct Spacing {
 }
 
 /// So many rows tell the usual step of time.
-const HEAD: usize = 1025;
+pub(super) const HEAD: usize = 1025;
 /// A step of more than so many usual ones is a gap.
-const GAP: f64 = 1.5;
+pub(super) const GAP: f64 = 1.5;
 /// Most rows that resampling makes in one gap without being told of its length.
 const MOST_UNTOLD: f64 = 1e6;
 /// Most rows that come out of one log.
@@ -159,7 +159,7 @@ impl Spacing {
         }
         if is_gap && self.cleaning.fill_gaps.is_none() && length * rate > MOST_UNTOLD {
             let message = Message::from(format!(
-                "a gap of {} is before it, over which {:.0} rows would be made up; where that is meant, add ",
+                "a gap of {} is before it, over which {:.0} rows would be made up; if that is intended, add ",
                 seconds(length),
                 length * rate
             )) + Hint::Value("fill_gaps", format!("{} s", length.ceil()));

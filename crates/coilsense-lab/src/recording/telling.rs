@@ -170,7 +170,7 @@ pub(super) fn seconds(value: f64) -> String {
 }
 
 /// A frequency as people write it.
-pub(super) fn hertz(value: f64) -> String {
+pub(crate) fn hertz(value: f64) -> String {
     let (value, unit) = if value >= 1e3 { (value / 1e3, "kHz") } else { (value, "Hz") };
     // Ten digits hide how a step of time was rounded.
     let rounded = (value * 1e6).round() / 1e6;

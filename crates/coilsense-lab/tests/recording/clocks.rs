@@ -1,4 +1,4 @@
-//! Clocks that begin anew, go back, stand still or stray: told apart, mended when asked, and never destroyed by what is advised.
+//! Clocks that begin anew, go back, stand still or jitter: told apart, mended when asked, and never destroyed by what is advised.
 
 use coilsense::Channel;
 use coilsense_lab::recording::{Cleaning, Mapping, Reason, Recording};
@@ -72,7 +72,7 @@ fn a_clock_that_is_set_back_is_not_sorted_into_itself() {
     let message = read(&text, sorting).unwrap_err();
     assert_eq!(
         message,
-        "run.csv: --sort would move 199 of 1000 rows, more than 1 %; where that is meant, add --repair-up-to \"20 %\""
+        "run.csv: --sort would move 199 of 1000 rows, more than 1 %; if that is intended, add --repair-up-to \"20 %\""
     );
     let told = Cleaning { repair_up_to: Some(0.2), ..sorting };
     assert_eq!(read(&text, told).unwrap().account().sorted, 199);
@@ -97,7 +97,10 @@ fn a_clock_coarser_than_the_rows_is_not_merged_away() {
     // 2.5 kHz with stamps of a millisecond: as 20,904 of 25,000 rows were once merged.
     let text = log("time [s]", (0..2500).map(|k| format!("{:.3}", (f64::from(k) * 0.4).floor() / 1000.0)));
     let message = read(&text, Cleaning::default()).unwrap_err();
-    assert!(message.starts_with("run.csv:3: time 0 s is there again, as 60 % of the rows' are"), "{message}");
+    assert!(
+        message.starts_with("run.csv:3: time 0 s is there again; 60 % of the rows repeat the time before them"),
+        "{message}"
+    );
     assert!(message.ends_with("--sample-rate \"2.5 kHz\" takes them so"), "{message}");
     let merging = Cleaning { merge_repeated: true, ..Cleaning::default() };
     let message = read(&text, merging).unwrap_err();
@@ -111,12 +114,12 @@ fn a_clock_coarser_than_the_rows_is_not_merged_away() {
 }
 
 #[test]
-fn stamps_that_stray_are_told_from_rows_that_are_missing() {
+fn jitter_is_told_from_rows_that_are_missing() {
     // Deterministic jitter of up to ±0.15 ms at 2.5 kHz.
-    let stray = |k: usize| 0.15e-3 * ((k * k % 1009) as f64 / 504.0 - 1.0);
-    let text = log("time [s]", (0..5000).map(|k| format!("{:.7}", k as f64 / 2500.0 + stray(k))));
+    let jitter = |k: usize| 0.15e-3 * ((k * k % 1009) as f64 / 504.0 - 1.0);
+    let text = log("time [s]", (0..5000).map(|k| format!("{:.7}", k as f64 / 2500.0 + jitter(k))));
     let message = read(&text, Cleaning::default()).unwrap().sample_rate().unwrap_err().to_string();
-    assert!(message.contains("from an even clock of 2.5 kHz; --resample \"2.5 kHz\" draws"), "{message}");
+    assert!(message.contains("around an even clock of 2.5 kHz; --resample \"2.5 kHz\" interpolates"), "{message}");
     assert!(message.ends_with("--sample-rate \"2.5 kHz\" takes them so"), "{message}");
     // Ten rows are missing: even rows would be wrong by as many.
     let text = log(
@@ -163,5 +166,5 @@ fn a_column_of_time_needs_no_name_where_it_stands_first() {
     // Elsewhere a time is no clock.
     let message =
         read_with("LC (N);settling (ms)\n1;7\n2;3\n", &mapping(&["F_o=LC"]), &Cleaning::default()).unwrap_err();
-    assert!(message.contains("no column is known as the time"), "{message}");
+    assert!(message.contains("no column is recognised as the time"), "{message}");
 }

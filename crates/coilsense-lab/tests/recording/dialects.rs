@@ -12,10 +12,11 @@ use super::fixtures::{mapping, read_with};
 fn with_the_line(text: &str) -> Recording {
     let message = read_with(text, &Mapping::default(), &Cleaning::default()).unwrap_err();
     let mut mapping = Mapping::default();
-    let line = message.split("and add ").nth(1).unwrap_or_else(|| panic!("no line to add: {message}"));
+    let Some((_, line)) = message.split_once(": --") else { panic!("no line to add: {message}") };
+    let line = line.split(';').next().unwrap_or_default();
     for option in line.split(" --").map(|option| option.trim_start_matches("--")) {
         let (name, value) = option.split_once(' ').expect("an option and its value");
-        let value = value.split(';').next().unwrap_or_default().replace('"', "");
+        let value = value.replace('"', "");
         match name {
             "column" => mapping.set(&value).unwrap(),
             "gain" => mapping.set_gain(&value).unwrap(),
@@ -55,7 +56,7 @@ fn labview_measurement_files_with_one_clock_several_segments_or_none() {
     let without = LVM.replace("X_Columns\tOne", "X_Columns\tNo");
     let recording = read_with(format!("{without}\t1.5\t10\n\t-2500\t11\n"), &told, &Cleaning::default()).unwrap();
     holds(&recording, &[0.0, 0.5], &[1.5, -2500.0]);
-    assert!(notes(recording.account()).contains("its header tells the clock: 2 Hz"), "{}", notes(recording.account()));
+    assert!(notes(recording.account()).contains("clock from its header: 2 Hz"), "{}", notes(recording.account()));
     // A European LabVIEW.
     let comma = LVM.replace("Decimal_Separator\t.", "Decimal_Separator\t,").replace("0.5\t", "0,5\t");
     let recording = read_with(format!("{comma}0,0\t1,5\t10\n0,5\t-2,5\t11\n"), &told, &Cleaning::default()).unwrap();
@@ -89,7 +90,7 @@ fn oscilloscopes_of_rigol_siglent_keysight_rohde_and_pico() {
     let rigol = "X,CH1,CH2,Start,Increment,\nSequence,Volt,Volt,-0.5,0.25,\n0,1.5,0,,\n1,-2500,0,,\n2,0.001,0,,\n";
     let recording = with_the_line(rigol);
     holds(&recording, &[-0.5, -0.25, 0.0], &[1.5, -2500.0, 0.001]);
-    assert!(notes(recording.account()).contains("its header tells the clock: 4 Hz from -500 ms on"));
+    assert!(notes(recording.account()).contains("clock from its header: 4 Hz, from -500 ms on"));
     let siglent = "Record Length,Analog:3\nSample Interval,Analog:0.25\nVertical Units,CH1:V\nHorizontal Units,s\nHorizontal Scale,5e-05\n\
         Model Number,SDS1104X-E\nSource,CH1\nSecond,Volt\n-0.5,1.5\n-0.25,-2500\n0,0.001\n0.25,7\n";
     holds(&with_the_line(siglent), &[-0.5, -0.25, 0.0, 0.25], &[1.5, -2500.0, 0.001, 7.0]);
@@ -185,7 +186,7 @@ fn a_held_end_needs_no_column() {
     }
     // A log of constants alone holds nothing.
     let message = read_with("time [s],b\n0,1\n1,2\n", &held_only(), &Cleaning::default()).unwrap_err();
-    assert!(message.contains("no column is known as a channel"), "{message}");
+    assert!(message.contains("no column is recognised as a channel"), "{message}");
 }
 
 fn held_only() -> Mapping {

@@ -102,7 +102,7 @@ const FAULTS: [Fault; 37] = [
     (
         "time [s],F_o\n0,1\n1,2\n",
         &[],
-        "run.csv: column 2 \"F_o\": its unit is not told; put in what holds, and add --column F_o=\"F_o [N]\"",
+        "run.csv: column 2 \"F_o\": its unit is not told; add these options, corrected where the guess is wrong: --column F_o=\"F_o [N]\"",
     ),
     (
         "time [s],F_o [mm]\n0,1\n1,2\n",
@@ -117,7 +117,7 @@ const FAULTS: [Fault; 37] = [
     (
         "time [s],LC [V]\n0,1\n1,2\n",
         &["F_o=LC"],
-        "run.csv: column 2 \"LC [V]\": V is no unit of a force, it needs a gain; put in the sensor's gain, and add --gain F_o=\"1 N/V\"",
+        "run.csv: column 2 \"LC [V]\": V is no unit of a force, it needs a gain; add this option, with your sensor's gain in place of 1: --gain F_o=\"1 N/V\"",
     ),
     (
         "time [s],LC [kN]\n0,1\n1,2\n",
@@ -128,17 +128,17 @@ const FAULTS: [Fault; 37] = [
     (
         "a,b\n0,1\n1,2\n",
         &[],
-        "run.csv: no column is known as the time; no column is known as a channel; it has column 1 \"a\", column 2 \"b\"; put in what holds, and add --column time=\"a [s]\" --column F_o=\"b [N]\"; where no column is the time, --sample-rate says how often it was sampled",
+        "run.csv: no column is recognised as the time; no column is recognised as a channel: it has column 1 \"a\", column 2 \"b\"; add these options, corrected where the guess is wrong: --column time=\"a [s]\" --column F_o=\"b [N]\"; if the log has no time column, --sample-rate says how often it was sampled",
     ),
     (
         "0,1\n1,2\n",
         &[],
-        "run.csv: no column is known as the time; no column is known as a channel; it has column 1, column 2; put in what holds, and add --column time=\"#1 [s]\" --column F_o=\"#2 [N]\"; where no column is the time, --sample-rate says how often it was sampled",
+        "run.csv: no column is recognised as the time; no column is recognised as a channel: it has column 1, column 2; add these options, corrected where the guess is wrong: --column time=\"#1 [s]\" --column F_o=\"#2 [N]\"; if the log has no time column, --sample-rate says how often it was sampled",
     ),
     (
         "a,F_o [N]\n0,1\n1,2\n",
         &[],
-        "run.csv: no column is known as the time; put in what holds, and add --column time=\"a [s]\"; where no column is the time, --sample-rate says how often it was sampled",
+        "run.csv: no column is recognised as the time; add these options, corrected where the guess is wrong: --column time=\"a [s]\"; if the log has no time column, --sample-rate says how often it was sampled",
     ),
     (
         "time [s],force [N]\n0,1\n1,2\n",

@@ -5,7 +5,8 @@
 //! | `layouts` | how texts are written: delimiters, decimal signs, titles, units, stamps |
 //! | `cleaning` | what is cleaned, and that nothing is lost without being counted |
 //! | `clocks` | times that do not rise evenly |
-//! | `formats` | files of other programs, values compared exactly |
+//! | `formats`, `matlab`, `instruments` | files of other programs, values compared exactly |
+//! | `golden` | those files, and the log that they hold |
 //! | `inputs` | pipes, compressed files, encodings |
 //! | `sheets` | workbooks |
 //! | `devices` | two clocks |
@@ -21,8 +22,13 @@ mod devices;
 mod dialects;
 mod fixtures;
 mod formats;
+mod golden;
 mod hostile;
 mod inputs;
+#[cfg(any(feature = "mdf", feature = "tdms", feature = "mcap"))]
+mod instruments;
 mod layouts;
+#[cfg(any(feature = "matlab", feature = "hdf5"))]
+mod matlab;
 #[cfg(feature = "sheets")]
 mod sheets;

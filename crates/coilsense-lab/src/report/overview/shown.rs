@@ -10,7 +10,7 @@ use super::super::ReportError;
 use super::super::outcome::{Outcome, to_json};
 use crate::message::Door;
 use crate::quantity::digits;
-use crate::recording::{ClockOverview, ColumnOverview, Overview};
+use crate::recording::{ClockOverview, ColumnOverview, Overview, hertz};
 
 /// What `coilsense import LOG` says of a log where nothing is to be written.
 #[derive(Debug, Serialize)]
@@ -89,17 +89,6 @@ impl Outcome for OverviewOutcome<'_> {
 /// # Errors
 /// [`ReportError`] where it cannot be written.
 pub fn overview_json(overview: &Overview) -> Result<String, ReportError> {
-    let column = |column: &'_ ColumnOverview| ColumnOutcome {
-        number: column.number,
-        name: "",
-        unit: None,
-        channel: column.channel,
-        values: column.summary.count,
-        missing: column.summary.missing,
-        range: column.summary.range,
-        mean: column.summary.mean(),
-        changes: column.summary.changes,
-    };
     let clock = |clock: &ClockOverview| ClockOutcome {
         span_s: clock.span,
         usual_step_s: clock.usual,
@@ -115,16 +104,26 @@ pub fn overview_json(overview: &Overview) -> Result<String, ReportError> {
         format: &overview.description,
         rows: overview.rows,
         broken: overview.broken,
-        columns: overview
-            .columns
-            .iter()
-            .map(|each| ColumnOutcome { name: &each.name, unit: each.unit.as_deref(), ..column(each) })
-            .collect(),
+        columns: overview.columns.iter().map(column_outcome).collect(),
         clock: overview.clock.as_ref().map(clock),
         remarks: &overview.remarks,
         lacks: overview.lacks.as_ref().map(|message| message.told(Door::Command)),
     })?;
     Ok(text)
+}
+
+fn column_outcome(column: &ColumnOverview) -> ColumnOutcome<'_> {
+    ColumnOutcome {
+        number: column.number,
+        name: &column.name,
+        unit: column.unit.as_deref(),
+        channel: column.channel,
+        values: column.summary.count,
+        missing: column.summary.missing,
+        range: column.summary.range,
+        mean: column.summary.mean(),
+        changes: column.summary.changes,
+    }
 }
 
 /// Width of a column's course in signs, and most columns that are shown.
@@ -145,11 +144,11 @@ pub fn overview_text(overview: &Overview) -> String {
     lines.extend(
         overview.clock.iter().flat_map(|clock| irregular(clock, overview.rows)).map(|line| format!("  {line}")),
     );
-    lines.extend(overview.remarks.iter().take(3).map(|remark| format!("  its head says: {remark}")));
+    lines.extend(overview.remarks.iter().take(3).map(|remark| format!("  header: {remark}")));
     match &overview.lacks {
-        Some(message) => lines.push(format!("to be told before it can be imported: {message}")),
+        Some(message) => lines.push(format!("still needed to import it: {message}")),
         None => lines.push(
-            "all is told; next: the same with --out FILE or --report DIR, or identify, calibrate and mitigate"
+            "ready: add --out FILE to import it or --report DIR for a page, or go on with identify, calibrate or mitigate"
                 .to_owned(),
         ),
     }
@@ -192,16 +191,11 @@ fn rows(overview: &Overview) -> String {
     match &overview.clock {
         Some(clock) => {
             let [from, to] = clock.span;
-            let rate = rate(clock.rate());
+            let rate = hertz(clock.rate());
             format!("{} rows{broken}; {rate}, from {from} s to {to} s", overview.rows)
         }
-        None => format!("{} rows{broken}; no column is known as the time", overview.rows),
+        None => format!("{} rows{broken}; no column is recognised as the time", overview.rows),
     }
-}
-
-fn rate(hertz: f64) -> String {
-    let (value, unit) = if hertz >= 1e3 { (hertz / 1e3, "kHz") } else { (hertz, "Hz") };
-    format!("{} {unit}", (value * 1e6).round() / 1e6)
 }
 
 /// What is odd about a column: values that are not there, a device slower than the rows.
@@ -209,14 +203,14 @@ fn said(column: &ColumnOverview, rows: u64, span: Option<f64>) -> String {
     let summary = &column.summary;
     let mut said = Vec::new();
     if summary.missing > 0 {
-        said.push(format!("{} of {rows} rows have none", summary.missing));
+        said.push(format!("missing in {} of {rows} rows", summary.missing));
     }
     let slow = summary.count > 100 && summary.changes > 0 && 3 * summary.changes < summary.count;
     if let (true, Some(span)) = (slow && column.channel != Some("time"), span.filter(|span| *span > 0.0)) {
         said.push(format!("changes {} times a second", digits(summary.changes as f64 / span)));
     }
     if summary.changes == 0 && summary.count > 1 {
-        said.push("stands still".to_owned());
+        said.push("constant".to_owned());
     }
     said.join(", ")
 }
@@ -235,7 +229,7 @@ fn irregular(clock: &ClockOverview, rows: u64) -> Vec<String> {
         }
     }
     if clock.gaps > 0 {
-        lines.push(format!("{} steps are longer than usual, the longest {} s", clock.gaps, digits(largest)));
+        lines.push(format!("{} gaps, the longest {} s", clock.gaps, digits(largest)));
     } else if largest - least > 1e-3 * clock.usual {
         lines.push(format!("its steps of time are from {} to {} s", digits(least), digits(largest)));
     }
