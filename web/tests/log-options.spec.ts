@@ -94,7 +94,7 @@ test('delimiter and decimal sign can be told', async ({ page }) => {
   await page.getByLabel('Decimal sign').selectOption(',');
   await expect(page.getByRole('img', { name: 'Forces over time' })).toBeVisible({ timeout: 30_000 });
   await page.getByLabel('Columns are separated by').selectOption(',');
-  await expect(page.locator('#panel-log .wrong .error')).toContainText('where columns are separated by commas', {
+  await expect(page.locator('#panel-log .refusal').first()).toContainText('no column is recognised as the time', {
     timeout: 30_000,
   });
 });

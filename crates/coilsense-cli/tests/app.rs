@@ -2,6 +2,10 @@
 //!
 //! With a page in it (`cargo xtask page`, then `--features app`) it is served; without, the command says how to get one.
 
+#[cfg(page_is_built)]
+mod answering;
+
+#[cfg(not(page_is_built))]
 use std::process::Command;
 
 #[cfg(not(page_is_built))]
@@ -20,10 +24,10 @@ fn a_command_without_a_page_names_the_line_that_builds_one() {
 mod served {
     use std::io::{BufRead, BufReader, Read, Write};
     use std::net::TcpStream;
-    use std::process::{Child, Stdio};
+    use std::process::{Child, Command, Stdio};
     use std::time::{Duration, Instant};
 
-    use super::Command;
+    use super::answering::answering;
 
     /// A command that serves, ended with the test.
     struct Served {
@@ -42,16 +46,6 @@ mod served {
         status: u16,
         head: String,
         body: Vec<u8>,
-    }
-
-    /// The command, as started by somebody who does not ignore Ctrl-C: who runs the tests in the background of a script does, and children inherit it.
-    fn answering() -> Command {
-        if cfg!(target_os = "linux") {
-            let mut command = Command::new("env");
-            command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_coilsense")]);
-            return command;
-        }
-        Command::new(env!("CARGO_BIN_EXE_coilsense"))
     }
 
     impl Served {

@@ -2,6 +2,9 @@
 //!
 //! Next door: rows and refusals as a library (`coilsense-lab/tests/sweep`).
 
+#[cfg(unix)]
+mod answering;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -159,13 +162,9 @@ fn a_full_disk_is_one_line_and_the_next_run_goes_on() {
 fn ctrl_c_keeps_what_is_whole() {
     let place = Place::new();
     let plain = place.command("out", 1_000_000);
-    // Who runs the tests in the background of a script has Ctrl-C ignored, and children inherit that.
-    let mut answering = Command::new("env");
-    if cfg!(target_os = "linux") {
-        answering.arg("--default-signal=INT");
-    }
-    answering.arg(plain.get_program()).args(plain.get_args()).current_dir(place.folder.path());
-    let running = answering.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut command = answering::answering();
+    command.args(plain.get_args()).current_dir(place.folder.path());
+    let running = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
     while !place.path("out/chunk-000000.parquet").is_file() {
         sleep(Duration::from_millis(5));
     }

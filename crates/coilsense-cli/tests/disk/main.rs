@@ -3,6 +3,8 @@
 //! Next door: files by themselves, step by step (`coilsense-lab/src/output`).
 #![cfg(unix)]
 
+#[path = "../answering/mod.rs"]
+mod answering;
 mod full;
 mod kept;
 mod killed;

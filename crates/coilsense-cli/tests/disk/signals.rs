@@ -4,17 +4,8 @@ use std::fs;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use super::answering::answering;
 use super::{Place, text};
-
-/// The command, as started by somebody who does not ignore Ctrl-C: who runs the tests in the background of a script does, and children inherit it.
-fn answering() -> Command {
-    if cfg!(target_os = "linux") {
-        let mut command = Command::new("env");
-        command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_coilsense")]);
-        return command;
-    }
-    Command::new(env!("CARGO_BIN_EXE_coilsense"))
-}
 
 fn send(signal: &str, child: &Child) {
     assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().expect("kill").success());

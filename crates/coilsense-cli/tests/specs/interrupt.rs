@@ -5,6 +5,7 @@ use std::fs;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use super::answering::answering;
 use super::{names, path, place, text};
 
 /// So many cases that they take several seconds, none of them long.
@@ -18,16 +19,6 @@ fn slow() -> String {
 
 /// A rig with so many runs that they take several seconds, none of them long.
 const SLOW_RIG: &str = "[mount]\ndamping_ratio = 0.01\n[rig]\nhits = 300\n";
-
-/// The command, as started by somebody who does not ignore Ctrl-C: who runs the tests in the background of a script does, and children inherit it.
-fn answering() -> Command {
-    if cfg!(target_os = "linux") {
-        let mut command = Command::new("env");
-        command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_coilsense")]);
-        return command;
-    }
-    Command::new(env!("CARGO_BIN_EXE_coilsense"))
-}
 
 #[test]
 fn ctrl_c_leaves_the_folder_as_it_was() {

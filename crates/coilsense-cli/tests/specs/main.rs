@@ -1,6 +1,9 @@
 //! The commands that read a spec, as a person meets them: `init`, `spring`, `simulate`, `analyze`, `export`.
 
 mod analyze;
+#[cfg(unix)]
+#[path = "../answering/mod.rs"]
+mod answering;
 mod export;
 mod fmu;
 mod import;

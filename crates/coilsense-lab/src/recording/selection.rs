@@ -85,6 +85,10 @@ impl Selection {
             let places: Result<Vec<usize>, String> =
                 columns.titles.iter().map(|title| find(titles, title, quantity)).collect();
             let places = places.map_err(|message| refused(message.into()))?;
+            // A column of time that somebody told is looked for, and plays no part.
+            if is_time && clocked == Clocked::No {
+                continue;
+            }
             let scale = scale(titles, &places, &columns, quantity, &mut proposal).map_err(refused)?;
             let told = told_of(&columns);
             let offset = columns.constant.unwrap_or(columns.offset);
