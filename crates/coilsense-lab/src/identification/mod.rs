@@ -45,7 +45,7 @@ impl Identified {
         Ok(Self {
             simulated: recording.simulated().map(str::to_owned),
             account: recording.account().lines(),
-            signals: recording.signals().clone(),
+            signals: recording.into_signals(),
             found,
             file,
         })

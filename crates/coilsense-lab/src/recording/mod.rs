@@ -162,6 +162,11 @@ impl Recording {
         &self.signals
     }
 
+    /// The signals, moved out.
+    pub fn into_signals(self) -> Signals {
+        self.signals
+    }
+
     /// What became of the log's rows.
     pub fn account(&self) -> &Account {
         &self.account

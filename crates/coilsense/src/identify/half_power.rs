@@ -62,7 +62,7 @@ pub(super) fn ratio(
     if 4.0 * width > neighbour {
         return Err(format!("the width of {} Hz reaches into the lines beside it", short(width)));
     }
-    let powers = spectra(&series.flat, &starts, length);
+    let powers = spectra(series, &starts, length);
     let spacing = sampling.rate / (padded(length)) as f64;
     let noise = series.noise * series.noise * length as f64;
     let of = |without: Option<usize>| half_width(&powers, without, spacing, frequency, width, noise);
@@ -86,12 +86,12 @@ fn padded(length: usize) -> usize {
 }
 
 /// Power of each stretch over frequency, finely interpolated; shape `stretches` of `lines`.
-fn spectra(values: &[f64], starts: &[usize], length: usize) -> Vec<Vec<f64>> {
+fn spectra(series: &Series, starts: &[usize], length: usize) -> Vec<Vec<f64>> {
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(padded(length));
     let mut output = transform.make_output_vec();
     let mut one = |start: &usize| {
         let mut input = transform.make_input_vec();
-        input[..length].copy_from_slice(&values[*start..*start + length]);
+        input[..length].copy_from_slice(&series.flat(*start..*start + length));
         // Its length is the plan's own.
         match transform.process(&mut input, &mut output) {
             Ok(()) => output.iter().map(|line| line.norm_sqr()).collect(),

@@ -44,7 +44,7 @@ pub(super) fn after_hits(index: usize, series: &Series, hits: &[Hit], sampling: 
     let mut planner = RealFftPlanner::new();
     while seconds <= LONGEST.min(0.5 * sampling.duration()) {
         let length = (seconds * sampling.rate) as usize;
-        all.extend(at_scale(index, &series.flat, hits, length, sampling.rate, series.noise, &mut planner));
+        all.extend(at_scale(index, series, hits, length, sampling, &mut planner));
         seconds *= 1.6;
     }
     all.sort_by(|a: &(Peak, f64), b| b.0.strength.total_cmp(&a.0.strength));
@@ -61,15 +61,15 @@ pub(super) fn after_hits(index: usize, series: &Series, hits: &[Hit], sampling: 
 
 /// Peaks of the power averaged over all hits that have room for a window of this length, each with the spectrum's resolution.
 fn at_scale(
-    series: usize,
-    values: &[f64],
+    index: usize,
+    series: &Series,
     hits: &[Hit],
     length: usize,
-    rate: f64,
-    noise: f64,
+    sampling: &Sampling,
     planner: &mut RealFftPlanner<f64>,
 ) -> Vec<(Peak, f64)> {
-    let next = |index: usize| hits.get(index + 1).map_or(values.len(), |hit| hit.onset);
+    let (rate, noise) = (sampling.rate, series.noise);
+    let next = |index: usize| hits.get(index + 1).map_or(sampling.samples, |hit| hit.onset);
     let starts: Vec<usize> =
         (0..hits.len()).filter(|&i| hits[i].after + length <= next(i)).map(|i| hits[i].after).collect();
     if starts.is_empty() || length < 8 {
@@ -84,7 +84,7 @@ fn at_scale(
     let mut power = vec![0.0; padded / 2 + 1];
     for &start in &starts {
         input.fill(0.0);
-        for ((y, x), w) in input.iter_mut().zip(&values[start..start + length]).zip(&taper) {
+        for ((y, x), w) in input.iter_mut().zip(series.flat(start..start + length)).zip(&taper) {
             *y = x * w;
         }
         if transform.process(&mut input, &mut output).is_ok() {
@@ -104,7 +104,7 @@ fn at_scale(
             // Below two turns within the window it is drift.
             let swings = place * spacing * length as f64 / rate > 2.0;
             let peak = Peak {
-                series,
+                series: index,
                 frequency: place * spacing,
                 folding: FOLDS * length as f64 / rate,
                 strength: strength * starts.len() as f64,
@@ -118,7 +118,7 @@ fn at_scale(
 /// Peaks of a record without hits, of lines far above what is between them, the strongest first; and the spectrum.
 pub(super) fn steady(index: usize, series: &Series, sampling: &Sampling) -> (Vec<Peak>, Welch) {
     let length = (sampling.samples / 8).max(64).min(sampling.samples);
-    let welch = Welch::of(&series.flat, sampling.rate, length);
+    let welch = Welch::of_stretches(&|range| series.flat(range), sampling.samples, sampling.rate, length);
     let between = floor(&welch.density, 12);
     let threshold = 2.0 * rare(welch.segments.div_ceil(2).max(1));
     let mut found: Vec<Peak> = peaks(&welch.density, PROMINENCE)

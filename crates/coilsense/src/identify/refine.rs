@@ -37,7 +37,7 @@ type Stretch = (usize, usize, usize);
 
 /// Fits lines to a record.
 pub(super) struct Refiner<'a> {
-    series: &'a [Series],
+    series: &'a [Series<'a>],
     hits: &'a [Hit],
     rate: f64,
     samples: usize,
@@ -48,7 +48,7 @@ pub(super) struct Refiner<'a> {
 }
 
 impl<'a> Refiner<'a> {
-    pub(super) fn new(series: &'a [Series], hits: &'a [Hit], sampling: &Sampling) -> Self {
+    pub(super) fn new(series: &'a [Series<'a>], hits: &'a [Hit], sampling: &Sampling) -> Self {
         let planner = RealFftPlanner::new();
         Self {
             series,
@@ -269,7 +269,7 @@ impl<'a> Refiner<'a> {
         }
         let planner = &mut self.planner;
         let plan = self.plans.entry(length).or_insert_with(|| planner.plan_fft_forward(length)).clone();
-        let mut input = self.series[series].force[start..start + length].to_vec();
+        let mut input = self.series[series].force(start..start + length);
         let mut output = plan.make_output_vec();
         plan.process(&mut input, &mut output).ok()?;
         let scale = 1.0 / (self.series[series].noise * (length as f64).sqrt()).max(f64::MIN_POSITIVE);

@@ -48,11 +48,11 @@ pub(super) fn of(lines: &[Line], series: &[Series], hits: &[Hit], sampling: &Sam
     let end = hits.get(strongest + 1).map_or(sampling.samples, |hit| hit.onset);
     let wanted = (FOLDS / slowest).min(LONGEST * sampling.rate) as usize;
     let count = end.saturating_sub(start).min(wanted);
-    let measured = shown.flat.get(start..start + count)?.to_vec();
     let columns = 2 * poles.len();
     if count < 4 * columns.max(4) {
         return None;
     }
+    let measured = shown.flat(start..start + count);
     let shape = |sample: usize, column: usize| {
         let (decay, angular) = poles[column / 2];
         let (sine, cosine) = (angular * sample as f64).sin_cos();

@@ -1,10 +1,15 @@
 //! What of a record may ring: end forces less the force of a spring without mass.
 //!
-//! Next door: the stiffness that it takes (`quasi_static`), the moments at which ringing begins (`hits`).
+//! Next door: the stiffness that it takes (`quasi_static`), how a force is computed (`forces`), the moments at which ringing begins (`hits`).
+
+use std::ops::Range;
+use std::sync::Arc;
 
 use super::channel_check::Conditions;
-use super::quasi_static::{Stiffness, length};
+use super::forces::{Ends, Force, Length, SlowForce};
+use super::quasi_static::Stiffness;
 use super::sampling::Sampling;
+use super::taken_out::TakenOut;
 use super::whitening::{ORDER, Surprise};
 use crate::error::Error;
 use crate::signals::{Channel, Signals};
@@ -33,19 +38,48 @@ pub enum Part {
 
 /// One series that may ring.
 #[derive(Debug, Clone)]
-pub(super) struct Series {
+pub(super) struct Series<'a> {
     pub(super) part: Part,
-    /// Less the slow force by length, where that is known; shape `samples`.
-    pub(super) force: Vec<f64>,
-    /// The same less its own running mean, for finding things; shape `samples`.
-    pub(super) flat: Vec<f64>,
+    /// Less the slow force by length, where that is known.
+    force: Force<'a>,
+    /// Samples of its running mean.
+    window: usize,
+    /// What was taken out of it since.
+    taken_out: Vec<Arc<TakenOut>>,
     /// Standard deviation of its noise, in N: of white noise as dense as where the channel lets ringing through.
     pub(super) noise: f64,
 }
 
+impl Series<'_> {
+    /// A stretch less the running mean of all, for finding things \[N\].
+    pub(super) fn flat(&self, range: Range<usize>) -> Vec<f64> {
+        let mut values = self.force.flat(self.window, range.clone());
+        self.take_out(range.start, &mut values);
+        values
+    }
+
+    /// A stretch of the force \[N\].
+    pub(super) fn force(&self, range: Range<usize>) -> Vec<f64> {
+        let mut values = self.force.values(range.clone());
+        self.take_out(range.start, &mut values);
+        values
+    }
+
+    fn take_out(&self, start: usize, values: &mut [f64]) {
+        self.taken_out.iter().for_each(|taken| taken.subtract(start, values));
+    }
+
+    /// The same less what is taken out of it.
+    pub(super) fn without(&self, taken: TakenOut) -> Self {
+        let mut rest = self.clone();
+        rest.taken_out.push(Arc::new(taken));
+        rest
+    }
+}
+
 /// What a record's series are, and what of them is not predicted.
-pub(super) struct Rings {
-    pub(super) series: Vec<Series>,
+pub(super) struct Rings<'a> {
+    pub(super) series: Vec<Series<'a>>,
     /// Of samples as near as the channel has news in them.
     pub(super) quick: Surprise,
     /// The same of samples so far apart that a prediction reaches back over several periods of the lowest modes.
@@ -58,27 +92,27 @@ pub(super) struct Rings {
 ///
 /// # Errors
 /// [`Error::MissingSignal`] where no force was recorded.
-pub(super) fn rings(
-    signals: &Signals,
+pub(super) fn rings<'a>(
+    signals: &'a Signals,
     sampling: &Sampling,
     stiffness: Option<&Stiffness>,
     conditions: &Conditions,
-) -> Result<Rings, Error> {
+) -> Result<Rings<'a>, Error> {
     let slow = slow_force(signals, sampling, stiffness);
-    let ends = [Channel::InputForce, Channel::OutputForce].map(|channel| signals.channel(channel).ok());
-    let less_slow = |values: Vec<f64>| match &slow {
-        Some(slow) => values.iter().zip(slow).map(|(f, s)| f - s).collect(),
-        None => values,
-    };
-    let parts: Vec<(Part, Vec<f64>)> = match ends {
-        [Some(input), Some(output)] => {
-            let half = |sign: f64| output.iter().zip(input).map(|(o, i)| 0.5 * (o + sign * i)).collect::<Vec<f64>>();
-            vec![(Part::Difference, half(-1.0)), (Part::Sum, less_slow(half(1.0)))]
+    let end = |channel: Channel| signals.channel(channel).ok();
+    let single = |channel: Channel, values: &'a [f64]| (Part::Single(channel), Force { ends: Ends::One(values), slow });
+    let parts: Vec<(Part, Force<'a>)> = match (end(Channel::InputForce), end(Channel::OutputForce)) {
+        (Some(input), Some(output)) => {
+            let half = |sign: f64| Ends::Half { output, input, sign };
+            vec![
+                (Part::Difference, Force { ends: half(-1.0), slow: None }),
+                (Part::Sum, Force { ends: half(1.0), slow }),
+            ]
         }
-        [Some(one), None] => vec![(Part::Single(Channel::InputForce), less_slow(one.to_vec()))],
-        [None, Some(one)] => vec![(Part::Single(Channel::OutputForce), less_slow(one.to_vec()))],
-        [None, None] => match signals.channel(Channel::InductanceForce) {
-            Ok(one) => vec![(Part::Single(Channel::InductanceForce), less_slow(one.to_vec()))],
+        (Some(one), None) => vec![single(Channel::InputForce, one)],
+        (None, Some(one)) => vec![single(Channel::OutputForce, one)],
+        (None, None) => match signals.channel(Channel::InductanceForce) {
+            Ok(one) => vec![single(Channel::InductanceForce, one)],
             Err(_) => return Err(Error::MissingSignal("F_i, F_o or F_L")),
         },
     };
@@ -90,47 +124,26 @@ pub(super) fn rings(
     let [mut quick, mut slow] = steps.map(|step| Surprise::none(sampling.samples, step));
     let mut series = Vec::with_capacity(parts.len());
     for (part, force) in parts {
-        let mut flat = force.clone();
-        running_mean(&mut flat, window);
-        running_mean(&mut flat, window);
-        flat.iter_mut().zip(&force).for_each(|(flat, force)| *flat = force - *flat);
+        // The longest that is held at once.
+        let flat = force.flat(window, 0..sampling.samples);
         let noise = quick.add(&flat, block, conditions.rounding) * (quick.step as f64).sqrt();
         slow.add(&flat, block, conditions.rounding);
-        series.push(Series { part, force, flat, noise });
+        series.push(Series { part, force, window, taken_out: Vec::new(), noise });
     }
     Ok(Rings { series, quick, slow })
 }
 
 /// k times the smoothed length, where both are known and the smoothing leaves less noise than the force sensors have.
-fn slow_force(signals: &Signals, sampling: &Sampling, stiffness: Option<&Stiffness>) -> Option<Vec<f64>> {
+fn slow_force<'a>(
+    signals: &'a Signals,
+    sampling: &Sampling,
+    stiffness: Option<&Stiffness>,
+) -> Option<SlowForce<'a>> {
     let stiffness = stiffness?;
-    let (length, _) = length(signals)?;
+    let length = Length { first: signals.channel(Channel::U1).ok(), second: signals.channel(Channel::U2).ok() };
     let window = ((0.05 * sampling.rate) as usize).clamp(1, sampling.samples / 4);
-    let mut smooth = length;
-    running_mean(&mut smooth, window);
-    running_mean(&mut smooth, window);
-    Some(smooth.iter().map(|l| stiffness.value() * (l - stiffness.length_at_zero.value)).collect())
-}
-
-/// Puts means over `window` samples about each sample in its place, fewer at the ends.
-fn running_mean(values: &mut [f64], window: usize) {
-    let half = window / 2;
-    let count = values.len();
-    // Sums count from the first value, so that a large offset does not eat their digits; those of the samples that were replaced are kept.
-    let first = values.first().copied().unwrap_or(0.0);
-    let mut sums = vec![0.0; 2 * half + 2];
-    let (turn, mut ahead, mut sum) = (sums.len(), 0, 0.0);
-    for index in 0..count {
-        // As many on either side: a slope then leaves no trace.
-        let reach = half.min(index).min(count - 1 - index);
-        while ahead <= index + reach {
-            sum += values[ahead] - first;
-            ahead += 1;
-            sums[ahead % turn] = sum;
-        }
-        let mean = (sums[(index + reach + 1) % turn] - sums[(index - reach) % turn]) / (2 * reach + 1) as f64;
-        values[index] = first + mean;
-    }
+    let known = length.first.is_some() || length.second.is_some();
+    known.then(|| SlowForce { length, window, stiffness: stiffness.value(), zero: stiffness.length_at_zero.value })
 }
 
 impl Part {

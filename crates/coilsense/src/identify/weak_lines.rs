@@ -4,6 +4,7 @@
 //! (`satellites`): what the verdict and f1 rest on is heard in the forces as they are (`record_lines`).
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,6 +16,7 @@ use super::record_lines::line_of;
 use super::refine::Refiner;
 use super::ringing::Series;
 use super::sampling::Sampling;
+use super::taken_out::TakenOut;
 
 /// How often what was found is taken out and listened again: what one line hides, a second look hears.
 const ROUNDS: usize = 2;
@@ -81,7 +83,7 @@ fn is_left_of(line: &Line, other: &Line) -> bool {
 }
 
 /// The series less decaying lines, whose amplitudes after each hit are those of least squares; none without lines or where the record is too long.
-fn without(lines: &[Line], series: &[Series], hits: &[Hit], sampling: &Sampling) -> Option<Vec<Series>> {
+fn without<'a>(lines: &[Line], series: &[Series<'a>], hits: &[Hit], sampling: &Sampling) -> Option<Vec<Series<'a>>> {
     let poles: Vec<(f64, f64)> = lines
         .iter()
         .filter_map(|line| {
@@ -107,7 +109,9 @@ fn without(lines: &[Line], series: &[Series], hits: &[Hit], sampling: &Sampling)
         let (sine, cosine) = (angular * sample as f64).sin_cos();
         (-decay * sample as f64).exp() * if column.is_multiple_of(2) { cosine } else { sine }
     });
-    let mut rest = series.to_vec();
+    let shapes = Arc::new(shapes);
+    let mut taken: Vec<TakenOut> =
+        series.iter().map(|_| TakenOut::of(&shapes)).collect();
     let mut factor = None;
     for &(start, length) in &stretches {
         let own = shapes.rows(0, length);
@@ -116,14 +120,10 @@ fn without(lines: &[Line], series: &[Series], hits: &[Hit], sampling: &Sampling)
             factor = Some((length, own.tr_mul(&own).cholesky()?));
         }
         let Some((_, factor)) = &factor else { continue };
-        for one in &mut rest {
-            let amplitudes = factor.solve(&own.tr_mul(&DVector::from_column_slice(&one.flat[start..start + length])));
-            let rings = own * amplitudes;
-            for (n, value) in rings.iter().enumerate() {
-                one.flat[start + n] -= value;
-                one.force[start + n] -= value;
-            }
+        for (one, taken) in series.iter().zip(&mut taken) {
+            let amplitudes = factor.solve(&own.tr_mul(&DVector::from_column_slice(&one.flat(start..start + length))));
+            taken.after_hit(start, length, amplitudes);
         }
     }
-    Some(rest)
+    Some(series.iter().zip(taken).map(|(one, taken)| one.without(taken)).collect())
 }

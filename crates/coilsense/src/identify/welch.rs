@@ -2,6 +2,8 @@
 //!
 //! Next door: lines that ring down after hits (`lines`).
 
+use std::ops::Range;
+
 use realfft::RealFftPlanner;
 
 use super::median::median;
@@ -26,7 +28,17 @@ impl Welch {
     /// Valid:    steady series; a line of amplitude a shows as a²/(3 · spacing) there.
     /// Accuracy: 1e-12 relative against the plain sum (`tests/identify`).
     pub fn of(values: &[f64], rate: f64, length: usize) -> Self {
-        let length = length.clamp(1, values.len().max(1));
+        Self::of_stretches(&|range| values[range].to_vec(), values.len(), rate, length)
+    }
+
+    /// The same of a series of so many samples whose stretches are computed where they are needed.
+    pub(super) fn of_stretches(
+        stretch: &dyn Fn(Range<usize>) -> Vec<f64>,
+        samples: usize,
+        rate: f64,
+        length: usize,
+    ) -> Self {
+        let length = length.clamp(1, samples.max(1));
         let transform = RealFftPlanner::<f64>::new().plan_fft_forward(length);
         let turn = std::f64::consts::TAU / length as f64;
         let taper: Vec<f64> = (0..length).map(|n| 0.5 * (1.0 - (turn * n as f64).cos())).collect();
@@ -35,8 +47,8 @@ impl Welch {
         let (mut input, mut output) = (transform.make_input_vec(), transform.make_output_vec());
         let mut segments = 0;
         let mut start = 0;
-        while start + length <= values.len() {
-            let part = &values[start..start + length];
+        while start + length <= samples {
+            let part = stretch(start..start + length);
             let mean = part.iter().sum::<f64>() / length as f64;
             for ((x, w), y) in part.iter().zip(&taper).zip(&mut input) {
                 *y = w * (x - mean);
