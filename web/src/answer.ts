@@ -202,6 +202,7 @@ export type Job =
   | { kind: 'columns' | 'calibrate'; log: Log; asked: string }
   | { kind: 'identify'; log: Log; second: Log | null; asked: string }
   | { kind: 'trial'; text: string; condition: number; damping: number }
+  | { kind: 'verdict'; text: string }
   | { kind: 'mitigate-usual' | 'mitigate'; text: string; asked: string }
   | { kind: 'mitigate-log'; text: string; asked: string; name: string; bytes: Uint8Array };
 

@@ -128,7 +128,30 @@ export const SENSOR: readonly Field[] = [
 ];
 
 export const GOAL: readonly Field[] = [
-  { key: 'error', label: 'Your limit', hint: 'of F_nom, or in N', slide: { from: 0.05, to: 5, scale: 'log' } },
+  {
+    key: 'error',
+    label: 'Your limit',
+    hint: 'standard uncertainty, of F_nom or in N',
+    slide: { from: 0.05, to: 5, scale: 'log' },
+  },
+  { key: 'force', label: 'Taken as true', words: ['F_x', 'F_i', 'F_o'], hint: 'F_x is k × stretch' },
+  { key: 'bandwidth', label: 'Up to', hint: 'a frequency; left out, errors of every frequency count' },
+];
+
+/** How far real springs are off, to either side: of a spring by values, by geometry, and of any. */
+export const OFF_VALUES: readonly Field[] = [
+  { key: 'stiffness_tolerance', label: 'k, ±' },
+  { key: 'mass_tolerance', label: 'm, ±' },
+];
+export const OFF_GEOMETRY: readonly Field[] = [
+  { key: 'stiffness_tolerance', label: 'k, ±', hint: 'as measured; else of wire, coil and G' },
+  { key: 'wire_diameter_tolerance', label: 'd, ±' },
+  { key: 'coil_diameter_tolerance', label: 'D, ±' },
+  { key: 'shear_modulus_tolerance', label: 'G, ±' },
+];
+export const OFF_LENGTH: readonly Field[] = [{ key: 'rest_length_tolerance', label: 'l0, ±', hint: 'a length' }];
+export const WARMTH: readonly Field[] = [
+  { key: 'temperature_change', label: 'Temperature, ±', hint: 'since the calibration' },
 ];
 
 /** What a condition that the user adds begins as; lengths and shares fit every spring. */

@@ -2,6 +2,7 @@
 import { test as base, expect, type Page } from '@playwright/test';
 import type { ExactFacts } from '../src/answer';
 import type { Shown } from '../src/compute';
+import type { Outcome } from '../src/results/outcome';
 
 export { expect };
 
@@ -29,7 +30,12 @@ export const test = base.extend<{ watched: string[] }>({
 
 declare global {
   interface Window {
-    coilsense: { framesPerSecond(): number; last(): Shown | null; redraw(): Promise<number> };
+    coilsense: {
+      framesPerSecond(): number;
+      last(): Shown | null;
+      verdict(): Outcome | null;
+      redraw(): Promise<number>;
+    };
   }
 }
 

@@ -5,7 +5,22 @@
 import type { Facts } from '../answer';
 import { section, sections, type Spec } from '../document';
 import { make } from '../dom';
-import { BY_GEOMETRY, BY_VALUES, CONDITION, ENDS, GOAL, RADII, SHAPE, TEMPLATES, TIMING, type Field } from '../fields';
+import {
+  BY_GEOMETRY,
+  BY_VALUES,
+  CONDITION,
+  ENDS,
+  GOAL,
+  OFF_GEOMETRY,
+  OFF_LENGTH,
+  OFF_VALUES,
+  RADII,
+  SHAPE,
+  TEMPLATES,
+  TIMING,
+  WARMTH,
+  type Field,
+} from '../fields';
 import type { Refusal } from '../compute';
 import type { State } from '../state';
 import type { Store } from '../store';
@@ -120,6 +135,12 @@ export class Panels {
       ),
       group('more-sensors', `Sensors (${sections(spec, 'sensor').length})`, ...sensorFields(this.store, at)),
       ...GOAL.map(at('goal')),
+      group(
+        'more-tolerances',
+        'How far real springs are off',
+        ...[...(geometry ? OFF_GEOMETRY : OFF_VALUES), ...OFF_LENGTH].map(spring),
+        ...WARMTH.map(at('uncertainty')),
+      ),
     );
   }
 

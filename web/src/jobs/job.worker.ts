@@ -37,6 +37,8 @@ function asked(engine: Engine, job: Job): Found {
       return engine.calibrate(job.log.name, job.log.bytes, job.asked);
     case 'trial':
       return engine.trial_log(job.text, job.condition, job.damping);
+    case 'verdict':
+      return engine.verdict(job.text);
     case 'mitigate':
       return engine.mitigate(job.text, job.asked);
     case 'mitigate-log':

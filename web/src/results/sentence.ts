@@ -7,24 +7,30 @@ const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / 
 const bold = (text: string) => make('b', {}, text);
 
 /** What the two ends do, and what that means for a load cell. */
-export function sentence(answer: Answer<Facts>): Child[] {
+export function sentence(answer: Answer<Facts>, times: [number, number]): Child[] {
   const { facts, series } = answer;
   const { spring, forces, truth } = facts;
   const [one, two] = [series['F_i'], series['F_o']];
   if (!one || !two) return [];
-  const apart = one.reduce((most, force, index) => Math.max(most, Math.abs(force - (two[index] ?? force))), 0);
-  const name = facts.conditions[facts.condition]?.name ?? 'this';
+  const time = series['time'] ?? new Float64Array();
+  const shown = (index: number) => (time[index] ?? 0) >= times[0] && (time[index] ?? 0) <= times[1];
+  const apart = one.reduce(
+    (most, force, index) => (shown(index) ? Math.max(most, Math.abs(force - (two[index] ?? force))) : most),
+    0,
+  );
+  const { name, window } = facts.conditions[facts.condition] ?? { name: 'this', window: [0, 0] };
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
   const end = other === 'F_o' ? '2' : '1';
   const meant =
-    truth === 'F_x' ? 'the force that the spring’s length tells' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
+    truth === 'F_x' ? 'k × stretch, if that is taken as the force' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
   const off = forces[other]?.rmsd ?? 0;
   // On a mass at end 2 the first mode is the mass's swing, far below the coil's own.
   const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)}\u00a0Hz`;
+  const from = times[0] === 0 ? 'first ' : `${fixed(1e3 * times[0], 0)} to `;
   return [
-    `“${name}”: the spring rings at ${ring}, and its ends are up to `,
+    `“${name}” with ${facts.dampings[facts.damping]?.label ?? 'ζ = 0'}: the spring rings at ${ring}. In the ${from}${fixed(1e3 * times[1], 0)}\u00a0ms drawn here its ends are up to `,
     bold(`${digits(apart, 3)}\u00a0N apart`),
-    `, ${percent(apart, facts)} of its nominal force. A load cell at end ${end} is `,
+    `, ${percent(apart, facts)} of its nominal force. Judged from ${fixed(window[0], 2)} to ${fixed(window[1], 2)}\u00a0s, a load cell at end ${end} is `,
     bold(`${percent(off, facts)} rms off`),
     ` ${meant}.`,
     facts.contact ? met(facts.contact) : facts.clash.firstContact !== null && beyond(),

@@ -1,12 +1,13 @@
-// How far each force is off: RMSD, maximum and bias in % of F_nom, against the user's limit.
+// How far each force is off in the case that is drawn: RMSD, maximum and bias in % of F_nom; and which sensors the command's verdict lets through.
 //
-// Next door: the same as curves (`plots`), what else must be known (`warnings`).
+// Next door: the same as curves (`plots`), the verdict over all cases (`verdict`), what else must be known (`warnings`).
 
 import type { Answer, Deviation, ExactFacts, Facts } from '../answer';
 import { fixed, make, rich } from '../dom';
 import { FORCE_LINES, type Line } from '../plots/lines';
 import { sample } from '../plots/looks';
 import type { Store } from '../store';
+import type { Outcome } from './outcome';
 
 interface Row extends Line {
   off: Deviation | null;
@@ -15,12 +16,15 @@ interface Row extends Line {
 export class Table {
   private readonly body = make('tbody');
   private readonly caption = make('caption');
+  private meets = new Map<string, boolean | null>();
+  /** The cells of the sensors' verdicts. */
+  private marks: [string, HTMLElement][] = [];
 
   constructor(
     private readonly store: Store,
     host: HTMLElement,
   ) {
-    const heads = ['RMSD', 'Max.', 'Bias', 'Limit'].map((text) => make('th', { scope: 'col' }, text));
+    const heads = ['RMSD', 'Max.', 'Bias', 'Goal'].map((text) => make('th', { scope: 'col' }, text));
     host.replaceChildren(
       make(
         'table',
@@ -32,11 +36,17 @@ export class Table {
     );
   }
 
+  /** What the command concludes of each sensor over all cases; null while it is not known. */
+  judge(outcome: Outcome | null): void {
+    this.meets = new Map(outcome?.ranking.map(({ sensor, meets_goal: meets }) => [sensor, meets]));
+    for (const [name, cell] of this.marks) this.mark(name, cell);
+  }
+
   /** Exact values; while there are none, the last ones in grey. */
   show(facts: Facts, exact: Answer<ExactFacts> | null): void {
     this.body.classList.toggle('stale', exact === null);
     if (!exact) return;
-    const { forces, sensors, goal, spring, truth } = exact.facts;
+    const { forces, sensors, spring, truth, dampings, damping, clash, contact } = exact.facts;
     const { hidden, sensors: wanted } = this.store.state.view;
     const paper = FORCE_LINES.map((line): Row => ({
       ...line,
@@ -47,13 +57,16 @@ export class Table {
       off: deviation,
     }));
     const window = facts.conditions[facts.condition]?.window ?? [0, 0];
+    // A coil whose windings would touch does something else: these numbers are of none.
+    const beyond = contact === null && clash.firstContact !== null;
+    this.body.classList.toggle('stale', beyond);
     this.caption.replaceChildren(
-      'Off from ',
-      rich(truth),
-      `, in % of F`,
-      make('sub', {}, 'nom'),
-      ` = ${fixed(spring.nominalForce, 1)} N, from ${fixed(window[0], 2)} to ${fixed(window[1], 2)} s.`,
+      rich(
+        `This case, ${dampings[damping]?.label ?? ''}, judged from ${fixed(window[0], 2)} to ${fixed(window[1], 2)} s: off from ${truthOf(truth)}, in % of F_nom = ${fixed(spring.nominalForce, 1)} N.`,
+      ),
+      beyond ? ' In grey: windings would touch, so no real coil does this.' : '',
     );
+    this.marks = [];
     const focused = this.body.contains(document.activeElement)
       ? document.activeElement?.closest('tr')?.getAttribute('data-force')
       : null;
@@ -61,27 +74,36 @@ export class Table {
       make('tr', { class: 'group' }, make('th', { colspan: 5, scope: 'rowgroup' }, text));
     this.body.replaceChildren(
       heading('What the spring alone does'),
-      ...paper.map((row) => this.row(row, spring.nominalForce, goal, !hidden.includes(row.name))),
+      ...paper.map((row) => this.row(row, spring.nominalForce, !hidden.includes(row.name))),
       ...(own.length > 0 ? [heading('With each sensor’s own noise, filter and lag')] : []),
-      ...own.map((row) => this.row(row, spring.nominalForce, goal, wanted.includes(row.name))),
+      ...own.map((row) => this.row(row, spring.nominalForce, wanted.includes(row.name))),
     );
     if (focused) this.body.querySelector<HTMLElement>(`tr[data-force="${CSS.escape(focused)}"] button`)?.focus();
   }
 
-  private row(row: Row, nominal: number, goal: number | null, shown: boolean): HTMLElement {
-    const { name, off } = row;
+  private row(row: Row, nominal: number, shown: boolean): HTMLElement {
+    const { name, off, series } = row;
     const percent = (force: number) => fixed((100 * force) / nominal, 3);
     const cells = off ? [percent(off.rmsd), percent(off.maximumAbsolute), percent(off.mean)] : ['–', '–', '–'];
-    const above = off && goal !== null ? off.rmsd > goal : null;
-    const verdict =
-      above === null ? [] : [above ? '✗' : '✓', make('span', { class: 'word' }, above ? ' above' : ' within')];
+    const verdict = make('td');
+    // The spring alone is no sensor: the goal is for what measures it.
+    if (series.startsWith('reading')) {
+      this.marks.push([name, verdict]);
+      this.mark(name, verdict);
+    }
     return make(
       'tr',
       { 'data-force': name },
       make('th', { scope: 'row' }, this.toggle(row, shown)),
       ...cells.map((text) => make('td', {}, text)),
-      make('td', { class: above === null ? '' : above ? 'above' : 'within' }, ...verdict),
+      verdict,
     );
+  }
+
+  private mark(name: string, cell: HTMLElement): void {
+    const meets = this.meets.get(name);
+    cell.className = typeof meets === 'boolean' ? (meets ? 'within' : 'above') : '';
+    cell.replaceChildren(...(meets === undefined ? ['…'] : mark(meets)));
   }
 
   /** Shows and hides the curve. */
@@ -107,3 +129,12 @@ export class Table {
     );
   }
 }
+
+/** ✓ or ✗ and the word for it, by the command's verdict over all conditions and dampings. */
+export function mark(meets: boolean | null, words = 'visually-hidden'): (string | HTMLElement)[] {
+  if (meets === null) return ['–'];
+  return [meets ? '✓' : '✗', make('span', { class: words }, meets ? ' meets it' : ' misses it')];
+}
+
+/** The force that counts as true, with what it is. */
+const truthOf = (truth: string): string => (truth === 'F_x' ? 'F_x (k × stretch taken as the force)' : truth);

@@ -32,6 +32,7 @@ export function layOut(panel: HTMLElement) {
       'How far each force swings, in the colours of the plot over time. f1, f2 …: where the coil rings by itself.',
     ),
     keys: make('p', { class: 'keys' }),
+    verdict: make('section', { class: 'card trust', 'aria-label': 'Which sensor to trust' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
     meetings: make('section', { class: 'card meetings', 'aria-label': 'How windings met', hidden: true }),
     warnings: make('ul', { class: 'warnings' }),
@@ -58,7 +59,13 @@ export function layOut(panel: HTMLElement) {
     make(
       'div',
       { class: 'results' },
-      make('section', { class: 'card' }, make('div', { class: 'head' }, make('h2', {}, 'How far off')), parts.table),
+      parts.verdict,
+      make(
+        'section',
+        { class: 'card off' },
+        make('div', { class: 'head' }, make('h2', {}, 'How far off')),
+        parts.table,
+      ),
       parts.meetings,
       make(
         'section',

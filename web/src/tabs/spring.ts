@@ -14,8 +14,10 @@ import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
 import { Views } from '../plots/views';
 import { Downloads } from '../results/downloads';
+import { Judged } from '../results/judged';
 import { Meetings } from '../results/meetings';
 import { Modes } from '../results/modes';
+import type { Outcome } from '../results/outcome';
 import { sentence } from '../results/sentence';
 import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
@@ -31,6 +33,11 @@ export const open: Open = (panel, store, compute) => {
   const choose = new Choose(store, parts.choose, parts.first);
   const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
   const table = new Table(store, parts.table);
+  let outcome: Outcome | null = null;
+  const judged = new Judged(parts.verdict, compute, (found) => {
+    outcome = found;
+    table.judge(found);
+  });
   const meetings = new Meetings(parts.meetings);
   const modes = new Modes(parts.modes, compute);
   const spectrum = new SpectrumPlot(parts.spectrum);
@@ -96,6 +103,7 @@ export const open: Open = (panel, store, compute) => {
     if (isOther(state, before)) {
       mark(false);
       modes.show(null);
+      if (state.spec !== before.spec) judged.show(null);
     }
     if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
       curves(last);
@@ -111,13 +119,16 @@ export const open: Open = (panel, store, compute) => {
       document
         .getElementById('sentence')
         ?.replaceChildren(
-          ...sentence(shown.answer).filter((part) => part !== null && part !== undefined && part !== false),
+          ...sentence(shown.answer, shown.times).filter(
+            (part) => part !== null && part !== undefined && part !== false,
+          ),
         );
       table.show(facts, shown.exact);
       meetings.show(shown.exact?.facts ?? null, facts);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
       modes.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });
+      if (shown.exact) judged.show(shown.exactText);
       panels.show(store.state, facts);
       views.show(shown);
       downloads.show(shown);
@@ -146,6 +157,7 @@ export const open: Open = (panel, store, compute) => {
     coilsense: {
       framesPerSecond: () => player.framesPerSecond,
       last: () => last,
+      verdict: () => outcome,
       redraw: () => forces.redrawn(),
     },
   });

@@ -1,0 +1,123 @@
+// The command's own verdict: what to choose, how sure that is, what each sensor lacks and what would mend it.
+//
+// Next door: who asks for it (`judge`), the case that is drawn, with a mark for each sensor (`table`).
+
+import { digits, fixed, make, rich } from '../dom';
+import type { Standing } from './judge';
+import type { Outcome, Ranked } from './outcome';
+import { mark } from './table';
+
+export class Verdict {
+  private readonly status = make('span', { class: 'status' }, '…');
+  private readonly bar = make('progress', { 'aria-label': 'Cases judged' });
+  private readonly body = make('div', { class: 'verdict' });
+
+  constructor(
+    host: HTMLElement,
+    private readonly again: () => void,
+  ) {
+    host.replaceChildren(
+      make('div', { class: 'head' }, make('h2', {}, 'Which sensor to trust'), this.status),
+      this.bar,
+      this.body,
+    );
+  }
+
+  /** While a newer one is pending the last verdict stands in grey. */
+  show(standing: Standing): void {
+    const pending = standing.kind === 'pending';
+    this.body.classList.toggle('stale', pending);
+    this.body.toggleAttribute('inert', pending);
+    this.body.setAttribute('aria-busy', String(pending));
+    this.bar.hidden = !pending;
+    if (standing.kind === 'pending') return this.wait(standing.done, standing.of);
+    this.status.textContent = standing.kind === 'judged' ? 'as coilsense analyze' : 'not judged';
+    this.body.replaceChildren(
+      ...(standing.kind === 'judged'
+        ? told(standing.outcome)
+        : [
+            make('p', { class: 'refusal' }, standing.reason),
+            make('button', { type: 'button', class: 'plain', onclick: this.again }, 'Try again'),
+          ]),
+    );
+  }
+
+  private wait(done: number, of: number): void {
+    this.status.textContent = of ? `judging: ${done} of ${of} cases` : 'judging …';
+    if (of) [this.bar.max, this.bar.value] = [of, done];
+    else this.bar.removeAttribute('value');
+  }
+}
+
+function told(outcome: Outcome): HTMLElement[] {
+  const [first = '', ...rest] = outcome.answer;
+  // What to do, as far as the first pause: "Choose two encoders".
+  const end = /^.*?(?=[;,(]|\.\s|$)/.exec(first)?.[0].length ?? 0;
+  const lead = make('p', { class: 'answer' }, make('b', {}, first.slice(0, end)), first.slice(end));
+  const more = rest.map((line) => make('p', {}, line));
+  return outcome.ranking.length > 0
+    ? [lead, ...more, goal(outcome), ranking(outcome), ...remedies(outcome)]
+    : [lead, ...more];
+}
+
+/** What is judged: the goal with its force, its size and its bandwidth. */
+function goal({ goal, nominal_force_n: nominal }: Outcome): HTMLElement {
+  const truth =
+    goal.force === 'F_x' ? 'k × stretch taken as the true force (F_x)' : `${goal.force} taken as the true force`;
+  const size =
+    goal.error_n === null
+      ? 'No goal is set'
+      : `Goal: ${digits(goal.error_n)} N (${digits((100 * goal.error_n) / nominal)} % of F_nom) standard uncertainty`;
+  const band = goal.bandwidth_hz === null ? 'at every frequency' : `up to ${digits(goal.bandwidth_hz)} Hz`;
+  return make('p', { class: 'facts' }, rich(`${size}, ${band}, ${truth}; the worst of all conditions and dampings.`));
+}
+
+const HEADS = ['u [N]', '% of F_nom', 'nominal [N]', 'worst [N]', 'inside', 'lag [ms]', 'worst in'];
+
+function ranking(outcome: Outcome): HTMLElement {
+  const head = make('tr', {}, ...['Sensor', 'Goal', ...HEADS].map((text) => make('th', { scope: 'col' }, rich(text))));
+  return make(
+    'div',
+    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Every sensor’s uncertainty' },
+    make('table', {}, make('thead', {}, head), make('tbody', {}, ...outcome.ranking.map(row))),
+    make(
+      'p',
+      { class: 'facts' },
+      'u: combined standard uncertainty in the worst case, rms over the springs within tolerance; nominal, worst: error of the nominal and of the worst spring; inside: share of the springs that meet the goal in every case.',
+    ),
+  );
+}
+
+function row(one: Ranked): HTMLElement {
+  const meets = one.meets_goal;
+  const cells = [
+    digits(one.combined_n),
+    digits(one.combined_percent),
+    digits(one.nominal_n),
+    digits(one.worst_specimen_n),
+    one.share_inside_goal === null ? '–' : `${fixed(100 * one.share_inside_goal, 0)} %`,
+    fixed(1e3 * one.lag_s, 2),
+    `${one.worst_condition}, ${one.worst_damping}`,
+  ];
+  return make(
+    'tr',
+    { 'data-sensor': one.sensor },
+    make('th', { scope: 'row' }, one.sensor),
+    make('td', { class: meets === null ? '' : meets ? 'within' : 'above' }, ...mark(meets, 'word')),
+    ...cells.map((text) => make('td', {}, text)),
+  );
+}
+
+/** What would mend a sensor that misses the goal. */
+function remedies({ ranking }: Outcome): HTMLElement[] {
+  const mended = ranking.flatMap(({ sensor, fixes }) => fixes.slice(0, 1).map((fix) => ({ sensor, fix })));
+  if (mended.length === 0) return [];
+  const lines = mended.map(({ sensor, fix }) =>
+    make(
+      'li',
+      {},
+      `${sensor}: ${fix.change}, then ${digits(fix.combined_n)} N${fix.lag_s === null ? '' : `, ${fixed(1e3 * fix.lag_s, 1)} ms late`}`,
+    ),
+  );
+  return [make('h3', {}, 'What would fix it'), make('ul', { class: 'plainlist' }, ...lines)];
+}
