@@ -1,4 +1,4 @@
-// The picture of the page in README and book: `npm --prefix web run picture` writes book/src/images/page.png from the built page. Motion is not wanted, so that the
+// Pictures of the built page: `npm --prefix web run picture` writes book/src/images/page.png, for README and book, and public/shared.png, which other sites show with a link. Motion is not wanted, so that the
 // picture is the same every time; COILSENSE_CHROMIUM says where the browser is.
 import { spawn } from 'node:child_process';
 import { chromium } from '@playwright/test';
@@ -24,6 +24,13 @@ try {
   await page.getByRole('slider', { name: 'Time', exact: true }).fill('210');
   await page.evaluate(() => document.activeElement?.blur());
   await page.screenshot({ path: '../book/src/images/page.png' });
+  // What embeds show is large enough to be read as a thumbnail.
+  await page.setViewportSize({ width: 1200, height: 630 });
+  await page.goto(address + '?embed' + STATE);
+  await page.waitForFunction(() => document.body.dataset['exact'] === 'true');
+  await page.getByRole('slider', { name: 'Time', exact: true }).fill('210');
+  await page.evaluate(() => document.activeElement?.blur());
+  await page.screenshot({ path: 'public/shared.png' });
 } finally {
   await browser.close();
   server.kill();

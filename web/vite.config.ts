@@ -27,9 +27,27 @@ const footer: Plugin = {
   transformIndexHtml: (html) => html.replace('<!-- project -->', project),
 };
 
+/** Where the page is published, which other sites want to be told as a whole; said by whoever builds it for there. */
+const place: Plugin = {
+  name: 'coilsense-place',
+  transformIndexHtml: (html) => {
+    const address = process.env['COILSENSE_PAGE_ADDRESS']?.replace(/\/*$/, '/');
+    const tags = address
+      ? [
+          `<link rel="canonical" href="${address}" />`,
+          `<meta property="og:url" content="${address}" />`,
+          `<meta property="og:image" content="${address}shared.png" />`,
+          '<meta property="og:image:alt" content="A spring between two load cells, and the forces that they tell" />',
+          '<meta name="twitter:card" content="summary_large_image" />',
+        ]
+      : [];
+    return html.replace('<!-- address -->', tags.join('\n    '));
+  },
+};
+
 export default defineConfig({
   base: './',
-  plugins: [specs, footer],
+  plugins: [specs, footer, place],
   // A browser without module preloads loads the same modules when they are asked for.
   build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000, modulePreload: { polyfill: false } },
   worker: { format: 'es' },

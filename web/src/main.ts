@@ -14,6 +14,7 @@ const store = new Store();
 const compute = new Compute(store);
 const main = byId('main');
 const opened = new Set<string>();
+const { title } = document;
 
 const buttons = TABS.map(({ id, label }) =>
   make(
@@ -53,8 +54,19 @@ function showTab(): void {
   byId('sentence').hidden = tab.lead !== undefined;
   byId('lead').hidden = tab.lead === undefined;
   byId('lead').textContent = tab.lead ?? '';
+  document.title = tab === TABS[0] ? title : `${tab.label} – coilsense`;
   panels.forEach((panel) => (panel.hidden = panel.id !== `panel-${tab.id}`));
   openTab(tab);
+}
+
+/** In another page's frame: the spring, its forces, and a way to all of it. */
+function embed(): void {
+  if (!new URLSearchParams(location.search).has('embed')) return;
+  document.documentElement.classList.add('embed');
+  const whole = make('a', { class: 'whole', target: '_blank', rel: 'noopener' }, 'Open in coilsense');
+  whole.addEventListener('click', () => (whole.href = location.pathname + location.hash));
+  whole.href = location.pathname + location.hash;
+  document.querySelector('.title')?.append(whole);
 }
 
 function openTab(tab: Tab): void {
@@ -91,6 +103,7 @@ store.subscribe((state, before) => {
   tools();
 });
 tools();
+embed();
 // The first tab also says the answer above all tabs.
 if (TABS[0]) openTab(TABS[0]);
 showTab();

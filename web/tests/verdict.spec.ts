@@ -44,10 +44,14 @@ function differ(here: Outcome, there: Outcome): number {
     }
     if (a === null || b === null || typeof a !== 'object' || typeof b !== 'object') return apart(a, b, place);
     expect(Object.keys(a), place).toEqual(Object.keys(b));
-    // A line of a budget says how many newtons a unit of it makes.
-    const { sensitivity } = b as { sensitivity?: number };
+    // A line of a budget is a force by its product of two.
+    const line = b as { sensitivity?: number; standard_uncertainty?: number };
+    const other: Record<string, number | undefined> = {
+      sensitivity: line.standard_uncertainty,
+      standard_uncertainty: line.sensitivity,
+    };
     const inside = (key: string) =>
-      walk((a as Branch)[key], (b as Branch)[key], `${place}/${key}`, Math.abs(sensitivity ?? Infinity));
+      walk((a as Branch)[key], (b as Branch)[key], `${place}/${key}`, Math.abs(other[key] ?? Infinity));
     return Math.max(0, ...Object.keys(b).map(inside));
   };
   return walk(parts(here), parts(there), '', Infinity);

@@ -137,7 +137,8 @@ fn made(place: &Path, name: &str, enough: impl Fn(u64, u64) -> bool) -> anyhow::
 fn measured(mut command: Command) -> anyhow::Result<(f64, f64)> {
     command.stdout(Stdio::null());
     let begun = Instant::now();
-    let mut child = command.spawn().with_context(|| format!("{} cannot be started", command.get_program().display()))?;
+    let mut child =
+        command.spawn().with_context(|| format!("{} cannot be started", command.get_program().display()))?;
     let status = format!("/proc/{}/status", child.id());
     let mut peak = 0.0_f64;
     let ended = loop {

@@ -12,6 +12,7 @@ mod goals;
 #[cfg(test)]
 mod links;
 mod logs;
+mod notices;
 mod package;
 mod packed;
 mod page;

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use anyhow::{Context, bail};
 
 use crate::toolchain::{Build, Target};
-use crate::{browser, built, cargo, commands, root, target_folder, typed};
+use crate::{browser, built, cargo, commands, notices, root, target_folder, typed};
 
 /// A browser; every one of the last years works on two numbers at a time.
 const TARGET: Target = Target {
@@ -50,6 +50,7 @@ pub fn build() -> anyhow::Result<bool> {
     Ok(engine("engine", &[])?
         && engine("workshop", &["--features", "workshop"])?
         && tools()?
+        && notices::of_page().map(|()| true)?
         && npm(&["run", "types"])?
         && npm(&["run", "build"])?)
 }

@@ -18,7 +18,8 @@ export class Judged {
 
   /** The spec of the exact case; null while the state moves. */
   show(text: string | null): void {
-    if (text === null && !this.judge) return;
+    // An embedded page does not show it.
+    if ((text === null && !this.judge) || document.documentElement.classList.contains('embed')) return;
     this.judge ??= this.load();
     void this.judge.then((judge) => (text === null ? judge.moved() : judge.rests(text)));
   }

@@ -32,6 +32,7 @@ export function layOut(panel: HTMLElement) {
       'How far each force swings, in the colours of the plot over time. f1, f2 …: where the coil rings by itself.',
     ),
     keys: make('p', { class: 'keys' }),
+    why: make('section', { class: 'card', 'aria-label': 'Why the ends disagree' }),
     verdict: make('section', { class: 'card trust', 'aria-label': 'Which sensor to trust' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
     meetings: make('section', { class: 'card meetings', 'aria-label': 'How windings met', hidden: true }),
@@ -54,6 +55,7 @@ export function layOut(panel: HTMLElement) {
         parts.forces,
         parts.keys,
       ),
+      parts.why,
     ),
     make('div', { class: 'controls' }, parts.refusal, parts.fields),
     make(

@@ -21,6 +21,7 @@ import type { Outcome } from '../results/outcome';
 import { sentence } from '../results/sentence';
 import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
+import { Why } from '../results/why';
 import { Player } from '../spring/player';
 import { layOut } from './layout';
 import { isOther } from '../state';
@@ -67,6 +68,10 @@ export const open: Open = (panel, store, compute) => {
     store.setView({ times: [Math.max(0, time - 0.25 * period), Math.min(end, time + 0.75 * period)], slow: 0 });
   };
   const player = new Player(speed, parts.spring, parts.canvas, moved, meet);
+  const why = new Why(parts.why, store, (times, at) => {
+    store.setView({ times });
+    player.goTo(at);
+  });
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
   const views = new Views(store, parts.views, forces);
   let facts: Facts | null = null;
@@ -127,6 +132,7 @@ export const open: Open = (panel, store, compute) => {
       meetings.show(shown.exact?.facts ?? null, facts);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
+      why.show(shown);
       modes.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });
       if (shown.exact) judged.show(shown.exactText);
       panels.show(store.state, facts);
