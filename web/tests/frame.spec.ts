@@ -41,3 +41,46 @@ test('the footer leads to the project, and other sites are told what the page is
   for (const name of ['og:title', 'og:description'])
     await expect(page.locator(`meta[property="${name}"]`)).toHaveAttribute('content', /.{20,}/);
 });
+
+test('a tab has its own title', async ({ page }) => {
+  await open(page);
+  await expect(page).toHaveTitle('coilsense: hit the spring');
+  await page.getByRole('tab', { name: 'Log' }).click();
+  await expect(page).toHaveTitle('Log – coilsense');
+  await page.getByRole('tab', { name: 'Spring' }).click();
+  await expect(page).toHaveTitle('coilsense: hit the spring');
+});
+
+test('the licences of all that is shipped are a file beside the page', async ({ page, request }) => {
+  await open(page);
+  const href = await page.getByRole('link', { name: 'Licences of what it is made of' }).getAttribute('href');
+  const reply = await request.get(new URL(href ?? '', page.url()).href);
+  expect(reply.ok()).toBe(true);
+  const text = await reply.text();
+  for (const work of ['uplot 1.6.32, MIT', 'smol-toml', 'nalgebra', 'wasm-bindgen', 'serde_json', 'realfft'])
+    expect(text).toContain(work);
+  expect(text).toContain('THE SOFTWARE IS PROVIDED "AS IS"');
+});
+
+test('embedded, the spring and its forces stand alone, with a way to all of it', async ({ page }) => {
+  await page.goto('./?embed#S_T&spring.mass=70+g');
+  await page.waitForFunction(() => document.body.dataset['exact'] === 'true');
+  await expect(page.getByRole('button', { name: 'Play' })).toBeVisible();
+  for (const gone of ['#tabs', '.choose', '.controls', '.results', 'footer'])
+    await expect(page.locator(gone)).toBeHidden();
+  const [whole] = await Promise.all([
+    page.waitForEvent('popup'),
+    page.getByRole('link', { name: 'Open in coilsense' }).click(),
+  ]);
+  await expect(whole.locator('#spring-mass')).toHaveValue('70 g');
+  expect(new URL(whole.url()).search).toBe('');
+});
+
+test('on paper there is the answer and no control', async ({ page }) => {
+  await open(page);
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.locator('.trust')).toBeVisible();
+  await expect(page.getByRole('region', { name: 'How far each force is off' })).toBeVisible();
+  for (const gone of ['#tabs', '.choose', '.controls', '.downloads'])
+    await expect(page.locator(gone).first()).toBeHidden();
+});
