@@ -103,7 +103,7 @@ pub(super) fn shown(path: &Path) -> String {
 
 /// That a file cannot be written.
 pub(super) fn unwritable(path: &Path, error: &io::Error) -> SweepError {
-    SweepError::new(format!("{}: cannot be written: {}", path.display(), error.kind()))
+    SweepError::new(format!("{}: cannot be written: {}", path.display(), crate::system::said(error)))
 }
 
 #[cfg(test)]
