@@ -176,7 +176,8 @@ export class Compute {
       const answer = reply.answer as Answer<Facts>;
       // A new condition may be shorter than the times that were asked for, or have another surge frequency.
       const fitting = this.times(state, answer.facts);
-      this.take(answer, fitting, question.text === this.exactText, begun);
+      // What was exact of an earlier state is none of this one, even where its preview comes late.
+      this.take(answer, fitting, question.text === this.exactText && !isOther(this.store.state, state), begun);
       const off = Math.abs(fitting[1] - times[1]) > 0.2 * times[1] || fitting[0] !== times[0];
       if (off) this.askPreview(this.store.state, this.question(this.store.state), false);
     });

@@ -2,6 +2,8 @@
 //
 // Next door: how a field looks and works (`inputs`).
 
+import type { Spec } from './document';
+
 export interface Field {
   key: string;
   label: string;
@@ -11,6 +13,10 @@ export interface Field {
   slide?: { from: number; to: number; scale: 'linear' | 'log'; whole?: boolean };
   /** One of these words, the first being what holds where nothing is said. */
   words?: readonly string[];
+  /** How people call them, where otherwise. */
+  names?: Readonly<Record<string, string>>;
+  /** What else changes with it: the spec with its new value, and what must go or come with that. */
+  then?: (spec: Spec) => Spec;
   /** One of these of the engine's catalogue, or none. */
   list?: 'materials' | 'sensors';
   /** On a line of its own, since its words are long. */
@@ -19,6 +25,8 @@ export interface Field {
   pair?: boolean;
   /** A number without a unit. */
   number?: boolean;
+  /** Words of the user's own. */
+  free?: boolean;
 }
 
 const log = (factor: number) => ({ from: 1 / factor, to: factor, scale: 'log' as const });
@@ -115,7 +123,7 @@ export const TIMING: readonly Field[] = [
 ];
 
 export const SENSOR: readonly Field[] = [
-  { key: 'name', label: 'Name', wide: true },
+  { key: 'name', label: 'Name', wide: true, free: true },
   { key: 'kind', label: 'Kind', wide: true, words: ['load-cell', 'deflection', 'two-encoder', 'inductance'] },
   { key: 'class', label: 'Like', list: 'sensors', wide: true },
   { key: 'end', label: 'At end', number: true },

@@ -6,7 +6,9 @@ import { section, withValue, type Spec, type Value } from '../document';
 import { make } from '../dom';
 import type { State } from '../state';
 import type { Store } from '../store';
-import { shown } from './quantity';
+import { ratio, shown, type Typed } from './quantity';
+import { Reading } from './reading';
+import { parts } from './understand';
 
 const THROUGH = 'through';
 /** Of each law the key that says what is lost, and where the command gives results if the spec is silent. */
@@ -67,9 +69,10 @@ export class ContactControl {
     type: 'text',
     autocomplete: 'off',
     spellcheck: 'false',
-    'aria-describedby': 'contact-loss-hint contact-error',
+    'aria-describedby': 'contact-loss-understood contact-loss-hint contact-error',
   });
   private readonly lossLabel = make('label', { for: 'contact-loss' });
+  private readonly reading = new Reading();
   private readonly lossHint = make('span', { class: 'hint', id: 'contact-loss-hint' });
   private readonly ends = make(
     'select',
@@ -89,16 +92,23 @@ export class ContactControl {
       onInput(event);
       putContact(store, withLaw(store.state.spec, this.windings.value));
     });
+    this.reading.id(this.loss.id);
     this.loss.addEventListener('input', (event) => {
       onInput(event);
-      this.put(law(store.state.spec)?.key ?? '', numbers(this.loss.value));
+      const typed = numbers(this.loss.value);
+      this.reading.typing(this.loss.value, typed);
+      this.put(law(store.state.spec)?.key ?? '', typed.value);
+    });
+    this.loss.addEventListener('blur', () => {
+      this.reading.left(null);
+      this.show(store.state);
     });
     this.ends.addEventListener('change', (event) => {
       onInput(event);
       this.put('ends', this.ends.value === '' ? undefined : this.ends.value === 'true');
     });
     this.more = [
-      make('div', { class: 'field wide' }, this.lossLabel, this.loss, this.lossHint),
+      make('div', { class: 'field wide' }, this.lossLabel, this.loss, this.reading.element, this.lossHint),
       make('div', { class: 'field wide' }, make('label', { for: 'contact-ends' }, 'Ends meet their seats'), this.ends),
     ];
     this.element = make(
@@ -153,8 +163,8 @@ export class ContactControl {
 }
 
 /** One number or several as they are typed; what is none stays as it is, for the engine to refuse. */
-function numbers(text: string): Value | undefined {
-  const parts = text.split(',').flatMap((part) => part.trim() || []);
-  const values = parts.map((part) => (Number.isFinite(Number(part)) ? Number(part) : part));
-  return values.length > 1 ? values : values[0];
+function numbers(text: string): Typed {
+  // A comma between digits is a decimal one, unless a point beside it already is.
+  const all = parts(text.includes('.') ? text.replaceAll(',', '; ') : text).map((part) => ratio(part).value);
+  return { value: all.length > 1 ? all : all[0] };
 }

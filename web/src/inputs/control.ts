@@ -1,14 +1,15 @@
 // One field of the spec on the page: a label, a slider where it has one, and the value to type; red with the reason where it is refused.
 //
-// Next door: which fields there are (`fields`), which of them are shown (`panels`).
+// Next door: which fields there are (`fields`), which of them are shown (`panels`), what is typed (`quantity`).
 
-import { valueAt, withValue } from '../document';
+import { valueAt, withValue, type Value } from '../document';
 import { make } from '../dom';
 import type { Field } from '../fields';
 import { preset } from '../presets';
 import type { State } from '../state';
 import type { Store } from '../store';
-import { fromSlider, read, shown, STEPS, toSlider, typed, type Quantity } from './quantity';
+import { fromSlider, read, shown, STEPS, toSlider, typed, unitOf, type Quantity, type Typed } from './quantity';
+import { Reading } from './reading';
 
 export class Control {
   readonly element: HTMLElement;
@@ -16,6 +17,11 @@ export class Control {
   private readonly slider: HTMLInputElement | null;
   private readonly hint: HTMLElement;
   private readonly error = make('p', { class: 'error', role: 'alert', hidden: true });
+  private readonly reading = new Reading();
+  /** The unit that the field shows, which a bare number takes. */
+  private unit = '';
+  /** What is being typed, as the state has it; null once the field is left. */
+  private own: Typed | null = null;
 
   constructor(
     private readonly store: Store,
@@ -28,12 +34,13 @@ export class Control {
     this.input = field.list ? this.choice(id, []) : field.words ? this.choice(id, field.words) : this.text(id);
     this.slider = field.slide ? this.range() : null;
     this.hint = make('span', { class: 'hint', id: `${id}-hint`, hidden: !field.hint }, field.hint);
-    this.input.setAttribute('aria-describedby', `${this.hint.id} ${this.error.id}`);
+    this.input.setAttribute('aria-describedby', `${this.reading.id(id)} ${this.hint.id} ${this.error.id}`);
     this.element = make(
       'div',
       { class: `field${this.slider ? ' slides' : ''}${field.wide ? ' wide' : ''}` },
       make('label', { for: id }, field.label),
       this.input,
+      this.reading.element,
       this.slider,
       this.hint,
       this.error,
@@ -42,12 +49,17 @@ export class Control {
 
   /** Shows what the state holds; what is being typed stays as it is. */
   show(state: State): void {
-    const text = shown(valueAt(state.spec, this.place));
+    const given = valueAt(state.spec, this.place);
+    const text = shown(given);
     if (this.field.list) this.offer([...this.offered, text]);
     const wanted = this.field.words && text === '' ? this.unsaid || (this.field.words[0] ?? '') : text;
-    if (this.input.value !== wanted && document.activeElement !== this.input) this.input.value = wanted;
-    else if (document.activeElement === this.input && !this.isTyping) this.input.value = wanted;
-    this.isTyping = false;
+    const isOwn = this.own !== null && document.activeElement === this.input && shown(this.own.value) === text;
+    if (!isOwn) {
+      if (this.input.value !== wanted) this.input.value = wanted;
+      // A word such as mid shows no unit; an empty field that of what holds there, else the last one.
+      const last = text === '' || read(text) ? this.unit : '';
+      this.unit = unitOf(given) || unitOf(this.input.getAttribute('placeholder') ?? '') || last;
+    }
     if (!this.slider) return;
     const value = read(text);
     this.slider.disabled = value === null;
@@ -94,30 +106,41 @@ export class Control {
   private drawn = '';
   private unsaid = '';
 
-  /** Marks the field as wrong, or as right again. */
+  /** Marks the field as wrong, or as right again; a text that may be two numbers is told as that. */
   refuse(reason: string | null): void {
-    this.error.textContent = reason ?? '';
+    const text = shown(valueAt(this.store.state.spec, this.place));
+    const words = reason === null ? null : (typed(this.field, text, this.unit).doubt ?? reason);
+    this.error.textContent = words ?? '';
     this.error.hidden = reason === null;
     this.element.classList.toggle('wrong', reason !== null);
     if (reason === null) this.input.removeAttribute('aria-invalid');
     else this.input.setAttribute('aria-invalid', 'true');
   }
 
-  private isTyping = false;
   private isSliding = false;
 
   private text(id: string): HTMLInputElement {
     const input = make('input', { id, type: 'text', autocomplete: 'off', spellcheck: 'false' });
     input.addEventListener('input', (event) => {
-      this.isTyping = true;
-      this.put(input.value, event);
+      this.own = typed(this.field, input.value, this.unit);
+      this.reading.typing(input.value, this.own);
+      this.put(this.own.value, event);
+    });
+    input.addEventListener('blur', () => {
+      this.reading.left(this.own);
+      this.own = null;
+      this.show(this.store.state);
     });
     return input;
   }
 
   private choice(id: string, words: readonly string[]): HTMLSelectElement {
-    const select = make('select', { id }, ...words.map((word) => make('option', { value: word }, word)));
-    select.addEventListener('change', (event) => this.put(select.value, event));
+    const select = make(
+      'select',
+      { id },
+      ...words.map((word) => make('option', { value: word }, this.field.names?.[word] ?? word)),
+    );
+    select.addEventListener('change', (event) => this.put(select.value || undefined, event));
     return select;
   }
 
@@ -135,15 +158,17 @@ export class Control {
       if (!value) return;
       const moved = fromSlider(this.field, Number(slider.value), value, this.usual(value));
       this.isSliding = true;
-      this.put(`${moved.number}${moved.unit ? ` ${moved.unit}` : ''}`, event);
+      this.reading.left(null);
+      this.put(moved.unit ? `${moved.number} ${moved.unit}` : moved.number, event);
     });
     return slider;
   }
 
-  private put(text: string, event: Event): void {
+  private put(value: Value | undefined, event: Event): void {
     this.onInput(event);
     const { spec } = this.store.state;
-    this.store.setSpec(withValue(spec, this.place, typed(this.field, text)), `${event.type} ${this.place}`);
+    const next = withValue(spec, this.place, value);
+    this.store.setSpec(this.field.then?.(next) ?? next, `${event.type} ${this.place}`);
   }
 
   private anchor: Quantity | null = null;

@@ -7,6 +7,8 @@ import { section, withValue } from '../document';
 import { clamp, make } from '../dom';
 import type { State } from '../state';
 import type { Store } from '../store';
+import { ratio, type Typed } from './quantity';
+import { Reading } from './reading';
 
 /** The highest ζ of the slider; its square root is even, so that small ones can be told apart. */
 const MOST = 0.1;
@@ -20,10 +22,12 @@ export class DampingControl {
     type: 'text',
     autocomplete: 'off',
     spellcheck: 'false',
-    'aria-describedby': 'damping-hint damping-error',
+    'aria-describedby': 'damping-understood damping-hint damping-error',
   });
   private readonly slider = make('input', { type: 'range', min: 0, max: STEPS, 'aria-label': 'Damping ζ, slider' });
   private readonly error = make('p', { class: 'error', role: 'alert', id: 'damping-error', hidden: true });
+  private readonly reading = new Reading();
+  private own: Typed | null = null;
   private drawn = '';
 
   constructor(
@@ -34,15 +38,24 @@ export class DampingControl {
       const ratio = MOST * (Number(this.slider.value) / STEPS) ** 2;
       this.put(Number(ratio.toPrecision(2)), event);
     });
+    this.reading.id('damping');
     this.input.addEventListener('input', (event) => {
-      const text = this.input.value.trim();
-      if (text !== '') this.put(Number.isFinite(Number(text)) ? Number(text) : text, event);
+      const typed = ratio(this.input.value);
+      this.own = typed;
+      this.reading.typing(this.input.value, typed);
+      if (typed.value !== '') this.put(typed.value, event);
+    });
+    this.input.addEventListener('blur', () => {
+      this.reading.left(this.own);
+      this.own = null;
+      this.show(this.store.state, this.facts);
     });
     this.element = make(
       'div',
       { class: 'field slides' },
       make('label', { for: 'damping' }, 'Damping ζ'),
       this.input,
+      this.reading.element,
       this.slider,
       make('span', { class: 'hint', id: 'damping-hint' }, 'how soon it stops ringing; rarely known'),
       this.chips,
@@ -50,7 +63,10 @@ export class DampingControl {
     );
   }
 
+  private facts: Facts | null = null;
+
   show(state: State, facts: Facts | null): void {
+    this.facts = facts;
     const given = section(state.spec, 'mount')['damping_ratio'];
     const ratio = typeof given === 'number' ? given : (facts?.dampings[state.view.damping]?.ratio ?? null);
     const text = typeof given === 'string' ? given : ratio === null ? '' : String(ratio);
@@ -63,7 +79,8 @@ export class DampingControl {
   }
 
   refuse(reason: string | null): void {
-    this.error.textContent = reason ?? '';
+    const given = String(section(this.store.state.spec, 'mount')['damping_ratio'] ?? '');
+    this.error.textContent = reason === null ? '' : (ratio(given).doubt ?? reason);
     this.error.hidden = reason === null;
     this.element.classList.toggle('wrong', reason !== null);
     if (reason === null) this.input.removeAttribute('aria-invalid');

@@ -1,6 +1,6 @@
 // The fields of the state that is shown, in groups: what is dragged first, then the spring, the condition, the sensors.
 //
-// Next door: one field (`control`), damping (`damping`), windings that meet (`contact`), the spring given the other way (`way`), the fields' words (`fields`).
+// Next door: one field (`control`), damping (`damping`), windings that meet (`contact`), the spring given the other way (`way`), what end 2 is tied to (`end`), the fields' words (`fields`).
 
 import type { Facts } from '../answer';
 import { section, sections, type Spec } from '../document';
@@ -27,13 +27,15 @@ import type { Store } from '../store';
 import { ContactControl } from './contact';
 import { Control } from './control';
 import { DampingControl } from './damping';
+import { FarEnd } from './end';
 import { Shelf } from './shelf';
 import { sensorFields } from './sensors';
-import { byGeometry, toGeometry, toValues } from './way';
+import { byGeometry, turned } from './way';
 
 export class Panels {
   private readonly damping: DampingControl;
   private readonly contact: ContactControl;
+  private end = new FarEnd('');
   private controls: Control[] = [];
   private drawn = '';
   private facts: Facts | null = null;
@@ -93,7 +95,8 @@ export class Panels {
 
   private draw(state: State): void {
     this.controls = [];
-    const { spec, view } = state;
+    const { preset, spec, view } = state;
+    if (this.end.preset !== preset) this.end = new FarEnd(preset);
     const number = view.condition;
     const kind = String(sections(spec, 'condition')[number]?.['kind'] ?? 'impact');
     const condition = CONDITION[kind] ?? { first: [], more: [] };
@@ -108,10 +111,7 @@ export class Panels {
         make('summary', {}, heading),
         ...children,
       );
-    const mass =
-      section(spec, 'mount')['end2'] === 'mass'
-        ? this.control('mount.end_mass', { key: 'end_mass', label: 'Mass at end 2' })
-        : null;
+    const mass = section(spec, 'mount')['end2'] === 'mass' ? this.control('mount.end_mass', this.end.mass) : null;
     // What is done comes first, beside the choice of it: on a phone it stands above the spring.
     this.first.replaceChildren(...condition.first.map(at(`condition.${number}`)));
     this.host.replaceChildren(
@@ -119,6 +119,8 @@ export class Panels {
       this.damping.element,
       this.contact.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),
+      this.control('mount.end2', this.end.field),
+      ...(mass ? [mass] : []),
       group(
         'more-condition',
         'What is done, in full',
@@ -131,7 +133,6 @@ export class Panels {
         this.way(geometry),
         ...SHAPE.map(spring),
         ...(geometry ? ENDS : RADII).map(spring),
-        mass,
       ),
       group('more-sensors', `Sensors (${sections(spec, 'sensor').length})`, ...sensorFields(this.store, at)),
       ...GOAL.map(at('goal')),
@@ -152,7 +153,7 @@ export class Panels {
 
   /** By Table I's values or by wire and coil: the other way begins with what the one way gives. */
   private way(geometry: boolean): HTMLElement {
-    const radio = (label: string, checked: boolean, turn: (spec: Spec, facts: Facts) => Spec) =>
+    const radio = (label: string, checked: boolean) =>
       make(
         'label',
         {},
@@ -160,7 +161,7 @@ export class Panels {
           type: 'radio',
           name: 'way',
           checked,
-          onchange: () => this.facts && this.store.setSpec(turn(this.store.state.spec, this.facts)),
+          onchange: () => this.facts && this.store.setSpec(turned(this.store.state.spec, this.facts)),
         }),
         make('span', {}, label),
       );
@@ -168,8 +169,8 @@ export class Panels {
       'fieldset',
       { class: 'choice' },
       make('legend', {}, 'Given by'),
-      radio('values', !geometry, toValues),
-      radio('wire and coil', geometry, toGeometry),
+      radio('values', !geometry),
+      radio('wire and coil', geometry),
     );
   }
 }

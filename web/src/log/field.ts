@@ -3,12 +3,16 @@
 // Next door: which there are (`options`), all of them together (`form`).
 
 import { make } from '../dom';
+import { unitOf, type Typed } from '../inputs/quantity';
+import { Reading } from '../inputs/reading';
+import { parts, understand } from '../inputs/understand';
 import type { Option } from './options';
 
 export class OptionField {
   readonly element: HTMLElement;
   private readonly input: HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
   private readonly error = make('p', { class: 'error', role: 'alert', hidden: true });
+  private readonly reading = new Reading();
 
   constructor(readonly option: Option) {
     const { name, label, hint, tick, long } = option;
@@ -16,12 +20,40 @@ export class OptionField {
     this.error.id = `${id}-error`;
     this.input = enter(id, option);
     const about = hint ? make('span', { class: 'hint', id: `${id}-hint` }, hint) : null;
-    this.input.setAttribute('aria-describedby', [about?.id, this.error.id].filter(Boolean).join(' '));
+    this.input.setAttribute(
+      'aria-describedby',
+      [this.reading.id(id), about?.id, this.error.id].filter(Boolean).join(' '),
+    );
     const words = make('label', { for: id, class: tick ? 'tick' : '' });
     this.element = make('div', { class: long ? 'field long' : tick ? '' : 'field' });
     if (tick) words.append(this.input, ` ${label}`);
     else words.append(label);
-    this.element.append(words, ...(tick ? [] : [this.input]), ...(about ? [about] : []), this.error);
+    this.element.append(
+      words,
+      ...(tick ? [] : [this.input]),
+      this.reading.element,
+      ...(about ? [about] : []),
+      this.error,
+    );
+    if (this.input instanceof HTMLInputElement && !tick) {
+      this.input.addEventListener('input', () => this.reading.typing(this.word, this.understood));
+      // Before anybody else hears of the change.
+      this.input.addEventListener('change', () => {
+        this.reading.left(this.understood);
+        this.word = String(this.understood.value);
+      });
+    }
+  }
+
+  /** What is typed, in the engine's words; a bare number has the unit of the example. */
+  private get understood(): Typed & { value: string } {
+    const units = parts(this.option.example ?? '').map(unitOf);
+    const all = parts(this.word).map((part, index) => understand(part, units[index]));
+    const of = (key: 'doubt' | 'note') => {
+      const found = all.find((one) => one[key])?.[key];
+      return found ? { [key]: found } : {};
+    };
+    return { value: all.map(({ text }) => text).join(', '), ...of('doubt'), ...of('note') };
   }
 
   /** What is said; nothing where it is left as it is. */
@@ -41,7 +73,8 @@ export class OptionField {
 
   /** Marks it as wrong, or as right again. */
   refuse(reason: string | null): void {
-    this.error.textContent = reason ?? '';
+    const { doubt } = this.input instanceof HTMLInputElement ? this.understood : {};
+    this.error.textContent = reason === null ? '' : (doubt ?? reason);
     this.error.hidden = reason === null;
     this.element.classList.toggle('wrong', reason !== null);
     if (reason === null) return this.input.removeAttribute('aria-invalid');

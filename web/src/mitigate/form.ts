@@ -3,6 +3,9 @@
 // Next door: where their values are (`choices`), what comes of it (`found`).
 
 import { make, rich } from '../dom';
+import { unitOf } from '../inputs/quantity';
+import { Reading } from '../inputs/reading';
+import { understand } from '../inputs/understand';
 import type { Choices, Name } from './choices';
 
 interface Option {
@@ -57,6 +60,8 @@ export class Form {
   constructor(
     private readonly choices: Choices,
     between: HTMLElement,
+    /** Hears of what is typed. */
+    private readonly typed: (event: Event) => void,
   ) {
     this.on.addEventListener('change', () => choices.set('on', this.on.value));
     const [first, ...others] = OPTIONS.map((option) => this.field(option));
@@ -79,10 +84,17 @@ export class Form {
     this.stated.hidden = on !== 'stated';
     for (const [name, { box, input, on: where }] of this.fields) {
       const value = this.choices.get(name as Name);
-      if (input.value.trim() !== value) input.value = value;
+      // What is typed stands in its own words until the field is left.
+      if (document.activeElement !== input || understand(input.value, this.unit(input)).text !== value)
+        input.value = value;
       box.hidden = !where.includes(on);
     }
     this.element.querySelector('.options')?.toggleAttribute('hidden', on === 'stated');
+  }
+
+  /** The unit that a field shows, which a bare number takes: that of what holds there. */
+  private unit(input: HTMLInputElement): string {
+    return unitOf(input.placeholder);
   }
 
   /** What counts of the options, as the engine takes it. */
@@ -113,7 +125,7 @@ export class Form {
     for (const [name, { box, input, error }] of this.fields) {
       const reason = wrong.get(name);
       error.hidden = reason === undefined;
-      error.textContent = reason ?? '';
+      error.textContent = reason === undefined ? '' : (understand(input.value).doubt ?? reason);
       box.classList.toggle('wrong', reason !== undefined);
       if (reason === undefined) input.removeAttribute('aria-invalid');
       else {
@@ -132,14 +144,26 @@ export class Form {
       id,
       autocomplete: 'off',
       spellcheck: 'false',
-      'aria-describedby': `${id}-hint ${id}-error`,
+      'aria-describedby': `${id}-understood ${id}-hint ${id}-error`,
     });
-    input.addEventListener('input', () => this.choices.set(name, input.value.trim()));
+    const reading = new Reading();
+    reading.id(id);
+    input.addEventListener('input', (event) => {
+      this.typed(event);
+      const { text: value, ...told } = understand(input.value, this.unit(input));
+      reading.typing(input.value, { value, ...told });
+      this.choices.set(name, value);
+    });
+    input.addEventListener('blur', () => {
+      reading.left({ value: undefined, ...understand(input.value, this.unit(input)) });
+      this.show();
+    });
     const box = make(
       'div',
       { class: 'field' },
       make('label', { for: id }, rich(label)),
       input,
+      reading.element,
       make('span', { class: 'hint', id: `${id}-hint` }, rich(hint)),
       error,
     );

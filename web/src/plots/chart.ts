@@ -27,6 +27,14 @@ export function axis(label: string, size: number, more: Partial<uPlot.Axis> = {}
   };
 }
 
+/** Ticks of a logarithmic axis: 1 to 9 of each power of ten. uPlot's own never end where the lowest value is no such number. */
+export function decades(low: number, high: number): number[] {
+  const ticks: number[] = [];
+  for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power++)
+    for (let digit = 1; digit < 10; digit++) ticks.push(Number(`${digit}e${power}`));
+  return ticks.filter((tick) => low <= tick && tick <= high);
+}
+
 /** A tick as people read it. */
 export const plain = (tick: number): string => String(Number(tick.toPrecision(10))).replace('-', '−');
 

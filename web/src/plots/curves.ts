@@ -2,7 +2,7 @@
 
 import type uPlot from 'uplot';
 import { make, rich } from '../dom';
-import { axis, chart, curve, font, plain } from './chart';
+import { axis, chart, curve, decades, font, plain } from './chart';
 import { ink, look, sample, type Look } from './looks';
 
 /** More dots than these are drawn small. */
@@ -53,7 +53,10 @@ export function curves(
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
         axis(x.label, 36, { values: (_, ticks) => ticks.map((tick) => plain(factor * tick)) }),
-        axis(y.label, 60, { values: (_, ticks) => (y.logarithmic ? decade(ticks) : ticks.map(plain)) }),
+        axis(y.label, 60, {
+          ...(y.logarithmic ? { splits: (_, __, low, high) => decades(low, high) } : {}),
+          values: (_, ticks) => (y.logarithmic ? decade(ticks) : ticks.map(plain)),
+        }),
       ],
       series: [
         {},

@@ -4,7 +4,7 @@
 
 import uPlot from 'uplot';
 import type { Answer, Facts } from '../answer';
-import { axis, chart, curve, font, LARGER } from './chart';
+import { axis, chart, curve, decades, font, LARGER } from './chart';
 import { FORCE_NAMES, ink } from './looks';
 
 /** Shown up to so many surge frequencies. */
@@ -61,6 +61,7 @@ export class SpectrumPlot {
       axes: [
         axis('Frequency [Hz]', 36, { space: 60 * LARGER }),
         axis('Amplitude [N]', 62, {
+          splits: (_, __, low, high) => decades(low, high),
           values: (_, ticks) =>
             ticks.map((tick) =>
               tick === null || (!/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)))

@@ -7,6 +7,7 @@ import type { Answer, Job } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';
 import { fixed, make } from '../dom';
+import { Patience } from '../inputs/patience';
 import { COLUMNS } from '../log/options';
 import { Choices } from '../mitigate/choices';
 import { Drop } from '../mitigate/drop';
@@ -35,6 +36,7 @@ class Mitigate {
     () => this.changed(),
   );
   private readonly form: Form;
+  private readonly patience = new Patience<readonly string[]>((reasons) => this.refuse(reasons ?? []));
   private found: Found | null = null;
   /** What the numbers are of. */
   private judged = '';
@@ -50,7 +52,7 @@ class Mitigate {
     private readonly compute: Compute,
   ) {
     this.choices = new Choices(store);
-    this.form = new Form(this.choices, this.drop.element);
+    this.form = new Form(this.choices, this.drop.element, (event) => this.patience.heard(event));
     const again = make('button', { type: 'button', class: 'plain', onclick: () => void this.judge() }, 'Judge again');
     this.earlier.append('These numbers are of an earlier state of the spring or of the choices. ', again);
     this.form.element.append(this.progress.element);
@@ -97,7 +99,8 @@ class Mitigate {
     const { reply } = await this.compute.job({ kind: 'mitigate-usual', text: this.text, asked: this.asked }, () => {});
     const coming = await reply;
     if (number !== this.number) return;
-    const refuse = (reasons: readonly string[]) => said === this.said && this.refuse(reasons);
+    const refuse = (reasons: readonly string[]) =>
+      said === this.said && this.patience.tell(reasons.length > 0 ? reasons : null);
     if ('error' in coming) return void refuse([coming.error]);
     if (!('answer' in coming)) return;
     const { usual, wrong } = coming.answer.facts as { usual: Record<string, string>; wrong: string[] };

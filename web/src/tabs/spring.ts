@@ -3,9 +3,10 @@
 // Next door: each of its parts (`inputs`, `plots`, `spring`, `results`), what is computed (`compute`).
 
 import type { ExactFacts, Facts } from '../answer';
-import type { Shown } from '../compute';
+import type { Refusal, Shown } from '../compute';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
+import { Patience } from '../inputs/patience';
 import { Shelf } from '../inputs/shelf';
 import { ForcePlot } from '../plots/forces';
 import { FORCE_LINES, readings } from '../plots/lines';
@@ -30,7 +31,10 @@ import type { Open } from './tab';
 export const open: Open = (panel, store, compute) => {
   const parts = layOut(panel);
   readInk();
-  const clock = (event: Event) => compute.mark(event);
+  const clock = (event: Event) => {
+    compute.mark(event);
+    patience.heard(event);
+  };
   const choose = new Choose(store, parts.choose, parts.first);
   const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
   const table = new Table(store, parts.table);
@@ -115,6 +119,17 @@ export const open: Open = (panel, store, compute) => {
       table.show(last.answer.facts, last.exact);
     }
   });
+  const patience = new Patience<Refusal>((refusal) => {
+    const beside = panels.refuse(refusal);
+    parts.refusal.hidden = refusal === null;
+    const words = [
+      beside ? '' : (refusal?.text ?? ''),
+      refusal && last ? 'What is shown is the last state that could be computed.' : '',
+    ];
+    parts.refusal.textContent = words.filter(Boolean).join(' ');
+    if (refusal && last) mark(last.exact !== null);
+    if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
+  });
   compute.listen({
     shown: (shown) => {
       [last, facts] = [shown, shown.answer.facts];
@@ -140,17 +155,7 @@ export const open: Open = (panel, store, compute) => {
       downloads.show(shown);
       mark(shown.exact !== null);
     },
-    refused: (refusal) => {
-      const beside = panels.refuse(refusal);
-      parts.refusal.hidden = refusal === null;
-      const words = [
-        beside ? '' : (refusal?.text ?? ''),
-        refusal && last ? 'What is shown is the last state that could be computed.' : '',
-      ];
-      parts.refusal.textContent = words.filter(Boolean).join(' ');
-      if (refusal && last) mark(last.exact !== null);
-      if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
-    },
+    refused: (refusal) => patience.tell(refusal),
     busy: () => {},
   });
   addEventListener('keydown', (event) => {
