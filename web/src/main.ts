@@ -38,7 +38,8 @@ byId('tabs').addEventListener('keydown', (event) => {
   const at = TABS.findIndex(({ id }) => id === store.state.view.tab);
   const next = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: TABS.length - 1 }[event.key];
   const tab = next === undefined ? undefined : TABS[(next + TABS.length) % TABS.length];
-  if (!tab) return;
+  // A key that is held down would fill the browser's history.
+  if (!tab || event.repeat) return;
   event.preventDefault();
   store.setView({ tab: tab.id });
   byId(`tab-${tab.id}`).focus();
@@ -92,9 +93,18 @@ addEventListener('keydown', (event) => {
   if (event.shiftKey) store.redo();
   else store.undo();
 });
+/** What Reset does where it is; nowhere else does it do anything. */
+const RESETS: Record<string, string> = {
+  spring: 'Back to the spring as it was',
+  log: 'Back to what the log says by itself',
+  mitigate: 'Back to the usual choices',
+};
 const tools = () => {
+  const resets = RESETS[store.state.view.tab];
   undo.disabled = !store.canUndo;
   redo.disabled = !store.canRedo;
+  reset.disabled = !resets;
+  reset.title = resets ?? '';
 };
 
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readInk);

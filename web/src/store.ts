@@ -1,34 +1,45 @@
-// One store of the page's state, with undo and redo; whoever shows something subscribes.
+// One store of the page's state, with undo and redo, and its address with a step of the browser's history for each tab that was looked at;
+// whoever shows something subscribes.
 //
-// Next door: what the state is (`state`), the state as an address (`address`).
+// Next door: what the state is (`state`), what can be undone (`past`), the state as an address (`address`).
 
 import { fromHash, toHash } from './address';
 import type { Spec } from './document';
+import { afresh, Past } from './past';
 import { preset } from './presets';
 import { defaultView, type State, type View } from './state';
 
 type Listener = (state: State, before: State) => void;
 
-/** Changes of one kind that follow each other so quickly are undone as one [ms]. */
-const ONE_GESTURE = 800;
-const MOST_STEPS = 200;
 /** Browsers allow some hundred changes of an address a minute [ms]. */
 const ADDRESS_WAITS = 250;
 
+/** What a step of the browser's history is: a tab, since the last time that an address was followed. */
+interface Step {
+  tab: string;
+  since: number;
+}
+
 export class Store {
   private now: State;
-  private readonly past: State[] = [];
-  private readonly future: State[] = [];
+  private readonly past = new Past();
   private readonly listeners: Listener[] = [];
-  private gesture = { name: '', at: 0 };
   private timer = 0;
+  /** How often an address was followed. */
+  private since = 0;
 
   constructor() {
     this.now = fromHash(location.hash);
-    // What was typed, even where the state before it was written into the address meanwhile.
+    const { since } = (history.state ?? {}) as Partial<Step>;
+    this.since = since ?? 0;
+    history.replaceState(this.step, '');
+    addEventListener('popstate', ({ state }) => this.follow(state as Step | null));
+    // What was typed, even where the state before it was written into the address meanwhile; steps of our own were followed by now.
     addEventListener('hashchange', ({ newURL }) => {
       const { hash } = new URL(newURL);
-      if (hash !== toHash(this.now)) this.put(fromHash(hash), '');
+      if (hash === toHash(this.now) || (history.state && newURL === location.href)) return;
+      this.since++;
+      this.put(fromHash(hash), '', true);
     });
   }
 
@@ -61,50 +72,72 @@ export class Store {
     );
   }
 
-  /** Back to the preset as it was. */
+  /** What the tab changes back to as it came. */
   reset(): void {
-    this.choosePreset(this.now.preset);
+    const next = afresh(this.now);
+    if (next) this.put(next, '');
   }
 
   get canUndo(): boolean {
-    return this.past.length > 0;
+    return this.past.can('back', this.now.view.tab);
   }
 
   get canRedo(): boolean {
-    return this.future.length > 0;
+    return this.past.can('forth', this.now.view.tab);
   }
 
+  /** Takes back the last change that was made on the tab that is shown. */
   undo(): void {
-    const before = this.past.pop();
-    if (!before) return;
-    this.future.push(this.now);
-    this.gesture.name = '';
-    this.tell(before);
+    const before = this.past.go('back', this.now);
+    if (before) this.tell(before);
   }
 
   redo(): void {
-    const next = this.future.pop();
-    if (!next) return;
-    this.past.push(this.now);
-    this.gesture.name = '';
-    this.tell(next);
+    const next = this.past.go('forth', this.now);
+    if (next) this.tell(next);
   }
 
-  private put(next: State, gesture: string): void {
-    const at = performance.now();
-    const goesOn = gesture !== '' && gesture === this.gesture.name && at - this.gesture.at < ONE_GESTURE;
-    if (!goesOn) this.past.push(this.now);
-    if (this.past.length > MOST_STEPS) this.past.shift();
-    this.future.length = 0;
-    this.gesture = { name: gesture, at };
-    this.tell(next);
+  /** The page's address as of now, also where it has not been written yet. */
+  get address(): string {
+    this.write();
+    return location.href;
   }
 
-  private tell(next: State): void {
+  private put(next: State, gesture: string, isStep = false): void {
+    this.past.add(this.now, next, gesture);
+    this.tell(next, isStep);
+  }
+
+  /** `isStep`: the browser's history has a step for it already. */
+  private tell(next: State, isStep = false): void {
     const before = this.now;
+    // The step that is left has the state as it was left.
+    if (next.view.tab !== before.view.tab && !isStep) {
+      this.write();
+      this.now = next;
+      history.pushState(this.step, '', toHash(next));
+    }
     this.now = next;
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => history.replaceState(null, '', toHash(this.now)), ADDRESS_WAITS);
+    this.timer = window.setTimeout(() => this.write(), ADDRESS_WAITS);
     for (const listener of this.listeners) listener(next, before);
+  }
+
+  private get step(): Step {
+    return { tab: this.now.view.tab, since: this.since };
+  }
+
+  private write(): void {
+    clearTimeout(this.timer);
+    history.replaceState(this.step, '', toHash(this.now));
+  }
+
+  /** A step back or forth: to its tab, with what was edited since; beyond an address that was followed, to all that it says. */
+  private follow(step: Step | null): void {
+    if (!step) return;
+    clearTimeout(this.timer);
+    if (step.since === this.since) return this.tell({ ...this.now, view: { ...this.now.view, tab: step.tab } }, true);
+    this.since = step.since;
+    this.put(fromHash(location.hash), '', true);
   }
 }

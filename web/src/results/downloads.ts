@@ -7,8 +7,13 @@ import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
 import type { Store } from '../store';
 
+/** How long it is told that something was copied [ms]. */
+const TOLD = 5000;
+
 export class Downloads {
   private shown: Shown | null = null;
+  private readonly told = make('span', { class: 'copied', role: 'status' });
+  private timer = 0;
 
   constructor(
     private readonly store: Store,
@@ -23,11 +28,26 @@ export class Downloads {
       button('Spec (TOML)', 'For the command: coilsense analyze', () => this.spec()),
       button('Series (CSV)', 'Every signal and reading, as coilsense simulate writes them', () => void this.csv()),
       button('Forces (SVG)', 'The picture above', () => void this.svg()),
-      button(
-        'Link',
-        'Copies the address, which holds the whole state',
-        (): void => void navigator.clipboard?.writeText(location.href),
-      ),
+      button('Link', 'Copies the address, which holds the whole state', () => void this.link()),
+      this.told,
+    );
+  }
+
+  /** Copies the address of the state as it is now; where that is not allowed, shows it to be copied by hand. */
+  private async link(): Promise<void> {
+    const { address } = this.store;
+    try {
+      await navigator.clipboard.writeText(address);
+      this.told.textContent = 'The link is copied.';
+    } catch {
+      const field = make('input', { type: 'text', readonly: true, value: address, 'aria-label': 'The link' });
+      this.told.replaceChildren('Copy it from here: ', field);
+      field.select();
+    }
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(
+      () => this.told.contains(document.activeElement) || this.told.replaceChildren(),
+      TOLD,
     );
   }
 
