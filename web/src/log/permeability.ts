@@ -3,6 +3,7 @@
 // Next door: the inductances of each permeability (`coilsense-web`, `log/calibrated`), the fit that finds the best (`calibration`).
 
 import { clamp, digits, make } from '../dom';
+import { Told } from '../told';
 import { curves } from '../plots/curves';
 import { card } from './found';
 
@@ -57,8 +58,9 @@ function best(wire: Wire): number {
 export function permeability(wire: Wire): HTMLElement {
   const last = wire.permeabilities.at(-1) ?? 1;
   const slider = make('input', { type: 'range', min: 1, max: last, step: 0.01, 'aria-label': 'Relative permeability' });
-  const told = make('output', { class: 'length' });
+  const told = make('output', { class: 'length', 'aria-live': 'off' });
   const words = make('p', { role: 'status' });
+  const said = new Told(words);
   const figure = make('div', { class: 'figures' });
   const nearest = best(wire);
   slider.value = String(clamp(wire.fitted ?? nearest, 1, last));
@@ -67,13 +69,14 @@ export function permeability(wire: Wire): HTMLElement {
     const { constant, left } = rest(wire, chosen);
     told.textContent = digits(chosen, 3);
     slider.setAttribute('aria-valuetext', digits(chosen, 3));
-    words.textContent =
+    said.tell(
       `With a permeability of ${digits(chosen, 3)}${chosen === 1 ? ' (not magnetic)' : ''} and a constant of ${digits(1e9 * constant, 3)} nH, ` +
-      `${digits(1e9 * rms(left), 3)} nH rms remain, ${digits(ofRange(wire, left), 2)} % of the range; ` +
-      `1/l = αL + β leaves ${digits(1e9 * rms(wire.left), 3)} nH. ` +
-      (nearest === 1 || nearest === last
-        ? `Least remains at ${digits(nearest, 3)}, the end of the slider: the theory may not be that of this coil.`
-        : `Least remains at ${digits(nearest, 3)}.`);
+        `${digits(1e9 * rms(left), 3)} nH rms remain, ${digits(ofRange(wire, left), 2)} % of the range; ` +
+        `1/l = αL + β leaves ${digits(1e9 * rms(wire.left), 3)} nH. ` +
+        (nearest === 1 || nearest === last
+          ? `Least remains at ${digits(nearest, 3)}, the end of the slider: the theory may not be that of this coil.`
+          : `Least remains at ${digits(nearest, 3)}.`),
+    );
     figure.replaceChildren();
     curves(figure, {
       title: 'Measured inductance less that of the coil',

@@ -5,6 +5,7 @@
 import type uPlot from 'uplot';
 import type { Series } from '../answer';
 import { make, rich } from '../dom';
+import { Told } from '../told';
 import { axis, curve, LARGER, plain } from '../plots/chart';
 import { ink, look, sample } from '../plots/looks';
 import { Timeline, type Times } from '../plots/timeline';
@@ -74,12 +75,13 @@ export function showRecorded(
   const time = series['recorded time'] ?? new Float64Array();
   const whole: Times = [time[0] ?? 0, time[time.length - 1] ?? 1];
   const said = make('span', { class: 'hint', 'aria-live': 'polite' });
+  const told = new Told(said);
   const show = (times: Times | null) => {
     const [from, to] = times ?? whole;
     timeline.show([from, to], whole, LEAST * (whole[1] - whole[0]));
     keep(to - from < whole[1] - whole[0] ? [from, to] : null);
     const short = (value: number) => plain(Number(value.toFixed(4)));
-    said.textContent = `${short(from)} s to ${short(to)} s`;
+    told.tell(`${short(from)} s to ${short(to)} s`);
   };
   const timeline = new Timeline({ zoom: show, point: () => {} });
   const by = (label: string, title: string, factor: number, shift: number) => {

@@ -11,13 +11,19 @@ import { degrees, lag, percent, type Candidate, type Judged } from './ranking';
 const none = new Float64Array();
 
 export class Picked {
-  readonly element = make('section', { class: 'card', 'aria-label': 'What comes out', 'aria-live': 'polite' });
+  readonly element = make('section', { class: 'card', 'aria-label': 'What comes out' });
   private number = 0;
+  private readonly heading = make('h2');
+  /** What is told of it; the picture and the buttons below it are not to be read out. */
+  private readonly numbers = make('p', { class: 'hint', role: 'status' });
+  private readonly rest = make('div');
 
   constructor(
     private readonly judged: Judged,
     private readonly choices: Choices,
-  ) {}
+  ) {
+    this.element.append(make('div', { class: 'head' }, this.heading), this.numbers, this.rest);
+  }
 
   show(number: number): void {
     this.number = number;
@@ -25,14 +31,15 @@ export class Picked {
     const one = ranking.candidates[number];
     if (!one) return;
     const numbers = `${percent(this.judged, one.worst_rms_error_n)} of F_nom at worst (${one.worst_run}), ${percent(this.judged, one.rms_error_n)} on the nominal spring, ${degrees(lag(one))} late.`;
-    const head = make('div', { class: 'head' }, make('h2', {}, one.name));
-    this.element.replaceChildren(head, make('p', { class: 'hint' }, rich(numbers)));
+    this.numbers.replaceChildren(rich(`${one.name}: ${numbers}`));
+    this.heading.textContent = one.name;
+    this.rest.replaceChildren();
     if (answer.facts.run) {
       const run = `The run that rings hardest: ${answer.facts.run}.`;
-      this.element.append(make('p', { class: 'hint' }, rich(run)));
-      curves(this.element, this.drawing(one));
+      this.rest.append(make('p', { class: 'hint' }, rich(run)));
+      curves(this.rest, this.drawing(one));
     }
-    this.element.append(this.downloads(one));
+    this.rest.append(this.downloads(one));
   }
 
   private drawing(one: Candidate): Curves {

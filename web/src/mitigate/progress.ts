@@ -3,11 +3,12 @@
 // Next door: what is begun (`tabs/mitigate`).
 
 import { make } from '../dom';
+import { Told } from '../told';
 
 export class Progress {
   readonly element: HTMLElement;
   private readonly bar = make('progress', { 'aria-label': 'Candidates judged', hidden: true });
-  private readonly said = make('p', { class: 'hint', role: 'status' });
+  private readonly told = new Told(make('p', { class: 'hint', role: 'status' }));
   private readonly start = make('button', { type: 'button', class: 'play' }, 'Judge');
   private readonly stop = make('button', { type: 'button', class: 'plain', hidden: true }, 'Cancel');
 
@@ -19,7 +20,7 @@ export class Progress {
       { class: 'progress' },
       make('div', { class: 'downloads' }, this.start, this.stop),
       this.bar,
-      this.said,
+      this.told.element,
     );
   }
 
@@ -30,16 +31,16 @@ export class Progress {
   begin(): void {
     [this.bar.hidden, this.stop.hidden, this.start.disabled] = [false, false, true];
     this.bar.removeAttribute('value');
-    this.said.textContent = 'Designing …';
+    this.told.tell('Designing …');
   }
 
   tell(done: number, of: number): void {
     [this.bar.value, this.bar.max] = [done, of];
-    this.said.textContent = `${done} of ${of} candidates judged`;
+    this.told.tell(`${done} of ${of} candidates judged`);
   }
 
   rest(words: string): void {
     [this.bar.hidden, this.stop.hidden, this.start.disabled] = [true, true, false];
-    this.said.textContent = words;
+    this.told.tell(words);
   }
 }

@@ -20,7 +20,7 @@ export class Choice {
   private spring = '';
   private all: Lines | null = null;
   private readonly slider = make('input', { type: 'range', min: 0, max: 0, step: 1, 'aria-label': 'Length' });
-  private readonly told = make('output', { class: 'length' });
+  private readonly told = make('output', { class: 'length', 'aria-live': 'off' });
   private readonly ends = make('select', { 'aria-label': 'Ends' });
   readonly element = make('div', { class: 'stops' }, make('label', {}, 'Length ', this.slider), this.told, this.ends);
 

@@ -31,8 +31,15 @@ export class ReadOut {
     this.write();
   }
 
+  /** The same in a line. */
+  get words(): string {
+    const values = this.lines.map(({ name }, at) => `${name} ${this.values[at]?.textContent ?? ''}`);
+    return `${fixed(1e3 * this.time, 1)} ms: ${values.join(', ')}`;
+  }
+
   private draw(): void {
-    this.values = this.lines.map(() => make('output'));
+    // They change with each frame: what a reader is to hear of them is told elsewhere.
+    this.values = this.lines.map(() => make('output', { 'aria-live': 'off' }));
     const key = ({ series, name, meaning }: Line, index: number) =>
       make(
         'span',

@@ -30,7 +30,7 @@ export class Player {
   private readonly difference = make('span', { class: 'difference' });
   private readonly play = make('button', { type: 'button', class: 'play' });
   private readonly scrub = make('input', { type: 'range', min: 0, max: 1000, step: 1, 'aria-label': 'Time' });
-  private readonly clock = make('output', { class: 'clock' });
+  private readonly clock = make('output', { class: 'clock', 'aria-live': 'off' });
   private readonly gain = make('span', { class: 'gain' });
   private readonly low = make('span');
   private readonly high = make('span');

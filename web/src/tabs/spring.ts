@@ -26,6 +26,7 @@ import { Why } from '../results/why';
 import { Player } from '../spring/player';
 import { layOut } from './layout';
 import { isOther } from '../state';
+import { Told } from '../told';
 import type { Open } from './tab';
 
 export const open: Open = (panel, store, compute) => {
@@ -48,9 +49,13 @@ export const open: Open = (panel, store, compute) => {
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
     zoom: (times) => store.setView({ times }),
-    point: (time) => player.goTo(time),
+    point: (time) => {
+      player.goTo(time);
+      said.tell(readOut.words);
+    },
   });
   const readOut = new ReadOut(parts.keys);
+  const said = new Told(parts.said);
   const speed = {
     get slow() {
       return store.state.view.slow;
