@@ -94,6 +94,9 @@ export class DampingControl {
 
   /** A button for each damping, where there are several. */
   private drawChips(state: State, facts: Facts | null): void {
+    // Room for those that will come, before the engine has told them.
+    const { damping_ratio: given } = section(state.spec, 'mount');
+    this.chips.classList.toggle('awaited', !facts && (given === undefined || Array.isArray(given)));
     const labels = facts && facts.dampings.length > 1 ? facts.dampings.map((damping) => damping.label) : [];
     const now = JSON.stringify([labels, state.view.damping]);
     if (now === this.drawn) return;

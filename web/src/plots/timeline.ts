@@ -1,7 +1,7 @@
 // What plots over one time share: which part of it is shown, chosen by dragging, buttons and keys, and a mark at a moment, chosen by a
 // click and by keys.
 //
-// Next door: what is drawn (`forces`, `log/recorded`, `report/charts`), the bare chart (`chart`).
+// Next door: what is drawn (`forces`, `log/recorded`, `report/charts`), the bare chart (`chart`), fingers on it (`touch`).
 
 import type uPlot from 'uplot';
 import { clamp, make } from '../dom';
@@ -60,6 +60,12 @@ export class Timeline {
       this.events.point(clamp(time, ...this.times));
     });
     host.addEventListener('keydown', (event) => this.key(event));
+    const touched = {
+      times: () => this.times,
+      choose: (from: number, to: number) => this.choose(from, to),
+      reset: () => this.events.zoom(null),
+    };
+    if (navigator.maxTouchPoints > 0) void import('./touch').then(({ follow }) => follow(over, touched));
     this.plots.push({ plot, mark });
     return plot;
   }
