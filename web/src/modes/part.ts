@@ -2,6 +2,7 @@
 //
 // Next door: each of its parts (`chart`, `table`, `wire`), what it says (`words`), what opens it (`results/modes`).
 
+import '../style/tabs.css';
 import '../style/modes.css';
 import type { Answer, ExactFacts, LinesFacts, ShapeFacts } from '../answer';
 import type { Compute } from '../compute';

@@ -76,7 +76,7 @@ export class Player {
       make('div', { class: 'player' }, this.play, this.scrub, this.clock, this.speed),
       make(
         'p',
-        { class: 'legend' },
+        { class: 'legend awaited' },
         make('span', {}, 'Windings closer ', this.low, ' ', scale, ' ', this.high, ' wider than the mean'),
         this.touch,
         this.together,
@@ -165,6 +165,7 @@ export class Player {
   private look(shown: Seen): void {
     this.scene = survey(shown);
     const { peak, gain } = this.scene;
+    this.canvas.parentElement?.querySelector('.legend')?.classList.remove('awaited');
     const percent = `${digits(100 * peak, 2)} %`;
     this.low.textContent = `−${percent}`;
     this.high.textContent = `+${percent}`;

@@ -2,6 +2,7 @@
 //
 // Next door: what is said of a log (`log/form`), what comes of it (`log/found`), what computes it (`coilsense-web`, `log`).
 
+import '../style/tabs.css';
 import type { Log } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';

@@ -3,6 +3,7 @@
 //
 // Next door: what is asked (`mitigate/form`), what comes of it (`mitigate/found`), how they are judged (`coilsense-web`, `mitigate`).
 
+import '../style/tabs.css';
 import type { Answer, Job } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';

@@ -2,6 +2,7 @@
 //
 // Next door: how they are computed (`coilsense-web`, `paper`).
 
+import '../style/tabs.css';
 import type { Answer, PaperFacts } from '../answer';
 import { fixed, make, rich } from '../dom';
 import { curves } from '../plots/curves';
