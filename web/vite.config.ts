@@ -45,9 +45,19 @@ const place: Plugin = {
   },
 };
 
+/** uPlot's style without its legend and title, which the page draws itself: a first load has no room for them. */
+const withoutLegend: Plugin = {
+  name: 'coilsense-without-legend',
+  enforce: 'pre',
+  transform: (source, id) =>
+    id.endsWith('uPlot.min.css')
+      ? { code: source.replaceAll(/\.u-(legend|inline|series|title)[^{}]*\{[^}]*\}/g, ''), map: null }
+      : null,
+};
+
 export default defineConfig({
   base: './',
-  plugins: [specs, footer, place],
+  plugins: [specs, footer, place, withoutLegend],
   // A browser without module preloads loads the same modules when they are asked for.
   build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000, modulePreload: { polyfill: false } },
   worker: { format: 'es' },

@@ -54,10 +54,3 @@ export function fixed(value: number, decimals: number): string {
 }
 
 export const clamp = (value: number, least: number, most: number): number => Math.min(Math.max(value, least), most);
-
-/** A file for the user's disk. */
-export function download(name: string, content: BlobPart, type: string): void {
-  const address = URL.createObjectURL(new Blob([content], { type }));
-  make('a', { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
-}

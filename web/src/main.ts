@@ -93,18 +93,10 @@ addEventListener('keydown', (event) => {
   if (event.shiftKey) store.redo();
   else store.undo();
 });
-/** What Reset does where it is; nowhere else does it do anything. */
-const RESETS: Record<string, string> = {
-  spring: 'Back to the spring as it was',
-  log: 'Back to what the log says by itself',
-  mitigate: 'Back to the usual choices',
-};
 const tools = () => {
-  const resets = RESETS[store.state.view.tab];
   undo.disabled = !store.canUndo;
   redo.disabled = !store.canRedo;
-  reset.disabled = !resets;
-  reset.title = resets ?? '';
+  reset.disabled = !store.canReset;
 };
 
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readInk);

@@ -9,20 +9,20 @@ import { defaultView, type State, type View } from './state';
 const ONE_GESTURE = 800;
 const MOST_STEPS = 200;
 
-type Part = Partial<Omit<State, 'view'>> & { view: Partial<View> };
+type Part = Pick<State, 'view'> & Partial<State>;
 
-const OF_SPRING = ['condition', 'damping', 'times', 'hidden', 'sensors', 'slow'] as const;
-
-/** What of a state each tab's controls change; the tab that is shown is no part of any. */
-const PARTS: Record<string, (state: State) => Part> = {
-  spring: ({ preset, spec, view }) => ({
-    preset,
-    spec,
-    view: Object.fromEntries(OF_SPRING.map((key) => [key, view[key]])),
-  }),
-  log: ({ view }) => ({ view: { log: view.log } }),
-  mitigate: ({ view }) => ({ view: { mitigate: view.mitigate } }),
+/** What of the view each tab's controls change; the tab that is shown is no part of any. The spring is the first one's, too. */
+export const PARTS: Record<string, readonly (keyof View)[]> = {
+  spring: ['condition', 'damping', 'times', 'hidden', 'sensors', 'slow'],
+  log: ['log'],
+  mitigate: ['mitigate'],
 };
+
+/** What of a state is a tab's own. */
+function part(tab: string, { view, ...spring }: State): Part {
+  const own = Object.fromEntries((PARTS[tab] ?? []).map((key) => [key, view[key]])) as unknown as View;
+  return { ...(tab === 'spring' ? spring : {}), view: own };
+}
 
 const put = (state: State, part: Part): State => ({ ...state, ...part, view: { ...state.view, ...part.view } });
 
@@ -42,12 +42,12 @@ class Steps {
   }
 
   /** The next step one way; what was is the next one the other way. */
-  step(from: Part[], to: Part[], now: Part): Part | null {
-    const part = from.pop();
-    if (!part) return null;
-    to.push(now);
+  step(way: 'back' | 'forth', now: Part): Part | undefined {
+    const next = this[way].pop();
+    if (!next) return next;
+    this[way === 'back' ? 'forth' : 'back'].push(now);
     this.gesture.name = '';
-    return part;
+    return next;
   }
 }
 
@@ -56,9 +56,9 @@ export class Past {
 
   /** Remembers what a change is of: a link that was followed changes the parts of several tabs. */
   add(before: State, next: State, gesture: string): void {
-    for (const [tab, part] of Object.entries(PARTS)) {
-      const [old, young] = [part(before), part(next)];
-      if (JSON.stringify(old) !== JSON.stringify(young)) this.steps.get(tab)?.add(old, gesture);
+    for (const [tab, steps] of this.steps) {
+      const old = part(tab, before);
+      if (JSON.stringify(old) !== JSON.stringify(part(tab, next))) steps.add(old, gesture);
     }
   }
 
@@ -69,20 +69,17 @@ export class Past {
   /** The state with the last change of the tab that it shows taken back, or made again; null where there is none. */
   go(way: 'back' | 'forth', state: State): State | null {
     const { tab } = state.view;
-    const [steps, part] = [this.steps.get(tab), PARTS[tab]];
-    if (!steps || !part) return null;
-    const found = steps.step(steps[way], steps[way === 'back' ? 'forth' : 'back'], part(state));
-    return found && put(state, found);
+    const found = this.steps.get(tab)?.step(way, part(tab, state));
+    return found ? put(state, found) : null;
   }
 }
 
-/** The state with the part of the tab that it shows as that came; null where the tab has none. */
-export function afresh(state: State): State | null {
-  const { tab } = state.view;
-  const part = PARTS[tab];
-  if (!part) return null;
+/** The state with the part of a tab as it comes, with a preset where that is the spring's; the same where the tab has none. */
+export function afresh(state: State, tab: string, id = state.preset): State {
   const { slow, hidden } = state.view;
-  const { id, spec } = preset(state.preset);
-  const whole = { preset: id, spec: structuredClone(spec), view: { ...defaultView(), slow, hidden } };
-  return put(state, part(whole));
+  const { id: known, spec } = preset(id);
+  return put(
+    state,
+    part(tab, { preset: known, spec: structuredClone(spec), view: { ...defaultView(), slow, hidden } }),
+  );
 }

@@ -5,9 +5,8 @@
 
 import { fromHash, toHash } from './address';
 import type { Spec } from './document';
-import { afresh, Past } from './past';
-import { preset } from './presets';
-import { defaultView, type State, type View } from './state';
+import { afresh, PARTS, Past } from './past';
+import type { State, View } from './state';
 
 type Listener = (state: State, before: State) => void;
 
@@ -64,18 +63,17 @@ export class Store {
   }
 
   choosePreset(id: string): void {
-    const { id: name, spec } = preset(id);
-    const { tab, slow, hidden, mitigate, log } = this.now.view;
-    this.put(
-      { preset: name, spec: structuredClone(spec), view: { ...defaultView(), tab, slow, hidden, mitigate, log } },
-      '',
-    );
+    this.put(afresh(this.now, 'spring', id), '');
   }
 
-  /** What the tab changes back to as it came. */
+  /** Whether there is anything that the tab changes. */
+  get canReset(): boolean {
+    return this.now.view.tab in PARTS;
+  }
+
+  /** What the tab changes, as it came. */
   reset(): void {
-    const next = afresh(this.now);
-    if (next) this.put(next, '');
+    this.put(afresh(this.now, this.now.view.tab), '');
   }
 
   get canUndo(): boolean {

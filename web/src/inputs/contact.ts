@@ -6,9 +6,9 @@ import { section, withValue, type Spec, type Value } from '../document';
 import { make } from '../dom';
 import type { State } from '../state';
 import type { Store } from '../store';
-import { ratio, shown, type Typed } from './quantity';
+import { shown } from './quantity';
 import { Reading } from './reading';
-import { parts } from './understand';
+import { heard, ratios } from './typing';
 
 const THROUGH = 'through';
 /** Of each law the key that says what is lost, and where the command gives results if the spec is silent. */
@@ -95,9 +95,11 @@ export class ContactControl {
     this.reading.id(this.loss.id);
     this.loss.addEventListener('input', (event) => {
       onInput(event);
-      const typed = numbers(this.loss.value);
-      this.reading.typing(this.loss.value, typed);
-      this.put(law(store.state.spec)?.key ?? '', typed.value);
+      heard(() => {
+        const typed = ratios(this.loss.value);
+        this.reading.typing(this.loss.value, typed);
+        this.put(law(store.state.spec)?.key ?? '', typed.value);
+      });
     });
     this.loss.addEventListener('blur', () => {
       this.reading.left(null);
@@ -160,11 +162,4 @@ export class ContactControl {
   private put(key: string, value: Value | undefined): void {
     putContact(this.store, withValue(this.store.state.spec, `contact.${key}`, value), `contact ${key}`);
   }
-}
-
-/** One number or several as they are typed; what is none stays as it is, for the engine to refuse. */
-function numbers(text: string): Typed {
-  // A comma between digits is a decimal one, unless a point beside it already is.
-  const all = parts(text.includes('.') ? text.replaceAll(',', '; ') : text).map((part) => ratio(part).value);
-  return { value: all.length > 1 ? all : all[0] };
 }

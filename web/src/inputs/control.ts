@@ -8,8 +8,9 @@ import type { Field } from '../fields';
 import { preset } from '../presets';
 import type { State } from '../state';
 import type { Store } from '../store';
-import { fromSlider, read, shown, STEPS, toSlider, typed, unitOf, type Quantity, type Typed } from './quantity';
+import { fromSlider, read, shown, STEPS, toSlider, unitOf, type Quantity } from './quantity';
 import { Reading } from './reading';
+import { heard, typed, type Typed } from './typing';
 
 export class Control {
   readonly element: HTMLElement;
@@ -122,9 +123,11 @@ export class Control {
   private text(id: string): HTMLInputElement {
     const input = make('input', { id, type: 'text', autocomplete: 'off', spellcheck: 'false' });
     input.addEventListener('input', (event) => {
-      this.own = typed(this.field, input.value, this.unit);
-      this.reading.typing(input.value, this.own);
-      this.put(this.own.value, event);
+      heard(() => {
+        this.own = typed(this.field, input.value, this.unit);
+        this.reading.typing(input.value, this.own);
+        this.put(this.own.value, event);
+      });
     });
     input.addEventListener('blur', () => {
       this.reading.left(this.own);

@@ -3,12 +3,12 @@
 // Next door: all other fields (`control`).
 
 import type { Facts } from '../answer';
-import { section, withValue } from '../document';
+import { section, withValue, type Value } from '../document';
 import { clamp, make } from '../dom';
 import type { State } from '../state';
 import type { Store } from '../store';
-import { ratio, type Typed } from './quantity';
 import { Reading } from './reading';
+import { heard, ratio, type Typed } from './typing';
 
 /** The highest ζ of the slider; its square root is even, so that small ones can be told apart. */
 const MOST = 0.1;
@@ -40,10 +40,11 @@ export class DampingControl {
     });
     this.reading.id('damping');
     this.input.addEventListener('input', (event) => {
-      const typed = ratio(this.input.value);
-      this.own = typed;
-      this.reading.typing(this.input.value, typed);
-      if (typed.value !== '') this.put(typed.value, event);
+      heard(() => {
+        this.own = ratio(this.input.value);
+        this.reading.typing(this.input.value, this.own);
+        if (this.own.value !== undefined && this.own.value !== '') this.put(this.own.value, event);
+      });
     });
     this.input.addEventListener('blur', () => {
       this.reading.left(this.own);
@@ -87,7 +88,7 @@ export class DampingControl {
     else this.input.setAttribute('aria-invalid', 'true');
   }
 
-  private put(value: number | string, event: Event): void {
+  private put(value: Value, event: Event): void {
     this.onInput(event);
     this.store.setSpec(withValue(this.store.state.spec, 'mount.damping_ratio', value), 'damping', { damping: 0 });
   }

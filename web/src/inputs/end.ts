@@ -21,10 +21,9 @@ export class FarEnd {
   readonly field: Field = {
     key: 'end2',
     label: 'End 2 is',
-    hint: 'what the far end is tied to; end 1 is moved',
     wide: true,
     words: ['held', 'force', 'mass'],
-    names: { held: 'held, or moved', force: 'under a constant force', mass: 'tied to a mass' },
+    names: { force: 'under a constant force', mass: 'tied to a mass' },
     then: (spec) => this.fit(spec),
   };
   readonly mass: Field = { key: 'end_mass', label: 'Mass at end 2' };

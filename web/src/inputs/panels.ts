@@ -21,14 +21,14 @@ import {
   WARMTH,
   type Field,
 } from '../fields';
-import type { Refusal } from '../compute';
+import type { Compute, Refusal } from '../compute';
 import type { State } from '../state';
 import type { Store } from '../store';
 import { ContactControl } from './contact';
 import { Control } from './control';
 import { DampingControl } from './damping';
 import { FarEnd } from './end';
-import { Shelf } from './shelf';
+import type { Shelf } from './shelf';
 import { sensorFields } from './sensors';
 import { byGeometry, turned } from './way';
 
@@ -39,13 +39,14 @@ export class Panels {
   private controls: Control[] = [];
   private drawn = '';
   private facts: Facts | null = null;
+  private shelf: Shelf | null = null;
 
   constructor(
     private readonly store: Store,
     private readonly first: HTMLElement,
     private readonly host: HTMLElement,
     private readonly onInput: (event: Event) => void,
-    private readonly shelf: Shelf,
+    private readonly compute: Compute,
   ) {
     this.damping = new DampingControl(store, onInput);
     this.contact = new ContactControl(store, onInput);
@@ -56,10 +57,18 @@ export class Panels {
     const shape = this.shape(state);
     if (shape !== this.drawn) this.draw(state);
     this.drawn = shape;
-    this.shelf.fill(state, this.controls, this.facts);
+    this.shelf?.fill(state, this.controls, this.facts);
     for (const control of this.controls) control.show(state);
     this.damping.show(state, this.facts);
     this.contact.show(state);
+  }
+
+  /** Fetches names to choose from, with the first group that is opened. */
+  private async fetchShelf(): Promise<void> {
+    const { Shelf } = await import('./shelf');
+    this.shelf ??= new Shelf(this.compute, this.facts);
+    this.shelf.load(() => this.show(this.store.state, null));
+    this.show(this.store.state, null);
   }
 
   /** Puts a refusal beside its field; false where there is no such field. */
@@ -107,7 +116,7 @@ export class Panels {
     const group = (id: string, heading: string, ...children: (HTMLElement | null)[]) =>
       make(
         'details',
-        { id, open: open.has(id), ontoggle: () => this.shelf.load(() => this.show(this.store.state, null)) },
+        { id, open: open.has(id), ontoggle: () => void this.fetchShelf() },
         make('summary', {}, heading),
         ...children,
       );

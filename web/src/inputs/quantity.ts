@@ -1,11 +1,10 @@
-// A number and its unit: a slider moves the number and leaves the unit, a text that is typed becomes a value of the spec.
+// A number and its unit, as the spec holds them: a slider moves the number and leaves the unit.
 //
-// Next door: how people write numbers and units (`understand`).
+// Next door: what people type (`typing`).
 
 import { clamp } from '../dom';
 import type { Field } from '../fields';
 import type { Value } from '../document';
-import { parts, understand, type Understood } from './understand';
 
 export interface Quantity {
   number: number;
@@ -63,31 +62,4 @@ export function shown(value: Value | undefined): string {
 export function unitOf(value: Value | undefined): string {
   const unit = read(shown(Array.isArray(value) ? value[0] : value))?.unit ?? '';
   return /^[\d.,]/.test(unit) ? '' : unit;
-}
-
-/** What was typed, as a value of the spec: nothing for an empty text, which leaves the key out. */
-export interface Typed extends Omit<Understood, 'text'> {
-  value: Value | undefined;
-}
-
-/** `unit` is the one that the field shows. */
-export function typed(field: Field, text: string, unit: string): Typed {
-  const trimmed = text.trim();
-  if (trimmed === '') return { value: undefined };
-  if (field.words || field.list || field.free) return { value: trimmed };
-  if (!field.pair) {
-    const { text: one, ...told } = understand(trimmed, unit);
-    return { value: field.number && Number.isFinite(Number(one)) ? Number(one) : one, ...told };
-  }
-  const all = parts(trimmed).map((part) => understand(part, unit));
-  const [doubt, note] = [all.find(({ doubt }) => doubt)?.doubt, all.find(({ note }) => note)?.note];
-  return { value: all.map(({ text: one }) => one), ...(doubt ? { doubt } : {}), ...(note ? { note } : {}) };
-}
-
-/** A number without a unit, perhaps one in per cent; what is none stays a text, for the engine to refuse. */
-export function ratio(text: string): Typed & { value: number | string } {
-  const { text: one, ...told } = understand(text);
-  const share = /^(.*\d) ?%$/.exec(one);
-  const number = share ? Number((Number(share[1]) / 100).toPrecision(15)) : Number(one);
-  return { value: one !== '' && Number.isFinite(number) ? number : one, ...told };
 }

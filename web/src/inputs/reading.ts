@@ -3,7 +3,8 @@
 // Next door: how it is understood (`understand`), the fields (`control`, `damping`, `contact`).
 
 import { make } from '../dom';
-import { shown, type Typed } from './quantity';
+import { shown } from './quantity';
+import type { Typed } from './typing';
 
 export class Reading {
   readonly element = make('span', { class: 'understood', hidden: true });

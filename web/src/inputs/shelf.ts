@@ -17,7 +17,16 @@ export class Shelf {
   /** Sensors as the engine reads them, of the last exact case. */
   private kinds: string[] = [];
 
-  constructor(private readonly compute: Compute) {}
+  constructor(
+    private readonly compute: Compute,
+    facts: Facts | null,
+  ) {
+    this.know(facts);
+  }
+
+  private know(facts: Facts | null): void {
+    if (facts && 'sensors' in facts) this.kinds = (facts.sensors as { kind: string }[]).map(({ kind }) => kind);
+  }
 
   /** Fetches the catalogue, once: with the first group of fields that is opened. */
   load(done: () => void): void {
@@ -32,7 +41,7 @@ export class Shelf {
 
   /** Fills lists, hints and what holds where nothing is typed. */
   fill(state: State, controls: readonly Control[], facts: Facts | null): void {
-    if (facts && 'sensors' in facts) this.kinds = (facts.sensors as { kind: string }[]).map(({ kind }) => kind);
+    this.know(facts);
     const at = new Map(controls.map((control) => [control.place, control]));
     sections(state.spec, 'sensor').forEach((table, index) => {
       const kind = String(table['kind'] ?? this.kinds[index] ?? 'load-cell');

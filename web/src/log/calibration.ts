@@ -3,7 +3,8 @@
 // Next door: the numbers (`coilsense-web`, `log/calibrated`), what else a log says (`found`).
 
 import type { Answer } from '../answer';
-import { digits, download, make } from '../dom';
+import { digits, make } from '../dom';
+import { download } from '../download';
 import { curves } from '../plots/curves';
 import type { Look } from '../plots/looks';
 import { button, card, list } from './found';

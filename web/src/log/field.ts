@@ -3,8 +3,9 @@
 // Next door: which there are (`options`), all of them together (`form`).
 
 import { make } from '../dom';
-import { unitOf, type Typed } from '../inputs/quantity';
+import { unitOf } from '../inputs/quantity';
 import { Reading } from '../inputs/reading';
+import type { Typed } from '../inputs/typing';
 import { parts, understand } from '../inputs/understand';
 import type { Option } from './options';
 

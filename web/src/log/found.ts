@@ -3,7 +3,8 @@
 // Next door: what is asked (`form`), numbers (`tables`), curves (`pictures`), who asks (`tabs/log`).
 
 import type { Answer } from '../answer';
-import { download, make, rich } from '../dom';
+import { make, rich } from '../dom';
+import { download } from '../download';
 import type { Identification, Said } from './identification';
 import { draw } from './pictures';
 import { lines, numbers } from './tables';

@@ -2,7 +2,8 @@
 //
 // Next door: its parts (`scatter`, `picked`, `table`, `shaping`), what was asked (`form`).
 
-import { download, make, rich } from '../dom';
+import { make, rich } from '../dom';
+import { download } from '../download';
 import { picture } from '../plots/picture';
 import type { Choices } from './choices';
 import { Picked } from './picked';

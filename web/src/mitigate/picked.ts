@@ -2,7 +2,8 @@
 //
 // Next door: all candidates (`table`, `scatter`), the picture as a file (`plots/picture`).
 
-import { download, make, rich } from '../dom';
+import { make, rich } from '../dom';
+import { download } from '../download';
 import { curves, type Curves } from '../plots/curves';
 import { picture } from '../plots/picture';
 import type { Choices } from './choices';

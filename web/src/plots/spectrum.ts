@@ -39,7 +39,8 @@ export class SpectrumPlot {
     const data = [
       frequency.subarray(1, count),
       ...lines.map(
-        (values) => values?.map((value) => Math.max(value, most * RANGE)) ?? new Array(Math.max(0, count - 1)).fill(null),
+        (values) =>
+          values?.map((value) => Math.max(value, most * RANGE)) ?? new Array(Math.max(0, count - 1)).fill(null),
       ),
     ];
     const { plot } = this;

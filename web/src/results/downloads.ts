@@ -53,7 +53,7 @@ export class Downloads {
       this.timer = window.setTimeout(() => this.told.replaceChildren(), TOLD);
     } catch {
       const field = make('input', { type: 'text', readonly: true, value: address, 'aria-label': 'The link' });
-      this.told.replaceChildren('Copy it from here: ', field);
+      this.told.replaceChildren('Copy it: ', field);
       field.select();
     }
   }

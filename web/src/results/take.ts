@@ -4,7 +4,7 @@
 
 import type { Compute, Shown } from '../compute';
 import { toToml } from '../document';
-import { download } from '../dom';
+import { download } from '../download';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
 import type { State } from '../state';

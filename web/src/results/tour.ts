@@ -2,6 +2,7 @@
 //
 // Next door: where it stands (`why`), the verdict on the sensors (`verdict`).
 
+import '../style/verdict.css';
 import type { ExactFacts } from '../answer';
 import type { Shown } from '../compute';
 import { digits, fixed, make, rich, type Child } from '../dom';

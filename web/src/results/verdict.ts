@@ -2,6 +2,7 @@
 //
 // Next door: who asks for it (`judge`), the case that is drawn, with a mark for each sensor (`table`).
 
+import '../style/verdict.css';
 import { digits, fixed, make, rich } from '../dom';
 import type { Standing } from './judge';
 import type { Outcome, Ranked } from './outcome';

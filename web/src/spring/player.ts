@@ -3,7 +3,7 @@
 // Next door: how the spring is drawn (`draw`), what holds for all times (`scene`), which windings lie on each other (`closed`).
 
 import { clamp, digits, fixed, make, rich } from '../dom';
-import { closedAt, type Closed } from './closed';
+import type { Closed } from './closed';
 import { drawSpring } from './draw';
 import { firstContact, label, nearest, positionsAt, survey, type Coil, type Scene, type Seen } from './scene';
 
@@ -42,6 +42,8 @@ export class Player {
     { type: 'button', class: 'plain', hidden: true, onclick: () => this.onContact?.(this.firstContact ?? 0) },
     'Go to first contact',
   );
+  /** Which windings lie on each other; it comes with the first that were asked to meet. */
+  private closedAt: typeof import('./closed').closedAt | null = null;
   /** A time [s] to go on from once it is among those shown. */
   private awaited: number | null = null;
   private readonly speed: HTMLSelectElement;
@@ -98,6 +100,7 @@ export class Player {
   show(shown: Seen): void {
     const sameFrames = shown.frames === this.shown?.frames;
     this.shown = shown;
+    if (shown.answer.series['closed from'] && !this.closedAt) void this.learnClosed();
     this.speed.value = String(this.slow(shown));
     if (!sameFrames) this.look(shown);
     this.contact.hidden = this.firstContact === null;
@@ -113,6 +116,11 @@ export class Player {
     }
     this.draw();
     this.run();
+  }
+
+  private async learnClosed(): Promise<void> {
+    this.closedAt = (await import('./closed')).closedAt;
+    this.draw();
   }
 
   /** A time [s] that the user chose; the motion stops there. */
@@ -191,7 +199,7 @@ export class Player {
     if (!shown) return;
     const { frames, answer } = shown;
     const { spring } = answer.facts;
-    const closed = closedAt(answer.series, this.time, spring.masses, shown.times);
+    const closed = this.closedAt?.(answer.series, this.time, spring.masses, shown.times) ?? null;
     const at = nearest(answer.series['time'] ?? frames.times, this.time);
     const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
     if (frames.times.length > 0)

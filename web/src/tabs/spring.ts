@@ -7,7 +7,7 @@ import type { Refusal, Shown } from '../compute';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
 import { Patience } from '../inputs/patience';
-import { Shelf } from '../inputs/shelf';
+import { load as loadTyping } from '../inputs/typing';
 import { ForcePlot } from '../plots/forces';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { readInk } from '../plots/looks';
@@ -29,6 +29,9 @@ import { isOther } from '../state';
 import { Told } from '../told';
 import type { Open } from './tab';
 
+/** So long after the first exact case what typing needs is fetched, so that it waits for nothing [ms]. */
+const REST = 1500;
+
 export const open: Open = (panel, store, compute) => {
   const parts = layOut(panel);
   readInk();
@@ -37,7 +40,7 @@ export const open: Open = (panel, store, compute) => {
     patience.heard(event);
   };
   const choose = new Choose(store, parts.choose, parts.first);
-  const panels = new Panels(store, parts.first, parts.fields, clock, new Shelf(compute));
+  const panels = new Panels(store, parts.first, parts.fields, clock, compute);
   const table = new Table(store, parts.table);
   let outcome: Outcome | null = null;
   const judged = new Judged(parts.verdict, compute, (found) => {
@@ -99,6 +102,7 @@ export const open: Open = (panel, store, compute) => {
     readOut.show(shown, [...FORCE_LINES.filter(({ name }) => !hidden.includes(name)), ...read]);
   };
   let last: Shown | null = null;
+  let atRest = 0;
   let clocked = 0;
   forces.onDrawn = () => {
     if (last && performance.getEntriesByName('first curves').length === 0) performance.mark('first curves');
@@ -139,6 +143,7 @@ export const open: Open = (panel, store, compute) => {
     shown: (shown) => {
       [last, facts] = [shown, shown.answer.facts];
       if (shown.exact) sensors = shown.exact.facts;
+      if (shown.exact) atRest ||= window.setTimeout(loadTyping, REST);
       curves(shown);
       player.show(shown);
       document
