@@ -105,7 +105,11 @@ test('the link is that of what is shown, at once after an edit, and it is said t
   context,
 }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  // Letters are understood from a moment on that comes soon after the first picture.
+  const understood = page.waitForResponse(/values-/);
   await open(page);
+  await (await understood).finished();
+  await exact(page);
   const copied = page.locator('.copied');
   await expect(copied).toBeEmpty();
   // Both in one turn of the page's loop: no address can have been written between them.

@@ -20,7 +20,7 @@ export class FarEnd {
 
   readonly field: Field = {
     key: 'end2',
-    label: 'End 2 is',
+    label: 'End 2',
     wide: true,
     words: ['held', 'force', 'mass'],
     names: { force: 'under a constant force', mass: 'tied to a mass' },
