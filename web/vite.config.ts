@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { parse } from 'smol-toml';
 import { defineConfig, type Plugin } from 'vite';
+import { glue, lone, whole } from './whole';
 
 /** A spec file as a module: its tables, comments left out. */
 const specs: Plugin = {
@@ -48,18 +49,36 @@ const place: Plugin = {
 /** uPlot's style without its legend and title, which the page draws itself: a first load has no room for them. */
 const withoutLegend: Plugin = {
   name: 'coilsense-without-legend',
-  enforce: 'pre',
-  transform: (source, id) =>
-    id.endsWith('uPlot.min.css')
-      ? { code: source.replaceAll(/\.u-(legend|inline|series|title)[^{}]*\{[^}]*\}/g, ''), map: null }
-      : null,
+  generateBundle(_, bundle) {
+    for (const file of Object.values(bundle)) {
+      if (file.type !== 'asset' || !file.fileName.endsWith('.css')) continue;
+      file.source = String(file.source).replaceAll(/\.u-(legend|inline|series|title)[^{}]*\{[^}]*\}/g, '');
+    }
+  },
 };
+
+type Graph = { getModuleInfo(id: string): { importers: readonly string[] } | null };
+
+/** Whether a module comes with the first load: `main` imports it, or what `main` imports. */
+function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
+  if (/\/src\/main\.ts$|rolldown\/runtime/.test(id)) return true;
+  seen.add(id);
+  return graph.getModuleInfo(id)?.importers.some((one) => !seen.has(one) && isFirst(one, graph, seen)) ?? false;
+}
 
 export default defineConfig({
   base: './',
-  plugins: [specs, footer, place, withoutLegend],
-  // A browser without module preloads loads the same modules when they are asked for.
-  build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 1000, modulePreload: { polyfill: false } },
-  worker: { format: 'es' },
+  plugins: [specs, footer, place, withoutLegend, lone, whole],
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 1000,
+    modulePreload: false,
+    // What is loaded at first is one file, and nothing of it one more that may be missing.
+    rolldownOptions: {
+      output: { codeSplitting: { groups: [{ name: (id, graph) => (isFirst(id, graph) ? 'page' : null) }] } },
+    },
+  },
+  worker: { format: 'es', plugins: glue },
   server: { fs: { allow: ['..'] } },
 });

@@ -24,9 +24,11 @@ export function toHash(state: State): string {
   return '#' + parts.join('&');
 }
 
-export function fromHash(hash: string): State {
+/** The state, and what of the address says nothing. */
+export function fromHash(hash: string): { state: State; unread: string[] } {
   const [id = '', ...parts] = hash.replace(/^#/, '').split('&');
   const base = preset(decode(id));
+  const unread = id && base.id !== decode(id) ? [decode(id) || id] : [];
   const flat = flatten(base.spec);
   const view: View = defaultView();
   for (const part of parts) {
@@ -34,17 +36,18 @@ export function fromHash(hash: string): State {
     if (left.startsWith('@')) {
       const key = decode(left.slice(1)) as keyof View;
       const value = json(decode(right));
-      if (FITS[key]?.(value)) Object.assign(view, { [key]: value });
+      if (Object.hasOwn(FITS, key) && FITS[key]?.(value)) Object.assign(view, { [key]: value });
+      else unread.push(decode(left) || left);
     } else if (left.startsWith(GONE)) {
       const place = decode(left.slice(1));
       for (const key of [...flat.keys()]) if (key === place || key.startsWith(`${place}.`)) flat.delete(key);
     } else if (/^[a-z]+\.(\d+\.)?[a-z_0-9]+$/.test(decode(left))) {
       flat.set(decode(left), value(decode(right)));
-    }
+    } else if (part) unread.push(decode(left) || left);
   }
   const spec = unflatten(flat);
   if (view.condition >= sections(spec, 'condition').length) view.condition = 0;
-  return { preset: base.id, spec, view };
+  return { state: { preset: base.id, spec, view }, unread };
 }
 
 /** Places that are no longer there: whole tables by their name alone. */

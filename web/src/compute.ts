@@ -5,6 +5,8 @@
 import type { Answer, ExactFacts, Facts, Job, Question } from './answer';
 import { section, toToml, withValue } from './document';
 import engineAddress from './engine/coilsense_web_bg.wasm?url';
+import { part, persistently, say } from './faults';
+import { compiled, text } from './fetched';
 import type { Reply } from './lane';
 import { Lanes } from './lanes';
 import { preset } from './presets';
@@ -14,6 +16,8 @@ import { workshop } from './workshop';
 
 /** A state rests after so long [ms]. */
 const REST = 140;
+/** Most values of a link that are put right before the preset stands in for it. */
+const MOST_MENDED = 8;
 /** Most times that are drawn while a slider moves. */
 const MOST_SAMPLES = 2000;
 /** What is shown where nobody chose: so many first surge periods as fit the screen. */
@@ -34,16 +38,23 @@ export interface Shown {
   since: number;
 }
 
+/** Whether a spec, as the page writes it, has windings that meet. */
+const meets = (text: string): boolean => /^\[contact\]$/m.test(text);
+
 /** Why a state could not be computed, and the place in the spec that it is about. */
 export interface Refusal {
   place: string;
   text: string;
+  /** The place holds something that no spec has. */
+  isUnknown?: boolean;
+  /** What is shown is the state without it. */
+  stands?: boolean;
 }
 
-/** Whether a spec, as the page writes it, has windings that meet. */
-const meets = (text: string): boolean => /^\[contact\]$/m.test(text);
-
 type Listener = { shown(shown: Shown): void; refused(refusal: Refusal | null): void; busy(busy: boolean): void };
+
+/** What tells a refusal in words. */
+export const refusals = () => part('What tells why a value is refused', () => import('./refusals'));
 
 export class Compute {
   private readonly files = new Map<string, string>();
@@ -58,12 +69,22 @@ export class Compute {
   private exactText = '';
   private rest = 0;
   private since = 0;
+  /** How often a state was answered or refused: words of a refusal that come late are not said. */
+  private judged = 0;
+  /** Places of links and files that no spec has. */
+  private readonly unknown: string[] = [];
+  /** Where the very first state is refused: why, and the state that stands in for it, which is without what is wrong. */
+  private instead: { state: State; refusal: Refusal; tries: number } | null = null;
 
   constructor(private readonly store: Store) {
-    const engine = WebAssembly.compileStreaming(fetch(engineAddress));
+    const engine = persistently('The engine', (isAgain) =>
+      compiled(engineAddress, isAgain).catch((reason: unknown) => {
+        this.refused({ place: '', text: 'The engine could not be loaded.' });
+        throw reason;
+      }),
+    );
     const hire = () => new Worker(new URL('./engine.worker.ts', import.meta.url), { type: 'module' });
     this.first = new Lanes(engine, this.files, hire);
-    engine.catch((reason: unknown) => this.missing(reason));
     store.subscribe((state, before) => {
       const moved = isOther(state, before);
       if (moved || state.view.times !== before.view.times) void this.follow(state, moved);
@@ -103,12 +124,32 @@ export class Compute {
   }
 
   /** A job for the larger engine, in a worker of its own, which tells how much is done until somebody cancels it. */
-  async job(
-    job: Job,
-    told: (done: number, of: number) => void,
-  ): Promise<{ reply: Promise<Reply>; cancel: () => void }> {
-    await this.load(this.store.state.preset);
-    return (await import('./jobs/job')).begin(job, this.files, told);
+  job(job: Job, told: (done: number, of: number) => void): { reply: Promise<Reply>; cancel: () => void } {
+    let isOver = false;
+    let cancel = () => {};
+    const run = async (): Promise<Reply> => {
+      await this.load(this.store.state.preset);
+      const { begin } = await part('What asks the larger engine', () => import('./jobs/job'));
+      // Nobody hears what was cancelled.
+      if (isOver) return new Promise(() => {});
+      const begun = begin(job, this.files, told);
+      cancel = begun.cancel;
+      return begun.reply;
+    };
+    return {
+      reply: run(),
+      cancel: () => {
+        isOver = true;
+        cancel();
+      },
+    };
+  }
+
+  /** A file that a spec of the user's names. */
+  addFile(name: string, text: string): void {
+    this.files.set(name, text);
+    this.first.addFile(name, text);
+    this.larger?.addFile(name, text);
   }
 
   /** The case that is shown, as a question. */
@@ -121,18 +162,12 @@ export class Compute {
   private lanes(question: { text: string } | Question): Lanes {
     if (!('text' in question && meets(question.text))) return this.first;
     if (this.larger) return this.larger;
-    const engine = workshop();
-    engine.catch((reason: unknown) => {
-      this.larger = null;
-      this.missing(reason);
-    });
     const hire = () => new Worker(new URL('./meeting.worker.ts', import.meta.url), { type: 'module' });
-    return (this.larger = new Lanes(engine, this.files, hire));
+    return (this.larger = new Lanes(workshop(), this.files, hire));
   }
 
-  private missing(reason: unknown): void {
-    const text = `The engine could not be loaded (${reason}). A browser of 2023 or later runs it.`;
-    for (const listener of this.listeners) listener.refused({ place: '', text });
+  private refused(refusal: Refusal | null): void {
+    for (const listener of this.listeners) listener.refused(refusal);
   }
 
   /** The spec with as many masses as the exact case has, so that windings are drawn where that has them meet. */
@@ -148,7 +183,7 @@ export class Compute {
     const files = Object.keys(preset(state.preset).files);
     if (files.some((file) => !this.files.has(file))) {
       await this.load(state.preset);
-      if (this.store.state !== state) return;
+      if (isOther(this.store.state, state)) return;
     }
     const asked = this.question(state);
     if (moved) {
@@ -162,7 +197,7 @@ export class Compute {
   }
 
   private askPreview(state: State, asked: ReturnType<Compute['question']>, moved: boolean): void {
-    const { places, ...question } = asked;
+    const { places: _, ...question } = asked;
     const begun = this.since;
     const times = this.times(state);
     const rate = this.last?.answer.facts.conditions[state.view.condition]?.sampleRate ?? 10_000;
@@ -171,25 +206,28 @@ export class Compute {
     const drawn = text === this.exactText ? this.asFine(state, text) : text;
     const of = { kind: 'preview' as const, from: times[0], to: times[1], samples, ...question, text: drawn };
     this.lanes(question).previews.ask(of, (reply) => {
-      if ('error' in reply) return this.refuse(reply.error, places);
+      if ('error' in reply) return void this.refuse(reply.error, state, asked);
       if (!('answer' in reply)) return;
       const answer = reply.answer as Answer<Facts>;
       // A new condition may be shorter than the times that were asked for, or have another surge frequency.
       const fitting = this.times(state, answer.facts);
+      const stands = state === this.instead?.state;
       // What was exact of an earlier state is none of this one, even where its preview comes late.
-      this.take(answer, fitting, question.text === this.exactText && !isOther(this.store.state, state), begun);
+      const same = question.text === this.exactText && !isOther(this.store.state, state);
+      this.take(answer, fitting, same, begun, stands);
       const off = Math.abs(fitting[1] - times[1]) > 0.2 * times[1] || fitting[0] !== times[0];
-      if (off) this.askPreview(this.store.state, this.question(this.store.state), false);
+      if (off && stands) this.askPreview(state, asked, false);
+      else if (off) this.askPreview(this.store.state, this.question(this.store.state), false);
     });
-    if (moved) this.rest = window.setTimeout(() => this.askExact(asked), REST);
+    if (moved) this.rest = window.setTimeout(() => this.askExact(state, asked), REST);
   }
 
-  private askExact(asked: ReturnType<Compute['question']>): void {
-    const { places, ...question } = asked;
+  private askExact(state: State, asked: ReturnType<Compute['question']>): void {
+    const { places: _, ...question } = asked;
     for (const listener of this.listeners) listener.busy(true);
     this.lanes(question).exacts.ask({ kind: 'exact', ...question }, (reply) => {
       for (const listener of this.listeners) listener.busy(false);
-      if ('error' in reply) return this.refuse(reply.error, places);
+      if ('error' in reply) return void this.refuse(reply.error, state, asked);
       if (!('answer' in reply)) return;
       const answer = reply.answer as Answer<ExactFacts>;
       [this.exact, this.exactText] = [answer, question.text];
@@ -198,17 +236,25 @@ export class Compute {
       const { times, frames } = this.last;
       const isCoarse = this.asFine(this.store.state, question.text) !== question.text;
       if (isCoarse || frames.times[frames.times.length - 1] !== times[1])
-        this.askPreview(this.store.state, asked, false);
+        this.askPreview(state === this.instead?.state ? state : this.store.state, asked, false);
     });
   }
 
   /** A preview: curves while nothing better is there, positions always. */
-  private take(answer: Answer<Facts>, times: [number, number], stillExact: boolean, since: number): void {
+  private take(
+    answer: Answer<Facts>,
+    times: [number, number],
+    stillExact: boolean,
+    since: number,
+    stands: boolean,
+  ): void {
     const time = answer.series['time'] ?? new Float64Array();
     const frames = { times: time, positions: answer.positions, columns: answer.facts.spring.masses + 2 };
     const same = this.exact && stillExact && this.sameCase(answer.facts, this.exact.facts) ? this.exact : null;
-    for (const listener of this.listeners) listener.refused(null);
+    this.judged += 1;
+    if (!stands) this.refused(null);
     this.show({ answer: same ?? answer, exact: same, exactText: this.exactText, frames, times, since });
+    if (stands) this.refused(this.instead?.refusal ?? null);
   }
 
   private sameCase(a: Facts, b: Facts): boolean {
@@ -220,11 +266,31 @@ export class Compute {
     for (const listener of this.listeners) listener.shown(shown);
   }
 
-  private refuse(text: string, places: string[]): void {
-    const found = /^spec:(\d+): (.*)$/s.exec(text);
-    const refusal = { place: (found && places[Number(found[1])]) ?? '', text: found?.[2] ?? text };
+  private async refuse(error: string, state: State, asked: ReturnType<Compute['question']>): Promise<void> {
     clearTimeout(this.rest);
-    for (const listener of this.listeners) listener.refused(refusal);
+    const number = ++this.judged;
+    const { mended, refusalOf, without } = await refusals();
+    if (number !== this.judged) return;
+    const { text, places } = asked;
+    const refusal = refusalOf(error, text, places);
+    const { place } = refusal;
+    const stands = state === this.instead?.state;
+    if (refusal.isUnknown && !stands) {
+      this.unknown.push(place);
+      say('unknown', `No spec has “${this.unknown.join('”, “')}”: left out of what the link or the file says.`);
+      return this.store.leaveOut(without(state.spec, place));
+    }
+    if (!stands) this.refused(refusal);
+    const tries = stands ? (this.instead?.tries ?? 0) + 1 : 0;
+    if (this.last || tries > MOST_MENDED + 1) return;
+    // The very first state: what stands in for it is without what is wrong, or the preset where that is too much.
+    const instead = mended(state, tries > MOST_MENDED ? '' : place);
+    this.instead = {
+      state: instead,
+      refusal: { ...(stands && this.instead ? this.instead.refusal : refusal), stands: true },
+      tries,
+    };
+    this.askPreview(instead, this.question(instead), true);
   }
 
   /** The times that are shown [s]: the chosen ones within the condition, or its first surge periods. */
@@ -241,12 +307,9 @@ export class Compute {
   private load(id: string): Promise<void> {
     const known = this.loaded.get(id);
     if (known) return known;
-    const each = Object.entries(preset(id).files).map(async ([name, address]) => {
-      const text = await (await fetch(address)).text();
-      this.files.set(name, text);
-      this.first.addFile(name, text);
-      this.larger?.addFile(name, text);
-    });
+    const each = Object.entries(preset(id).files).map(async ([name, { address, bytes }]) =>
+      this.addFile(name, await persistently(`The recorded motion ${name}`, (isAgain) => text(address, bytes, isAgain))),
+    );
     const all = Promise.all(each).then(() => undefined);
     this.loaded.set(id, all);
     return all;

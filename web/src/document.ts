@@ -98,5 +98,9 @@ function written(value: Value): string {
   if (Array.isArray(value)) return `[${value.map(written).join(', ')}]`;
   // A TOML string takes what a JSON string does; of characters that JSON writes plainly, only the delete key's may not stand there.
   if (typeof value === 'string') return JSON.stringify(value).replaceAll('\u007f', '\\u007f');
+  if (typeof value === 'object')
+    return `{ ${Object.entries(value as Section)
+      .map(([key, one]) => `${key} = ${written(one)}`)
+      .join(', ')} }`;
   return String(value);
 }

@@ -27,6 +27,12 @@ export function byId<T extends HTMLElement>(id: string): T {
   return found as T;
 }
 
+/** Unfolds whatever hides an element, and scrolls to it. */
+export function reveal(element: HTMLElement): void {
+  for (let at = element.closest('details'); at; at = at.parentElement?.closest('details') ?? null) at.open = true;
+  element.scrollIntoView({ block: 'center' });
+}
+
 /** `F_i` and `F_nom` with their letters lowered. */
 export function rich(text: string): DocumentFragment {
   const fragment = document.createDocumentFragment();

@@ -5,7 +5,7 @@
 import { Engine, initSync } from './engine/coilsense_web';
 import { serve } from './serve';
 
-serve(async (engine) => {
+serve((engine) => {
   initSync({ module: engine });
   return new Engine();
 });

@@ -1,11 +1,10 @@
-// One worker and the questions to it: one is under way, the newest waits, older ones are dropped.
+// One worker and the questions to it: one is under way, the newest waits, older ones are dropped. A worker that ends is replaced, and asked once more.
 //
-// Next door: which questions there are (`compute`), the lanes of one engine (`lanes`).
+// Next door: which questions there are (`compute`), the lanes of one engine (`lanes`), how an end is noticed (`alive`).
 
+import { watch, type Alive } from './alive';
 import { STOPPED, type FromWorker, type Question, type ToWorker } from './answer';
-
-/** An engine that cannot be had is told of once, by whoever fetched it. */
-const ignored = () => {};
+import { again, say, SILENT, slow } from './faults';
 
 export type Reply = Exclude<FromWorker, never>;
 
@@ -14,11 +13,19 @@ interface Job {
   done: (reply: Reply) => void;
 }
 
+const ENDS =
+  'The engine’s worker ends as soon as it begins: its file is missing or came cut short, or memory is short. Nothing that you set is lost.';
+
 export class Lane {
-  private worker: Worker;
+  private worker: Worker | null = null;
   private underWay: (Job & { id: number }) | null = null;
   private waiting: Job | null = null;
   private next = 0;
+  /** Workers that ended one after the other without an answer. */
+  private ended = 0;
+  private isOver = false;
+  private late = 0;
+  private quick = () => {};
 
   /** `mayStop`: a newer question ends the one under way, at the price of a new worker, in place of waiting for it. */
   constructor(
@@ -27,7 +34,7 @@ export class Lane {
     private readonly mayStop: boolean,
     private readonly hire: () => Worker,
   ) {
-    this.worker = this.begin();
+    this.begin();
   }
 
   addFile(file: string, text: string): void {
@@ -37,9 +44,8 @@ export class Lane {
   ask(question: Question, done: (reply: Reply) => void): void {
     this.waiting = { question, done };
     if (this.underWay && this.mayStop) {
-      this.worker.terminate();
       this.underWay = null;
-      this.worker = this.begin();
+      this.begin();
     }
     if (!this.underWay) this.start();
   }
@@ -52,42 +58,86 @@ export class Lane {
 
   /** No more questions. */
   end(): void {
-    this.worker.terminate();
+    this.isOver = true;
+    this.rest();
+    this.worker?.terminate();
   }
 
-  private begin(): Worker {
+  /** A worker in place of the one there was. */
+  private begin(): void {
+    this.rest();
+    this.worker?.terminate();
     const worker = this.hire();
-    worker.addEventListener('message', ({ data }: MessageEvent<FromWorker>) => this.finish(data));
-    this.engine.then((engine) => {
+    this.worker = worker;
+    watch(worker, () => worker === this.worker && void this.anew());
+    worker.addEventListener('message', ({ data }: MessageEvent<FromWorker | Alive>) => {
+      if (worker === this.worker && 'id' in data) this.finish(data);
+    });
+    void this.engine.then((engine) => {
       worker.postMessage({ engine } satisfies ToWorker);
       for (const [file, text] of this.files) worker.postMessage({ file, text } satisfies ToWorker);
-    }, ignored);
-    return worker;
+    });
+  }
+
+  /** The worker has ended: another is asked the same; where that ends, too, the user is. */
+  private async anew(): Promise<void> {
+    if (this.isOver) return;
+    this.rest();
+    this.worker = null;
+    this.ended += 1;
+    if (this.ended > 1) {
+      await again('worker', ENDS);
+      this.ended = 0;
+    } else say('worker', 'A worker of the engine had ended. Another has taken its place.');
+    this.replace();
+  }
+
+  /** Another worker, which is asked what the last one was. */
+  private replace(): void {
+    if (this.underWay) this.waiting ??= this.underWay;
+    this.underWay = null;
+    this.begin();
+    this.start();
   }
 
   private start(): void {
-    if (!this.waiting) return;
+    if (!this.waiting || !this.worker) return;
     const job = { ...this.waiting, id: this.next++ };
     this.underWay = job;
     this.waiting = null;
     this.send({ id: job.id, question: job.question });
+    // What is still being loaded says so by itself.
+    void this.engine.then(() => {
+      if (this.underWay === job) this.late = window.setTimeout(() => this.wait(), SILENT);
+    });
+  }
+
+  /** No answer for long: it may be much to compute, or a worker that hangs. */
+  private wait(): void {
+    this.quick = slow('The engine is still computing …', 'Start it anew', () => this.replace());
+  }
+
+  /** Nobody is waited for. */
+  private rest(): void {
+    clearTimeout(this.late);
+    this.quick();
+    this.quick = () => {};
   }
 
   private send(message: ToWorker): void {
     const { worker } = this;
     // The engine's own message comes first.
-    this.engine.then(() => worker.postMessage(message), ignored);
+    void this.engine.then(() => worker?.postMessage(message));
   }
 
   private finish(reply: Reply): void {
     if (reply.id !== this.underWay?.id) return;
     const { done } = this.underWay;
+    this.rest();
     this.underWay = null;
-    if ('error' in reply && reply.error.startsWith(STOPPED)) {
-      // What is left of an engine that stopped halfway is not to be asked again.
-      this.worker.terminate();
-      this.worker = this.begin();
-    }
+    this.ended = 0;
+    // What is left of an engine that stopped halfway is not to be asked again.
+    if ('error' in reply && reply.error.startsWith(STOPPED)) this.begin();
     this.start();
     done(reply);
   }

@@ -2,15 +2,17 @@
 //
 // Next door: the tabs (`tabs/all`), the state (`state`), what is computed (`compute`).
 
-import 'uplot/dist/uPlot.min.css';
 import { Compute } from './compute';
 import { byId, make } from './dom';
+import { part, say } from './faults';
 import { readInk } from './plots/looks';
 import { Store } from './store';
 import { TABS } from './tabs/all';
 import type { Tab } from './tabs/tab';
 
-const store = new Store();
+const store = new Store((words) =>
+  say('link', `The link says what no page knows: “${words.join('”, “')}”. The rest of it is shown.`),
+);
 const compute = new Compute(store);
 const main = byId('main');
 const opened = new Set<string>();
@@ -73,8 +75,11 @@ function embed(): void {
 function openTab(tab: Tab): void {
   if (opened.has(tab.id)) return;
   opened.add(tab.id);
-  void tab.load().then(({ open }) => {
-    open(byId(`panel-${tab.id}`), store, compute);
+  const panel = byId(`panel-${tab.id}`);
+  if (tab !== TABS[0])
+    panel.append(make('p', { class: 'hint', role: 'status' }, `The tab ${tab.label} is not loaded yet …`));
+  void part(`The tab ${tab.label}`, tab.load).then(({ open }) => {
+    open(panel, store, compute);
     if (tab === TABS[0]) compute.begin();
   });
 }
@@ -99,6 +104,15 @@ const tools = () => {
   reset.disabled = !store.canReset;
 };
 
+// A file dropped beside any place for files is taken by the tab that it belongs to.
+addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  const files = [...(event.dataTransfer?.files ?? [])];
+  if (files[0])
+    void part('What takes files', () => import('./dropped')).then(({ take }) => take(files, store, compute));
+});
+
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', readInk);
 store.subscribe((state, before) => {
   if (state.view.tab !== before.view.tab) showTab();
@@ -109,3 +123,19 @@ embed();
 // The first tab also says the answer above all tabs.
 if (TABS[0]) openTab(TABS[0]);
 showTab();
+document.body.dataset['runs'] = 'true';
+
+/** So long after the first exact answer there is nothing more to load [ms]. */
+const KEEPS = 4000;
+let isKept = false;
+compute.listen({
+  shown: ({ exact }) => {
+    if (!exact || isKept) return;
+    isKept = true;
+    const keep = () => import('./offline').then(({ keep }) => keep());
+    const not = () => (byId('offline').hidden = false);
+    setTimeout(() => void keep().catch(not), KEEPS);
+  },
+  refused: () => {},
+  busy: () => {},
+});

@@ -3,6 +3,9 @@
 // Next door: what it does (`serve`), who asks (`lane`), the first engine's (`engine.worker`).
 
 import { serve } from './serve';
-import init, { Engine } from './workshop/coilsense_web';
+import { Engine, initSync } from './workshop/coilsense_web';
 
-serve((engine) => init({ module_or_path: engine }).then(() => new Engine()));
+serve((engine) => {
+  initSync({ module: engine });
+  return new Engine();
+});

@@ -17,8 +17,8 @@ export interface Preset {
   /** The file in `examples/`. */
   example: string;
   spec: Spec;
-  /** Files that the spec names, and where they lie. */
-  files: Record<string, string>;
+  /** Files that the spec names, where they lie, and how long each is. */
+  files: Record<string, { address: string; bytes: number }>;
 }
 
 export const PRESETS: readonly Preset[] = [
@@ -29,14 +29,14 @@ export const PRESETS: readonly Preset[] = [
     label: 'Valve spring at 6000 rpm',
     example: 'valve-spring',
     spec: valve,
-    files: { 'cam-6000rpm.csv': cam },
+    files: { 'cam-6000rpm.csv': { address: cam, bytes: LENGTHS.cam } },
   },
   {
     id: 'suspension',
     label: 'Car suspension on a rough road',
     example: 'car-suspension',
     spec: car,
-    files: { 'road-c-20mps.csv': road },
+    files: { 'road-c-20mps.csv': { address: road, bytes: LENGTHS.road } },
   },
 ];
 

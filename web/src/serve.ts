@@ -2,12 +2,14 @@
 //
 // Next door: the workers of the two engines (`engine.worker`, `meeting.worker`), who asks and drops what is out of date (`lane`).
 
+import { live } from './alive';
 import { STOPPED, type Answer, type FromWorker, type Question, type Series, type ToWorker } from './answer';
 import type { Engine, Answer as Found } from './engine/coilsense_web';
 
 /** Answers from now on; `begin` makes an engine of what comes first. */
-export function serve(begin: (engine: WebAssembly.Module) => Promise<Engine>): void {
-  let open: (engine: Promise<Engine>) => void = () => {};
+export function serve(begin: (engine: WebAssembly.Module) => Engine): void {
+  live();
+  let open: (engine: Engine) => void = () => {};
   const ready = new Promise<Engine>((resolve) => (open = resolve));
   addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
     if ('engine' in data) return open(begin(data.engine));

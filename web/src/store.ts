@@ -27,8 +27,9 @@ export class Store {
   /** How often an address was followed. */
   private since = 0;
 
-  constructor() {
-    this.now = fromHash(location.hash);
+  /** `unread` hears what of an address says nothing. */
+  constructor(private readonly unread: (words: string[]) => void) {
+    this.now = this.read(location.hash);
     const { since } = (history.state ?? {}) as Partial<Step>;
     this.since = since ?? 0;
     history.replaceState(this.step, '');
@@ -38,8 +39,14 @@ export class Store {
       const { hash } = new URL(newURL);
       if (hash === toHash(this.now) || (history.state && newURL === location.href)) return;
       this.since++;
-      this.put(fromHash(hash), '', true);
+      this.put(this.read(hash), '', true);
     });
+  }
+
+  private read(hash: string): State {
+    const { state, unread } = fromHash(hash);
+    if (unread.length > 0) this.unread(unread);
+    return state;
   }
 
   get state(): State {
@@ -69,6 +76,11 @@ export class Store {
   /** Whether there is anything that the tab changes. */
   get canReset(): boolean {
     return this.now.view.tab in PARTS;
+  }
+
+  /** The spec without what no spec has; there is no way back to that. */
+  leaveOut(spec: Spec): void {
+    this.tell({ ...this.now, spec });
   }
 
   /** What the tab changes, as it came. */
@@ -136,6 +148,6 @@ export class Store {
     clearTimeout(this.timer);
     if (step.since === this.since) return this.tell({ ...this.now, view: { ...this.now.view, tab: step.tab } }, true);
     this.since = step.since;
-    this.put(fromHash(location.hash), '', true);
+    this.put(this.read(location.hash), '', true);
   }
 }

@@ -2,13 +2,13 @@
 //
 // Next door: what is asked of it (`jobs/job`, `compute`), the engine of the first load (`compute`).
 
+import { persistently } from './faults';
+import { compiled } from './fetched';
 import address from './workshop/coilsense_web_bg.wasm?url';
 
 let engine: Promise<WebAssembly.Module> | null = null;
 
-/** The compiled engine; one that could not be had is fetched anew by the next who asks. */
+/** The compiled engine, once it could be had. */
 export function workshop(): Promise<WebAssembly.Module> {
-  engine ??= WebAssembly.compileStreaming(fetch(address));
-  engine.catch(() => (engine = null));
-  return engine;
+  return (engine ??= persistently('The larger engine', (isAgain) => compiled(address, isAgain)));
 }

@@ -3,8 +3,9 @@
 // Next door: one field (`control`), damping (`damping`), windings that meet (`contact`), the spring given the other way (`way`), what end 2 is tied to (`end`), the fields' words (`fields`).
 
 import type { Facts } from '../answer';
+import type { Refusal } from '../compute';
 import { section, sections, type Spec } from '../document';
-import { make } from '../dom';
+import { make, reveal } from '../dom';
 import {
   BY_GEOMETRY,
   BY_VALUES,
@@ -21,7 +22,6 @@ import {
   WARMTH,
   type Field,
 } from '../fields';
-import type { Compute, Refusal } from '../compute';
 import type { State } from '../state';
 import type { Store } from '../store';
 import { ContactControl } from './contact';
@@ -39,6 +39,8 @@ export class Panels {
   private controls: Control[] = [];
   private drawn = '';
   private facts: Facts | null = null;
+  private revealed = '';
+  /** Of the engine's catalogue, once a group of fields was opened. */
   private shelf: Shelf | null = null;
 
   constructor(
@@ -46,7 +48,7 @@ export class Panels {
     private readonly first: HTMLElement,
     private readonly host: HTMLElement,
     private readonly onInput: (event: Event) => void,
-    private readonly compute: Compute,
+    private readonly catalogue: () => Promise<Shelf>,
   ) {
     this.damping = new DampingControl(store, onInput);
     this.contact = new ContactControl(store, onInput);
@@ -63,30 +65,35 @@ export class Panels {
     this.contact.show(state);
   }
 
-  /** Fetches names to choose from, with the first group that is opened. */
-  private async fetchShelf(): Promise<void> {
-    const { Shelf } = await import('./shelf');
-    this.shelf ??= new Shelf(this.compute, this.facts);
-    this.shelf.load(() => this.show(this.store.state, null));
-    this.show(this.store.state, null);
+  private async load(): Promise<void> {
+    this.shelf = await this.catalogue();
+    const show = () => this.show(this.store.state, null);
+    show();
+    this.shelf.load(show);
   }
 
-  /** Puts a refusal beside its field; false where there is no such field. */
-  refuse(refusal: Refusal | null): boolean {
+  /** Puts a refusal beside its field, and shows that; null where there is no such field. */
+  refuse(refusal: Refusal | null): HTMLElement | null {
     const place = refusal?.place ?? '';
-    let found = false;
+    let found: HTMLElement | null = null;
     for (const control of this.controls) {
       const hit = control.place === place;
       control.refuse(hit ? (refusal?.text ?? null) : null);
-      if (hit) {
-        found = true;
-        control.element.closest('details')?.setAttribute('open', '');
-      }
+      if (hit) found = control.element;
     }
     const damped = place === 'mount.damping_ratio';
     this.damping.refuse(damped ? (refusal?.text ?? null) : null);
     const met = this.contact.refuse(place, refusal?.text ?? null);
-    return found || damped || met;
+    if (damped) found = this.damping.element;
+    if (met) found = this.contact.element;
+    // Whoever types or drags is not taken elsewhere, and of one refusal everybody is once.
+    const seen = found ? place : '';
+    const isNew = seen !== this.revealed;
+    this.revealed = seen;
+    const isBusy = document.activeElement?.matches('input, select, textarea') ?? false;
+    if (found && isNew && !isBusy) reveal(found);
+    else for (let at = found?.closest('details'); at; at = at.parentElement?.closest('details')) at.open = true;
+    return found;
   }
 
   /** What decides which fields there are. */
@@ -116,7 +123,7 @@ export class Panels {
     const group = (id: string, heading: string, ...children: (HTMLElement | null)[]) =>
       make(
         'details',
-        { id, open: open.has(id), ontoggle: () => void this.fetchShelf() },
+        { id, open: open.has(id), ontoggle: () => void this.load() },
         make('summary', {}, heading),
         ...children,
       );

@@ -2,20 +2,23 @@
 //
 // Next door: who asks (`job`).
 
+import { live } from '../alive';
 import { STOPPED, type Answer, type FromWorker, type Job, type Series, type Told, type ToWorkshop } from '../answer';
-import init, { Engine, type Answer as Found } from '../workshop/coilsense_web';
+import { Engine, initSync, type Answer as Found } from '../workshop/coilsense_web';
 
 /** The engine calls it while it judges. */
 Object.assign(globalThis, {
   coilsenseTold: (done: number, of: number) => postMessage({ told: [done, of] } satisfies Told),
 });
 
-addEventListener('message', async ({ data: { engine, files, job } }: MessageEvent<ToWorkshop>) => {
+live();
+
+addEventListener('message', ({ data: { engine, files, job } }: MessageEvent<ToWorkshop>) => {
   const begun = performance.now();
   const say = (message: { answer: Answer<unknown> } | { error: string }) =>
     postMessage({ id: 0, milliseconds: performance.now() - begun, ...message } satisfies FromWorker);
   try {
-    await init({ module_or_path: engine });
+    initSync({ module: engine });
     const made = new Engine();
     for (const [file, text] of files) made.add_file(file, text);
     const found = asked(made, job);

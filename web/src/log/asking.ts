@@ -26,18 +26,15 @@ export class Asking {
     const mine = this.running;
     this.waiting += 1;
     this.busy(true);
-    void this.compute
-      .job(job, () => {})
-      .then(async ({ reply: coming, cancel }) => {
-        // A newer question has come meanwhile.
-        if (mine !== this.running) return cancel();
-        mine.push({ cancel });
-        const reply = await coming;
-        if (mine !== this.running) return;
-        this.waiting -= 1;
-        this.busy(this.waiting > 0);
-        if ('answer' in reply) done(reply.answer as Answer<unknown>);
-        else if ('error' in reply) wrong(reply.error);
-      });
+    const { reply: coming, cancel } = this.compute.job(job, () => {});
+    mine.push({ cancel });
+    void coming.then((reply) => {
+      // A newer question has come meanwhile.
+      if (mine !== this.running) return;
+      this.waiting -= 1;
+      this.busy(this.waiting > 0);
+      if ('answer' in reply) done(reply.answer as Answer<unknown>);
+      else if ('error' in reply) wrong(reply.error);
+    });
   }
 }

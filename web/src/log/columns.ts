@@ -45,6 +45,10 @@ export class ColumnTable {
     private readonly whose: string,
   ) {}
 
+  get isEmpty(): boolean {
+    return this.rows.length === 0;
+  }
+
   show(columns: Column[]): void {
     const taken = new Set<string>();
     this.rows = columns.map((column, index) => {

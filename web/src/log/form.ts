@@ -52,6 +52,12 @@ export class Form {
     this.fill(words);
   }
 
+  /** Another log has come, whose columns are not known yet. */
+  clear(words: Words): void {
+    this.columns.show([]);
+    this.fill(words);
+  }
+
   /** A second device's log has come, or has gone. */
   showSecond(columns: Column[] | null, words: Words): void {
     this.hasSecond = columns !== null;
@@ -88,7 +94,7 @@ export class Form {
       element.hidden = option.only !== undefined && !option.only[1].includes(word(option.only[0]));
     const clock = this.field('clock');
     if (clock) clock.element.hidden = !this.hasSecond;
-    this.columns.element.hidden = word('layout') !== '';
+    this.columns.element.hidden = this.columns.isEmpty || word('layout') !== '';
   }
 
   /** Whether there is an inductance and a position to go with it, and whether there is a force. */

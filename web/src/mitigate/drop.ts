@@ -6,6 +6,7 @@ import type { Answer, Job } from '../answer';
 import { make } from '../dom';
 import { ColumnTable, type Column } from '../log/columns';
 import { dropPlace } from '../log/drop';
+import { takeLogs } from '../log/takers';
 
 export interface Log {
   name: string;
@@ -35,6 +36,7 @@ export class Drop {
     );
     this.element.append(place, this.written, this.table.element);
     this.element.addEventListener('change', changed);
+    takeLogs('mitigate', ([file]) => void this.take(file));
   }
 
   /** Columns that are not found by their names, as the engine takes them. */

@@ -31,10 +31,11 @@ export class Progress {
   begin(): void {
     [this.bar.hidden, this.stop.hidden, this.start.disabled] = [false, false, true];
     this.bar.removeAttribute('value');
-    this.told.tell('Designing …');
+    this.told.tell('Loading the larger engine …');
   }
 
   tell(done: number, of: number): void {
+    if (of === 0) return this.told.tell('Designing …');
     [this.bar.value, this.bar.max] = [done, of];
     this.told.tell(`${done} of ${of} candidates judged`);
   }

@@ -2,12 +2,11 @@
 //
 // Next door: each of its parts (`chart`, `table`, `wire`), what it says (`words`), what opens it (`results/modes`).
 
-import '../style/tabs.css';
-import '../style/modes.css';
 import type { Answer, ExactFacts, LinesFacts, ShapeFacts } from '../answer';
 import type { Compute } from '../compute';
 import { clamp, make } from '../dom';
 import type { Reply } from '../lane';
+import css from '../style/modes.css?inline';
 import { drawLines, type LinesChart } from './chart';
 import { Choice } from './choice';
 import { lines, type Lines } from './lines';
@@ -46,6 +45,7 @@ export class Part {
     host: HTMLElement,
     private readonly compute: Compute,
   ) {
+    document.head.append(make('style', {}, css));
     host.append(this.refusal, this.body);
   }
 

@@ -4,6 +4,7 @@
 
 import type { Compute, Shown } from '../compute';
 import { make } from '../dom';
+import { part } from '../faults';
 import type { Store } from '../store';
 
 /** How long it is told that something was copied [ms]. */
@@ -40,7 +41,7 @@ export class Downloads {
 
   /** Few take anything along: what makes it is loaded when it is wanted. */
   private take(make: (how: typeof import('./take')) => void): void {
-    import('./take').then(make, () => (this.told.textContent = 'This part of the page could not be loaded.'));
+    void part('What writes files', () => import('./take')).then(make);
   }
 
   /** Copies the address of the state as it is now; where that is not allowed, shows it to be copied by hand. */

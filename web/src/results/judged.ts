@@ -3,6 +3,7 @@
 // Next door: the card (`verdict`), who asks for it (`judge`).
 
 import type { Compute } from '../compute';
+import { part } from '../faults';
 import type { Judge } from './judge';
 import type { Outcome } from './outcome';
 
@@ -25,7 +26,9 @@ export class Judged {
   }
 
   private async load(): Promise<Judge> {
-    const [{ Verdict }, { Judge }] = await Promise.all([import('./verdict'), import('./judge')]);
+    const [{ Verdict }, { Judge }] = await part('The verdict', () =>
+      Promise.all([import('./verdict'), import('./judge')]),
+    );
     const card = new Verdict(this.host, () => judge.again());
     const judge = new Judge(this.compute, (standing) => {
       card.show(standing);

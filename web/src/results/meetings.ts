@@ -3,6 +3,7 @@
 // Next door: what is in it (`meet/card`), how they are asked to (`inputs/contact`).
 
 import type { ExactFacts, Facts } from '../answer';
+import { part } from '../faults';
 import type { Card } from '../meet/card';
 
 export class Meetings {
@@ -14,7 +15,9 @@ export class Meetings {
   show(exact: ExactFacts | null, facts: Facts): void {
     this.host.hidden = facts.contact === null;
     if (!facts.contact) return;
-    this.card ??= import('../meet/card').then(({ Card }) => new Card(this.host));
+    this.card ??= part('The card on windings that meet', () => import('../meet/card')).then(
+      ({ Card }) => new Card(this.host),
+    );
     void this.card.then((card) => card.show(exact));
   }
 }

@@ -4,6 +4,7 @@
 
 import type { Compute } from '../compute';
 import { make } from '../dom';
+import { part } from '../faults';
 import type { Case, Part } from '../modes/part';
 
 export class Modes {
@@ -27,7 +28,9 @@ export class Modes {
 
   private fill(): void {
     if (!this.element.open) return;
-    this.part ??= import('../modes/part').then(({ Part }) => new Part(this.element, this.compute));
+    this.part ??= part('Every mode of the coil', () => import('../modes/part')).then(
+      ({ Part }) => new Part(this.element, this.compute),
+    );
     void this.part.then((part) => part.show(this.shown));
   }
 }

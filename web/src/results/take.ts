@@ -1,17 +1,17 @@
-// What is taken along, made when it is asked for: the spec, the series, the picture of the forces.
+// What becomes of a wish to take something along: the spec as a file, the series as the command writes them, the picture of the forces.
 //
-// Next door: who asks (`downloads`), how the picture is drawn (`svg`).
+// Next door: the buttons, which load this (`downloads`), the picture (`svg`).
 
 import type { Compute, Shown } from '../compute';
 import { toToml } from '../document';
 import { download } from '../download';
+import { say } from '../faults';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
 import type { State } from '../state';
 import { forcesSvg } from './svg';
 
-/** For a file: the spring and what is done to it. */
-function name(shown: Shown | null): string {
+function nameOf(shown: Shown | null): string {
   const { facts } = shown?.answer ?? {};
   const words = [facts?.spring.name ?? 'spring', facts?.conditions[facts.condition]?.name ?? ''];
   return words.join('-').replaceAll(/[^\w.-]+/g, '-');
@@ -21,19 +21,19 @@ export function takeSpec(state: State, shown: Shown | null): void {
   const { files, example } = preset(state.preset);
   const beside = Object.keys(files).map((file) => `# needs ${file} beside it, from examples/ of coilsense\n`);
   const heading = `# Made on the page of coilsense, from examples/${example}.toml\n${beside.join('')}\n`;
-  download(`${name(shown)}.toml`, heading + toToml(state.spec).text, 'application/toml');
+  download(`${nameOf(shown)}.toml`, heading + toToml(state.spec).text, 'application/toml');
 }
 
 export async function takeSeries(state: State, shown: Shown | null, compute: Compute): Promise<void> {
   const { text, condition, damping } = compute.question(state);
   const reply = await compute.ask({ kind: 'csv', text, condition, damping });
-  if ('bytes' in reply) download(`${name(shown)}.csv`, reply.bytes, 'text/csv');
+  if ('bytes' in reply) download(`${nameOf(shown)}.csv`, reply.bytes, 'text/csv');
+  else if ('error' in reply) say('csv', `There are no series to take along: ${reply.error.replace(/^spec:\d+: /, '')}`);
 }
 
 export function takePicture({ view }: State, shown: Shown | null, size: { width: number; height: number }): void {
-  if (!shown) return;
-  const { answer, exact, times } = shown;
-  const forces = FORCE_LINES.filter((line) => !view.hidden.includes(line.name));
-  const lines = [...forces, ...readings(exact?.facts ?? null, view.sensors)];
-  download(`${name(shown)}.svg`, forcesSvg(answer, times, lines, size), 'image/svg+xml');
+  if (!shown) return say('svg', 'There is no picture to take along yet.');
+  const forces = FORCE_LINES.filter(({ name }) => !view.hidden.includes(name));
+  const lines = [...forces, ...readings(shown.exact?.facts ?? null, view.sensors)];
+  download(`${nameOf(shown)}.svg`, forcesSvg(shown.answer, shown.times, lines, size), 'image/svg+xml');
 }

@@ -2,12 +2,13 @@
 //
 // Next door: where it stands (`why`), the verdict on the sensors (`verdict`).
 
-import '../style/verdict.css';
 import type { ExactFacts } from '../answer';
 import type { Shown } from '../compute';
 import { digits, fixed, make, rich, type Child } from '../dom';
 import { toHash } from '../address';
 import type { Store } from '../store';
+import css from '../style/verdict.css?inline';
+import { wear } from '../style/wear';
 
 /** Where the tour is of, where something else is shown: the ankle's heel strike. */
 const OF_ANKLE = '#S_T&@times=[0,0.04]';
@@ -28,6 +29,7 @@ export class Tour {
     private readonly store: Store,
     private readonly look: (times: [number, number], at: number) => void,
   ) {
+    wear(css);
     host.append(this.body);
   }
 

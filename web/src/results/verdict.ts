@@ -2,11 +2,12 @@
 //
 // Next door: who asks for it (`judge`), the case that is drawn, with a mark for each sensor (`table`).
 
-import '../style/verdict.css';
 import { digits, fixed, make, rich } from '../dom';
 import type { Standing } from './judge';
 import type { Outcome, Ranked } from './outcome';
 import { mark } from './table';
+import css from '../style/verdict.css?inline';
+import { wear } from '../style/wear';
 
 export class Verdict {
   private readonly status = make('span', { class: 'status' }, '…');
@@ -17,6 +18,7 @@ export class Verdict {
     host: HTMLElement,
     private readonly again: () => void,
   ) {
+    wear(css);
     host.replaceChildren(
       make('div', { class: 'head' }, make('h2', {}, 'Which sensor to trust'), this.status),
       this.bar,

@@ -4,6 +4,7 @@
 
 import type { Shown } from '../compute';
 import { make } from '../dom';
+import { part } from '../faults';
 import type { Store } from '../store';
 import type { Tour } from './tour';
 
@@ -30,7 +31,9 @@ export class Why {
   private fill(): void {
     if (!this.element.open || !this.shown) return;
     const { shown } = this;
-    this.tour ??= import('./tour').then(({ Tour }) => new Tour(this.element, this.store, this.look));
+    this.tour ??= part('What tells why', () => import('./tour')).then(
+      ({ Tour }) => new Tour(this.element, this.store, this.look),
+    );
     void this.tour.then((tour) => tour.show(shown));
   }
 }

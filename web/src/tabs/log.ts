@@ -2,12 +2,12 @@
 //
 // Next door: what is said of a log (`log/form`), what comes of it (`log/found`), what computes it (`coilsense-web`, `log`).
 
-import '../style/tabs.css';
 import type { Log } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';
 import { make } from '../dom';
 import { download } from '../download';
+import { part } from '../faults';
 import { Asking } from '../log/asking';
 import type { Column } from '../log/columns';
 import { dropPlace } from '../log/drop';
@@ -16,11 +16,14 @@ import { button } from '../log/found';
 import { Form } from '../log/form';
 import { Results } from '../log/results';
 import { openSpec, trialJob } from '../log/spec';
+import { specOf, takeLogs } from '../log/takers';
 import { readInk } from '../plots/looks';
 import type { Store } from '../store';
+import { dress } from '../style/dress';
 
 export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   readInk();
+  dress();
   const refusal = make('p', { class: 'refusal', role: 'alert', hidden: true });
   const written = make('p', { class: 'hint', 'aria-live': 'polite' });
   const results = new Results({ openSpec: (text) => openSpec(store, text) }, () => empty(tryIt));
@@ -52,6 +55,8 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   const put = (words: Record<string, string>) => store.setView({ log: words }, true);
 
   async function take(files: File[], device: 'first' | 'second'): Promise<void> {
+    const spec = await specOf(files);
+    if (spec) return (await part('What takes files', () => import('../dropped'))).take(files, store, compute);
     const mapping = files.find(({ name }) => name.endsWith('.toml'));
     const logs = files.filter((file) => file !== mapping);
     if (mapping) put({ ...store.state.view.log, layout: 'mapping', mapping: (await mapping.text()).trim() });
@@ -63,6 +68,7 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   function takeFirst(file: Log): void {
     log = file;
     results.clear(`Reading ${file.name} …`);
+    form.clear(store.state.view.log);
     for (const part of [written, trial]) part.replaceChildren();
     columns();
   }
@@ -172,4 +178,5 @@ export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   form.fill(store.state.view.log);
   panel.classList.add('logs');
   panel.replaceChildren(make('div', { class: 'asked' }, place, refusal, written, trial, form.element), results.element);
+  takeLogs('log', (files) => void take(files, 'first'));
 }

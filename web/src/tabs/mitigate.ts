@@ -3,7 +3,6 @@
 //
 // Next door: what is asked (`mitigate/form`), what comes of it (`mitigate/found`), how they are judged (`coilsense-web`, `mitigate`).
 
-import '../style/tabs.css';
 import type { Answer, Job } from '../answer';
 import type { Compute } from '../compute';
 import { toToml } from '../document';
@@ -19,6 +18,7 @@ import { Progress } from '../mitigate/progress';
 import type { Facts, Judged, Ranking } from '../mitigate/ranking';
 import { readInk } from '../plots/looks';
 import type { Store } from '../store';
+import { dress } from '../style/dress';
 
 /** Fields are looked at once they rest for so long [ms]. */
 const REST = 250;
@@ -97,7 +97,7 @@ class Mitigate {
   private async check(): Promise<void> {
     const number = ++this.number;
     const { said } = this;
-    const { reply } = await this.compute.job({ kind: 'mitigate-usual', text: this.text, asked: this.asked }, () => {});
+    const { reply } = this.compute.job({ kind: 'mitigate-usual', text: this.text, asked: this.asked }, () => {});
     const coming = await reply;
     if (number !== this.number) return;
     const refuse = (reasons: readonly string[]) =>
@@ -151,12 +151,8 @@ class Mitigate {
 
   /** A job that may be cancelled; nothing comes of it then. */
   private async ask(job: Job, done: (answer: Answer<unknown>) => void, wrong = () => {}): Promise<void> {
-    let stopped = false;
-    const isLong = job.kind !== 'columns';
-    if (isLong) this.stop = () => (stopped = true);
-    const { reply, cancel } = await this.compute.job(job, (done, of) => this.progress.tell(done, of));
-    if (stopped) return cancel();
-    if (isLong) this.stop = cancel;
+    const { reply, cancel } = this.compute.job(job, (done, of) => this.progress.tell(done, of));
+    if (job.kind !== 'columns') this.stop = cancel;
     const coming = await reply;
     this.said++;
     this.refuse('error' in coming ? [coming.error] : []);
@@ -167,5 +163,6 @@ class Mitigate {
 
 export function open(panel: HTMLElement, store: Store, compute: Compute): void {
   readInk();
+  dress();
   new Mitigate(panel, store, compute);
 }

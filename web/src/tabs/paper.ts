@@ -2,11 +2,11 @@
 //
 // Next door: how they are computed (`coilsense-web`, `paper`).
 
-import '../style/tabs.css';
 import type { Answer, PaperFacts } from '../answer';
 import { fixed, make, rich } from '../dom';
 import { curves } from '../plots/curves';
 import { readInk } from '../plots/looks';
+import css from '../style/paper.css?inline';
 import type { Open } from './tab';
 
 const CONDITIONS = [
@@ -17,6 +17,7 @@ const CONDITIONS = [
 
 export const open: Open = (panel, _, compute) => {
   readInk();
+  document.head.append(make('style', {}, css));
   const place = make(
     'div',
     { class: 'paper', 'aria-busy': 'true' },

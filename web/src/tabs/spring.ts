@@ -3,10 +3,12 @@
 // Next door: each of its parts (`inputs`, `plots`, `spring`, `results`), what is computed (`compute`).
 
 import type { ExactFacts, Facts } from '../answer';
-import type { Refusal, Shown } from '../compute';
+import { refusals, type Refusal, type Shown } from '../compute';
+import { part } from '../faults';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
 import { Patience } from '../inputs/patience';
+import type { Shelf } from '../inputs/shelf';
 import { load as loadTyping } from '../inputs/typing';
 import { ForcePlot } from '../plots/forces';
 import { FORCE_LINES, readings } from '../plots/lines';
@@ -40,7 +42,10 @@ export const open: Open = (panel, store, compute) => {
     patience.heard(event);
   };
   const choose = new Choose(store, parts.choose, parts.first);
-  const panels = new Panels(store, parts.first, parts.fields, clock, compute);
+  let shelf: Promise<Shelf> | null = null;
+  const catalogue = () =>
+    (shelf ??= part('The catalogue', () => import('../inputs/shelf')).then(({ Shelf }) => new Shelf(compute, facts)));
+  const panels = new Panels(store, parts.first, parts.fields, clock, catalogue);
   const table = new Table(store, parts.table);
   let outcome: Outcome | null = null;
   const judged = new Judged(parts.verdict, compute, (found) => {
@@ -103,6 +108,7 @@ export const open: Open = (panel, store, compute) => {
   };
   let last: Shown | null = null;
   let atRest = 0;
+  let refused: Refusal | null = null;
   let clocked = 0;
   forces.onDrawn = () => {
     if (last && performance.getEntriesByName('first curves').length === 0) performance.mark('first curves');
@@ -129,13 +135,14 @@ export const open: Open = (panel, store, compute) => {
     }
   });
   const patience = new Patience<Refusal>((refusal) => {
-    const beside = panels.refuse(refusal);
+    const field = panels.refuse(refusal);
     parts.refusal.hidden = refusal === null;
-    const words = [
-      beside ? '' : (refusal?.text ?? ''),
-      refusal && last ? 'What is shown is the last state that could be computed.' : '',
-    ];
-    parts.refusal.textContent = words.filter(Boolean).join(' ');
+    refused = refusal;
+    parts.refusal.textContent = refusal?.place ? '' : (refusal?.text ?? '');
+    if (refusal?.place)
+      void refusals().then(({ showRefusal }) => {
+        if (refused === refusal) showRefusal(parts.refusal, store, refusal, field, last !== null);
+      });
     if (refusal && last) mark(last.exact !== null);
     if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
   });

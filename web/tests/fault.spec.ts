@@ -1,0 +1,166 @@
+// Each file of the page missing or cut short, one at a time: the page says so within three seconds, and "Try again" gets what was wanted once the
+// fault is gone, with the state as it was.
+import { expect, test, type Page } from '@playwright/test';
+import { dropOn } from './drops';
+import { FILES, Host, type Fault } from './host';
+
+/** Nothing may be silent for longer [ms]. */
+const SILENT = 3000;
+const STATE = 'spring.mass=66+g';
+
+/** Ways to use the page, quick ones first, each with what it ends in. All of them together need every file. */
+const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; ends: (page: Page) => Promise<void> }> =
+  {
+    opened: { hash: `#S_T&${STATE}`, ends: (page) => exact(page) },
+    picture: {
+      hash: `#S_T&${STATE}`,
+      use: async (page) => {
+        await exact(page);
+        page.on('download', () => (saved += 1));
+        saved = 0;
+        await page.getByRole('button', { name: 'Forces (SVG)' }).click();
+      },
+      ends: async (page) => {
+        // A page that was opened anew has not been asked yet.
+        await exact(page);
+        const isSaved = () => expect.poll(() => saved, { timeout: 2000 }).toBeGreaterThan(0);
+        await isSaved().catch(() => page.getByRole('button', { name: 'Forces (SVG)' }).click());
+        await isSaved();
+      },
+    },
+    refused: {
+      hash: `#S_T&${STATE}&sensor.1.bandwidth=abc`,
+      ends: (page) => expect(page.locator('#sensor-1-bandwidth-error')).toBeVisible({ timeout: 20_000 }),
+    },
+    shelf: {
+      hash: `#S_T&${STATE}`,
+      use: async (page) => {
+        await exact(page);
+        await page.locator('#more-spring > summary').click();
+      },
+      ends: async (page) => {
+        const group = page.locator('#more-spring');
+        // A page that was opened anew has not been asked yet.
+        if ((await group.getAttribute('open')) === null) await group.locator('summary').click();
+        await expect(page.locator('#spring-material option')).not.toHaveCount(1, { timeout: 20_000 });
+      },
+    },
+    modes: {
+      hash: `#S_T&${STATE}`,
+      use: async (page) => {
+        await exact(page);
+        await page.locator('.every > details > summary').click();
+      },
+      ends: async (page) => {
+        // A page that is opened anew has not been asked yet.
+        await expect(async () => {
+          const modes = page.locator('.every > details');
+          if ((await modes.getAttribute('open', { timeout: 2000 })) === null)
+            await modes.locator('> summary').click({ timeout: 2000 });
+          await expect(page.locator('.every [aria-busy=false]')).toBeVisible({ timeout: 4000 });
+        }).toPass({ timeout: 20_000 });
+      },
+    },
+    paper: {
+      hash: `#S_T&${STATE}&@tab="paper"`,
+      ends: (page) => expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 20_000 }),
+    },
+    valve: { hash: '#valve&spring.mass=33+g', ends: (page) => exact(page) },
+    suspension: { hash: '#suspension&spring.mass=2+kg', ends: (page) => exact(page) },
+    meeting: {
+      hash: '#S_A&contact.windings=hard&contact.restitution=0.5&spring.mass=66+g',
+      ends: (page) => expect(page.locator('.meetings h2')).toBeVisible({ timeout: 20_000 }),
+    },
+    log: {
+      hash: `#S_T&${STATE}&@tab="log"`,
+      ends: (page) =>
+        expect(page.getByRole('button', { name: 'Try it with a simulated log' })).toBeVisible({ timeout: 20_000 }),
+    },
+    dropped: {
+      hash: `#S_T&${STATE}`,
+      use: async (page) => {
+        await exact(page);
+        await dropOn(page, 'body', 'nothing.txt', 'no log');
+      },
+      ends: async (page) => {
+        await expect(page.locator('#panel-log .asked > .refusal')).toBeVisible({ timeout: 20_000 });
+      },
+    },
+    judged: {
+      hash: `#S_T&${STATE}&@tab="mitigate"`,
+      ends: (page) => expect(page.getByLabel('Most lag')).toHaveAttribute('placeholder', '30 deg', { timeout: 20_000 }),
+    },
+    mitigate: {
+      hash: `#S_T&${STATE}&@tab="mitigate"&@mitigate={"seeds":"1","candidate":"none"}`,
+      ends: (page) =>
+        expect(page.locator('#panel-mitigate tr[data-candidate]').first()).toBeVisible({ timeout: 60_000 }),
+    },
+  };
+const exact = async (page: Page): Promise<void> => {
+  await page.waitForFunction(() => document.body.dataset['exact'] === 'true', null, { timeout: 20_000 });
+};
+
+let saved = 0;
+const host = new Host();
+/** Which use needs a file first. */
+const needs = new Map<string, string>();
+/** What does without: nobody misses the icon, nor who warns, nor what keeps the page for later, nor who mends. */
+const SPARE = [/^icon\.svg$/, /^sw\.js$/, /^assets\/offline-/, /^assets\/guard-/, /^assets\/anew-/];
+const isSpare = (file: string): boolean => SPARE.some((pattern) => pattern.test(file));
+
+test.use({ serviceWorkers: 'block' });
+test.beforeAll(async ({ browser }) => {
+  test.setTimeout(120_000);
+  await host.begin();
+  for (const [name, { hash, use, ends }] of Object.entries(USES)) {
+    host.heal();
+    const page = await browser.newPage({ serviceWorkers: 'block' });
+    await page.goto(host.address + hash);
+    await use?.(page);
+    await ends(page);
+    for (const file of host.asked) if (!needs.has(file)) needs.set(file, name);
+    await page.close();
+  }
+});
+test.beforeEach(() => host.heal());
+test.afterAll(() => host.end());
+
+/** What tells of a fault, and tries again. */
+const retry = (page: Page) => page.getByRole('alert').getByRole('button', { name: 'Try again' }).first();
+
+test('every file of the page is needed by one of these uses, or can be spared', () => {
+  expect(FILES.length).toBeGreaterThan(20);
+  expect(FILES.filter((file) => !needs.has(file) && !isSpare(file))).toEqual([]);
+});
+
+for (const file of FILES.filter((file) => file !== 'index.html' && !isSpare(file)))
+  test(`${file} cut short, aborted, missing`, async ({ page }) => {
+    const { hash, use, ends } = USES[needs.get(file) ?? ''] ?? { hash: '', ends: exact };
+    host.faults.set(file, 'cut');
+    await page.goto(host.address + hash);
+    await use?.(page);
+    let before = '';
+    // Whatever is tried while it is wrong, it is said again.
+    for (const fault of ['aborted', 'missing', null] satisfies (Fault | null)[]) {
+      await expect(retry(page), `before ${fault}`).toBeVisible({ timeout: SILENT });
+      const words = page.getByRole('alert').filter({ hasText: 'Try again' }).first();
+      await expect(words).toHaveText(/missing|cut short|not on the server|bytes|loaded/);
+      before = new URL(page.url()).hash;
+      if (fault) host.faults.set(file, fault);
+      else host.faults.clear();
+      await retry(page).click();
+    }
+    await ends(page);
+    await expect(retry(page)).toHaveCount(0);
+    // A dropped log opens its tab.
+    expect(new URL(page.url()).hash.startsWith(before), 'the state').toBe(true);
+    if (hash.includes(STATE)) expect(decodeURIComponent(page.url())).toContain(STATE);
+  });
+
+for (const fault of ['aborted', 'missing', 'cut'] satisfies Fault[])
+  test(`what can be spared is not missed where it is ${fault}`, async ({ page }) => {
+    for (const file of FILES.filter(isSpare)) host.faults.set(file, fault);
+    await page.goto(`${host.address}#S_T&${STATE}`);
+    await exact(page);
+    await expect(page.getByRole('alert')).toHaveCount(0);
+  });
