@@ -46,17 +46,6 @@ const place: Plugin = {
   },
 };
 
-/** uPlot's style without its legend and title, which the page draws itself: a first load has no room for them. */
-const withoutLegend: Plugin = {
-  name: 'coilsense-without-legend',
-  generateBundle(_, bundle) {
-    for (const file of Object.values(bundle)) {
-      if (file.type !== 'asset' || !file.fileName.endsWith('.css')) continue;
-      file.source = String(file.source).replaceAll(/\.u-(legend|inline|series|title)[^{}]*\{[^}]*\}/g, '');
-    }
-  },
-};
-
 type Graph = { getModuleInfo(id: string): { importers: readonly string[] } | null };
 
 /** Whether a module comes with the first load: `main` imports it, or what `main` imports. */
@@ -68,7 +57,7 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
 
 export default defineConfig({
   base: './',
-  plugins: [specs, footer, place, withoutLegend, lone, whole],
+  plugins: [specs, footer, place, lone, whole],
   build: {
     target: 'es2022',
     assetsInlineLimit: 0,
