@@ -28,6 +28,15 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
         await isSaved();
       },
     },
+    verdict: {
+      hash: `#valve&${STATE}`,
+      ends: (page) => expect(page.locator('.trust .answer')).toBeVisible({ timeout: 40_000 }),
+    },
+    why: {
+      hash: `#S_T&${STATE}`,
+      use: (page) => page.getByText('Why the ends disagree, in four steps').click(),
+      ends: (page) => expect(page.locator('.tour li')).toHaveCount(4),
+    },
     refused: {
       hash: `#S_T&${STATE}&sensor.1.bandwidth=abc`,
       ends: (page) => expect(page.locator('#sensor-1-bandwidth-error')).toBeVisible({ timeout: 20_000 }),
@@ -128,6 +137,12 @@ test.afterAll(() => host.end());
 /** What tells of a fault, and tries again. */
 const retry = (page: Page) => page.getByRole('alert').getByRole('button', { name: 'Try again' }).first();
 
+/** The faults of a file: each of them in the long proof, else one after another from file to file. */
+const FAULTS = ['cut', 'aborted', 'missing'] satisfies Fault[];
+const first = (file: string): Fault => (isLong ? 'cut' : (FAULTS[FILES.indexOf(file) % FAULTS.length] ?? 'cut'));
+const after = (_: string): Fault[] => (isLong ? ['aborted', 'missing'] : []);
+const isLong = Boolean(process.env['COILSENSE_LONG']);
+
 test('every file of the page is needed by one of these uses, or can be spared', () => {
   expect(FILES.length).toBeGreaterThan(20);
   expect(FILES.filter((file) => !needs.has(file) && !isSpare(file))).toEqual([]);
@@ -136,12 +151,12 @@ test('every file of the page is needed by one of these uses, or can be spared', 
 for (const file of FILES.filter((file) => file !== 'index.html' && !isSpare(file)))
   test(`${file} cut short, aborted, missing`, async ({ page }) => {
     const { hash, use, ends } = USES[needs.get(file) ?? ''] ?? { hash: '', ends: exact };
-    host.faults.set(file, 'cut');
+    host.faults.set(file, first(file));
     await page.goto(host.address + hash);
     await use?.(page);
     let before = '';
     // Whatever is tried while it is wrong, it is said again.
-    for (const fault of ['aborted', 'missing', null] satisfies (Fault | null)[]) {
+    for (const fault of [...after(file), null]) {
       await expect(retry(page), `before ${fault}`).toBeVisible({ timeout: SILENT });
       const words = page.getByRole('alert').filter({ hasText: 'Try again' }).first();
       await expect(words).toHaveText(/missing|cut short|not on the server|bytes|loaded/);

@@ -88,6 +88,24 @@ test('a preview is marked, and exact values replace it within a second of rest',
   await expect(modes).not.toHaveClass(/stale/);
 });
 
+test('a spectrum whose axis begins just below a power of ten is drawn', async ({ page }) => {
+  await open(page);
+  const swing = Math.max(
+    ...(await Promise.all(['F_i', 'F_o'].map((name) => series(page, `spectrum ${name}`)))).flatMap((all) =>
+      all.slice(1),
+    ),
+  );
+  // The axis begins at a power of ten below the largest line, which goes with the speed: 9.7 times such a power.
+  const speed = (0.25 * 9.7 * 10 ** Math.floor(Math.log10(swing))) / swing;
+  await page.getByLabel('How hard it is hit', { exact: true }).fill(`${speed.toFixed(6)} m/s`);
+  await exact(page);
+  const found = Math.max(
+    ...(await series(page, 'spectrum F_i')).slice(1),
+    ...(await series(page, 'spectrum F_o')).slice(1),
+  );
+  expect(found / 10 ** Math.floor(Math.log10(found))).toBeGreaterThan(9.5);
+});
+
 test('the address reproduces the whole state', async ({ page, context }) => {
   await open(page);
   await page.getByLabel('Stiffness k', { exact: true }).fill('1.1 N/mm');

@@ -12,6 +12,12 @@ const LINES = 8.5;
 /** What is shown below the largest line [1]. */
 const RANGE = 1e-4;
 
+/**
+ * Where an axis over decades may begin, a little below a value. uPlot 1.6.32 seeks the marks of one that begins from 9.5 to 10 times a power of
+ * ten without end.
+ */
+const begin = (value: number): number => Math.min(value, 9.4 * 10 ** Math.floor(Math.log10(value)));
+
 export class SpectrumPlot {
   readonly plot: uPlot;
   private facts: Facts | null = null;
@@ -51,7 +57,7 @@ export class SpectrumPlot {
       });
       plot.setData(data as unknown as uPlot.AlignedData, false);
       plot.setScale('x', { min: 0, max: Math.min(last, frequency[frequency.length - 1] ?? last) });
-      plot.setScale('y', { min: most * RANGE, max: most * 2 });
+      plot.setScale('y', { min: begin(most * RANGE), max: most * 2 });
     });
   }
 

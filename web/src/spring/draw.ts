@@ -95,9 +95,17 @@ export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
   drawRuler(context, plan, height);
 }
 
-function layOut({ positions, spring, closed, left, right, gain }: Moment, width: number, height: number): Plan {
+/** Where a canvas of a width has the ends [pixels, and of them to a metre]. */
+export function ruled(
+  { left, right }: Pick<Scene, 'left' | 'right'>,
+  width: number,
+): { margin: number; scale: number } {
   const margin = clamp(0.09 * width, 44, 110);
-  const scale = (width - 2 * margin) / (right - left);
+  return { margin, scale: (width - 2 * margin) / (right - left) };
+}
+
+function layOut({ positions, spring, closed, left, right, gain }: Moment, width: number, height: number): Plan {
+  const { margin, scale } = ruled({ left, right }, width);
   const count = positions.length - 2;
   const [first, last] = [positions[0] ?? 0, positions[count + 1] ?? 0];
   const place = (position: number) => margin + (position - left) * scale;

@@ -20,6 +20,7 @@ export class Player {
   private time = 0;
   private playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
   private running = false;
+  private held = false;
   private inSight = false;
   private before = 0;
   /** When the numbers last changed. */
@@ -125,8 +126,25 @@ export class Player {
 
   /** A time [s] that the user chose; the motion stops there. */
   goTo(time: number): void {
-    this.setPlaying(false);
+    this.begin(time, false);
+  }
+
+  /** Stands as it is, whatever is shown meanwhile, until it begins somewhere or goes on. */
+  hold(): void {
+    this.held = true;
+  }
+
+  goOn(): void {
+    this.held = false;
+    this.draw();
+    this.run();
+  }
+
+  /** From a time [s] of what is shown now: in motion, or still. */
+  begin(time: number, playing: boolean): void {
+    this.awaited = null;
     this.time = time;
+    this.setPlaying(playing);
     this.draw();
     this.onTime(time, true);
   }
@@ -143,6 +161,7 @@ export class Player {
   }
 
   setPlaying(playing: boolean): void {
+    this.held = false;
     this.playing = playing;
     this.play.textContent = playing ? 'Pause' : 'Play';
     this.play.setAttribute('aria-pressed', String(playing));
@@ -184,6 +203,11 @@ export class Player {
     this.canvas.setAttribute('aria-label', label(facts, peak));
   }
 
+  /** What holds for all of the shown times, and the time that is drawn [s]. */
+  get seen(): Readonly<Scene> & { time: number } {
+    return { ...this.scene, time: this.time };
+  }
+
   /** By how much displacements are drawn larger. */
   get enlarged(): number {
     return this.scene.gain;
@@ -196,7 +220,7 @@ export class Player {
 
   draw(told = true): void {
     const { shown } = this;
-    if (!shown) return;
+    if (!shown || this.held) return;
     const { frames, answer } = shown;
     const { spring } = answer.facts;
     const closed = this.closedAt?.(answer.series, this.time, spring.masses, shown.times) ?? null;
@@ -237,7 +261,7 @@ export class Player {
   }
 
   private run(): void {
-    if (this.running || !this.playing || !this.inSight || !this.shown) return;
+    if (this.running || this.held || !this.playing || !this.inSight || !this.shown) return;
     this.running = true;
     this.counted.length = 0;
     this.before = performance.now();
@@ -246,7 +270,7 @@ export class Player {
 
   /** Goes round within what is shown. */
   private step(now: number): void {
-    this.running = this.playing && this.inSight && this.shown !== null;
+    this.running = this.playing && !this.held && this.inSight && this.shown !== null;
     if (!this.running || !this.shown) return;
     this.counted.push(now);
     while (this.counted.length > 2 && now - (this.counted[0] ?? now) > 1e3 * COUNTED) this.counted.shift();

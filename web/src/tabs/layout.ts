@@ -13,6 +13,7 @@ export function layOut(panel: HTMLElement) {
     refusal: make('p', { class: 'refusal', role: 'status', hidden: true }),
     fields: make('section', { class: 'fields', 'aria-label': 'Values' }),
     spring: make('div', { class: 'card see' }),
+    wave: make('section', { class: 'card wave', 'aria-label': 'The wave over position and time' }),
     status: make('span', { class: 'status' }, '…'),
     views: make('div', { class: 'views' }),
     forces: make('div', {
@@ -32,7 +33,7 @@ export function layOut(panel: HTMLElement) {
       'How far each force swings, in the colours of the plot over time. f1, f2 …: where the coil rings by itself.',
     ),
     keys: make('p', { class: 'keys' }),
-    why: make('section', { class: 'card', 'aria-label': 'Why the ends disagree' }),
+    why: make('section', { class: 'card why', 'aria-label': 'Why the ends disagree' }),
     verdict: make('section', { class: 'card trust', 'aria-label': 'Which sensor to trust' }),
     said: make('p', { class: 'visually-hidden', role: 'status' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
@@ -58,6 +59,7 @@ export function layOut(panel: HTMLElement) {
         parts.said,
       ),
       parts.why,
+      parts.wave,
     ),
     make('div', { class: 'controls' }, parts.refusal, parts.fields),
     make(

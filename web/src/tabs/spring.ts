@@ -5,6 +5,7 @@
 import type { ExactFacts, Facts } from '../answer';
 import { refusals, type Refusal, type Shown } from '../compute';
 import { part } from '../faults';
+import { Hits } from '../hit/open';
 import { Choose } from '../inputs/choose';
 import { Panels } from '../inputs/panels';
 import { Patience } from '../inputs/patience';
@@ -75,6 +76,7 @@ export const open: Open = (panel, store, compute) => {
   const moved = (time: number, told: boolean) => {
     forces.timeline.moveMark(time);
     if (told) readOut.at(time);
+    hits.at(time);
   };
   // A surge period around it, as slowly as fits.
   const meet = (time: number) => {
@@ -89,6 +91,8 @@ export const open: Open = (panel, store, compute) => {
     store.setView({ times });
     player.goTo(at);
   });
+  const { spring: card, canvas, wave: strip } = parts;
+  const hits = new Hits({ store, compute, player, card, canvas, strip, last: () => last });
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
   const views = new Views(store, parts.views, forces);
   let facts: Facts | null = null;
@@ -153,6 +157,7 @@ export const open: Open = (panel, store, compute) => {
       if (shown.exact) atRest ||= window.setTimeout(loadTyping, REST);
       curves(shown);
       player.show(shown);
+      hits.ready();
       document
         .getElementById('sentence')
         ?.replaceChildren(

@@ -1,0 +1,181 @@
+// The strip: position along the spring to the right, time downwards, the strain of each gap as a colour; a line goes down with the player.
+// What is shown is turned like pages, each of a few ways of the wave, so that one look follows it to the far end and back.
+//
+// Next door: how it is painted (`paint`), who shows it (`part`).
+
+import type { Shown } from '../compute';
+import { clamp, digits, fixed, make } from '../dom';
+import { strains } from '../spring/draw';
+import { nearest } from '../spring/scene';
+import type { Onset } from './act';
+import { paint, type Area } from './paint';
+
+/** Ways of the wave on a page. */
+const WAYS = 4;
+/** Most pages of what is shown: more would flicker. */
+const PAGES = 18;
+
+export class Strip {
+  private readonly canvas = make('canvas', { role: 'img' });
+  private readonly line = make('div', { class: 'now', 'aria-hidden': 'true', hidden: true });
+  private readonly cross = make('div', { class: 'cross', 'aria-hidden': 'true', hidden: true });
+  private readonly host = make(
+    'div',
+    {
+      class: 'strip',
+      tabindex: 0,
+      role: 'group',
+      'aria-label': 'The wave over position and time; arrows move a cross, Enter goes to its time',
+    },
+    this.canvas,
+    this.line,
+    this.cross,
+  );
+  private readonly foot = make('p', { class: 'foot' });
+  private readonly value = make('p', { class: 'foot', role: 'status', 'aria-live': 'off' });
+  /** For a card: the picture takes what room there is. */
+  readonly parts = [this.host, this.foot, this.value];
+  private shown: Shown | null = null;
+  private peak = 0;
+  private onset: Onset | null = null;
+  private page: [number, number] = [0, 1];
+  private area: Area | null = null;
+  private time = 0;
+  /** What is pointed at: a share of the length, a share of the page. */
+  private pointed: [number, number] = [0.5, 0.5];
+  private inSight = false;
+  private waits = false;
+
+  constructor(private readonly goTo: (time: number) => void) {
+    this.rest();
+    this.host.addEventListener('pointermove', (event) => this.point(event));
+    this.host.addEventListener('pointerleave', () => this.rest());
+    this.host.addEventListener('blur', () => this.rest());
+    this.host.addEventListener('click', (event) => {
+      this.point(event);
+      this.go();
+    });
+    this.host.addEventListener('keydown', (event) => this.key(event));
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    new IntersectionObserver((entries) => {
+      this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
+      this.draw();
+    }).observe(this.canvas);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
+  }
+
+  show(shown: Shown, peak: number, onset: Onset | null): void {
+    [this.shown, this.peak, this.onset] = [shown, peak, onset];
+    const { transitTime, name } = shown.answer.facts.spring;
+    const way = `${digits(1e3 * transitTime)} ms`;
+    this.foot.textContent = `One way, end to end: ${way}${onset ? '; dashed: there and back' : ''}.`;
+    this.canvas.setAttribute(
+      'aria-label',
+      `How closely the windings of ${name} lie, from end 1 at the left to end 2, over time downwards: the wave takes ${way} from end to end.`,
+    );
+    this.turn();
+    this.draw();
+  }
+
+  /** The time of the player [s]. */
+  at(time: number): void {
+    this.time = time;
+    const [from, to] = this.page;
+    if ((time < from || time > to) && this.turn()) this.draw();
+    this.mark();
+  }
+
+  /** To the page of the player's time; whether it is another. */
+  private turn(): boolean {
+    if (!this.shown) return false;
+    const [from, to] = this.shown.times;
+    const whole = to - from;
+    const height = Math.min(whole, Math.max(WAYS * this.shown.answer.facts.spring.transitTime, whole / PAGES));
+    const number = Math.floor(clamp(this.time - from, 0, whole - height / 1e3) / height);
+    const start = Math.min(from + number * height, to - height);
+    const isOther = start !== this.page[0] || start + height !== this.page[1];
+    this.page = [start, start + height];
+    return isOther;
+  }
+
+  /** In the next frame, once. */
+  private draw(): void {
+    if (this.waits || !this.inSight || !this.shown) return;
+    this.waits = true;
+    requestAnimationFrame(() => {
+      this.waits = false;
+      if (!this.shown) return;
+      const begun = performance.now();
+      this.area = paint(this.canvas, this.shown, this.page, this.peak, this.onset);
+      performance.measure('strip', { start: begun, end: performance.now() });
+      this.mark();
+    });
+  }
+
+  private mark(): void {
+    const { area, page } = this;
+    const part = (this.time - page[0]) / (page[1] - page[0]);
+    this.line.hidden = !area || part < 0 || part > 1;
+    if (!area || this.line.hidden) return;
+    this.line.style.left = `${area.left}px`;
+    this.line.style.width = `${area.width}px`;
+    this.line.style.transform = `translateY(${area.top + part * area.height}px)`;
+  }
+
+  private point(event: PointerEvent | MouseEvent): void {
+    const { area } = this;
+    if (!area) return;
+    const box = this.host.getBoundingClientRect();
+    const along = clamp((event.clientX - box.left - area.left) / area.width, 0, 1);
+    const down = clamp((event.clientY - box.top - area.top) / area.height, 0, 1);
+    this.pointed = [along, down];
+    this.value.setAttribute('aria-live', 'off');
+    this.tell();
+  }
+
+  /** What is pointed at, with its place, time and value. */
+  private tell(): void {
+    const { area, shown } = this;
+    if (!area || !shown) return;
+    const [along, down] = this.pointed;
+    const { frames, answer } = shown;
+    const time = this.page[0] + down * (this.page[1] - this.page[0]);
+    const first = nearest(frames.times, time) * frames.columns;
+    const strain = strains(frames.positions.subarray(first, first + frames.columns));
+    const value = strain[Math.round(along * (strain.length - 1))] ?? 0;
+    const place = `${fixed(1e3 * along * answer.facts.meanLength, 0)} mm`;
+    const words = Math.abs(value) < 5e-6 ? 'as wide as the mean' : value < 0 ? 'closer' : 'wider';
+    const much = Math.abs(value) < 5e-6 ? '' : `${digits(100 * Math.abs(value), 2)} % `;
+    this.value.textContent = `At ${place} and ${fixed(1e3 * time, 1)} ms: ${much}${words}.`;
+    this.cross.hidden = false;
+    this.cross.style.transform = `translate(${area.left + along * area.width}px, ${area.top + down * area.height}px)`;
+  }
+
+  private rest(): void {
+    this.cross.hidden = true;
+    this.value.textContent = 'Colours as of the coil.';
+  }
+
+  private go(): void {
+    this.goTo(this.page[0] + this.pointed[1] * (this.page[1] - this.page[0]));
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = event.shiftKey ? 0.1 : 0.02;
+    const [along, down] = this.pointed;
+    const moved: Record<string, [number, number]> = {
+      ArrowLeft: [along - step, down],
+      ArrowRight: [along + step, down],
+      ArrowUp: [along, down - step],
+      ArrowDown: [along, down + step],
+    };
+    const to = moved[event.key];
+    if (!to && event.key !== 'Enter') return;
+    event.preventDefault();
+    if (!to) return this.go();
+    this.pointed = [clamp(to[0], 0, 1), clamp(to[1], 0, 1)];
+    this.value.setAttribute('aria-live', 'polite');
+    this.tell();
+  }
+}
