@@ -13,8 +13,8 @@ test('each step names what the curves show, and shows it', async ({ page }) => {
   const [time, one, two] = [await series(page, 'time'), await series(page, 'F_i'), await series(page, 'F_o')];
   const at = time.findIndex((t) => t >= 0.5 * spring.transitTime);
   const apart = Math.abs((one[at] ?? NaN) - (two[at] ?? NaN));
-  // 2 √(k m) v: an end is run up against, the other away from.
-  expect(apart / (2 * Math.sqrt(spring.stiffness * spring.mass) * 0.25)).toBeCloseTo(1, 1);
+  // 2 √(k m) v: an end is run up against, the other away from. Waves of a few windings ripple about it.
+  expect(Math.abs(apart / (2 * Math.sqrt(spring.stiffness * spring.mass) * 0.25) - 1)).toBeLessThan(0.15);
   await expect(why.getByRole('listitem').nth(1)).toContainText(`${Number(apart.toPrecision(3))}\u00a0N`);
   await why.getByRole('link', { name: 'Show it: The wave meets the other end' }).click();
   await expect.poll(() => page.url()).toContain('times');

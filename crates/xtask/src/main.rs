@@ -46,6 +46,8 @@ enum Chore {
     Fuzz(fuzz::Arguments),
     /// Build the page into web/dist, for any static host
     Page,
+    /// Write web/public/notices.txt: the licences of all that the page is made of
+    Notices,
     /// Write the interactive part of reports, from the page's modules
     Viewer,
     /// Write the types of the Python module, from what PyO3 tells of it
@@ -58,6 +60,7 @@ fn main() -> ExitCode {
         Chore::Bench(arguments) => bench::run(&arguments),
         Chore::Fuzz(arguments) => fuzz::run(&arguments),
         Chore::Page => page_chore(),
+        Chore::Notices => page::tools().and_then(|_| notices::of_page()),
         Chore::Viewer => viewer::write(),
         Chore::Stubs => stubs::write(),
     };

@@ -4,6 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use anyhow::{Context, bail, ensure};
 use serde::Deserialize;
@@ -17,40 +18,16 @@ const TEXTS: [&str; 5] = ["license", "licence", "copying", "notice", "unlicense"
 #[derive(Deserialize)]
 struct Metadata {
     packages: Vec<Package>,
-    resolve: Resolve,
 }
 
 #[derive(Deserialize)]
 struct Package {
-    id: String,
     name: String,
     version: String,
     license: Option<String>,
     repository: Option<String>,
     manifest_path: PathBuf,
     source: Option<String>,
-}
-
-#[derive(Deserialize)]
-struct Resolve {
-    nodes: Vec<Node>,
-}
-
-#[derive(Deserialize)]
-struct Node {
-    id: String,
-    deps: Vec<Dependency>,
-}
-
-#[derive(Deserialize)]
-struct Dependency {
-    pkg: String,
-    dep_kinds: Vec<Kind>,
-}
-
-#[derive(Deserialize)]
-struct Kind {
-    kind: Option<String>,
 }
 
 /// One work of others, with where it is from and what its licence says.
@@ -62,7 +39,7 @@ struct Work {
 
 /// Writes the notices of the page: the crates of its engines, the packages of its JavaScript.
 pub fn of_page() -> anyhow::Result<()> {
-    let mut works = crates("coilsense-web", &["workshop"], "wasm32-unknown-unknown")?;
+    let mut works = crates("coilsense-web", "workshop", "wasm32-unknown-unknown")?;
     works.extend(packages()?);
     works.sort();
     let public = root().join("web/public");
@@ -87,28 +64,28 @@ fn written(works: &[Work]) -> String {
 }
 
 /// The crates that are linked into a package with these features, on a target.
-fn crates(package: &str, features: &[&str], target: &str) -> anyhow::Result<Vec<Work>> {
-    let mut command = cargo(&["metadata", "--format-version", "1", "--locked", "--filter-platform", target]);
-    for feature in features {
-        command.args(["--features", &format!("{package}/{feature}")]);
-    }
-    let output = command.output().context("cargo metadata cannot be started")?;
-    ensure!(output.status.success(), "cargo metadata failed: {}", String::from_utf8_lossy(&output.stderr).trim());
-    let metadata: Metadata = serde_json::from_slice(&output.stdout).context("what cargo metadata prints")?;
-    let of_name = metadata.packages.iter().find(|one| one.name == package);
-    let mut waiting = vec![of_name.with_context(|| format!("no package is called {package}"))?.id.as_str()];
-    let mut linked = BTreeSet::new();
-    while let Some(id) = waiting.pop() {
-        if !linked.insert(id) {
-            continue;
-        }
-        let node = metadata.resolve.nodes.iter().find(|node| node.id == id);
-        // What only builds or tests is not shipped.
-        let shipped = |one: &&Dependency| one.dep_kinds.iter().any(|kind| kind.kind.is_none());
-        waiting.extend(node.iter().flat_map(|node| &node.deps).filter(shipped).map(|one| one.pkg.as_str()));
-    }
-    let others = metadata.packages.iter().filter(|one| linked.contains(one.id.as_str()) && one.source.is_some());
-    others.map(of_crate).collect()
+fn crates(package: &str, features: &str, target: &str) -> anyhow::Result<Vec<Work>> {
+    // Of this package alone: what others of the workspace ask of the same crates is not in it. What only builds or tests is not shipped.
+    let tree = ["tree", "--locked", "--package", package, "--features", features, "--target", target];
+    let linked = told(cargo(&tree).args(["--edges", "normal", "--prefix", "none", "--format", "{p}"]))?;
+    let linked: BTreeSet<(&str, &str)> = linked
+        .lines()
+        .filter_map(|line| {
+            let mut words = line.split(' ');
+            Some((words.next()?, words.next()?.strip_prefix('v')?))
+        })
+        .collect();
+    let metadata = told(&mut cargo(&["metadata", "--format-version", "1", "--locked", "--filter-platform", target]))?;
+    let metadata: Metadata = serde_json::from_str(&metadata).context("what cargo metadata prints")?;
+    let is_linked = |one: &&Package| linked.contains(&(one.name.as_str(), one.version.as_str()));
+    metadata.packages.iter().filter(is_linked).filter(|one| one.source.is_some()).map(of_crate).collect()
+}
+
+/// What a command prints.
+fn told(command: &mut Command) -> anyhow::Result<String> {
+    let output = command.output().context("cargo cannot be started")?;
+    ensure!(output.status.success(), "cargo failed: {}", String::from_utf8_lossy(&output.stderr).trim());
+    String::from_utf8(output.stdout).context("what cargo prints")
 }
 
 fn of_crate(package: &Package) -> anyhow::Result<Work> {
@@ -165,7 +142,7 @@ mod tests {
 
     #[test]
     fn every_crate_of_the_engines_is_named_with_its_licence() {
-        let works = crates("coilsense-web", &["workshop"], "wasm32-unknown-unknown").expect("the crates");
+        let works = crates("coilsense-web", "workshop", "wasm32-unknown-unknown").expect("the crates");
         for name in ["nalgebra ", "wasm-bindgen ", "serde_json ", "realfft "] {
             let work = works.iter().find(|work| work.heading.starts_with(name)).unwrap_or_else(|| panic!("{name}"));
             assert!(!work.texts.is_empty(), "{name}");
