@@ -223,7 +223,11 @@ fn damaged(count: u64) {
         }
     });
     let (read, formats) = (read.into_inner(), logs.len());
-    println!("{count} damaged logs of {formats} kinds in {:.0} s: {read} read, {} refused", begun.elapsed().as_secs_f64(), count - read);
+    println!(
+        "{count} damaged logs of {formats} kinds in {:.0} s: {read} read, {} refused",
+        begun.elapsed().as_secs_f64(),
+        count - read
+    );
     // Neither does damage go unseen everywhere, nor is every log refused.
     assert!(read > count / 10 && read < count - count / 10, "{read} of {count}");
 }

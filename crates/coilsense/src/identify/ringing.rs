@@ -134,11 +134,7 @@ pub(super) fn rings<'a>(
 }
 
 /// k times the smoothed length, where both are known and the smoothing leaves less noise than the force sensors have.
-fn slow_force<'a>(
-    signals: &'a Signals,
-    sampling: &Sampling,
-    stiffness: Option<&Stiffness>,
-) -> Option<SlowForce<'a>> {
+fn slow_force<'a>(signals: &'a Signals, sampling: &Sampling, stiffness: Option<&Stiffness>) -> Option<SlowForce<'a>> {
     let stiffness = stiffness?;
     let length = Length { first: signals.channel(Channel::U1).ok(), second: signals.channel(Channel::U2).ok() };
     let window = ((0.05 * sampling.rate) as usize).clamp(1, sampling.samples / 4);

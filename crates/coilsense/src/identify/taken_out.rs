@@ -33,7 +33,10 @@ impl TakenOut {
             let (from, to) = (first.max(*start), end.min(start + length));
             if from < to {
                 let rings = self.shapes.rows(from - start, to - from) * amplitudes;
-                values[from - first..to - first].iter_mut().zip(rings.iter()).for_each(|(value, rings)| *value -= rings);
+                values[from - first..to - first]
+                    .iter_mut()
+                    .zip(rings.iter())
+                    .for_each(|(value, rings)| *value -= rings);
             }
         }
     }

@@ -110,8 +110,7 @@ fn without<'a>(lines: &[Line], series: &[Series<'a>], hits: &[Hit], sampling: &S
         (-decay * sample as f64).exp() * if column.is_multiple_of(2) { cosine } else { sine }
     });
     let shapes = Arc::new(shapes);
-    let mut taken: Vec<TakenOut> =
-        series.iter().map(|_| TakenOut::of(&shapes)).collect();
+    let mut taken: Vec<TakenOut> = series.iter().map(|_| TakenOut::of(&shapes)).collect();
     let mut factor = None;
     for &(start, length) in &stretches {
         let own = shapes.rows(0, length);
