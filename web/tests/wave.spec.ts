@@ -1,4 +1,5 @@
 // The strip has the wave where the engine has it, and the sound is the force at end 2.
+import AxeBuilder from '@axe-core/playwright';
 import { ready } from './hits';
 import { expect, facts, open, test } from './page';
 
@@ -112,6 +113,21 @@ test('what end 2 feels is heard on request, softly, for three seconds at most', 
   await page.getByRole('slider', { name: 'How hard it is hit, slider' }).fill('600');
   await expect(listen).toBeVisible();
 });
+
+for (const colorScheme of ['light', 'dark'] as const)
+  test(`axe finds nothing in spring and strip while they are used, in ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await open(page);
+    await ready(page);
+    await page.getByRole('button', { name: 'Listen' }).click();
+    await page.locator('.strip').focus();
+    await page.keyboard.press('ArrowDown');
+    await page.locator('.strike').focus();
+    await page.keyboard.press('ArrowRight');
+    await expect(page.locator('.how')).toBeVisible();
+    const { violations } = await new AxeBuilder({ page }).include('.see').include('.wave').analyze();
+    expect(violations).toEqual([]);
+  });
 
 test('a force that is steady is not heard, and where nothing can sound there is no button', async ({
   page,
