@@ -43,7 +43,7 @@ test('a flick is as fast as the hand, in the coil’s own metres, either way', a
   await expect(undo(page)).toBeDisabled();
 });
 
-test('only the last eightieth of a second counts, and a hand at rest is no hit', async ({ page }) => {
+test('only the last 80 ms count, and a hand at rest is no hit', async ({ page }) => {
   await open(page);
   await ready(page);
   const { scale } = await coil(page);

@@ -112,6 +112,7 @@ test('what end 2 feels is heard on request, softly, for three seconds at most', 
   await page.getByRole('button', { name: 'Hit', exact: true }).click();
   await page.getByRole('slider', { name: 'How hard it is hit, slider' }).fill('600');
   await expect(listen).toBeVisible();
+  await expect(wave).not.toContainText('loudest');
 });
 
 for (const colorScheme of ['light', 'dark'] as const)

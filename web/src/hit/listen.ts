@@ -29,7 +29,10 @@ export class Listen {
 
   /** The exact case; null while there is none: what is played then is of another spring and ends. */
   show(shown: Answer<ExactFacts> | null): void {
-    if (!shown) this.stop();
+    if (!shown) {
+      this.stop();
+      this.say('');
+    }
     this.shown = shown;
     if (shown && this.isWanted) this.play(shown);
   }
@@ -61,7 +64,7 @@ export class Listen {
     this.mark('Stop');
     const lines = heard(shown).map((hertz) => hertz.toFixed(0));
     const at = lines.length > 0 ? `, loudest at ${lines.join(', ')} Hz` : '';
-    this.say(`You hear the force at end 2 less its mean, in real time${at}.`);
+    this.say(`The force at end 2 less its mean, in real time${at}.`);
   }
 
   private stop(): void {
@@ -86,7 +89,7 @@ export class Listen {
   }
 
   private say(words: string): void {
-    this.words.hidden = false;
+    this.words.hidden = words === '';
     this.words.textContent = words;
   }
 }
