@@ -159,7 +159,7 @@ export const OFF_GEOMETRY: readonly Field[] = [
 ];
 export const OFF_LENGTH: readonly Field[] = [{ key: 'rest_length_tolerance', label: 'l0, ±', hint: 'a length' }];
 export const WARMTH: readonly Field[] = [
-  { key: 'temperature_change', label: 'Temperature, ±', hint: 'since the calibration' },
+  { key: 'temperature_change', label: 'ΔT, ±', hint: 'of temperature, since the calibration' },
 ];
 
 /** What a condition that the user adds begins as; lengths and shares fit every spring. */

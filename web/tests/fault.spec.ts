@@ -113,8 +113,16 @@ let saved = 0;
 const host = new Host();
 /** Which use needs a file first. */
 const needs = new Map<string, string>();
-/** What does without: nobody misses the icon, nor who warns, nor what keeps the page for later, nor who mends. */
-const SPARE = [/^icon\.svg$/, /^sw\.js$/, /^assets\/offline-/, /^assets\/guard-/, /^assets\/anew-/];
+/** What does without: nobody misses the icon, the licences, who warns, what keeps the page for later, who mends, nor what zooms by two fingers. */
+const SPARE = [
+  /^icon\.svg$/,
+  /^notices\.txt$/,
+  /^assets\/touch-/,
+  /^sw\.js$/,
+  /^assets\/offline-/,
+  /^assets\/guard-/,
+  /^assets\/anew-/,
+];
 const isSpare = (file: string): boolean => SPARE.some((pattern) => pattern.test(file));
 
 test.use({ serviceWorkers: 'block' });

@@ -31,7 +31,7 @@ test('Back goes to the tab before, Forward to the one after, and neither takes b
   // The address is that of what is shown, not of what the step once was.
   await expect.poll(() => page.url()).toContain('spring.mass=71+g');
   for (let back = 0; back < 3; back++) await page.goBack();
-  expect(page.url()).toBe('about:blank');
+  await expect.poll(() => page.url()).toBe('about:blank');
 });
 
 test('Back from an address that was typed gives the state before it, Forward that of the address', async ({ page }) => {

@@ -4,6 +4,7 @@
 // Next door: the fields that are typed into (`control`, `damping`, `contact`), what is shown of it (`reading`).
 
 import type { Value } from '../document';
+import { part } from '../faults';
 import type { Field } from '../fields';
 
 export interface Typed {
@@ -19,9 +20,8 @@ let values: typeof import('./values') | null = null;
 let coming: Promise<void> | null = null;
 
 export function load(): Promise<void> {
-  coming ??= import('./values').then(
+  coming ??= part('What reads numbers as people type them', () => import('./values')).then(
     (come) => void (values = come),
-    () => void (coming = null),
   );
   return coming;
 }

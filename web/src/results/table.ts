@@ -59,7 +59,7 @@ export class Table {
     const window = facts.conditions[facts.condition]?.window ?? [0, 0];
     // A coil whose windings would touch does something else: these numbers are of none.
     const beyond = contact === null && clash.firstContact !== null;
-    this.body.classList.toggle('stale', beyond);
+    this.body.classList.toggle('grey', beyond);
     this.caption.replaceChildren(
       rich(
         `This case, ${dampings[damping]?.label ?? ''}, judged from ${fixed(window[0], 2)} to ${fixed(window[1], 2)} s: off from ${truthOf(truth)}, in % of F_nom = ${fixed(spring.nominalForce, 1)} N.`,

@@ -57,6 +57,8 @@ export class Player {
     private readonly onTime: (time: number, told: boolean) => void,
     /** What is done to see a first contact [s]; without it nobody is offered to. */
     private readonly onContact: ((time: number) => void) | null = null,
+    /** Loads what tells which windings are closed. */
+    private readonly closed: () => Promise<typeof import('./closed')> = () => import('./closed'),
   ) {
     this.ends = [make('span', { class: 'end first' }), make('span', { class: 'end second' })];
     const words = (slow: number) => (slow === 1 ? 'real time' : `${Math.round(1 / slow)}× slower`);
@@ -120,7 +122,7 @@ export class Player {
   }
 
   private async learnClosed(): Promise<void> {
-    this.closedAt = (await import('./closed')).closedAt;
+    this.closedAt = (await this.closed()).closedAt;
     this.draw();
   }
 

@@ -86,7 +86,8 @@ export const open: Open = (panel, store, compute) => {
     player.playFrom(time);
     store.setView({ times: [Math.max(0, time - 0.25 * period), Math.min(end, time + 0.75 * period)], slow: 0 });
   };
-  const player = new Player(speed, parts.spring, parts.canvas, moved, meet);
+  const closed = () => part('What marks windings that meet', () => import('../spring/closed'));
+  const player = new Player(speed, parts.spring, parts.canvas, moved, meet, closed);
   const why = new Why(parts.why, store, (times, at) => {
     store.setView({ times });
     player.goTo(at);
