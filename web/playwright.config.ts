@@ -13,6 +13,8 @@ export default defineConfig({
   reporter: [['list']],
   use: {
     baseURL: `http://127.0.0.1:${PORT}/some/where/`,
+    // What keeps the page for later has tests of its own (`recover`).
+    serviceWorkers: 'block',
     launchOptions: {
       executablePath: process.env['COILSENSE_CHROMIUM'] ?? '/usr/bin/chromium',
       args: ['--no-sandbox'],

@@ -336,7 +336,7 @@ test('a finger scrolls the page up and down, hits by a tap, and the strip is not
 
 test('what could not be loaded is said, and had at the second try', async ({ page, watched }) => {
   let broken = true;
-  await page.route(/\/part-.*\.js$/, (route) => (broken ? route.abort() : route.continue()));
+  await page.route(/\/hands-.*\.js$/, (route) => (broken ? route.abort() : route.continue()));
   await open(page);
   const wave = page.locator('.wave');
   const note = page

@@ -110,7 +110,7 @@ test('a wrong choice is red with the reason, and the last good answer stays', as
   await judge(page);
   await page.getByText('Sampling, noise, tolerances').click();
   for (const [label, name, value, reason] of [
-    ['Most lag', 'most-lag', '30', 'must be an angle with its unit (rad, deg), got "30"'],
+    ['Most lag', 'most-lag', '30 N', 'must be an angle with its unit (rad, deg), got "30 N"'],
     ['Sampling rate', 'rate', '90 Hz', 'must be above twice the first surge frequency of 54.065 Hz, got 90 Hz'],
     ['Noise of', 'noise', '-1 N', 'must be above zero, got "-1 N"'],
     ['Bandwidth', 'bandwidth', '1 kHz', 'must be above zero and below the first surge frequency, got 1000 Hz'],
@@ -275,6 +275,8 @@ test('choices travel in the address, and numbers of an earlier state are said to
   await page.getByLabel('Mass m', { exact: true }).fill('70 g');
   await page.getByRole('tab', { name: 'Mitigate' }).click();
   await expect(earlier).toBeVisible();
+  // What was done on a tab is undone there.
+  await page.getByRole('tab', { name: 'Spring' }).click();
   await page.getByRole('button', { name: 'Undo' }).click();
   await page.getByRole('tab', { name: 'Mitigate' }).click();
   await expect(page.getByLabel('Most lag')).toHaveValue('40 deg');

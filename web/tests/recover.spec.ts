@@ -12,6 +12,8 @@ import { example } from './jobs';
 /** Nothing may be silent for longer [ms]. */
 const SILENT = 3000;
 const host = new Host();
+
+test.use({ serviceWorkers: 'allow' });
 test.beforeAll(() => host.begin());
 test.beforeEach(() => host.heal());
 test.afterAll(() => host.end());

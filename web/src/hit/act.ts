@@ -1,6 +1,6 @@
 // What a hit or a pull is in a spec: an impact with the pointer's speed, or an end that goes back by as far as it was pulled.
 //
-// Next door: how it is done by hand and by keys (`gesture`), when it is shown (`part`).
+// Next door: how it is done by hand and by keys (`gesture`), when it is shown (`hands`).
 
 import { sections, withValue, type Section, type Spec } from '../document';
 import { clamp, digits, fixed } from '../dom';

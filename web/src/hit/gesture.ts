@@ -1,6 +1,6 @@
 // Hands and keys on the coil: a click or a flick is a hit, an end that is pulled and let go a pull. While that lasts, an arrow says what it will be.
 //
-// Next door: what comes of it (`act`), how the arrow looks (`arrow`), who shows it (`part`).
+// Next door: what comes of it (`act`), how the arrow looks (`arrow`), who shows it (`hands`).
 
 import { clamp, make } from '../dom';
 import { Arrow } from './arrow';

@@ -1,14 +1,14 @@
 // The button that hits the spring, and the words below it; the rest (hands and keys on the coil, the strip, the sound) is loaded once there
 // are curves.
 //
-// Next door: what is loaded (`part`).
+// Next door: what is loaded (`hands`).
 
 import type { Compute, Shown } from '../compute';
 import { make } from '../dom';
 import { part } from '../faults';
 import type { Player } from '../spring/player';
 import type { Store } from '../store';
-import type { Part } from './part';
+import type { Part } from './hands';
 
 /** What a hit has to do with. */
 export interface Bench {
@@ -32,7 +32,8 @@ export class Hits {
     const { card } = bench;
     card.querySelector('.play')?.after(this.button);
     card.querySelector('.legend')?.append(this.words);
-    this.words.textContent = 'Click or flick the coil; pull an end and let go.';
+    // A phone's first screen has no line for it.
+    if (innerWidth >= 480) this.words.textContent = 'Click or flick the coil; pull an end and let go.';
     this.button.addEventListener('click', (event) => void this.load().then(() => this.part?.hit(event)));
   }
 
@@ -48,7 +49,7 @@ export class Hits {
   }
 
   private load(): Promise<void> {
-    return (this.loading ??= part('What hits the spring and shows its wave', () => import('./part')).then(
+    return (this.loading ??= part('What hits the spring and shows its wave', () => import('./hands')).then(
       ({ Part }) => void (this.part = new Part(this.bench, this.words)),
     ));
   }

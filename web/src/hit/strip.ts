@@ -1,7 +1,7 @@
 // The strip: position along the spring to the right, time downwards, the strain of each gap as a colour; a line goes down with the player.
 // What is shown is turned like pages, each of a few ways of the wave, so that one look follows it to the far end and back.
 //
-// Next door: how it is painted (`paint`), who shows it (`part`).
+// Next door: how it is painted (`paint`), who shows it (`hands`).
 
 import type { Shown } from '../compute';
 import { clamp, digits, fixed, make } from '../dom';
