@@ -13,7 +13,11 @@ export const test = base.extend<{ watched: string[] }>({
       const origin = new URL(baseURL ?? '').origin;
       page.on(
         'console',
-        (message) => ['error', 'warning'].includes(message.type()) && complaints.push(`console: ${message.text()}`),
+        (message) =>
+          ['error', 'warning'].includes(message.type()) &&
+          // As `playwright.config` has it.
+          !message.text().includes('Service Worker registration blocked by Playwright') &&
+          complaints.push(`console: ${message.text()}`),
       );
       page.on('pageerror', (error) => complaints.push(`error: ${error.message}`));
       page.on('request', (request) => {

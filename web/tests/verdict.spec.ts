@@ -148,7 +148,7 @@ test('a verdict is never shown for another state than its own', async ({ page })
   // At once, before anything is computed.
   expect(await page.evaluate(() => window.coilsense.verdict())).toBeNull();
   await expect(card.locator('.verdict')).toHaveAttribute('aria-busy', 'true');
-  await expect(card.locator('.status')).toContainText('judging');
+  await expect(card.locator('.standing')).toContainText('judging');
   await page.waitForTimeout(400);
   await limit.fill('50 %');
   const last = await verdict(page);

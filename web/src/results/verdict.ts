@@ -10,7 +10,7 @@ import css from '../style/verdict.css?inline';
 import { wear } from '../style/wear';
 
 export class Verdict {
-  private readonly status = make('span', { class: 'status' }, '…');
+  private readonly status = make('span', { class: 'standing' }, '…');
   private readonly bar = make('progress', { 'aria-label': 'Cases judged' });
   private readonly body = make('div', { class: 'verdict' });
 
