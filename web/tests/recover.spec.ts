@@ -152,10 +152,11 @@ test('a log that is opened without a network is opened once it is back', async (
   await exact(page);
   await page.context().setOffline(true);
   await page.getByRole('tab', { name: 'Log' }).click();
-  await expect(alert(page)).toContainText('offline', { timeout: SILENT });
+  // The verdict, too, may not have come yet.
+  await expect(alert(page).filter({ hasText: 'The tab Log' })).toContainText('offline', { timeout: SILENT });
   await page.context().setOffline(false);
   await expect(page.getByRole('button', { name: 'Try it with a simulated log' })).toBeVisible({ timeout: 10_000 });
-  await expect(alert(page)).toHaveCount(0);
+  await expect(alert(page)).toHaveCount(0, { timeout: 20_000 });
   await page.close();
 });
 

@@ -49,8 +49,8 @@ mod tests {
             for range in [0..500, 0..3, 200..217, 470..500, 499..500] {
                 let part = smoothed(|index| values[index], 500, window, range.clone());
                 let off = part.iter().zip(&whole[range]).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-                // Sums of a stretch are rounded otherwise.
-                assert!(off < 1e-14, "{window}: {off:e}");
+                // Sums of a stretch are rounded otherwise: those of the whole reach some 400, whose last digit is 6e-14.
+                assert!(off < 1e-12, "{window}: {off:e}");
             }
         }
     }
