@@ -113,7 +113,7 @@ let saved = 0;
 const host = new Host();
 /** Which use needs a file first. */
 const needs = new Map<string, string>();
-/** What does without: nobody misses the icon, the licences, who warns, what keeps the page for later, who mends, nor what zooms by two fingers. */
+/** What does without: nobody misses the icon, the licences, the picture for others, who warns, what keeps the page for later, who mends, nor what zooms by two fingers. */
 const SPARE = [
   /^icon\.svg$/,
   /^notices\.txt$/,
