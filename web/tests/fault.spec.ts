@@ -117,6 +117,7 @@ const needs = new Map<string, string>();
 const SPARE = [
   /^icon\.svg$/,
   /^notices\.txt$/,
+  /^shared\.png$/,
   /^assets\/touch-/,
   /^sw\.js$/,
   /^assets\/offline-/,
