@@ -152,17 +152,9 @@ impl Conditions {
     }
 }
 
-/// The record without forces that do not follow the slow motion, of which no stiffness follows; none where all do, or none does.
-pub(super) fn with_slow_motion(signals: &Signals, checks: &[ChannelCheck]) -> Option<Signals> {
-    let missing = |channel: Channel| checks.iter().any(|check| check.channel == channel && check.high_pass.is_some());
-    if !checks.iter().any(|check| check.high_pass.is_some()) {
-        return None;
-    }
-    let mut rest = Signals::new(signals.time().to_vec()).ok()?;
-    for (channel, values) in signals.channels().filter(|(channel, _)| !missing(*channel)) {
-        rest.insert(channel, values.to_vec()).ok()?;
-    }
-    Some(rest)
+/// The forces that do not follow the slow motion, of which no stiffness follows.
+pub(super) fn without_slow_motion(checks: &[ChannelCheck]) -> Vec<Channel> {
+    checks.iter().filter(|check| check.high_pass.is_some()).map(|check| check.channel).collect()
 }
 
 /// What of the checks a reader should know, a sentence each.

@@ -57,13 +57,14 @@ pub(super) fn length(signals: &Signals) -> Option<(Vec<f64>, bool)> {
     }
 }
 
-/// Mean of the end forces that were recorded; F_L where there is none.
-pub(super) fn force(signals: &Signals) -> Option<Vec<f64>> {
-    let ends = [Channel::InputForce, Channel::OutputForce].map(|channel| signals.channel(channel).ok());
+/// Mean of the end forces that were recorded and are not left out; F_L where there is none.
+fn force(signals: &Signals, left_out: &[Channel]) -> Option<Vec<f64>> {
+    let taken = |channel: Channel| signals.channel(channel).ok().filter(|_| !left_out.contains(&channel));
+    let ends = [Channel::InputForce, Channel::OutputForce].map(taken);
     match ends {
         [Some(first), Some(second)] => Some(first.iter().zip(second).map(|(a, b)| 0.5 * (a + b)).collect()),
         [Some(one), None] | [None, Some(one)] => Some(one.to_vec()),
-        [None, None] => signals.channel(Channel::InductanceForce).ok().map(<[f64]>::to_vec),
+        [None, None] => taken(Channel::InductanceForce).map(<[f64]>::to_vec),
     }
 }
 
@@ -95,7 +96,7 @@ impl Stiffness {
     /// Why there is none, in words.
     pub fn of_record(signals: &Signals, first_frequency: f64) -> Result<Self, String> {
         let sampling = Sampling::of(signals).map_err(|error| error.to_string())?;
-        let mut found = Self::of(signals, &sampling, &Settings::default())?;
+        let mut found = Self::of(signals, &[], &sampling, &Settings::default())?;
         found.with_mass(first_frequency);
         Ok(found)
     }
@@ -105,13 +106,20 @@ impl Stiffness {
     /// k = Σ(l − l̄)(F − F̄)/(Σ(l − l̄)² − B u_l²); u² = s²/Σ(l − l̄)² · (1 + ρ)/(1 − ρ) + k²(a_F² + a_x²)/3
     ///
     /// ρ: correlation of neighbouring residuals; a_F, a_x: relative limits of error of force and position, rectangular. The mean of both
-    /// ends' forces is taken where both were recorded: odd modes cancel in it. A text says why there is none.
-    pub(super) fn of(signals: &Signals, sampling: &Sampling, settings: &Settings) -> Result<Self, String> {
+    /// ends' forces is taken where both were recorded and neither is `left_out`: odd modes cancel in it. A text says why there is none.
+    pub(super) fn of(
+        signals: &Signals,
+        left_out: &[Channel],
+        sampling: &Sampling,
+        settings: &Settings,
+    ) -> Result<Self, String> {
         let (length, both_positions) =
             length(signals).ok_or("no position was recorded (u1, u2), so there is no stiffness")?;
-        let force = force(signals).ok_or("no force at an end was recorded (F_i, F_o), so there is no stiffness")?;
+        let force =
+            force(signals, left_out).ok_or("no force at an end was recorded (F_i, F_o), so there is no stiffness")?;
         let block = ((BLOCK * sampling.rate) as usize).min(length.len() / LEAST_BLOCKS).max(4);
         let (lengths, forces) = (block_means(&length, block), block_means(&force, block));
+        drop(force);
         let count = lengths.len() as f64;
         let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
         let (l_mean, f_mean) = (mean(&lengths), mean(&forces));

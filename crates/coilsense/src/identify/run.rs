@@ -47,9 +47,8 @@ impl Identification {
         let signals = turned.as_ref().unwrap_or(signals);
         let recorded = Sampling::of(signals)?;
         let channels = channel_check::check(signals, &recorded);
-        let with_slow_motion = channel_check::with_slow_motion(signals, &channels);
-        let stiffness = Stiffness::of(with_slow_motion.as_ref().unwrap_or(signals), &recorded, &settings);
-        drop(with_slow_motion);
+        let left_out = channel_check::without_slow_motion(&channels);
+        let stiffness = Stiffness::of(signals, &left_out, &recorded, &settings);
         let paced = channel_check::at_own_pace(signals, &channels);
         let signals = paced.as_ref().unwrap_or(signals);
         let sampling = Sampling::of(signals)?;
