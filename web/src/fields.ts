@@ -143,7 +143,7 @@ export const GOAL: readonly Field[] = [
     slide: { from: 0.05, to: 5, scale: 'log' },
   },
   { key: 'force', label: 'Taken as true', words: ['F_x', 'F_i', 'F_o'], hint: 'F_x is k × stretch' },
-  { key: 'bandwidth', label: 'Up to', hint: 'a frequency; left out, errors of every frequency count' },
+  { key: 'bandwidth', label: 'Bandwidth', hint: 'of the goal; left empty, errors of every frequency count' },
 ];
 
 /** How far real springs are off, to either side: of a spring by values, by geometry, and of any. */

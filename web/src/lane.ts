@@ -88,7 +88,7 @@ export class Lane {
     if (this.ended > 1) {
       await again('worker', ENDS);
       this.ended = 0;
-    } else say('worker', 'A worker of the engine had ended. Another has taken its place.');
+    } else say('worker', 'The engine had stopped and was restarted.');
     this.replace();
   }
 
@@ -114,7 +114,7 @@ export class Lane {
 
   /** No answer for long: it may be much to compute, or a worker that hangs. */
   private wait(): void {
-    this.quick = slow('The engine is still computing …', 'Start it anew', () => this.replace());
+    this.quick = slow('The engine is still computing …', 'Restart it', () => this.replace());
   }
 
   /** Nobody is waited for. */

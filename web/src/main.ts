@@ -11,7 +11,7 @@ import { TABS } from './tabs/all';
 import type { Tab } from './tabs/tab';
 
 const store = new Store((words) =>
-  say('link', `The link says what no page knows: “${words.join('”, “')}”. The rest of it is shown.`),
+  say('link', `The link has settings that this page does not know: “${words.join('”, “')}”. They are ignored.`),
 );
 const compute = new Compute(store);
 const main = byId('main');

@@ -9,7 +9,7 @@ import { say } from './faults';
 const line = byId('offline');
 
 function kept(): void {
-  line.textContent = 'This browser keeps the page: it opens without a network, too.';
+  line.textContent = 'Saved in this browser: the page also opens without a network.';
   line.hidden = false;
 }
 

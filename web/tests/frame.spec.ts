@@ -53,7 +53,7 @@ test('a tab has its own title', async ({ page }) => {
 
 test('the licences of all that is shipped are a file beside the page', async ({ page, request }) => {
   await open(page);
-  const href = await page.getByRole('link', { name: 'Licences of what it is made of' }).getAttribute('href');
+  const href = await page.getByRole('link', { name: 'Third-party licences' }).getAttribute('href');
   const reply = await request.get(new URL(href ?? '', page.url()).href);
   expect(reply.ok()).toBe(true);
   const text = await reply.text();

@@ -47,7 +47,7 @@ test('workers that end are noticed at once, replaced and said, and what was aske
   const end = () =>
     page.evaluate(() => (window as unknown as { all: Worker[] }).all.splice(0).forEach((one) => one.terminate()));
   await end();
-  await expect(notes(page)).toContainText('had ended', { timeout: SILENT });
+  await expect(notes(page)).toContainText('had stopped', { timeout: SILENT });
   await notes(page).getByRole('button', { name: 'OK' }).click();
   await hit(page).fill('500');
   await exact(page);
@@ -59,7 +59,7 @@ test('workers that end are noticed at once, replaced and said, and what was aske
     timeout: 30_000,
   });
   await end();
-  await expect(notes(page)).toContainText('Another has taken its place', { timeout: SILENT });
+  await expect(notes(page)).toContainText('was restarted', { timeout: SILENT });
   await expect(page.locator('#panel-mitigate [role=status]').filter({ hasText: /of \d+ candidates/ })).toBeVisible({
     timeout: 30_000,
   });
@@ -80,7 +80,7 @@ test('workers that do not answer are said, and begun anew', async ({ page }) => 
   await exact(page);
   await page.evaluate(() => Object.assign(window, { deaf: true }));
   await hit(page).fill('500');
-  const anew = notes(page).getByRole('button', { name: 'Start it anew' });
+  const anew = notes(page).getByRole('button', { name: 'Restart it' });
   await expect(anew).toBeVisible({ timeout: SILENT + 500 });
   await page.evaluate(() => Object.assign(window, { deaf: false }));
   await anew.click();
@@ -142,7 +142,7 @@ test('a page that came with one build while the next was put there is kept by ne
   host.contents.set('index.html', readFileSync(`${dist}index.html`, 'utf8').replace('Hit the spring.', 'Another one.'));
   await page.goto(`${host.address}#S_T`);
   await exact(page);
-  await expect(page.locator('#offline')).toContainText('could not keep', { timeout: 20_000 });
+  await expect(page.locator('#offline')).toContainText('could not save', { timeout: 20_000 });
   expect(await page.evaluate(() => window.caches.keys())).toEqual([]);
 });
 

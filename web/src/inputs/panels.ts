@@ -154,7 +154,7 @@ export class Panels {
       ...GOAL.map(at('goal')),
       group(
         'more-tolerances',
-        'How far real springs are off',
+        'Tolerances of real springs',
         ...[...(geometry ? OFF_GEOMETRY : OFF_VALUES), ...OFF_LENGTH].map(spring),
         ...WARMTH.map(at('uncertainty')),
       ),

@@ -40,7 +40,7 @@ export function begin(
       const reply = await once(engine);
       worker?.terminate();
       if (reply) return reply;
-      if (ended % 2 === 1) say('job', 'The worker of this question had ended. Another has taken its place.');
+      if (ended % 2 === 1) say('job', 'The computation had stopped and was restarted.');
       else
         await again(
           'job',

@@ -7,6 +7,7 @@ import type { Compute } from '../compute';
 import { clamp, make } from '../dom';
 import type { Reply } from '../lane';
 import css from '../style/modes.css?inline';
+import { wear } from '../style/wear';
 import { drawLines, type LinesChart } from './chart';
 import { Choice } from './choice';
 import { lines, type Lines } from './lines';
@@ -45,7 +46,7 @@ export class Part {
     host: HTMLElement,
     private readonly compute: Compute,
   ) {
-    document.head.append(make('style', {}, css));
+    wear(css);
     host.append(this.refusal, this.body);
   }
 

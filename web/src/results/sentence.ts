@@ -21,16 +21,15 @@ export function sentence(answer: Answer<Facts>, times: [number, number]): Child[
   const { name, window } = facts.conditions[facts.condition] ?? { name: 'this', window: [0, 0] };
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
   const end = other === 'F_o' ? '2' : '1';
-  const meant =
-    truth === 'F_x' ? ', with k × stretch as the force' : ` the force at end ${truth === 'F_i' ? '1' : '2'}`;
+  const meant = truth === 'F_x' ? ' k × stretch' : ` the force at end ${truth === 'F_i' ? '1' : '2'}`;
   const off = forces[other]?.rmsd ?? 0;
   // On a mass at end 2 the first mode is the mass's swing, far below the coil's own.
   const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)}\u00a0Hz`;
-  const from = times[0] === 0 ? 'the first ' : `${fixed(1e3 * times[0], 0)} to `;
+  const from = times[0] === 0 ? 'in the first ' : `from ${fixed(1e3 * times[0], 0)} to `;
   return [
-    `“${name}” (${facts.dampings[facts.damping]?.label ?? 'ζ = 0'}) rings at ${ring}. In ${from}${fixed(1e3 * times[1], 0)}\u00a0ms its ends are up to `,
+    `In “${name}” (${facts.dampings[facts.damping]?.label ?? 'ζ = 0'}) the spring rings at ${ring}, its ends up to `,
     bold(`${digits(apart, 3)}\u00a0N apart`),
-    `, ${percent(apart, facts)} of F`,
+    ` ${from}${fixed(1e3 * times[1], 0)}\u00a0ms: ${percent(apart, facts)} of F`,
     make('sub', {}, 'nom'),
     `. From ${digits(window[0])} to ${digits(window[1])}\u00a0s a load cell at end ${end} is `,
     bold(`${percent(off, facts)} rms off`),

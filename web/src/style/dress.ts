@@ -1,12 +1,9 @@
-// The styles of the tabs Log and Mitigate, which come with them: as text, since a sheet beside a script would be one more file to be missing.
+// The styles of the tabs Log and Mitigate, which come with them.
+//
+// Next door: how they are put on (`wear`).
 
-import { make } from '../dom';
 import jobs from './jobs.css?inline';
 import log from './log.css?inline';
+import { wear } from './wear';
 
-let isDressed = false;
-
-export function dress(): void {
-  if (!isDressed) document.head.append(make('style', {}, jobs, log));
-  isDressed = true;
-}
+export const dress = (): void => wear(jobs, log);

@@ -7,6 +7,7 @@ import { fixed, make, rich } from '../dom';
 import { curves } from '../plots/curves';
 import { readInk } from '../plots/looks';
 import css from '../style/paper.css?inline';
+import { wear } from '../style/wear';
 import type { Open } from './tab';
 
 const CONDITIONS = [
@@ -17,7 +18,7 @@ const CONDITIONS = [
 
 export const open: Open = (panel, _, compute) => {
   readInk();
-  document.head.append(make('style', {}, css));
+  wear(css);
   const place = make(
     'div',
     { class: 'paper', 'aria-busy': 'true' },
