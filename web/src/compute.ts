@@ -295,13 +295,15 @@ export class Compute {
 
   /** The times that are shown [s]: the chosen ones within the condition, or its first surge periods. */
   private times(state: State, facts = this.last?.answer.facts): [number, number] {
-    const duration = facts?.conditions[state.view.condition]?.duration ?? 1;
+    const { duration = 1, kind, window } = facts?.conditions[state.view.condition] ?? {};
     // Of the coil's own first mode: on a mass at end 2 the lowest line is the mass's swing.
     const { lines, spring } = facts ?? {};
     const ring = lines?.find((line) => line > 0.4 * (spring?.surgeFrequency ?? 0));
-    const first = Math.min(duration, PERIODS / (ring ?? lines?.[0] ?? 54));
-    const [from, to] = state.view.times ?? [0, first];
-    return from < duration && to > from ? [Math.max(0, from), Math.min(to, duration)] : [0, first];
+    // A recorded motion may begin with rest: where it is judged, it rings.
+    const begin = kind === 'recorded' ? (window?.[0] ?? 0) : 0;
+    const first: [number, number] = [begin, Math.min(duration, begin + PERIODS / (ring ?? lines?.[0] ?? 54))];
+    const [from, to] = state.view.times ?? first;
+    return from < duration && to > from ? [Math.max(0, from), Math.min(to, duration)] : first;
   }
 
   private load(id: string): Promise<void> {
