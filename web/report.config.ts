@@ -26,6 +26,7 @@ export default defineConfig({
   publicDir: false,
   build: {
     target: 'es2022',
+    outDir: '../crates/coilsense-lab/src/report/viewer',
     emptyOutDir: false,
     lib: {
       entry: 'src/report/main.ts',
