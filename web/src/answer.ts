@@ -202,7 +202,6 @@ export type Job =
   | { kind: 'columns' | 'calibrate'; log: Log; asked: string }
   | { kind: 'identify'; log: Log; second: Log | null; asked: string }
   | { kind: 'trial'; text: string; condition: number; damping: number }
-  | { kind: 'verdict'; text: string }
   | { kind: 'mitigate-usual' | 'mitigate'; text: string; asked: string }
   | { kind: 'mitigate-log'; text: string; asked: string; name: string; bytes: Uint8Array };
 
@@ -215,6 +214,14 @@ export type ToWorker =
 
 /** To the larger engine's worker: all of it at once. */
 export type ToWorkshop = { engine: WebAssembly.Module; files: Map<string, string>; job: Job };
+
+/** To the worker that judges: a spec with the files that it may name, or that nobody waits for the one before any more. */
+export type ToJudge =
+  | { id: number; engine: WebAssembly.Module; files: Map<string, string>; text: string }
+  | { id: number };
+
+/** From it: how many cases are settled, then the verdict. */
+export type FromJudge = { id: number } & ({ told: [number, number] } | { facts: unknown } | { error: string });
 
 /** From the worker while it works: how much is done, and of how much. */
 export type Told = { told: [number, number] };

@@ -145,6 +145,12 @@ export class Compute {
     };
   }
 
+  /** The files that specs may name, once those of the preset are there. */
+  async known(): Promise<Map<string, string>> {
+    await this.load(this.store.state.preset);
+    return this.files;
+  }
+
   /** A file that a spec of the user's names. */
   addFile(name: string, text: string): void {
     this.files.set(name, text);

@@ -1,12 +1,12 @@
-//! What the verdict and the tabs *Log* and *Mitigate* ask: an engine twice as large, which a page loads once its first curves are drawn (feature
+//! What the tabs *Log* and *Mitigate* ask: an engine twice as large, which a page loads once its first curves are drawn (feature
 //! `workshop`).
 //!
-//! Next door: what every page asks (`door`), the answers (`log`, `mitigate`).
+//! Next door: what every page asks (`door`), the answers (`log`, `mitigate`), the verdict (`verdict`).
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::answer::Answer;
-use crate::{Engine, log, mitigate, verdict};
+use crate::{Engine, log, mitigate};
 
 /// Of the noise in the simulated log: any, but always the same.
 const TRIAL_SEED: u64 = 20_261_122;
@@ -52,14 +52,6 @@ impl Engine {
     /// What the spec's reader or the science says.
     pub fn trial_log(&self, text: &str, condition: usize, damping: usize) -> Result<Answer, String> {
         log::trial(&self.spec_without_contact(text, "a simulated log")?, condition, damping, TRIAL_SEED)
-    }
-
-    /// What `coilsense analyze` concludes of a spec.
-    ///
-    /// # Errors
-    /// What the spec's reader or the science says.
-    pub fn verdict(&self, text: &str) -> Result<Answer, String> {
-        verdict::run(self.spec(text)?, &tell)
     }
 
     /// What to do about the ringing of a spec's conditions; `asked` is JSON with the command's options, see [`mitigate::asked`].

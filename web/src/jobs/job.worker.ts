@@ -6,7 +6,7 @@ import { live } from '../alive';
 import { STOPPED, type Answer, type FromWorker, type Job, type Series, type Told, type ToWorkshop } from '../answer';
 import { Engine, initSync, type Answer as Found } from '../workshop/coilsense_web';
 
-/** The engine calls it while it judges. */
+/** The engine calls it while it works. */
 Object.assign(globalThis, {
   coilsenseTold: (done: number, of: number) => postMessage({ told: [done, of] } satisfies Told),
 });
@@ -40,8 +40,6 @@ function asked(engine: Engine, job: Job): Found {
       return engine.calibrate(job.log.name, job.log.bytes, job.asked);
     case 'trial':
       return engine.trial_log(job.text, job.condition, job.damping);
-    case 'verdict':
-      return engine.verdict(job.text);
     case 'mitigate':
       return engine.mitigate(job.text, job.asked);
     case 'mitigate-log':

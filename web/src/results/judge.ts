@@ -3,10 +3,8 @@
 // Next door: the card that shows it (`verdict`), the case that is drawn meanwhile (`compute`).
 
 import type { Compute } from '../compute';
+import { Judging } from '../jobs/judging';
 import type { Outcome } from './outcome';
-
-/** How long a spec stands before it is judged [ms]: the engine that judges is busy for seconds. */
-const REST = 150;
 
 /** Where the verdict stands. */
 export type Standing =
@@ -16,17 +14,18 @@ export type Standing =
 
 export class Judge {
   private text = '';
-  private timer = 0;
-  private cancel: (() => void) | null = null;
+  private readonly judging: Judging;
 
   constructor(
-    private readonly compute: Compute,
+    compute: Compute,
     private readonly tell: (standing: Standing) => void,
-  ) {}
+  ) {
+    this.judging = new Judging(() => compute.known());
+  }
 
   /** The state moved on: what is under way is of an earlier one. */
   moved(): void {
-    this.stop();
+    this.judging.drop();
     this.text = '';
     this.tell({ kind: 'pending', done: 0, of: 0 });
   }
@@ -34,10 +33,16 @@ export class Judge {
   /** The spec that now rests; nothing is asked twice. */
   rests(text: string): void {
     if (text === this.text) return;
-    this.stop();
     this.text = text;
     this.tell({ kind: 'pending', done: 0, of: 0 });
-    this.timer = window.setTimeout(() => void this.ask(text), REST);
+    this.judging.ask({
+      text,
+      told: (done, of) => this.tell({ kind: 'pending', done, of }),
+      done: (found) => {
+        if ('error' in found) this.tell({ kind: 'failed', reason: found.error });
+        else this.tell({ kind: 'judged', outcome: (found.facts as { json: Outcome }).json });
+      },
+    });
   }
 
   /** Asks anew, after a failure. */
@@ -45,23 +50,5 @@ export class Judge {
     const { text } = this;
     this.text = '';
     this.rests(text);
-  }
-
-  private async ask(text: string): Promise<void> {
-    const told = (done: number, of: number) => text === this.text && this.tell({ kind: 'pending', done, of });
-    const { reply, cancel } = await this.compute.job({ kind: 'verdict', text }, told);
-    if (text !== this.text) return cancel();
-    this.cancel = cancel;
-    const found = await reply;
-    if (text !== this.text) return;
-    this.cancel = null;
-    if ('error' in found) this.tell({ kind: 'failed', reason: found.error });
-    else if ('answer' in found) this.tell({ kind: 'judged', outcome: (found.answer.facts as { json: Outcome }).json });
-  }
-
-  private stop(): void {
-    clearTimeout(this.timer);
-    this.cancel?.();
-    this.cancel = null;
   }
 }

@@ -200,6 +200,12 @@ impl Case {
         Scene { condition: self.condition, signals, seen, judged: &self.judged, inductance_doubt }
     }
 
+    /// How many numbers it holds, about.
+    pub(super) fn numbers(&self) -> usize {
+        // Time and channels, once more as sensors see them, three of each sensor.
+        self.signals.time().len() * (2 * 8 + 3 * self.readings.len())
+    }
+
     /// Times of the judged samples \[s\].
     pub fn judged_times(&self) -> &[f64] {
         &self.signals.time()[self.judged.clone()]

@@ -27,6 +27,7 @@ mod judge;
 mod magnetisation;
 mod met;
 mod moments;
+mod prepared;
 mod refinement;
 mod resonance;
 mod response;
@@ -39,6 +40,7 @@ mod together;
 mod toy_sensor;
 mod trial;
 mod trial_run;
+mod under_way;
 mod verdict;
 mod warnings;
 mod ways;
@@ -52,6 +54,7 @@ pub use frames::Frames;
 pub use resonance::{driven, is_broad};
 pub use single::Single;
 pub use together::{Strand, Together};
+pub use under_way::{Concluded, Earlier, UnderWay};
 pub use verdict::{Assessment, GoalFilter, Verdict};
 pub use warnings::{Subject, Warning};
 
@@ -61,11 +64,9 @@ use coilsense::Error;
 use rayon::prelude::*;
 
 use crate::data_sheet::DataSheet;
-use crate::spec::{Model, Quantity, SensorSpec, Spec, SpecError, SpringInductance, Tolerances};
+use crate::spec::{Quantity, SensorSpec, Spec, SpecError, SpringInductance};
 use crate::study::{self, Helices, Masses};
-use moments::Moments;
-use response::Responses;
-use specimen::{MANY, SOME, Specimens, Springs};
+use prepared::{Prepared, go_on};
 
 /// Why an analysis did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -234,104 +235,21 @@ pub(crate) fn prepare(spec: &mut Spec) -> Result<Masses, Error> {
     study::prepare(&mut spec.spring, &mut spec.mount, &spec.conditions)
 }
 
-/// Springs of a spec that is silent on its stiffness, within the usual tolerance.
-fn usual(spec: &Spec) -> Option<Springs> {
-    let tolerances = &spec.spring.tolerances;
-    let wider = Tolerances { stiffness: Some(USUAL_TOLERANCE), ..*tolerances };
-    tolerances.is_silent_on_stiffness().then(|| Springs::of(spec, &wider, SOME))
-}
-
-/// How the errors of all sensors in a case change from spring to spring.
-fn responses(
-    judge: &judge::Judge<'_>,
-    sensors: &[SensorSpec],
-    number: usize,
-    specimens: &Specimens,
-) -> Result<Responses, Error> {
-    let case = &judge.cases[number];
-    let of = |(sensor, reading): (&SensorSpec, &Reading)| {
-        let instrument = judge.instrument(sensor, case.condition)?;
-        let scene = case.scene(sensor, &judge.spec.goal);
-        let beside = judge.beside(sensor, &instrument, scene)?;
-        Ok((beside, Moments::of(&judge.counted(scene, &reading.steady)?.errors)))
-    };
-    let known: Vec<(f64, Moments)> = sensors.iter().zip(&case.readings).map(of).collect::<Result<_, Error>>()?;
-    let sensors: Vec<&SensorSpec> = sensors.iter().collect();
-    judge.responses((case.condition, case.damping), &sensors, &known, specimens)
-}
-
-/// The answer within the usual tolerance.
-fn if_usual(judge: &judge::Judge<'_>, sensors: &[SensorSpec], responses: &[Responses]) -> Result<IfUsual, Error> {
-    let mut spec = judge.spec.clone();
-    spec.spring.tolerances.stiffness = Some(USUAL_TOLERANCE);
-    let judge = judge::Judge { spec: &spec, ..*judge };
-    let each = (0..sensors.len()).into_par_iter().map(|index| judge.combined(index, &sensors[index], responses));
-    let combined: Vec<f64> = each.collect::<Result<_, Error>>()?;
-    let best = (0..combined.len()).min_by(|a, b| combined[*a].total_cmp(&combined[*b])).unwrap_or(0);
-    Ok(IfUsual { best, combined })
-}
-
-/// The same sensors by the coil's chain.
-fn as_chain(spec: &Spec, progress: &Progress<'_>) -> Result<Option<Vec<f64>>, AnalysisError> {
-    if spec.spring.model != Model::Helix {
-        return Ok(None);
-    }
-    let mut chain = Spec { mount: spec.mount.without_ways(), ..spec.clone() };
-    chain.spring.model = Model::Coil;
-    let analysis = Analysis::run(chain, &|_, _| progress(0, 1))?;
-    let mut combined = vec![0.0; analysis.verdicts.len()];
-    analysis.verdicts.iter().for_each(|verdict| combined[verdict.sensor] = verdict.combined());
-    Ok(Some(combined))
-}
-
 impl Analysis {
     /// Processes a spec.
     ///
     /// # Errors
     /// As [`simulate`].
-    pub fn run(mut spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
-        spec.needs_one_spring("analyze")?;
-        let as_chain = as_chain(&spec, progress)?;
-        let masses = prepare(&mut spec)?;
-        let sensors = judged_sensors(&spec);
-        let helices = helices(&spec)?;
-        let coil = SpringInductance::of(&spec.spring)?;
-        let cases = simulate_watched(&spec, &sensors, &coil, &helices, progress)?;
-        let springs = Springs::of(&spec, &spec.spring.tolerances, MANY).one_by_one();
-        let usual = usual(&spec);
-        let judge = judge::Judge { spec: &spec, coil: &coil, helices: &helices, cases: &cases, springs: &springs };
-        let go_on = || match progress(cases.len(), cases.len()) {
-            true => Ok(()),
-            false => Err(AnalysisError::Interrupted),
-        };
-        let over = |springs: &Springs| -> Result<Vec<Responses>, AnalysisError> {
-            let one = |number| go_on().and_then(|()| Ok(responses(&judge, &sensors, number, &springs.specimens)?));
-            (0..cases.len()).into_par_iter().map(one).collect()
-        };
-        let responses = over(&springs)?;
-        let mut verdicts: Vec<Verdict> = (0..sensors.len())
-            .into_par_iter()
-            .map(|index| {
-                go_on()?;
-                let verdict = judge.verdict(index, &sensors[index], &responses)?;
-                let fixes = if verdict.meets_always() == Some(false) {
-                    fix::of(&judge, &sensors[index], &verdict)?
-                } else {
-                    Vec::new()
-                };
-                Ok(Verdict { fixes, ..verdict })
-            })
-            .collect::<Result<_, AnalysisError>>()?;
-        verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
-        let if_usual = match &usual {
-            Some(usual) => Some(if_usual(&judge::Judge { springs: usual, ..judge }, &sensors, &over(usual)?)?),
-            None => None,
-        };
-        let data_sheet = DataSheet::of(&spec)?;
-        let mut warnings = resonance::of(&judge, &sensors, &verdicts, &responses)?;
-        warnings.extend(resonance::without_limit(&masses, spec.spring.model));
-        warnings.extend(warnings::of(&judge, &sensors, &data_sheet)?);
-        Ok(Self { spec, sensors, cases, verdicts, warnings, data_sheet, masses, if_usual, as_chain })
+    pub fn run(spec: Spec, progress: &Progress<'_>) -> Result<Self, AnalysisError> {
+        let prepared = Prepared::of(spec, progress)?;
+        let cases = prepared.cases(progress)?;
+        let count = cases.len();
+        let each = cases.par_iter().map(|case| {
+            go_on(progress, count)?;
+            prepared.responses(case)
+        });
+        let responses = each.collect::<Result<Vec<_>, AnalysisError>>()?;
+        prepared.conclude(cases, responses, progress)
     }
 
     /// The conditions' case under a damping.

@@ -11,7 +11,7 @@
 //! | magnetic wire | its windings solved about another pitch (`magnetisation`) |
 //! | several springs | each alone, their sum (`springs`) |
 //! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
-//! | the whole run | itself on other threads, and when stopped (`runs`) |
+//! | the whole run | itself on other threads, and when stopped (`runs`), case by case with what is known (`under_way`) |
 
 mod band;
 mod budget;
@@ -27,6 +27,7 @@ mod sections;
 mod small;
 mod specimens;
 mod springs;
+mod under_way;
 mod verdicts;
 mod warnings;
 
