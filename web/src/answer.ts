@@ -191,10 +191,10 @@ export type Question =
   | { kind: 'paper' }
   | { kind: 'catalogue' };
 
-/** A file that the user gave. */
+/** A file that the user gave: the worker reads it piece by piece. */
 export interface Log {
   name: string;
-  bytes: Uint8Array;
+  file: Blob;
 }
 
 /** What only the larger engine answers. */
@@ -203,7 +203,7 @@ export type Job =
   | { kind: 'identify'; log: Log; second: Log | null; asked: string }
   | { kind: 'trial'; text: string; condition: number; damping: number }
   | { kind: 'mitigate-usual' | 'mitigate'; text: string; asked: string }
-  | { kind: 'mitigate-log'; text: string; asked: string; name: string; bytes: Uint8Array };
+  | { kind: 'mitigate-log'; text: string; asked: string; log: Log };
 
 /** How an error begins after which the engine is no more to be used. */
 export const STOPPED = 'the engine stopped: ';
@@ -223,8 +223,8 @@ export type ToJudge =
 /** From it: how many cases are settled, then the verdict. */
 export type FromJudge = { id: number } & ({ told: [number, number] } | { facts: unknown } | { error: string });
 
-/** From the worker while it works: how much is done, and of how much. */
-export type Told = { told: [number, number] };
+/** From the worker while it works: how much is done, and of how much; of a file that is read its name, and bytes. */
+export type Told = { told: [number, number, string?] };
 
 /** From the worker. */
 export type FromWorker = { id: number; milliseconds: number } & (

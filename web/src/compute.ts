@@ -124,7 +124,10 @@ export class Compute {
   }
 
   /** A job for the larger engine, in a worker of its own, which tells how much is done until somebody cancels it. */
-  job(job: Job, told: (done: number, of: number) => void): { reply: Promise<Reply>; cancel: () => void } {
+  job(
+    job: Job,
+    told: (done: number, of: number, file?: string) => void,
+  ): { reply: Promise<Reply>; cancel: () => void } {
     let isOver = false;
     let cancel = () => {};
     const run = async (): Promise<Reply> => {

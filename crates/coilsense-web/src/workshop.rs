@@ -6,6 +6,7 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::answer::Answer;
+use crate::log::LogFile;
 use crate::{Engine, log, mitigate};
 
 /// Of the noise in the simulated log: any, but always the same.
@@ -15,35 +16,28 @@ const MITIGATE: &str = "mitigate";
 
 #[wasm_bindgen]
 impl Engine {
-    /// How the text of a log is written, and its columns; `asked` is JSON, see [`log::Request`].
+    /// How a log is written, and its columns; `asked` is JSON, see [`log::Request`].
     ///
     /// # Errors
     /// One line, with the name of the log or the option.
-    pub fn log_columns(&self, name: &str, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
-        log::columns(name, text, &log::Request::parse(asked)?)
+    pub fn log_columns(&self, log: LogFile, asked: &str) -> Result<Answer, String> {
+        log::columns(log, &log::Request::parse(asked)?)
     }
 
-    /// What a log says, and a second device's beside it where `second` is its text; `asked` is JSON, see [`log::Request`].
+    /// What a log says, and a second device's beside it where there is one; `asked` is JSON, see [`log::Request`].
     ///
     /// # Errors
     /// One line, with the name of the log or the option and where it can be said line and column.
-    pub fn identify(
-        &self,
-        name: String,
-        text: Vec<u8>,
-        second_name: String,
-        second: Option<Vec<u8>>,
-        asked: &str,
-    ) -> Result<Answer, String> {
-        log::identify((name, text), second.map(|text| (second_name, text)), &log::Request::parse(asked)?)
+    pub fn identify(&self, log: LogFile, second: Option<LogFile>, asked: &str) -> Result<Answer, String> {
+        log::identify(log, second, &log::Request::parse(asked)?)
     }
 
     /// Inductance over length of a log; `asked` is JSON, see [`log::Request`].
     ///
     /// # Errors
     /// One line, with the name of the log or the option and where it can be said line and column.
-    pub fn calibrate(&self, name: String, text: Vec<u8>, asked: &str) -> Result<Answer, String> {
-        log::calibrate((name, text), &log::Request::parse(asked)?)
+    pub fn calibrate(&self, log: LogFile, asked: &str) -> Result<Answer, String> {
+        log::calibrate(log, &log::Request::parse(asked)?)
     }
 
     /// A simulated log of a spec's spring, at the length of a condition.
@@ -66,8 +60,8 @@ impl Engine {
     ///
     /// # Errors
     /// As [`Self::mitigate`]; for the log with its name, and where it can be said line and column.
-    pub fn mitigate_log(&self, text: &str, asked: &str, name: &str, log: Vec<u8>) -> Result<Answer, String> {
-        mitigate::run_on(&self.spec_without_contact(text, MITIGATE)?, &log::Request::parse(asked)?, (name, log), &tell)
+    pub fn mitigate_log(&self, text: &str, asked: &str, log: LogFile) -> Result<Answer, String> {
+        mitigate::run_on(&self.spec_without_contact(text, MITIGATE)?, &log::Request::parse(asked)?, log, &tell)
     }
 
     /// What those options are where nothing is said, and what is wrong with those that are given.

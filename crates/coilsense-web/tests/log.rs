@@ -3,6 +3,7 @@
 
 use coilsense_web::Engine;
 use coilsense_web::answer::Answer;
+use coilsense_web::log::LogFile;
 use serde_json::{Value, json};
 
 const ANKLE: &str = include_str!("../../../examples/sea-ankle.toml");
@@ -19,8 +20,8 @@ fn trial(spec: &str) -> String {
 }
 
 fn identify(text: &str, second: Option<String>, asked: &Value) -> Result<Answer, String> {
-    let (log, second) = (text.as_bytes().to_vec(), second.map(String::into_bytes));
-    Engine::new().identify("first.csv".into(), log, "second.csv".into(), second, &asked.to_string())
+    let second = second.map(|text| LogFile::of_text("second.csv", text.into_bytes()));
+    Engine::new().identify(LogFile::of_text("first.csv", text.into()), second, &asked.to_string())
 }
 
 fn found(text: &str, asked: &Value) -> Value {
@@ -127,8 +128,9 @@ fn every_wrong_choice_is_refused_by_its_name_with_its_value_and_what_is_allowed(
         let said = identify(&text, None, &asked).unwrap_err();
         assert!(said.starts_with(refusal), "{said}");
     }
-    let calibrate =
-        |asked: Value| Engine::new().calibrate("a.csv".into(), text.clone().into_bytes(), &asked.to_string());
+    let calibrate = |asked: Value| {
+        Engine::new().calibrate(LogFile::of_text("a.csv", text.clone().into_bytes()), &asked.to_string())
+    };
     for (asked, refusal) in [
         (json!({ "preload": "1 kg" }), "preload: must be "),
         (json!({ "preload": "200 mm", "method": "all" }), "preload: goes with"),
@@ -170,4 +172,56 @@ fn a_log_that_can_be_read_but_says_nothing_still_shows_its_channels() {
     let answer = identify("time [s],u1 [mm]\n0,1\n0.1,2\n0.2,3\n", None, &json!({})).unwrap();
     assert!(meta(&answer)["refusal"].as_str().unwrap().starts_with("first.csv: "), "{}", answer.meta());
     assert_eq!(answer.find("recorded u1").unwrap(), [0.001, 0.002, 0.003]);
+}
+
+/// What a first look at a log tells of its columns, in order, and which are guessed.
+fn looked_at(text: &str) -> (Value, Vec<(Value, bool)>) {
+    let facts = meta(&Engine::new().log_columns(LogFile::of_text("a.csv", text.into()), "{}").unwrap());
+    let of = |column: &Value| (column["channel"].clone(), column["guessed"].as_bool().unwrap());
+    let columns = facts["columns"].as_array().unwrap().iter().map(of).collect();
+    (facts["preset"].clone(), columns)
+}
+
+#[test]
+fn columns_are_taken_by_name_then_by_unit_then_by_words() {
+    for (titles, meant) in [
+        ("Zeit/s;Weg oben (mm);Kraft unten [N]", [("time", false), ("u1", true), ("F_o", true)]),
+        ("t [s];Kraft [mm];Weg [N]", [("time", false), ("u1", true), ("F_o", true)]),
+        ("time [s];F_o [N];x [mm]", [("time", false), ("F_o", false), ("u1", true)]),
+        // What is measured already is not guessed a second time, and what has no unit only where nothing else is known.
+        ("time [s];F_i [N];Kraft unten [N]", [("time", false), ("F_i", false), ("", false)]),
+        ("time [s];Kraft [N];motor", [("time", false), ("F_o", true), ("", false)]),
+        ("time [s];Kraft;Weg unten", [("time", false), ("F_o", true), ("u2", true)]),
+        ("x;y;Zeit", [("", false), ("", false), ("time", true)]),
+        ("time [s];Temperatur [°C];Strom [A]", [("time", false), ("", false), ("", false)]),
+    ] {
+        let (preset, found) = looked_at(&format!("{titles}\n0,1;1,5;2\n0,2;1,6;3\n"));
+        let told = |(name, guessed): (&str, bool)| (if name.is_empty() { Value::Null } else { name.into() }, guessed);
+        assert_eq!((preset, found), (Value::Null, meant.map(told).to_vec()), "{titles}");
+    }
+}
+
+#[test]
+fn rows_as_the_rig_of_the_measured_runs_wrote_them_are_known() {
+    let row = |step: u32, inductance: f64| {
+        let pairs = (0..10)
+            .map(|n| format!("; {:+e}; {:+e}", 0.31 + 1e-5 * f64::from(n), inductance * (1.0 + 1e-4 * f64::from(n))));
+        format!("{step}; 1.000000e+01; 5.000000e-01; {:e}{}\n", 7.0 * f64::from(step - 1), pairs.collect::<String>())
+    };
+    let rows = |first: u32| (0..4).map(|n| row(first + n, 5e-6 - 3e-7 * f64::from(n))).collect::<String>();
+    assert_eq!(looked_at(&rows(1)).0, "lab-data");
+    // As many columns, but not numbered so, or no inductances: some other table.
+    assert_eq!(looked_at(&rows(7)).0, Value::Null);
+    assert_eq!(looked_at(&(1..4).map(|step| row(step, 5.0)).collect::<String>()).0, Value::Null);
+}
+
+#[test]
+fn a_log_whose_ends_stand_still_has_no_calibration_and_no_fault() {
+    let calibrate = |text: &str| Engine::new().calibrate(LogFile::of_text("a.csv", text.into()), "{}");
+    let still = "time [s],u1 [m],u2 [m],F_o [N],L [uH]\n0,0,0.23,95,3.1\n1,0,0.23,96,3.2\n2,0,0.23,97,3.3\n";
+    assert_eq!(meta(&calibrate(still).unwrap()), json!({ "json": null }));
+    assert!(meta(&calibrate(&still.replace("2,0,0.23", "2,0,0.22")).unwrap())["json"].is_string());
+    // A single row is too few, and says so.
+    let one = still.lines().take(2).collect::<Vec<_>>().join("\n");
+    assert!(calibrate(&one).unwrap_err().starts_with("a.csv: "));
 }

@@ -7,7 +7,7 @@ import type { FromWorker, Job, Told, ToWorkshop } from '../answer';
 import { again, say } from '../faults';
 import { workshop } from '../workshop';
 
-type TellDone = (done: number, of: number) => void;
+type TellDone = (done: number, of: number, file?: string) => void;
 
 export function begin(
   job: Job,

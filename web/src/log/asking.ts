@@ -12,6 +12,10 @@ export class Asking {
   constructor(
     private readonly compute: Compute,
     private readonly busy: (busy: boolean) => void,
+    /** Hears how much of a file is read. */
+    private readonly told: (done: number, of: number, file?: string) => void = () => {},
+    /** Hears that nothing is left under way, unless it was ended. */
+    private readonly over: () => void = () => {},
   ) {}
 
   /** Ends what is under way. */
@@ -26,15 +30,20 @@ export class Asking {
     const mine = this.running;
     this.waiting += 1;
     this.busy(true);
-    const { reply: coming, cancel } = this.compute.job(job, () => {});
+    const { reply: coming, cancel } = this.compute.job(job, (...told) => {
+      if (mine === this.running) this.told(...told);
+    });
     mine.push({ cancel });
     void coming.then((reply) => {
       // A newer question has come meanwhile.
       if (mine !== this.running) return;
-      this.waiting -= 1;
-      this.busy(this.waiting > 0);
       if ('answer' in reply) done(reply.answer as Answer<unknown>);
       else if ('error' in reply) wrong(reply.error);
+      // What came of it may have ended the others, and asked something else.
+      if (mine === this.running) this.waiting -= 1;
+      if (this.waiting > 0) return;
+      this.busy(false);
+      this.over();
     });
   }
 }

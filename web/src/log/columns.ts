@@ -2,12 +2,15 @@
 //
 // Next door: what else is said of a log (`form`), a log to judge on (`mitigate/drop`).
 
-import { make } from '../dom';
+import { make, rich } from '../dom';
 
 export interface Column {
   text: string;
   name: string;
   unit: string | null;
+  /** The channel that its title names, or what it is guessed to be by its unit and words. */
+  channel: string | null;
+  guessed: boolean;
 }
 
 /** What the user says of columns: `is TITLE` and `unit TITLE`, each with a word before it for a second device. */
@@ -23,7 +26,6 @@ const MEANINGS = {
   F_L: 'F_L, by L',
   L: 'L, inductance',
 };
-const TIMES = ['time', 't', 'timestamp'];
 /** Of a column that the user leaves out though its title names a channel. */
 const NONE = '-';
 
@@ -50,13 +52,18 @@ export class ColumnTable {
   }
 
   show(columns: Column[]): void {
-    const taken = new Set<string>();
     this.rows = columns.map((column, index) => {
-      const named = TIMES.includes(column.name.toLowerCase()) ? 'time' : column.name;
-      const channel = named in MEANINGS && !taken.has(named) ? named : '';
-      taken.add(channel);
-      return this.row(column, index, channel);
+      const { channel } = column;
+      return this.row(column, index, channel && channel in MEANINGS ? channel : '');
     });
+    const guesses = columns.flatMap(({ text, channel, guessed }, index) =>
+      guessed && channel ? [`${text || `column ${index + 1}`} is ${channel}`] : [],
+    );
+    const guess = make(
+      'p',
+      { class: 'hint guess' },
+      rich(`A guess by unit and title: ${guesses.join(', ')}. Correct it here if it is wrong.`),
+    );
     const shown = ({ key, select, unit }: Row) =>
       make('tr', {}, make('th', { scope: 'row' }, key), make('td', {}, select), make('td', {}, unit));
     const heads = ['Column', 'is', 'Unit'].map((word) => make('th', { scope: 'col' }, word));
@@ -68,7 +75,18 @@ export class ColumnTable {
         make('thead', {}, make('tr', {}, ...heads)),
         make('tbody', {}, ...this.rows.map(shown)),
       ),
+      guesses.length > 0 ? guess : '',
     );
+  }
+
+  /** What brings the table back, as it is. */
+  keep(): () => void {
+    const { rows } = this;
+    const [nodes, hidden] = [[...this.element.childNodes], this.element.hidden];
+    return () => {
+      [this.rows, this.element.hidden] = [rows, hidden];
+      this.element.replaceChildren(...nodes);
+    };
   }
 
   private row(column: Column, index: number, channel: string): Row {

@@ -4,6 +4,12 @@
 
 import { make, rich } from '../dom';
 
+/** What was dropped; of a folder an empty file with its name and a stroke, which is refused as one. */
+function filesOf(data: DataTransfer | null): File[] {
+  const folders = [...(data?.items ?? [])].map((item) => item.webkitGetAsEntry?.()?.isDirectory ?? false);
+  return [...(data?.files ?? [])].map((file, index) => (folders[index] ? new File([], `${file.name}/`) : file));
+}
+
 const ACCEPTED = '.csv,.tsv,.txt,.dat,.log,.toml,text/*';
 
 /** `hint` says what is wanted; `taken` gets the files. Dropping works anywhere on `area`, which is the place itself where none is given. */
@@ -37,7 +43,7 @@ export function dropPlace(
   where.addEventListener('dragleave', (event) => over(event, false));
   where.addEventListener('drop', (event) => {
     over(event, false);
-    taken([...(event.dataTransfer?.files ?? [])]);
+    taken(filesOf(event.dataTransfer));
   });
   return place;
 }

@@ -58,6 +58,16 @@ export class Form {
     this.fill(words);
   }
 
+  /** What brings these tables back, as they are. */
+  keep(): () => void {
+    const tables = [this.columns.keep(), this.others.keep()];
+    const [hidden, hasSecond] = [this.element.hidden, this.hasSecond];
+    return () => {
+      for (const back of tables) back();
+      [this.element.hidden, this.hasSecond] = [hidden, hasSecond];
+    };
+  }
+
   /** A second device's log has come, or has gone. */
   showSecond(columns: Column[] | null, words: Words): void {
     this.hasSecond = columns !== null;

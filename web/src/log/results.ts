@@ -45,6 +45,22 @@ export class Results {
     this.head.replaceChildren(make('p', { class: 'hint' }, instead));
   }
 
+  /** What brings back all that is shown, as it is. */
+  keep(): () => void {
+    const parts = [...this.ofLog, this.calibration].map(
+      (part) => [part, [...part.childNodes], part.className] as const,
+    );
+    const { range, isEmpty } = this;
+    const { hidden } = this.note;
+    return () => {
+      for (const [part, nodes, looks] of parts) {
+        part.replaceChildren(...nodes);
+        part.className = looks;
+      }
+      [this.range, this.isEmpty, this.note.hidden] = [range, isEmpty, hidden];
+    };
+  }
+
   /** What is shown is not of the choices as they are; without a log, how to begin. */
   fade(): void {
     if (this.isEmpty) return this.head.replaceChildren(this.empty());
@@ -88,7 +104,9 @@ export class Results {
 
   showCalibration(name: string, answer: Answer<unknown> | null): void {
     this.calibration.replaceChildren();
-    if (answer) showCalibration(this.calibration, name, answer as Answer<Told>);
+    const still = 'No calibration: the positions stand still in this log, so that its L is that of one length.';
+    if (answer && (answer.facts as Partial<Told>).json) showCalibration(this.calibration, name, answer as Answer<Told>);
+    else if (answer) this.calibration.replaceChildren(card('Calibration', make('p', { class: 'hint' }, still)));
   }
 
   refuseCalibration(error: string): void {

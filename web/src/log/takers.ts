@@ -13,9 +13,19 @@ export function takeLogs(tab: string, take: Take): void {
   if (tab === 'log' && waiting.length > 0) take(waiting.splice(0));
 }
 
+/** More of a TOML file is not looked at: none is that long. */
+const LONGEST = 1 << 20;
+
+/** The text of a small file; empty of a folder, which has none. */
+export const textOf = (file: File): Promise<string> =>
+  file
+    .slice(0, LONGEST)
+    .text()
+    .catch(() => '');
+
 /** A spec among the files, which a mapping of columns is none. */
 export async function specOf(files: readonly File[]): Promise<File | null> {
-  for (const file of files) if (/\.toml$/i.test(file.name) && /^\s*\[spring\]/m.test(await file.text())) return file;
+  for (const file of files) if (/\.toml$/i.test(file.name) && /^\s*\[spring\]/m.test(await textOf(file))) return file;
   return null;
 }
 

@@ -2,16 +2,11 @@
 //
 // Next door: what else is asked (`form`), the place itself (`log/drop`), the tab for logs alone (`tabs/log`).
 
-import type { Answer, Job } from '../answer';
+import type { Answer, Job, Log } from '../answer';
 import { make } from '../dom';
 import { ColumnTable, type Column } from '../log/columns';
 import { dropPlace } from '../log/drop';
 import { takeLogs } from '../log/takers';
-
-export interface Log {
-  name: string;
-  bytes: Uint8Array;
-}
 
 export class Drop {
   readonly element = make('div', { hidden: true });
@@ -31,12 +26,12 @@ export class Drop {
       'mitigate-file',
       ['Drop a log here', ', or choose one'],
       'A text with columns F_i, u1, u2, and F_o to judge estimators.',
-      ([file]) => void this.take(file),
+      ([file]) => this.take(file),
       this.element,
     );
     this.element.append(place, this.written, this.table.element);
     this.element.addEventListener('change', changed);
-    takeLogs('mitigate', ([file]) => void this.take(file));
+    takeLogs('mitigate', ([file]) => this.take(file));
   }
 
   /** Columns that are not found by their names, as the engine takes them. */
@@ -44,9 +39,9 @@ export class Drop {
     return this.table.asked.filter((one) => !this.titled.includes(one));
   }
 
-  private async take(file: File | undefined): Promise<void> {
+  private take(file: File | undefined): void {
     if (!file) return;
-    this.log = { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
+    this.log = { name: file.name, file };
     this.count += 1;
     this.show([]);
     this.written.textContent = '';

@@ -34,7 +34,9 @@ export class Progress {
     this.told.tell('Loading the larger engine …');
   }
 
-  tell(done: number, of: number): void {
+  /** Candidates, or bytes of a file that is read. */
+  tell(done: number, of: number, file?: string): void {
+    if (file) return this.told.tell(`Reading ${file} …`);
     if (of === 0) return this.told.tell('Designing …');
     [this.bar.value, this.bar.max] = [done, of];
     this.told.tell(`${done} of ${of} candidates judged`);

@@ -129,7 +129,7 @@ class Mitigate {
     const { log } = this.drop;
     const onLog = this.choices.get('on') === 'log';
     if (onLog && !log) return this.refuse(['Drop a log first, or judge on the conditions of the tab Spring.']);
-    const job: Job = onLog && log ? { kind: 'mitigate-log', text, asked, ...log } : { kind: 'mitigate', text, asked };
+    const job: Job = onLog && log ? { kind: 'mitigate-log', text, asked, log } : { kind: 'mitigate', text, asked };
     const begun = performance.now();
     this.progress.begin();
     await this.ask(
@@ -151,7 +151,7 @@ class Mitigate {
 
   /** A job that may be cancelled; nothing comes of it then. */
   private async ask(job: Job, done: (answer: Answer<unknown>) => void, wrong = () => {}): Promise<void> {
-    const { reply, cancel } = this.compute.job(job, (done, of) => this.progress.tell(done, of));
+    const { reply, cancel } = this.compute.job(job, (done, of, file) => this.progress.tell(done, of, file));
     if (job.kind !== 'columns') this.stop = cancel;
     const coming = await reply;
     this.said++;

@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use super::{CalibrationError, Measured, Unused};
-use crate::recording::{Format, Mapping, Table};
+use crate::recording::{Format, Handed, Mapping, Table};
 
 /// Columns of such a file.
 const COLUMNS: usize = 24;
@@ -30,13 +30,13 @@ pub fn read_lab_data(path: &Path, zero_length: f64) -> Result<Measured, Calibrat
     of_table(path.display().to_string(), &table, zero_length)
 }
 
-/// The same of such a file's text, under a name for messages.
+/// The same of such a file that is handed over.
 ///
 /// # Errors
 /// As [`read_lab_data`].
-pub fn lab_data_of_text(name: &str, text: Vec<u8>, zero_length: f64) -> Result<Measured, CalibrationError> {
-    let table = Table::held(name, text, &format()?).map_err(CalibrationError::new)?;
-    of_table(name.to_owned(), &table, zero_length)
+pub fn lab_data_of(log: Handed, zero_length: f64) -> Result<Measured, CalibrationError> {
+    let table = Table::of_handed(log, &format()?).map_err(CalibrationError::new)?;
+    of_table(table.file().display().to_string(), &table, zero_length)
 }
 
 fn format() -> Result<Format, CalibrationError> {

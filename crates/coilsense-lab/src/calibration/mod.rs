@@ -23,7 +23,7 @@ pub use answer::answer;
 pub(crate) use answer::with_error;
 pub use applied::Applied;
 pub use curve::Curve;
-pub use lab_data::{lab_data_of_text, read_lab_data};
+pub use lab_data::{lab_data_of, read_lab_data};
 pub use measured::{Measured, Unused};
 pub(crate) use median::median;
 pub use outcome::{Assessment, Outcome, THEORY_POINTS};

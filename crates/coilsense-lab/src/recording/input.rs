@@ -12,6 +12,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::error::RecordingError;
+use super::handed::Handed;
 use super::packing::{Bytes, Packing, told};
 
 /// An opened log of which nothing but the first bytes was looked at.
@@ -78,6 +79,14 @@ impl Input {
             rest = Rest::Stream(bytes);
         }
         Ok(Self { path: path.to_owned(), packing, head, rest, size, done })
+    }
+
+    /// A text that is handed over. It is read as it is: what is compressed is refused by the reader of texts.
+    pub fn of_handed(log: Handed) -> Result<Self, RecordingError> {
+        let done = Arc::new(AtomicU64::new(0));
+        let mut rest = Rest::Stream(Box::new(Counted { inner: log.bytes, done: done.clone() }));
+        let head = beginning(&log.name, rest.as_read())?;
+        Ok(Self { path: log.name, packing: None, head, rest, size: log.size, done })
     }
 
     /// What it is called in messages.

@@ -3,9 +3,9 @@
 //! | file | holds |
 //! |---|---|
 //! | `mapping`, `mapping_file`, `quantity`, `title`, `unit` | which column is which channel, in which unit |
-//! | `selection`, `proposal` | finding those columns in a file, and asking for what is not told of them |
+//! | `selection`, `guess`, `proposal`, `first_look` | finding those columns in a file, and asking for what is not told of them |
 //! | `source`, `text`, `layout`, `trial`, `dialect`, `cell`, `numeral`, `stamp`, `formats`, `table`, `whole` | where rows come from |
-//! | `input`, `packing`, `unicode` | what a log is read from: files, pipes, compressed or not |
+//! | `input`, `handed`, `packing`, `unicode` | what a log is read from: files, pipes, compressed or not, or what is handed over |
 //! | `request` | what may be asked of a log |
 //! | `cleaning`, `pipeline`, `clock`, `nominal`, `repairs`, `order`, `complete`, `spacing`, `row` | what is cleaned on their way |
 //! | `account`, `telling` | what became of every row |
@@ -24,7 +24,10 @@ mod complete;
 mod convert;
 mod dialect;
 mod error;
+mod first_look;
 mod formats;
+mod guess;
+mod handed;
 mod input;
 mod join;
 mod layout;
@@ -60,6 +63,8 @@ pub use account::{Account, Gaps, Joined, Reason, Tally};
 pub use cleaning::Cleaning;
 pub use convert::{ImportError, import, write_recording, write_recording_with};
 pub use error::RecordingError;
+pub use first_look::{FirstLook, Meant};
+pub use handed::Handed;
 pub use join::Clock;
 pub use mapping::{Format, Mapping, PRESETS};
 pub use mapping_file::{COLUMN_KEYS, LOG_KEYS, keys_markdown};
@@ -104,7 +109,15 @@ impl Recording {
     /// # Errors
     /// As [`Self::read`]; for what is no text, too.
     pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
-        Self::of_source(held(name, text, mapping)?, mapping, cleaning)
+        Self::of_handed(Handed::text(name, text), mapping, cleaning)
+    }
+
+    /// The same of a log that is handed over piece by piece.
+    ///
+    /// # Errors
+    /// As [`Self::of_text`].
+    pub fn of_handed(log: Handed, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
+        Self::of_source(held(log, mapping)?, mapping, cleaning)
     }
 
     fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
@@ -249,19 +262,9 @@ fn open(path: &Path, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingErro
     formats::open(path, &mapping.format)
 }
 
-/// A text in memory as a source.
-fn held(name: &str, text: Vec<u8>, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
-    Ok(Box::new(formats::held(name, text, &mapping.format)?))
-}
-
-/// How the text of a log is written, in words, and the titles of its columns.
-///
-/// # Errors
-/// [`RecordingError`] for what is no text with columns.
-pub fn columns_of_text(name: &str, text: Vec<u8>, format: &Format) -> Result<(String, Vec<Title>), RecordingError> {
-    let mapping = Mapping { format: format.clone(), ..Mapping::default() };
-    let source = held(name, text, &mapping)?;
-    Ok((source.description(), source.titles().to_vec()))
+/// A text that is handed over as a source.
+fn held(log: Handed, mapping: &Mapping) -> Result<Box<dyn Source>, RecordingError> {
+    Ok(Box::new(formats::held(log, &mapping.format)?))
 }
 
 fn lacks(file: &Path, channel: Channel) -> RecordingError {

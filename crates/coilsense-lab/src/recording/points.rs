@@ -10,6 +10,7 @@ use super::Recording;
 use super::account::{Account, Reason};
 use super::cleaning::Cleaning;
 use super::error::{RecordingError, leave_out};
+use super::handed::Handed;
 use super::mapping::Mapping;
 use super::order::MOST_NUMBERS;
 use super::pipeline::{Rows, nothing_left};
@@ -40,7 +41,15 @@ impl Points {
     /// # Errors
     /// As [`Self::read`]; for what is no text, too.
     pub fn of_text(name: &str, text: Vec<u8>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
-        Self::of_source(held(name, text, mapping)?, mapping, cleaning)
+        Self::of_handed(Handed::text(name, text), mapping, cleaning)
+    }
+
+    /// The same of a log that is handed over piece by piece.
+    ///
+    /// # Errors
+    /// As [`Self::of_text`].
+    pub fn of_handed(log: Handed, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {
+        Self::of_source(held(log, mapping)?, mapping, cleaning)
     }
 
     fn of_source(mut source: Box<dyn Source>, mapping: &Mapping, cleaning: &Cleaning) -> Result<Self, RecordingError> {

@@ -1,10 +1,11 @@
 //! What a log does not tell of its columns, asked for in one message with one line that may be given as it stands.
 //!
-//! Next door: what it does tell (`selection`), how titles are written (`title`).
+//! Next door: what it does tell (`selection`), how titles are written (`title`), what their words may mean (`guess`).
 
 use coilsense::Channel;
 
 use super::error::clipped;
+use super::guess::{self, guess};
 use super::quantity::Quantity;
 use super::title::Title;
 use super::unit;
@@ -27,16 +28,6 @@ pub(super) struct Proposal {
     /// The column that is proposed for the time.
     time_place: Option<usize>,
 }
-
-/// Names of columns of time beside those that are taken for it, in lower case.
-const TIME_WORDS: [&str; 12] =
-    ["zeit", "uhr", "temps", "tiempo", "tempo", "clock", "elapsed", "date", "datum", "stamp", "time", "sec"];
-/// What titles of forces and lengths have in them, in lower case.
-const FORCE_WORDS: [&str; 9] = ["force", "kraft", "load", "cell", "fz", "fx", "fy", "lc", "thrust"];
-const LENGTH_WORDS: [&str; 14] = [
-    "pos", "disp", "weg", "laser", "stroke", "lvdt", "enc", "travel", "hub", "length", "defl", "distance", "motor",
-    "joint",
-];
 
 impl Proposal {
     /// Whether nothing is to be asked.
@@ -74,18 +65,9 @@ impl Proposal {
         self.guessed = true;
         let is_free = |index: &usize| !taken.contains(index) && Some(*index) != for_time;
         let free: Vec<usize> = (0..titles.len()).filter(is_free).collect();
-        let mut left = [
-            (Dimension::Force, vec![Channel::OutputForce, Channel::InputForce]),
-            (Dimension::Length, vec![Channel::U1, Channel::U2]),
-            (Dimension::Inductance, vec![Channel::Inductance]),
-            (Dimension::Resistance, vec![Channel::Resistance]),
-        ];
         let before = self.hints.len();
-        for &index in &free {
-            let Some(dimension) = looks_like(&titles[index]) else { continue };
-            let channels = left.iter_mut().find(|(of, _)| *of == dimension).map(|(_, channels)| channels);
-            let Some(channels) = channels.filter(|channels| !channels.is_empty()) else { continue };
-            self.channel(titles, index, Quantity::Channel(channels.remove(0)));
+        for (index, channel) in guess(titles, &free) {
+            self.channel(titles, index, Quantity::Channel(channel));
         }
         if let (true, Some(&last)) = (self.hints.len() == before, free.last().or(titles.len().checked_sub(1).as_ref()))
         {
@@ -97,19 +79,16 @@ impl Proposal {
     pub fn time(&mut self, titles: &[Title], taken: &[usize]) {
         self.reasons.push("no column is recognised as the time".to_owned());
         self.guessed = true;
-        let free = || (0..titles.len()).filter(|index| !taken.contains(index));
-        let named = |index: &usize| {
-            let lower = titles[*index].name.to_lowercase();
-            TIME_WORDS.iter().any(|word| lower.contains(word))
+        let free: Vec<usize> = (0..titles.len()).filter(|index| !taken.contains(index)).collect();
+        let is_time = |index: &usize| {
+            titles[*index].stamps || titles[*index].unit.as_deref().and_then(unit::dimension) == Some(Dimension::Time)
         };
-        let is_time = |index: &usize| titles[*index].unit.as_deref().and_then(unit::dimension) == Some(Dimension::Time);
         // A wrong column does not rise, which is said; a wrong rate would be taken.
-        let first = free().next().filter(|_| titles.len() > 1);
-        let found =
-            free().find(|index| titles[*index].stamps || is_time(index)).or_else(|| free().find(named)).or(first);
+        let first = free.first().copied().filter(|_| titles.len() > 1);
+        let found = guess::time(titles, &free).or(first);
         self.time_place = found;
         match found {
-            Some(index) if titles[index].stamps || is_time(&index) => {
+            Some(index) if is_time(&index) => {
                 self.hints.push(column(titles, index, Quantity::Time, ""));
             }
             Some(index) => {
@@ -177,26 +156,5 @@ fn usual_unit(quantity: Quantity) -> &'static str {
         Dimension::Length => "mm",
         Dimension::Inductance => "uH",
         other => other.si_unit(),
-    }
-}
-
-/// What a column may be of, by its unit or its name.
-fn looks_like(title: &Title) -> Option<Dimension> {
-    if let Some(dimension) = title.unit.as_deref().and_then(unit::dimension) {
-        return Some(dimension);
-    }
-    let lower = title.name.to_lowercase();
-    let has = |words: &[&str]| {
-        let parts = lower.split(|c: char| !c.is_alphanumeric());
-        parts
-            .into_iter()
-            .any(|part| words.iter().any(|word| if word.len() > 2 { part.contains(word) } else { part == *word }))
-    };
-    match () {
-        () if has(&FORCE_WORDS) => Some(Dimension::Force),
-        () if has(&["induct", "ls"]) => Some(Dimension::Inductance),
-        () if has(&["resist", "rs"]) => Some(Dimension::Resistance),
-        () if has(&LENGTH_WORDS) => Some(Dimension::Length),
-        () => title.unit.as_deref().filter(|unit| unit::is_signal(unit)).map(|_| Dimension::Force),
     }
 }

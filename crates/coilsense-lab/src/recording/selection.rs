@@ -154,7 +154,7 @@ impl Selection {
 }
 
 /// The title of the column that carries a quantity's name; of time, the first column where it is one of times.
-fn by_name(titles: &[Title], quantity: Quantity) -> Option<String> {
+pub(super) fn by_name(titles: &[Title], quantity: Quantity) -> Option<String> {
     let carries = |title: &&Title| match quantity {
         Quantity::Time => TIMES.contains(&title.name.to_lowercase().as_str()),
         Quantity::Channel(channel) => title.name == channel.name(),
@@ -179,7 +179,7 @@ fn told_of(columns: &Columns) -> String {
 }
 
 /// The index of the column of a title, a name, or `#3`.
-fn find(titles: &[Title], wanted: &str, quantity: Quantity) -> Result<usize, String> {
+pub(super) fn find(titles: &[Title], wanted: &str, quantity: Quantity) -> Result<usize, String> {
     let name = quantity.name();
     if let Some(number) = wanted.strip_prefix('#') {
         let count = titles.len();

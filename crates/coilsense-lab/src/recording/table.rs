@@ -2,7 +2,7 @@
 //!
 //! Next door: reading a file into them (`whole`), channels in SI (`mod`), rows one by one (`source`).
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::error::{RecordingError, clipped};
 use super::title::Title;
@@ -20,6 +20,11 @@ pub struct Table {
 }
 
 impl Table {
+    /// The file, for messages.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
     /// How many rows there are.
     pub fn rows(&self) -> usize {
         self.lines.len()

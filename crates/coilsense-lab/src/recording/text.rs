@@ -63,6 +63,7 @@ impl Text {
     }
 
     /// A text in memory, under a name for messages.
+    #[cfg(feature = "sheets")]
     pub fn held(name: &Path, text: Vec<u8>, format: &Format) -> Result<Self, RecordingError> {
         let size = text.len() as u64;
         let stream =

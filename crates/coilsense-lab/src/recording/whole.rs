@@ -6,11 +6,11 @@ use std::path::Path;
 
 use super::error::RecordingError;
 use super::formats;
+use super::handed::Handed;
 use super::mapping::Format;
 use super::order::MOST_NUMBERS;
 use super::source::{Next, Source};
 use super::table::Table;
-use super::text::Text;
 use super::title::Title;
 
 impl Table {
@@ -25,12 +25,12 @@ impl Table {
         Self::of_source(source.as_mut(), &wanted)
     }
 
-    /// The same of a text in memory, under a name for messages.
+    /// The same of a text that is handed over.
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub fn held(name: &str, text: Vec<u8>, format: &Format) -> Result<Self, RecordingError> {
-        let mut source = Text::held(Path::new(name), text, format)?;
+    pub fn of_handed(log: Handed, format: &Format) -> Result<Self, RecordingError> {
+        let mut source = formats::held(log, format)?;
         source.be_lenient();
         let wanted = source.numeric();
         Self::of_source(&mut source, &wanted)

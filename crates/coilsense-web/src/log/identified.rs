@@ -8,7 +8,7 @@ use coilsense_lab::recording::{Cleaning, Recording};
 use coilsense_lab::report::identification_json;
 use serde_json::{Value, json};
 
-use super::{MOST, Named, Request, recorded, thinned};
+use super::{LogFile, MOST, Request, recorded, thinned};
 use crate::answer::Answer;
 
 /// What the log says, as `coilsense identify --json` prints it, and the curves that show it. A log that can be read but says nothing comes with
@@ -16,7 +16,7 @@ use crate::answer::Answer;
 ///
 /// # Errors
 /// One line, with the name of the log or the option and where it can be said line and column.
-pub fn identify(log: Named, second: Option<Named>, asked: &Request) -> Result<Answer, String> {
+pub fn identify(log: LogFile, second: Option<LogFile>, asked: &Request) -> Result<Answer, String> {
     let spec = asked.spring()?;
     let spring = spec.as_ref().map(|spec| &spec.spring);
     let (settings, coil) = (asked.settings(spring)?, asked.coil(spring)?);
@@ -31,10 +31,10 @@ pub fn identify(log: Named, second: Option<Named>, asked: &Request) -> Result<An
     Ok(Answer::new(&facts, series))
 }
 
-fn recording(log: Named, second: Option<Named>, asked: &Request) -> Result<Recording, String> {
+fn recording(log: LogFile, second: Option<LogFile>, asked: &Request) -> Result<Recording, String> {
     let (mapping, cleaning) = (asked.mapping()?, asked.cleaning()?);
-    let read = |(name, text): Named, mapping, cleaning| {
-        Recording::of_text(&name, text, mapping, cleaning).map_err(|error| asked.told(error))
+    let read = |log: LogFile, mapping, cleaning| {
+        Recording::of_handed(log.handed(), mapping, cleaning).map_err(|error| asked.told(error))
     };
     let recording = read(log, &mapping, &cleaning)?;
     let Some(second) = second else { return Ok(recording) };

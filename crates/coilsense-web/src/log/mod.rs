@@ -12,35 +12,44 @@
 
 mod asked;
 mod calibrated;
+mod file;
 mod identified;
 mod recorded;
 mod trial;
 
 pub use asked::Request;
 pub use calibrated::calibrate;
+pub use file::LogFile;
 pub use identified::identify;
 pub use trial::trial;
 
-use coilsense_lab::recording::columns_of_text;
+use coilsense_lab::recording::{FirstLook, Meant};
 use serde_json::json;
 
 use crate::answer::Answer;
 
-/// The text of a log, under its name.
-pub type Named = (String, Vec<u8>);
-
 /// Most points of a curve that is drawn.
 const MOST: usize = 4000;
 
-/// How a log is written, and its columns.
+/// How a log is written, its columns and what each of them is, and what stands above its rows.
 ///
 /// # Errors
 /// One line, with the log's or an option's name.
-pub fn columns(name: &str, text: Vec<u8>, asked: &Request) -> Result<Answer, String> {
+pub fn columns(log: LogFile, asked: &Request) -> Result<Answer, String> {
     let format = asked.mapping()?.format;
-    let (description, titles) = columns_of_text(name, text, &format).map_err(|error| asked.told(error))?;
-    let titles = titles.iter().map(|title| json!({ "text": title.text, "name": title.name, "unit": title.unit }));
-    Ok(Answer::new(&json!({ "description": description, "columns": titles.collect::<Vec<_>>() }), Vec::new()))
+    let look = FirstLook::of(log.handed(), &format).map_err(|error| asked.told(error))?;
+    let columns = look.titles.iter().zip(&look.meant).map(|(title, meant)| {
+        let channel = meant.map(|meant| meant.quantity.name());
+        let guessed = matches!(meant, Some(Meant { guessed: true, .. }));
+        json!({ "text": title.text, "name": title.name, "unit": title.unit, "channel": channel, "guessed": guessed })
+    });
+    let facts = json!({
+        "description": look.description,
+        "columns": columns.collect::<Vec<_>>(),
+        "preset": look.preset,
+        "remarks": look.remarks,
+    });
+    Ok(Answer::new(&facts, Vec::new()))
 }
 
 fn thinned(values: &[f64]) -> Vec<f64> {

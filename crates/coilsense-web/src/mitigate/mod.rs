@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 pub use question::{asked, usual};
 
 use crate::answer::Answer;
-use crate::log::Request;
+use crate::log::{LogFile, Request};
 
 /// As `coilsense mitigate --json` with the same options prints it; `told` hears how many candidates are judged, and of how many.
 ///
@@ -26,17 +26,17 @@ pub fn run(spec: &Spec, given: &Request, told: &(dyn Fn(usize, usize) + Sync)) -
     answer(question::study(spec, given)?, told)
 }
 
-/// The same as with `--log`: the text of a log and its name.
+/// The same as with `--log`.
 ///
 /// # Errors
 /// As [`run`]; for the log with its name, and where it can be said line and column.
 pub fn run_on(
     spec: &Spec,
     given: &Request,
-    (name, text): (&str, Vec<u8>),
+    log: LogFile,
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Answer, String> {
-    let log = Recording::of_text(name, text, &given.mapping()?, &Cleaning::default());
+    let log = Recording::of_handed(log.handed(), &given.mapping()?, &Cleaning::default());
     let log = log.map_err(|error| given.told(error))?;
     answer(Study::on(spec, &asked(given)?, &log).map_err(|error| given.told(error))?, told)
 }

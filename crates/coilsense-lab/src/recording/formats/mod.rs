@@ -43,6 +43,7 @@ mod vectors;
 use std::path::Path;
 
 use super::error::RecordingError;
+use super::handed::Handed;
 use super::input::Input;
 use super::mapping::Format;
 use super::source::Source;
@@ -273,17 +274,17 @@ pub(super) fn open(path: &Path, format: &Format) -> Result<Box<dyn Source>, Reco
     }
 }
 
-/// A text in memory, under a name for messages.
-pub(super) fn held(name: &str, text: Vec<u8>, format: &Format) -> Result<Text, RecordingError> {
-    let name = Path::new(name);
-    match Row::of(&text) {
-        None => Text::held(name, text, format),
-        Some(Row { open: Some(_), .. }) => Err(RecordingError::of_file(name, "is no text")),
+/// A text that is handed over.
+pub(super) fn held(log: Handed, format: &Format) -> Result<Text, RecordingError> {
+    let input = Input::of_handed(log)?;
+    match Row::of(input.head()) {
+        None => Text::open(input, format),
+        Some(Row { open: Some(_), .. }) => Err(RecordingError::of_file(input.path(), "is no text")),
         // What is built for the page has no room for other formats.
         Some(Row { name: kind, takes: Takes::Feature(_), .. }) => {
             let message = format!("is {kind}, which is not read here; save its columns as CSV");
-            Err(RecordingError::of_file(name, message))
+            Err(RecordingError::of_file(input.path(), message))
         }
-        Some(row) => Err(RecordingError::of_file(name, row.refusal(name))),
+        Some(row) => Err(RecordingError::of_file(input.path(), row.refusal(input.path()))),
     }
 }
