@@ -78,6 +78,7 @@ const FITS: Record<string, (value: unknown) => boolean> = {
   hidden: areNames,
   sensors: areNames,
   slow: (value) => isTime(value) && Number(value) <= 1,
+  frequency: isTime,
   mitigate: isWords,
   log: isWords,
 } satisfies Record<keyof View, (value: unknown) => boolean>;

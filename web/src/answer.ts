@@ -147,6 +147,47 @@ export interface ShapeFacts {
   wireDiameter: number;
 }
 
+/** Size and phase [rad]; null where it has no limit. */
+export type Polar = [number, number] | null;
+
+/** A spring driven by a sine at one end. */
+export interface DrivenFacts {
+  /** Number of the driven end; whether it is moved, or else pulled by a force; what end 2 is tied to. */
+  driven: 1 | 2;
+  isMoved: boolean;
+  tied: 'position' | 'force' | 'mass';
+  /** From where to where there is a curve [Hz]. */
+  range: [number, number];
+  undamped: boolean;
+  /** How far a force may be off to be taken for the one at the driven end [1]. */
+  within: number;
+}
+
+/** What stands out of the curve of the two ends over frequency; the curve itself is its series. */
+export interface CurveFacts extends DrivenFacts {
+  /** Up to where the other end, and k times the deflection, may be taken for the driven end [Hz]; null where nowhere. */
+  until: { through: number | null; length: number | null };
+  /** Where the other end has most of the driven end's force [Hz], and how much of it; null without a limit. */
+  peaks: [number, number | null][];
+  /** Of the mounted spring, and of the sines that drive the condition [Hz]. */
+  modes: number[];
+  lines: number[];
+}
+
+/** The two ends at one frequency [Hz]; motion along the coil is its series. */
+export interface PointFacts extends DrivenFacts {
+  frequency: number;
+  /** Forces over k times the motion of the driven end, or over its force. */
+  own: Polar;
+  other: Polar;
+  byLength: Polar;
+  /** Over the force at the driven end. */
+  through: Polar;
+  lengthOverOwn: Polar;
+  /** How far the other end is off where it is taken for the driven one [1]; null without a limit. */
+  off: number | null;
+}
+
 export interface PaperFacts {
   cells: {
     table: string;
@@ -182,12 +223,18 @@ interface Case {
   damping: number;
 }
 
+/** What only the larger engine answers of a case that is looked at; `masses`: for each winding. */
+export type OfResponse =
+  | ({ kind: 'response'; masses: number } & Case)
+  | ({ kind: 'response-at'; masses: number; frequency: number; places: number } & Case);
+
 export type Question =
   | ({ kind: 'preview'; from: number; to: number; samples: number } & Case)
   | ({ kind: 'exact' } & Case)
   | ({ kind: 'csv' } & Case)
   | { kind: 'modes'; text: string; lengths: number }
   | { kind: 'shape'; text: string; length: number; loosest: boolean; number: number; points: number }
+  | OfResponse
   | { kind: 'paper' }
   | { kind: 'catalogue' };
 

@@ -7,7 +7,7 @@ import { section, toToml, withValue } from './document';
 import engineAddress from './engine/coilsense_web_bg.wasm?url';
 import { part, persistently, say } from './faults';
 import { compiled, text } from './fetched';
-import type { Reply } from './lane';
+import { Lane, type Reply } from './lane';
 import { Lanes } from './lanes';
 import { preset } from './presets';
 import { isOther, type State } from './state';
@@ -38,6 +38,8 @@ export interface Shown {
   since: number;
 }
 
+const hireLarger = () => new Worker(new URL('./meeting.worker.ts', import.meta.url), { type: 'module' });
+
 /** Whether a spec, as the page writes it, has windings that meet. */
 const meets = (text: string): boolean => /^\[contact\]$/m.test(text);
 
@@ -61,6 +63,8 @@ export class Compute {
   private readonly first: Lanes;
   /** The larger engine's, once windings are to meet. */
   private larger: Lanes | null = null;
+  /** Workers of the larger engine that parts have by themselves. */
+  private readonly parts: Lane[] = [];
   private readonly listeners: Listener[] = [];
   private readonly loaded = new Map<string, Promise<void>>();
   private last: Shown | null = null;
@@ -115,6 +119,13 @@ export class Compute {
     this.lanes(question).asides.ask(question, done);
   }
 
+  /** A worker of the larger engine for a part that asks it often. */
+  workshopLane(): Lane {
+    const lane = new Lane(workshop(), this.files, false, hireLarger);
+    this.parts.push(lane);
+    return lane;
+  }
+
   /** One question in a worker of its own, which waits for nothing and ends with its answer. */
   async alone(question: Question): Promise<Reply> {
     const lane = this.first.lane(false);
@@ -159,6 +170,7 @@ export class Compute {
     this.files.set(name, text);
     this.first.addFile(name, text);
     this.larger?.addFile(name, text);
+    for (const lane of this.parts) lane.addFile(name, text);
   }
 
   /** The case that is shown, as a question. */
@@ -171,8 +183,7 @@ export class Compute {
   private lanes(question: { text: string } | Question): Lanes {
     if (!('text' in question && meets(question.text))) return this.first;
     if (this.larger) return this.larger;
-    const hire = () => new Worker(new URL('./meeting.worker.ts', import.meta.url), { type: 'module' });
-    return (this.larger = new Lanes(workshop(), this.files, hire));
+    return (this.larger = new Lanes(workshop(), this.files, hireLarger));
   }
 
   private refused(refusal: Refusal | null): void {

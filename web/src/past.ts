@@ -13,7 +13,7 @@ type Part = Pick<State, 'view'> & Partial<State>;
 
 /** What of the view each tab's controls change; the tab that is shown is no part of any. The spring is the first one's, too. */
 export const PARTS: Record<string, readonly (keyof View)[]> = {
-  spring: ['condition', 'damping', 'times', 'hidden', 'sensors', 'slow'],
+  spring: ['condition', 'damping', 'times', 'hidden', 'sensors', 'slow', 'frequency'],
   log: ['log'],
   mitigate: ['mitigate'],
 };

@@ -6,20 +6,23 @@ import { live } from './alive';
 import { STOPPED, type Answer, type FromWorker, type Question, type Series, type ToWorker } from './answer';
 import type { Engine, Answer as Found } from './engine/coilsense_web';
 
+/** What an engine answers that not every one does; null where it is not asked that. */
+type More<E> = (engine: E, question: Question) => Found | null;
+
 /** Answers from now on; `begin` makes an engine of what comes first. */
-export function serve(begin: (engine: WebAssembly.Module) => Engine): void {
+export function serve<E extends Engine>(begin: (engine: WebAssembly.Module) => E, more: More<E> = () => null): void {
   live();
-  let open: (engine: Engine) => void = () => {};
-  const ready = new Promise<Engine>((resolve) => (open = resolve));
+  let open: (engine: E) => void = () => {};
+  const ready = new Promise<E>((resolve) => (open = resolve));
   addEventListener('message', async ({ data }: MessageEvent<ToWorker>) => {
     if ('engine' in data) return open(begin(data.engine));
     const engine = await ready;
     if ('file' in data) return engine.add_file(data.file, data.text);
-    reply(engine, data);
+    reply(engine, data, more);
   });
 }
 
-function reply(engine: Engine, { id, question }: { id: number; question: Question }): void {
+function reply<E extends Engine>(engine: E, { id, question }: { id: number; question: Question }, more: More<E>): void {
   const begun = performance.now();
   const say = (message: FromWorker, hand: Transferable[]) => postMessage(message, { transfer: hand });
   try {
@@ -29,7 +32,7 @@ function reply(engine: Engine, { id, question }: { id: number; question: Questio
     }
     if (question.kind === 'catalogue')
       return say({ id, milliseconds: performance.now() - begun, text: engine.catalogue() }, []);
-    const answer = opened(asked(engine, question));
+    const answer = opened(more(engine, question) ?? asked(engine, question));
     const hand = [
       ...Object.values(answer.series).map((values) => values.buffer as ArrayBuffer),
       answer.positions.buffer as ArrayBuffer,
@@ -60,6 +63,8 @@ function asked(engine: Engine, question: Exclude<Question, { kind: 'csv' | 'cata
       return engine.mode_shape(question.text, question.length, question.loosest, question.number, question.points);
     case 'paper':
       return engine.paper();
+    default:
+      throw `${question.kind} is for the larger engine`;
   }
 }
 

@@ -17,6 +17,8 @@ export interface View {
   sensors: string[];
   /** Seconds of the spring per second of the viewer; zero as fits what is shown. */
   slow: number;
+  /** At which frequency the two ends are looked at [Hz]; zero where nobody chose. */
+  frequency: number;
   /** What the tab Mitigate is asked, where it is not as the command has it, and the name of the candidate that is picked. */
   mitigate: Record<string, string>;
   /** What the user says of a log, by the command's options; not the log itself. */
@@ -43,6 +45,7 @@ export const defaultView = (): View => ({
   hidden: [],
   sensors: [],
   slow: 0,
+  frequency: 0,
   mitigate: {},
   log: {},
 });

@@ -70,6 +70,11 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
         }).toPass({ timeout: 20_000 });
       },
     },
+    response: {
+      hash: `#S_T&${STATE}&@frequency=20`,
+      // The verdict asks the same engine: what is missing of that is said by whoever asks first.
+      ends: (page) => expect(page.locator('.two-ends [aria-busy=false]')).toBeVisible({ timeout: 40_000 }),
+    },
     paper: {
       hash: `#S_T&${STATE}&@tab="paper"`,
       ends: (page) => expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 20_000 }),

@@ -29,6 +29,8 @@ pub mod modes;
 pub mod paper;
 pub mod preview;
 #[cfg(feature = "workshop")]
+pub mod response;
+#[cfg(feature = "workshop")]
 pub mod verdict;
 #[cfg(feature = "workshop")]
 mod workshop;

@@ -1,13 +1,13 @@
-//! What the tabs *Log* and *Mitigate* ask: an engine twice as large, which a page loads once its first curves are drawn (feature
-//! `workshop`).
+//! What the two ends over frequency and the tabs *Log* and *Mitigate* ask: an engine twice as large, which a page loads once its first curves are
+//! drawn (feature `workshop`).
 //!
-//! Next door: what every page asks (`door`), the answers (`log`, `mitigate`), the verdict (`verdict`).
+//! Next door: what every page asks (`door`), the answers (`log`, `mitigate`, `response`), the verdict (`verdict`).
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::answer::Answer;
 use crate::log::LogFile;
-use crate::{Engine, log, mitigate};
+use crate::{Engine, log, mitigate, response};
 
 /// Of the noise in the simulated log: any, but always the same.
 const TRIAL_SEED: u64 = 20_261_122;
@@ -46,6 +46,30 @@ impl Engine {
     /// What the spec's reader or the science says.
     pub fn trial_log(&self, text: &str, condition: usize, damping: usize) -> Result<Answer, String> {
         log::trial(&self.spec_without_contact(text, "a simulated log")?, condition, damping, TRIAL_SEED)
+    }
+
+    /// The two ends over frequency, see [`response::curve`]; `masses`: for each winding, as the exact case has them. Windings that meet are left out.
+    ///
+    /// # Errors
+    /// What the spec's reader or the science says.
+    pub fn response(&self, text: &str, condition: usize, damping: usize, masses: usize) -> Result<Answer, String> {
+        response::curve(&self.spec(text)?, response::Asked { condition, damping, masses })
+    }
+
+    /// The same at one frequency \[Hz\], with `places` of the coil as they move, see [`response::at`].
+    ///
+    /// # Errors
+    /// As [`Self::response`], or what of the question is out of range.
+    pub fn response_at(
+        &self,
+        text: &str,
+        condition: usize,
+        damping: usize,
+        masses: usize,
+        frequency: f64,
+        places: usize,
+    ) -> Result<Answer, String> {
+        response::at(&self.spec(text)?, response::Asked { condition, damping, masses }, frequency, places)
     }
 
     /// What to do about the ringing of a spec's conditions; `asked` is JSON with the command's options, see [`mitigate::asked`].

@@ -1,11 +1,12 @@
 // The modes of the coil: lines against length, all modes at one of the lengths, and the wire as it moves in one of them.
 //
-// Next door: each of its parts (`chart`, `table`, `wire`), what it says (`words`), what opens it (`results/modes`).
+// Next door: each of its parts (`chart`, `table`, `wire`), what it says (`words`), what opens it (`results/folded`).
 
-import type { Answer, ExactFacts, LinesFacts, ShapeFacts } from '../answer';
+import type { Answer, LinesFacts, ShapeFacts } from '../answer';
 import type { Compute } from '../compute';
 import { clamp, make } from '../dom';
 import type { Reply } from '../lane';
+import type { Case } from '../results/folded';
 import css from '../style/modes.css?inline';
 import { wear } from '../style/wear';
 import { drawLines, type LinesChart } from './chart';
@@ -19,9 +20,6 @@ import { about } from './words';
 const LENGTHS = 49;
 /** Points of the wire for each winding: some hundreds in all, and of few windings so many that they look round. */
 const points = (windings: number): number => Math.round(clamp(800 / windings, 12, 32));
-
-/** An exact case, and the spec that it is of. */
-export type Case = ExactFacts & { text: string };
 
 export class Part {
   private asked = '';

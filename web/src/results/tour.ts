@@ -18,6 +18,8 @@ interface Step {
   words: Child[];
   times: [number, number];
   at: number;
+  /** Where it is seen over frequency, too [Hz]. */
+  frequency?: number;
 }
 
 export class Tour {
@@ -90,6 +92,8 @@ export class Tour {
         ],
         times: [0, 3 * way],
         at: 1.5 * way,
+        // Where the wave that comes back takes the force away from the driven end: half of how often it goes to and fro.
+        frequency: Number((0.25 / way).toPrecision(4)),
       },
       {
         heading: 'Sensor by sensor',
@@ -105,7 +109,7 @@ export class Tour {
     ];
   }
 
-  private step({ heading, words, times, at }: Step): HTMLElement {
+  private step({ heading, words, times, at, frequency }: Step): HTMLElement {
     const { state } = this.store;
     const href = toHash({ ...state, view: { ...state.view, times } });
     const go = (event: Event) => {
@@ -119,7 +123,22 @@ export class Tour {
       ...words,
       ' ',
       make('a', { href, onclick: go, 'aria-label': `Show it: ${heading}` }, 'Show it'),
+      ...(frequency ? [' ', this.overFrequency(frequency)] : []),
     );
+  }
+
+  /** A link to the two ends over frequency. */
+  private overFrequency(frequency: number): HTMLElement {
+    const { state } = this.store;
+    const go = (event: Event) => {
+      event.preventDefault();
+      this.store.setView({ frequency });
+      const there = document.querySelector<HTMLElement>('.two-ends summary');
+      there?.scrollIntoView({ block: 'start' });
+      there?.focus();
+    };
+    const href = toHash({ ...state, view: { ...state.view, frequency } });
+    return make('a', { href, onclick: go }, `See it over frequency, at ${digits(frequency, 4)}\u00a0Hz`);
   }
 }
 

@@ -40,6 +40,7 @@ export function layOut(panel: HTMLElement) {
     meetings: make('section', { class: 'card meetings', 'aria-label': 'How windings met', hidden: true }),
     warnings: make('ul', { class: 'warnings' }),
     facts: make('p', { class: 'facts' }),
+    response: make('section', { class: 'card two-ends', 'aria-label': 'The two ends over frequency' }),
     modes: make('section', { class: 'card every', 'aria-label': 'Every mode of the coil' }),
     downloads: make('div', { class: 'downloads' }),
   };
@@ -88,6 +89,7 @@ export function layOut(panel: HTMLElement) {
         parts.facts,
         parts.downloads,
       ),
+      parts.response,
       parts.modes,
     ),
   );

@@ -18,9 +18,9 @@ import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
 import { Views } from '../plots/views';
 import { Downloads } from '../results/downloads';
+import { Folded } from '../results/folded';
 import { Judged } from '../results/judged';
 import { Meetings } from '../results/meetings';
-import { Modes } from '../results/modes';
 import type { Outcome } from '../results/outcome';
 import { sentence } from '../results/sentence';
 import { Table } from '../results/table';
@@ -54,7 +54,14 @@ export const open: Open = (panel, store, compute) => {
     table.judge(found);
   });
   const meetings = new Meetings(parts.meetings);
-  const modes = new Modes(parts.modes, compute);
+  const modes = new Folded(parts.modes, 'Every mode of the coil', async (element, title) => {
+    const { Part } = await part(title, () => import('../modes/part'));
+    return new Part(element, compute);
+  });
+  const response = new Folded(parts.response, 'The two ends over frequency', async (element, title) => {
+    const { Part } = await part(title, () => import('../response/part'));
+    return new Part(element, compute, store);
+  });
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
     zoom: (times) => store.setView({ times }),
@@ -126,12 +133,16 @@ export const open: Open = (panel, store, compute) => {
     parts.status.classList.toggle('preview', !exact);
     document.body.dataset['exact'] = String(exact);
   };
+  if (store.state.view.frequency) response.open();
   store.subscribe((state, before) => {
     inputs();
+    // A link to a frequency.
+    if (state.view.frequency && state.view.frequency !== before.view.frequency) response.open();
     // Until the engine answers, what is shown is of another state.
     if (isOther(state, before)) {
       mark(false);
       modes.show(null);
+      response.show(null);
       if (state.spec !== before.spec) judged.show(null);
     }
     if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
@@ -171,7 +182,9 @@ export const open: Open = (panel, store, compute) => {
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
       parts.facts.textContent = springLine(facts);
       why.show(shown);
-      modes.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });
+      const exact = shown.exact && { ...shown.exact.facts, text: shown.exactText };
+      modes.show(exact);
+      response.show(exact);
       if (shown.exact) judged.show(shown.exactText);
       panels.show(store.state, facts);
       views.show(shown);
