@@ -59,19 +59,21 @@ function gone(base: Flat, now: Flat): string[] {
   return [...places];
 }
 
+const isText = (value: unknown): boolean => typeof value === 'string';
 const isCount = (value: unknown): boolean => Number.isSafeInteger(value) && Number(value) >= 0;
-const areNames = (value: unknown): boolean => Array.isArray(value) && value.every((name) => typeof name === 'string');
+const areNames = (value: unknown): boolean => Array.isArray(value) && value.every(isText);
 const isTime = (value: unknown): boolean => typeof value === 'number' && Number.isFinite(value) && value >= 0;
 /** Texts by name, none longer than somebody types. */
 const isWords = (value: unknown): boolean =>
   typeof value === 'object' &&
   value !== null &&
   !Array.isArray(value) &&
-  Object.values(value).every((word) => typeof word === 'string' && word.length < 10_000);
+  Object.values(value).every((word) => isText(word) && word.length < 10_000);
 
 /** What a part of the view may be: an address is typed by anybody. */
 const FITS: Record<string, (value: unknown) => boolean> = {
-  tab: (value) => typeof value === 'string',
+  tab: isText,
+  kept: isText,
   condition: isCount,
   damping: isCount,
   times: (value) => Array.isArray(value) && value.length === 2 && value.every(isTime) && value[0] < value[1],

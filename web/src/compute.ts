@@ -126,9 +126,10 @@ export class Compute {
     return lane;
   }
 
-  /** One question in a worker of its own, which waits for nothing and ends with its answer. */
-  async alone(question: Question): Promise<Reply> {
-    const lane = this.first.lane(false);
+  /** One question in a worker of its own, which waits for nothing and ends with its answer, or with the signal, after which nobody answers. */
+  async alone(question: Question, over?: AbortSignal): Promise<Reply> {
+    const lane = this.lanes(question).lane(false);
+    over?.addEventListener('abort', () => lane.end());
     const reply = await new Promise<Reply>((resolve) => lane.ask(question, resolve));
     lane.end();
     return reply;
@@ -326,7 +327,8 @@ export class Compute {
     return from < duration && to > from ? [Math.max(0, from), Math.min(to, duration)] : first;
   }
 
-  private load(id: string): Promise<void> {
+  /** What a preset's spec names. */
+  load(id: string): Promise<void> {
     const known = this.loaded.get(id);
     if (known) return known;
     const each = Object.entries(preset(id).files).map(async ([name, { address, bytes }]) =>

@@ -18,9 +18,10 @@ export const PARTS: Record<string, readonly (keyof View)[]> = {
   mitigate: ['mitigate'],
 };
 
-/** What of a state is a tab's own. */
-function part(tab: string, { view, ...spring }: State): Part {
-  const own = Object.fromEntries((PARTS[tab] ?? []).map((key) => [key, view[key]])) as unknown as View;
+/** What of a state is a tab's own; `exchanged`: with what is kept, which only a step that changes it takes back. */
+function part(tab: string, { view, ...spring }: State, exchanged = false): Part {
+  const keys = [...(PARTS[tab] ?? []), ...(exchanged && tab === 'spring' ? (['kept'] as const) : [])];
+  const own = Object.fromEntries(keys.map((key) => [key, view[key]])) as unknown as View;
   return { ...(tab === 'spring' ? spring : {}), view: own };
 }
 
@@ -42,10 +43,10 @@ class Steps {
   }
 
   /** The next step one way; what was is the next one the other way. */
-  step(way: 'back' | 'forth', now: Part): Part | undefined {
+  step(way: 'back' | 'forth', now: (next: Part) => Part): Part | undefined {
     const next = this[way].pop();
     if (!next) return next;
-    this[way === 'back' ? 'forth' : 'back'].push(now);
+    this[way === 'back' ? 'forth' : 'back'].push(now(next));
     this.gesture.name = '';
     return next;
   }
@@ -57,8 +58,9 @@ export class Past {
   /** Remembers what a change is of: a link that was followed changes the parts of several tabs. */
   add(before: State, next: State, gesture: string): void {
     for (const [tab, steps] of this.steps) {
-      const old = part(tab, before);
-      if (JSON.stringify(old) !== JSON.stringify(part(tab, next))) steps.add(old, gesture);
+      const exchanged = before.view.kept !== next.view.kept;
+      const old = part(tab, before, exchanged);
+      if (JSON.stringify(old) !== JSON.stringify(part(tab, next, exchanged))) steps.add(old, gesture);
     }
   }
 
@@ -69,7 +71,7 @@ export class Past {
   /** The state with the last change of the tab that it shows taken back, or made again; null where there is none. */
   go(way: 'back' | 'forth', state: State): State | null {
     const { tab } = state.view;
-    const found = this.steps.get(tab)?.step(way, part(tab, state));
+    const found = this.steps.get(tab)?.step(way, ({ view }) => part(tab, state, 'kept' in view));
     return found ? put(state, found) : null;
   }
 }

@@ -19,6 +19,8 @@ export interface View {
   slow: number;
   /** At which frequency the two ends are looked at [Hz]; zero where nobody chose. */
   frequency: number;
+  /** What is kept to compare, as an address has it; empty where nothing is. */
+  kept: string;
   /** What the tab Mitigate is asked, where it is not as the command has it, and the name of the candidate that is picked. */
   mitigate: Record<string, string>;
   /** What the user says of a log, by the command's options; not the log itself. */
@@ -46,6 +48,7 @@ export const defaultView = (): View => ({
   sensors: [],
   slow: 0,
   frequency: 0,
+  kept: '',
   mitigate: {},
   log: {},
 });

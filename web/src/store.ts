@@ -113,7 +113,8 @@ export class Store {
     return location.href;
   }
 
-  private put(next: State, gesture: string, isStep = false): void {
+  /** Another state; `isStep`: the browser's history has a step for it already. */
+  put(next: State, gesture: string, isStep = false): void {
     this.past.add(this.now, next, gesture);
     this.tell(next, isStep);
   }

@@ -54,6 +54,24 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
         await expect(page.locator('#spring-material option')).not.toHaveCount(1, { timeout: 20_000 });
       },
     },
+    compared: {
+      hash: `#S_T&${STATE}`,
+      use: async (page) => {
+        await exact(page);
+        await page.getByRole('button', { name: 'Keep to compare' }).click();
+      },
+      ends: async (page) => {
+        // A page that is opened anew has not been asked yet.
+        const [keep, kept] = [page.getByRole('button', { name: 'Keep to compare' }), page.locator('.beside')];
+        const isKept = () => expect(kept).toBeVisible({ timeout: 4000 });
+        await isKept().catch(() => keep.click());
+        await isKept();
+      },
+    },
+    sensors: {
+      hash: `#S_T&${STATE}&@sensors=["laser","two+encoders"]`,
+      ends: (page) => expect(page.locator('.pair tbody tr')).toHaveCount(2, { timeout: 20_000 }),
+    },
     modes: {
       hash: `#S_T&${STATE}`,
       use: async (page) => {

@@ -101,7 +101,13 @@ test('the spring as it comes', async ({ page }) => {
   );
 });
 
-for (const hash of ['#S_A&@condition=4', '#valve', '#suspension', '#S_T&condition.0.velocity=8+m/s'])
+for (const hash of [
+  '#S_A&@condition=4',
+  '#S_T&@kept="S_A"',
+  '#valve',
+  '#suspension',
+  '#S_T&condition.0.velocity=8+m/s',
+])
   test(`${hash} with everything opened and every sensor drawn`, async ({ page }) => {
     await open(page, hash);
     const toDraw = page.locator('button.toggle[aria-pressed=false]');

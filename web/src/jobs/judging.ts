@@ -10,10 +10,13 @@ import { workshop } from '../workshop';
 /** How long a newer spec waits for the case that is under way [ms]. */
 const PATIENCE = 400;
 
+/** A verdict, or why there is none. */
+export type Judged = { facts: unknown } | { error: string };
+
 interface Asked {
   text: string;
   told: (done: number, of: number) => void;
-  done: (found: { facts: unknown } | { error: string }) => void;
+  done: (found: Judged) => void;
 }
 
 export class Judging {
@@ -40,6 +43,12 @@ export class Judging {
     this.worker?.postMessage({ id: ++this.id });
   }
 
+  /** No more verdicts. */
+  end(): void {
+    this.asked = null;
+    this.dismiss();
+  }
+
   private async send(): Promise<void> {
     const id = ++this.id;
     const [engine, files] = [await workshop(), await this.files()];
@@ -55,7 +64,7 @@ export class Judging {
   private hire(): Worker {
     this.heard = 0;
     const worker = new Worker(new URL('./judge.worker.ts', import.meta.url), { type: 'module' });
-    watch(worker, () => worker === this.worker && void this.end());
+    watch(worker, () => worker === this.worker && void this.gone());
     worker.addEventListener('message', ({ data }: MessageEvent<FromJudge | Alive>) => {
       if (worker === this.worker && 'id' in data) this.hear(data);
     });
@@ -87,7 +96,7 @@ export class Judging {
     this.worker = null;
   }
 
-  private async end(): Promise<void> {
+  private async gone(): Promise<void> {
     this.dismiss();
     if (!this.asked) return;
     if (++this.ended % 2 === 1) say('judge', 'The worker that judges had stopped and was restarted.');

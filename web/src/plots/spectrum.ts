@@ -21,6 +21,8 @@ const begin = (value: number): number => Math.min(value, 9.4 * 10 ** Math.floor(
 export class SpectrumPlot {
   readonly plot: uPlot;
   private facts: Facts | null = null;
+  /** So much fits in, whatever is shown [N]. */
+  least = 1e-12;
 
   constructor(host: HTMLElement) {
     this.plot = chart(host, this.options(), [
@@ -39,7 +41,7 @@ export class SpectrumPlot {
     // The mean is no line; nothing below the lowest decade, which a logarithm cannot show.
     const lines = FORCE_NAMES.map((name) => series[`spectrum ${name}`]?.subarray(1, count));
     const most = Math.max(
-      1e-12,
+      this.least,
       ...lines.flatMap((values) => (values ? [values.reduce((a, b) => Math.max(a, b), 0)] : [])),
     );
     const data = [

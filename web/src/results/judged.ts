@@ -10,11 +10,11 @@ import type { Outcome } from './outcome';
 export class Judged {
   private judge: Promise<Judge> | null = null;
 
-  /** `told` hears each verdict, and null while there is none of the state. */
+  /** `told` hears each verdict, and null while there is none of the state or none can be had. */
   constructor(
     private readonly host: HTMLElement,
     private readonly compute: Compute,
-    private readonly told: (outcome: Outcome | null) => void,
+    private readonly told: (outcome: Outcome | null, failed: boolean) => void,
   ) {}
 
   /** The spec of the exact case; null while the state moves. */
@@ -32,7 +32,7 @@ export class Judged {
     const card = new Verdict(this.host, () => judge.again());
     const judge = new Judge(this.compute, (standing) => {
       card.show(standing);
-      this.told(standing.kind === 'judged' ? standing.outcome : null);
+      this.told(standing.kind === 'judged' ? standing.outcome : null, standing.kind === 'failed');
     });
     return judge;
   }

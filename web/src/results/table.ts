@@ -75,7 +75,7 @@ export class Table {
     this.body.replaceChildren(
       heading('What the spring alone does'),
       ...paper.map((row) => this.row(row, spring.nominalForce, !hidden.includes(row.name))),
-      ...(own.length > 0 ? [heading('With each sensor’s own noise, filter and lag')] : []),
+      ...(own.length > 0 ? [heading('With each sensor’s own noise, filter and lag (tick two to compare)')] : []),
       ...own.map((row) => this.row(row, spring.nominalForce, wanted.includes(row.name))),
     );
     if (focused) this.body.querySelector<HTMLElement>(`tr[data-force="${CSS.escape(focused)}"] button`)?.focus();

@@ -3,6 +3,7 @@
 // Next door: the buttons, which load this (`downloads`), the picture (`svg`).
 
 import type { Compute, Shown } from '../compute';
+import { heldNow, keptLines } from '../compare/held';
 import { toToml } from '../document';
 import { download } from '../download';
 import { say } from '../faults';
@@ -35,5 +36,8 @@ export function takePicture({ view }: State, shown: Shown | null, size: { width:
   if (!shown) return say('svg', 'There is no picture to take along yet.');
   const forces = FORCE_LINES.filter(({ name }) => !view.hidden.includes(name));
   const lines = [...forces, ...readings(shown.exact?.facts ?? null, view.sensors)];
-  download(`${nameOf(shown)}.svg`, forcesSvg(shown.answer, shown.times, lines, size), 'image/svg+xml');
+  // The picture is what is seen: what is kept is behind it, and said to be there.
+  const held = heldNow();
+  const kept = held && { ...held, lines: keptLines(view) };
+  download(`${nameOf(shown)}.svg`, forcesSvg(shown.answer, shown.times, lines, size, kept), 'image/svg+xml');
 }

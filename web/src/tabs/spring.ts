@@ -4,6 +4,7 @@
 
 import type { ExactFacts, Facts } from '../answer';
 import { refusals, type Refusal, type Shown } from '../compute';
+import { Compare } from '../compare/open';
 import { part } from '../faults';
 import { Hits } from '../hit/open';
 import { Choose } from '../inputs/choose';
@@ -49,9 +50,10 @@ export const open: Open = (panel, store, compute) => {
   const panels = new Panels(store, parts.first, parts.fields, clock, catalogue);
   const table = new Table(store, parts.table);
   let outcome: Outcome | null = null;
-  const judged = new Judged(parts.verdict, compute, (found) => {
+  const judged = new Judged(parts.verdict, compute, (found, failed) => {
     outcome = found;
     table.judge(found);
+    compare.judged(found, failed);
   });
   const meetings = new Meetings(parts.meetings);
   const modes = new Folded(parts.modes, 'Every mode of the coil', async (element, title) => {
@@ -103,6 +105,7 @@ export const open: Open = (panel, store, compute) => {
   const hits = new Hits({ store, compute, player, card, canvas, strip, last: () => last });
   const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
   const views = new Views(store, parts.views, forces);
+  const compare = new Compare({ store, compute, parts, forces, spectrum, last: () => last, refused: () => refused });
   let facts: Facts | null = null;
   // While a preview is shown, the sensors are those of the last exact case.
   let sensors: ExactFacts | null = null;
