@@ -12,11 +12,13 @@ const specs: Plugin = {
     id.endsWith('.toml') ? { code: `export default ${JSON.stringify(parse(source))};`, map: null } : null,
 };
 
+const told = (file: string): string => readFileSync(new URL(`../${file}`, import.meta.url), 'utf8');
+const { workspace } = parse(told('Cargo.toml')) as unknown as {
+  workspace: { package: { repository?: string; license?: string; version: string } };
+};
+
 /** A link to where the project lives, where Cargo.toml names that, and its licence. */
 function project(): string {
-  const { workspace } = parse(readFileSync(new URL('../Cargo.toml', import.meta.url), 'utf8')) as unknown as {
-    workspace: { package: { repository?: string; license?: string; version: string } };
-  };
   const { repository, license, version } = workspace.package;
   const name = `coilsense ${version}`;
   const source = repository ? `<a href="${repository}" rel="noreferrer">${name}</a>` : name;
@@ -46,6 +48,21 @@ const place: Plugin = {
   },
 };
 
+/** Where pages of the book are, and how they end: as it is published, where whoever builds the page says that; else its text in the repository. */
+function book(): { base: string; ending: string } | null {
+  const address = process.env['COILSENSE_BOOK_ADDRESS']?.replace(/\/*$/, '/');
+  if (address) return { base: address, ending: '.html' };
+  const { repository } = workspace.package;
+  return repository ? { base: `${repository}/blob/main/book/src/`, ending: '.md' } : null;
+}
+
+/** The paper's address, by its DOI. */
+function paper(): string {
+  const doi = /^\s+doi: (10\..*)$/m.exec(told('CITATION.cff'))?.[1];
+  if (!doi) throw new Error('CITATION.cff does not say the DOI of the paper');
+  return `https://doi.org/${doi}`;
+}
+
 type Graph = { getModuleInfo(id: string): { importers: readonly string[] } | null };
 
 /** Whether a module comes with the first load: `main` imports it, or what `main` imports. */
@@ -57,6 +74,7 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
 
 export default defineConfig({
   base: './',
+  define: { BOOK: JSON.stringify(book()), PAPER: JSON.stringify(paper()) },
   plugins: [specs, footer, place, lone, whole],
   build: {
     target: 'es2022',

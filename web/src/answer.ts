@@ -264,8 +264,7 @@ export type ToWorkshop = { engine: WebAssembly.Module; files: Map<string, string
 
 /** To the worker that judges: a spec with the files that it may name, or that nobody waits for the one before any more. */
 export type ToJudge =
-  | { id: number; engine: WebAssembly.Module; files: Map<string, string>; text: string }
-  | { id: number };
+  { id: number; engine: WebAssembly.Module; files: Map<string, string>; text: string } | { id: number };
 
 /** From it: how many cases are settled, then the verdict. */
 export type FromJudge = { id: number } & ({ told: [number, number] } | { facts: unknown } | { error: string });

@@ -21,6 +21,12 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** Words that the glossary explains, by the name of a term or a group there; of a group a question mark stands for them. */
+export const word = (id: string, ...words: Child[]): HTMLButtonElement =>
+  words.length > 0
+    ? make('button', { type: 'button', class: 'term', 'data-word': id }, ...words)
+    : make('button', { type: 'button', class: 'term ask', 'data-word': id, 'aria-label': `Words: ${id}` }, '?');
+
 export function byId<T extends HTMLElement>(id: string): T {
   const found = document.getElementById(id);
   if (!found) throw new Error(`the page has no #${id}`);

@@ -74,9 +74,8 @@ export function again(what: string, text: string): Promise<void> {
 function why(reason: unknown): string {
   if (!navigator.onLine) return 'this device is offline';
   const text = String(reason instanceof Error ? reason.message : reason).replace(/https?:\S*\//, '');
-  if (reason instanceof SyntaxError || reason instanceof WebAssembly.CompileError)
-    return `its file came cut short (${text})`;
-  return reason instanceof TypeError ? `its file is missing or the network is down (${text})` : text;
+  if (reason instanceof SyntaxError || reason instanceof WebAssembly.CompileError) return 'its file came cut short';
+  return reason instanceof TypeError ? 'its file is missing or the network is down' : text;
 }
 
 /** Does what needs a file, again and again until it succeeds: says when that takes long, and what went wrong. */

@@ -142,7 +142,12 @@ export const GOAL: readonly Field[] = [
     hint: 'standard uncertainty, of F_nom or in N',
     slide: { from: 0.05, to: 5, scale: 'log' },
   },
-  { key: 'force', label: 'Taken as true', words: ['F_x', 'F_i', 'F_o'], hint: 'F_x is k × stretch' },
+  {
+    key: 'force',
+    label: 'Taken as true',
+    words: ['F_x', 'F_i', 'F_o'],
+    hint: 'F_x: if you take k × stretch as the force',
+  },
   { key: 'bandwidth', label: 'Bandwidth', hint: 'of the goal; left empty, errors of every frequency count' },
 ];
 

@@ -104,6 +104,12 @@ const tools = () => {
   reset.disabled = !store.canReset;
 };
 
+// Words that are asked for are in the glossary, which few need.
+addEventListener('click', ({ target }) => {
+  const asked = (target as Element).closest<HTMLElement>('[data-word]')?.dataset['word'];
+  if (asked !== undefined) void part('The glossary', () => import('./glossary/open')).then(({ open }) => open(asked));
+});
+
 // A file dropped beside any place for files is taken by the tab that it belongs to.
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {

@@ -41,6 +41,34 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       hash: `#S_T&${STATE}&sensor.1.bandwidth=abc`,
       ends: (page) => expect(page.locator('#sensor-1-bandwidth-error')).toBeVisible({ timeout: 20_000 }),
     },
+    words: {
+      hash: `#S_T&${STATE}`,
+      use: (page) => page.getByRole('button', { name: /^Words of this page/ }).click(),
+      ends: async (page) => {
+        await exact(page);
+        const dialog = page.locator('.glossary');
+        const isOpen = () => expect(dialog).toBeVisible({ timeout: 2000 });
+        await isOpen().catch(() => page.getByRole('button', { name: /^Words of this page/ }).click());
+        await isOpen();
+      },
+    },
+    film: {
+      hash: `#S_T&${STATE}&@times=[0,0.01]&@slow=0.005`,
+      use: async (page) => {
+        await exact(page);
+        page.on('download', () => (saved += 1));
+        saved = 0;
+        await page.getByRole('button', { name: 'Film (GIF)' }).click();
+      },
+      ends: async (page) => {
+        await exact(page);
+        const isSaved = (timeout: number) => expect.poll(() => saved, { timeout }).toBeGreaterThan(0);
+        // A page that was opened anew has not been asked yet.
+        if ((await page.locator('.filmed').textContent()) === '')
+          await page.getByRole('button', { name: 'Film (GIF)' }).click();
+        await isSaved(30_000);
+      },
+    },
     shelf: {
       hash: `#S_T&${STATE}`,
       use: async (page) => {

@@ -2,7 +2,7 @@
 //
 // Next door: its curves (`ghost`), the words below the plot (`bar`), the table (`card`), when this is loaded (`open`).
 
-import { Judging, type Judged } from '../jobs/judging';
+import { Judging, type Found } from '../jobs/judging';
 import { fromHash, toHash } from '../address';
 import type { Answer, ExactFacts } from '../answer';
 import type { Refusal, Shown } from '../compute';
@@ -259,7 +259,7 @@ export class Part {
     const text = this.text(kept.state);
     const judging = new Judging(() => compute.known());
     signal.addEventListener('abort', () => judging.end());
-    const found = await new Promise<Judged>((done) => judging.ask({ text, told: () => {}, done }));
+    const found = await new Promise<Found>((done) => judging.ask({ text, told: () => {}, done }));
     judging.end();
     if (signal.aborted) return;
     this.under = null;

@@ -6,8 +6,8 @@ import css from '../style/hit.css?inline';
 import { wear } from '../style/wear';
 import type { Refusal, Shown } from '../compute';
 import { section, sections } from '../document';
-import { make } from '../dom';
-import { drawSpring, ruled } from '../spring/draw';
+import { make, word } from '../dom';
+import { drawSpring, emptied, ruled } from '../spring/draw';
 import { positionsAt } from '../spring/scene';
 import { isOther } from '../state';
 import { applied, isNothing, onset, speedOf, told, type Act, type Onset, type Rest } from './act';
@@ -44,7 +44,7 @@ export class Part {
     this.strip = new Strip((time) => player.goTo(time));
     this.listen = new Listen();
     bench.strip.replaceChildren(
-      make('div', { class: 'head' }, make('h2', {}, 'The wave'), this.listen.element),
+      make('div', { class: 'head' }, make('h2', {}, 'The wave'), word('ringing'), this.listen.element),
       ...this.strip.parts,
       this.listen.words,
     );
@@ -168,7 +168,7 @@ export class Part {
       return node > count ? last : first + ((node - 0.5) / count) * (last - first);
     });
     const force = staticForce + spring.stiffness * (last - first - meanLength);
-    drawSpring(canvas, { ...seen, departure: 0, positions, spring, forces: [force, force], closed: null });
+    drawSpring(emptied(canvas), { ...seen, departure: 0, positions, spring, forces: [force, force], closed: null });
   }
 }
 

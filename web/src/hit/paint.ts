@@ -6,7 +6,7 @@ import type { Shown } from '../compute';
 import { clamp } from '../dom';
 import { font, LARGER } from '../plots/chart';
 import { ink } from '../plots/looks';
-import { emptied, mix, strains } from '../spring/draw';
+import { mix, strains, type Sheet } from '../spring/draw';
 import { nearest } from '../spring/scene';
 import type { Onset } from './act';
 
@@ -22,21 +22,20 @@ const STEPS = 32;
 /** Between ticks at least [pixels]. */
 const APART = 34;
 
-/** Draws a page of what is shown; null where the canvas is not. */
+/** Draws a page of what is shown; null where there is no room. */
 export function paint(
-  canvas: HTMLCanvasElement,
+  empty: Sheet | null,
   { frames, answer }: Shown,
   page: [number, number],
   peak: number,
   onset: Onset | null,
 ): Area | null {
-  const empty = emptied(canvas);
   if (!empty) return null;
   const { context, width, height } = empty;
   const [left, top, right, foot] = [46, 18, 8, 40].map((size) => size * LARGER) as [number, number, number, number];
   const area = { left, top, width: width - left - right, height: height - top - foot };
   if (area.width < 20 || area.height < 20 || frames.times.length === 0) return null;
-  dots(context, area, frames, page, peak);
+  dots(empty, area, frames, page, peak);
   axes(context, area, page, 1e3 * answer.facts.meanLength);
   if (onset) ways(context, area, page, onset, answer.facts.spring.transitTime);
   return area;
@@ -53,13 +52,12 @@ function palette(): Uint32Array {
 }
 
 function dots(
-  context: CanvasRenderingContext2D,
+  { context, ratio }: Sheet,
   area: Area,
   { times, positions, columns }: Shown['frames'],
   [from, to]: [number, number],
   peak: number,
 ): void {
-  const ratio = devicePixelRatio || 1;
   const [wide, high] = [Math.round(area.width * ratio), Math.round(area.height * ratio)];
   const image = context.createImageData(wide, high);
   const dots = new Uint32Array(image.data.buffer);

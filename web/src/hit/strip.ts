@@ -5,15 +5,11 @@
 
 import type { Shown } from '../compute';
 import { clamp, digits, fixed, make } from '../dom';
-import { strains } from '../spring/draw';
+import { emptied, strains } from '../spring/draw';
 import { nearest } from '../spring/scene';
 import type { Onset } from './act';
+import { pageAt } from './pages';
 import { paint, type Area } from './paint';
-
-/** Ways of the wave on a page. */
-const WAYS = 4;
-/** Most pages of what is shown: more would flicker. */
-const PAGES = 18;
 
 export class Strip {
   private readonly canvas = make('canvas', { role: 'img' });
@@ -88,13 +84,9 @@ export class Strip {
   /** To the page of the player's time; whether it is another. */
   private turn(): boolean {
     if (!this.shown) return false;
-    const [from, to] = this.shown.times;
-    const whole = to - from;
-    const height = Math.min(whole, Math.max(WAYS * this.shown.answer.facts.spring.transitTime, whole / PAGES));
-    const number = Math.floor(clamp(this.time - from, 0, whole - height / 1e3) / height);
-    const start = Math.min(from + number * height, to - height);
-    const isOther = start !== this.page[0] || start + height !== this.page[1];
-    this.page = [start, start + height];
+    const page = pageAt(this.time, this.shown.times, this.shown.answer.facts.spring.transitTime);
+    const isOther = page[0] !== this.page[0] || page[1] !== this.page[1];
+    this.page = page;
     return isOther;
   }
 
@@ -106,7 +98,7 @@ export class Strip {
       this.waits = false;
       if (!this.shown) return;
       const begun = performance.now();
-      this.area = paint(this.canvas, this.shown, this.page, this.peak, this.onset);
+      this.area = paint(emptied(this.canvas), this.shown, this.page, this.peak, this.onset);
       performance.measure('strip', { start: begun, end: performance.now() });
       this.mark();
     });

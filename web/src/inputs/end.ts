@@ -16,7 +16,11 @@ export class FarEnd {
   private control: Spec[string] | undefined;
 
   /** Of a preset: what another one had on its end 2 is none of its own. */
-  constructor(readonly preset: string) {}
+  constructor(
+    readonly preset: string,
+    /** Hears that the loop of control was put aside. */
+    private readonly aloud: () => void = () => {},
+  ) {}
 
   readonly field: Field = {
     key: 'end2',
@@ -47,6 +51,7 @@ export class FarEnd {
     const { control, ...rest } = spec;
     if (isForce && control && !('load_mass' in section(spec, 'control'))) {
       this.control = control;
+      this.aloud();
       return rest;
     }
     return isForce || control || !this.control ? spec : { ...spec, control: this.control };

@@ -5,7 +5,8 @@
 import type { Facts } from '../answer';
 import type { Refusal } from '../compute';
 import { section, sections, type Spec } from '../document';
-import { make, reveal } from '../dom';
+import { make, reveal, word } from '../dom';
+import { say } from '../faults';
 import {
   BY_GEOMETRY,
   BY_VALUES,
@@ -65,6 +66,12 @@ export class Panels {
     this.contact.show(state);
   }
 
+  private leftOut(): void {
+    const text =
+      'The table [control] does not go with an end 2 under a force: it is left out of the spec, and comes back with another end 2.';
+    say('control', text, 'Undo', () => this.store.undo());
+  }
+
   private async load(): Promise<void> {
     this.shelf = await this.catalogue();
     const show = () => this.show(this.store.state, null);
@@ -112,7 +119,7 @@ export class Panels {
   private draw(state: State): void {
     this.controls = [];
     const { preset, spec, view } = state;
-    if (this.end.preset !== preset) this.end = new FarEnd(preset);
+    if (this.end.preset !== preset) this.end = new FarEnd(preset, () => this.leftOut());
     const number = view.condition;
     const kind = String(sections(spec, 'condition')[number]?.['kind'] ?? 'impact');
     const condition = CONDITION[kind] ?? { first: [], more: [] };
@@ -131,7 +138,7 @@ export class Panels {
     // What is done comes first, beside the choice of it: on a phone it stands above the spring.
     this.first.replaceChildren(...condition.first.map(at(`condition.${number}`)));
     this.host.replaceChildren(
-      make('h2', {}, 'Drag a slider, or type'),
+      make('div', { class: 'head' }, make('h2', {}, 'Drag a slider, or type'), word('spring'), word('done')),
       this.damping.element,
       this.contact.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),

@@ -11,12 +11,12 @@ import { workshop } from '../workshop';
 const PATIENCE = 400;
 
 /** A verdict, or why there is none. */
-export type Judged = { facts: unknown } | { error: string };
+export type Found = { facts: unknown } | { error: string };
 
 interface Asked {
   text: string;
   told: (done: number, of: number) => void;
-  done: (found: Judged) => void;
+  done: (found: Found) => void;
 }
 
 export class Judging {

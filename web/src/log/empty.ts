@@ -2,7 +2,7 @@
 //
 // Next door: what stands there afterwards (`found`).
 
-import { make } from '../dom';
+import { make, word } from '../dom';
 
 const GETS: [string, string][] = [
   ['A verdict', 'Is it the spring that rings, or the frame, a motor, the mains? With what speaks for it.'],
@@ -18,7 +18,7 @@ export function empty(tryIt: () => void): HTMLElement {
   return make(
     'section',
     { class: 'card empty', 'aria-label': 'What a log tells' },
-    make('h2', {}, 'Drop a log of your spring: see what rings, and which spring it is'),
+    make('h2', {}, 'Drop a log of your spring: see what rings, and which spring it is ', word('cleaned')),
     make(
       'p',
       {},

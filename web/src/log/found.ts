@@ -3,7 +3,7 @@
 // Next door: what is asked (`form`), numbers (`tables`), curves (`pictures`), who asks (`tabs/log`).
 
 import type { Answer } from '../answer';
-import { make, rich } from '../dom';
+import { make, rich, word } from '../dom';
 import { download } from '../download';
 import type { Identification, Said } from './identification';
 import { draw } from './pictures';
@@ -15,7 +15,7 @@ export const card = (title: string, ...children: Node[]) =>
   make(
     'section',
     { class: 'card', 'aria-label': title },
-    make('div', { class: 'head' }, make('h2', {}, title)),
+    make('div', { class: 'head' }, make('h2', {}, title), word('cleaned')),
     ...children,
   );
 export const button = (label: string, act: () => void) =>

@@ -2,7 +2,7 @@
 //
 // Next door: the same as points (`scatter`).
 
-import { make, rich } from '../dom';
+import { make, rich, word } from '../dom';
 import { type Candidate, degrees, type Judged, lag, mostLag, percent, those } from './ranking';
 
 export class Table {
@@ -33,7 +33,7 @@ export class Table {
     this.element = make(
       'section',
       { class: 'card', 'aria-label': title },
-      make('div', { class: 'head' }, make('h2', {}, rich(title))),
+      make('div', { class: 'head' }, make('h2', {}, rich(title)), word('cleaned')),
       make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Ranking: ${title}` }, table),
     );
   }

@@ -4,7 +4,7 @@
 
 import type { Answer, LinesFacts, ShapeFacts } from '../answer';
 import type { Compute } from '../compute';
-import { clamp, make } from '../dom';
+import { clamp, make, word } from '../dom';
 import type { Reply } from '../lane';
 import type { Case } from '../results/folded';
 import css from '../style/modes.css?inline';
@@ -35,7 +35,7 @@ export class Part {
   private readonly body = make(
     'div',
     { class: 'every-mode', hidden: true },
-    make('div', {}, this.figure, this.words),
+    make('div', {}, word('modes'), this.figure, this.words),
     make('div', {}, this.choice.element, this.wire.element),
     this.table.element,
   );

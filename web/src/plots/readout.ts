@@ -3,7 +3,7 @@
 // Next door: the curves (`forces`).
 
 import type { Shown } from '../compute';
-import { clamp, fixed, make, rich } from '../dom';
+import { clamp, fixed, make, rich, word } from '../dom';
 import { nearest } from '../spring/scene';
 import type { Line } from './lines';
 import { sample } from './looks';
@@ -45,7 +45,7 @@ export class ReadOut {
         'span',
         {},
         sample(series),
-        make('span', {}, make('b', {}, rich(name)), meaning && ` ${meaning}`),
+        make('span', {}, make('b', {}, meaning ? word(name, rich(name)) : name), meaning && ` ${meaning}`),
         this.values[index],
       );
     const limit = make('span', {}, make('i', { class: 'limit' }), 'within your limit');

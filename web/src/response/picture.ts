@@ -186,7 +186,7 @@ function drawMotion(canvas: HTMLCanvasElement, scene: Scene, angle: number): voi
   const [one, two] = forces(scene.point, angle);
   // Arrows show the mean force, and about it what the sine adds.
   const mean = Math.sign(facts.staticForce) || 1;
-  drawSpring(canvas, {
+  drawSpring(emptied(canvas), {
     positions: positions(scene, angle),
     spring: { ...facts.spring, masses: real.length - 2 },
     forces: [mean + one, mean + two],

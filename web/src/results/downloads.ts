@@ -1,6 +1,6 @@
-// What the user may take along: the spec that the command takes, the series as the command writes them, the picture of the forces, the address.
+// What the user may take along: the spec that the command takes, the series as the command writes them, the picture of the forces, a film, the address.
 //
-// Next door: how the files are made (`take`).
+// Next door: how the files are made (`take`), and films (`record/record`).
 
 import type { Compute, Shown } from '../compute';
 import { make } from '../dom';
@@ -13,6 +13,7 @@ const TOLD = 5000;
 export class Downloads {
   private shown: Shown | null = null;
   private readonly told = make('span', { class: 'copied', role: 'status' });
+  private readonly filmed = make('span', { class: 'filmed' });
   private timer = 0;
 
   constructor(
@@ -34,14 +35,28 @@ export class Downloads {
       button('Forces (SVG)', 'The picture above', () =>
         this.take(({ takePicture }) => takePicture(store.state, this.shown, plot())),
       ),
+      button('Film (WebM)', 'Spring, forces and wave over what is shown', () => this.film('webm')),
+      button('Film (GIF)', 'The same, for slides and pages without video', () => this.film('gif')),
       button('Link', 'Copies the address, which holds the whole state', () => void this.link()),
       this.told,
+      this.filmed,
     );
   }
 
   /** Few take anything along: what makes it is loaded when it is wanted. */
   private take(make: (how: typeof import('./take')) => void): void {
     void part('What writes files', () => import('./take')).then(make);
+  }
+
+  private film(kind: 'webm' | 'gif'): void {
+    void part('What records films', () => import('../record/record')).then(({ record }) =>
+      record(
+        kind,
+        this.filmed,
+        () => this.store.state,
+        () => this.shown,
+      ),
+    );
   }
 
   /** Copies the address of the state as it is now; where that is not allowed, shows it to be copied by hand. */

@@ -1,10 +1,10 @@
 // The answer in one sentence with numbers, for people who have just come.
 
 import type { Answer, ContactFacts, Facts } from '../answer';
-import { digits, fixed, make, type Child } from '../dom';
+import { digits, fixed, make, word, type Child } from '../dom';
 
 const percent = (force: number, { spring }: Facts) => `${digits((100 * force) / spring.nominalForce)}\u00a0%`;
-const bold = (text: string) => make('b', {}, text);
+const bold = (...text: Child[]) => make('b', {}, ...text);
 
 /** What the two ends do, and what that means for a load cell. */
 export function sentence(answer: Answer<Facts>, times: [number, number]): Child[] {
@@ -21,19 +21,26 @@ export function sentence(answer: Answer<Facts>, times: [number, number]): Child[
   const { name, window } = facts.conditions[facts.condition] ?? { name: 'this', window: [0, 0] };
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
   const end = other === 'F_o' ? '2' : '1';
-  const meant = truth === 'F_x' ? ' k × stretch' : ` the force at end ${truth === 'F_i' ? '1' : '2'}`;
+  const meant =
+    truth === 'F_x' ? [word('F_x', 'k × stretch')] : [word(truth, `that at end ${truth === 'F_i' ? '1' : '2'}`)];
   const off = forces[other]?.rmsd ?? 0;
   // On a mass at end 2 the first mode is the mass's swing, far below the coil's own.
   const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)}\u00a0Hz`;
   const from = times[0] === 0 ? 'in the first ' : `from ${fixed(1e3 * times[0], 0)} to `;
   return [
-    `In “${name}” (${facts.dampings[facts.damping]?.label ?? 'ζ = 0'}) the spring rings at ${ring}, its ends up to `,
+    `In “${name}” (`,
+    word('zeta', facts.dampings[facts.damping]?.label ?? 'ζ = 0'),
+    ') the spring ',
+    word('surge', 'rings'),
+    ` at ${ring}, its ends up to `,
     bold(`${digits(apart, 3)}\u00a0N apart`),
-    ` ${from}${fixed(1e3 * times[1], 0)}\u00a0ms: ${percent(apart, facts)} of F`,
-    make('sub', {}, 'nom'),
+    ` ${from}${fixed(1e3 * times[1], 0)}\u00a0ms: ${percent(apart, facts)} of `,
+    word('F_nom', 'F', make('sub', {}, 'nom')),
     `. From ${digits(window[0])} to ${digits(window[1])}\u00a0s a load cell at end ${end} is `,
-    bold(`${percent(off, facts)} rms off`),
-    `${meant}.`,
+    bold(`${percent(off, facts)} `, word('rmsd', 'rms'), ' off'),
+    ', if you take ',
+    ...meant,
+    ' as the force.',
     facts.contact ? met(facts.contact) : facts.clash.firstContact !== null && beyond(),
   ];
 }

@@ -3,7 +3,7 @@
 // Next door: the same as curves (`plots`), the verdict over all cases (`verdict`), what else must be known (`warnings`).
 
 import type { Answer, Deviation, ExactFacts, Facts } from '../answer';
-import { fixed, make, rich } from '../dom';
+import { fixed, make, rich, word } from '../dom';
 import { FORCE_LINES, type Line } from '../plots/lines';
 import { sample } from '../plots/looks';
 import type { Store } from '../store';
@@ -24,7 +24,9 @@ export class Table {
     private readonly store: Store,
     host: HTMLElement,
   ) {
-    const heads = ['RMSD', 'Max.', 'Bias', 'Goal'].map((text) => make('th', { scope: 'col' }, text));
+    const heads = Object.entries({ rmsd: 'RMSD', max: 'Max.', bias: 'Bias', limit: 'Goal' }).map(([id, text]) =>
+      make('th', { scope: 'col' }, word(id, text)),
+    );
     host.replaceChildren(
       make(
         'table',
@@ -137,4 +139,4 @@ export function mark(meets: boolean | null, words = 'visually-hidden'): (string 
 }
 
 /** The force that counts as true, with what it is. */
-const truthOf = (truth: string): string => (truth === 'F_x' ? 'F_x (k × stretch taken as the force)' : truth);
+const truthOf = (truth: string): string => (truth === 'F_x' ? 'F_x, if you take k × stretch as the force' : truth);

@@ -12,7 +12,7 @@ import { preset } from '../presets';
 import type { State } from '../state';
 import { forcesSvg } from './svg';
 
-function nameOf(shown: Shown | null): string {
+export function nameOf(shown: Shown | null): string {
   const { facts } = shown?.answer ?? {};
   const words = [facts?.spring.name ?? 'spring', facts?.conditions[facts.condition]?.name ?? ''];
   return words.join('-').replaceAll(/[^\w.-]+/g, '-');

@@ -2,7 +2,7 @@
 //
 // Next door: who asks for it (`judge`), the case that is drawn, with a mark for each sensor (`table`).
 
-import { digits, fixed, make, rich } from '../dom';
+import { digits, fixed, make, rich, word } from '../dom';
 import type { Standing } from './judge';
 import type { Outcome, Ranked } from './outcome';
 import { mark } from './table';
@@ -20,7 +20,7 @@ export class Verdict {
   ) {
     wear(css);
     host.replaceChildren(
-      make('div', { class: 'head' }, make('h2', {}, 'Which sensor to trust'), this.status),
+      make('div', { class: 'head' }, make('h2', {}, 'Which sensor to trust'), word('sensors'), this.status),
       this.bar,
       this.body,
     );
@@ -66,7 +66,9 @@ function told(outcome: Outcome): HTMLElement[] {
 /** What is judged: the goal with its force, its size and its bandwidth. */
 function goal({ goal, nominal_force_n: nominal }: Outcome): HTMLElement {
   const truth =
-    goal.force === 'F_x' ? 'k × stretch taken as the true force (F_x)' : `${goal.force} taken as the true force`;
+    goal.force === 'F_x'
+      ? 'if you take k × stretch as the true force (F_x)'
+      : `if you take ${goal.force} as the true force`;
   const size =
     goal.error_n === null
       ? 'No goal is set'
@@ -75,10 +77,22 @@ function goal({ goal, nominal_force_n: nominal }: Outcome): HTMLElement {
   return make('p', { class: 'facts' }, rich(`${size}, ${band}, ${truth}; the worst of all conditions and dampings.`));
 }
 
-const HEADS = ['u [N]', '% of F_nom', 'nominal [N]', 'worst [N]', 'inside', 'lag [ms]', 'worst in'];
+/** Heads of the figures, each with the word that explains it. */
+const HEADS = [
+  ['u', 'u [N]'],
+  ['F_nom', '% of F_nom'],
+  ['worst', 'nominal [N]'],
+  ['worst', 'worst [N]'],
+  ['worst', 'inside'],
+  ['lag', 'lag [ms]'],
+  ['condition', 'worst in'],
+] as const;
 
 function ranking(outcome: Outcome): HTMLElement {
-  const head = make('tr', {}, ...['Sensor', 'Goal', ...HEADS].map((text) => make('th', { scope: 'col' }, rich(text))));
+  const heads = [['kinds', 'Sensor'], ['limit', 'Goal'], ...HEADS].map(([id = '', text = '']) =>
+    make('th', { scope: 'col' }, word(id, rich(text))),
+  );
+  const head = make('tr', {}, ...heads);
   return make(
     'div',
     { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Every sensor’s uncertainty' },

@@ -68,25 +68,32 @@ export function strains(positions: Float32Array): Float64Array {
   });
 }
 
-/** A canvas without a picture, at the screen's own dots; null where it is not shown. Sizes in CSS pixels. */
-export function emptied(
-  canvas: HTMLCanvasElement,
-): { context: CanvasRenderingContext2D; width: number; height: number } | null {
-  const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+/** What is drawn on, of a size in CSS pixels, with so many dots to each. */
+export interface Sheet {
+  context: CanvasRenderingContext2D;
+  width: number;
+  height: number;
+  ratio: number;
+}
+
+/** A canvas without a picture, at the screen's own dots; null where it is not shown. */
+export const emptied = (canvas: HTMLCanvasElement): Sheet | null =>
+  sheet(canvas, canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1);
+
+/** A canvas without a picture, of a size; null where it has none. */
+export function sheet(canvas: HTMLCanvasElement, width: number, height: number, ratio: number): Sheet | null {
   const context = canvas.getContext('2d');
   if (!context || width === 0) return null;
-  const ratio = devicePixelRatio || 1;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
   }
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, width, height);
-  return { context, width, height };
+  return { context, width, height, ratio };
 }
 
-export function drawSpring(canvas: HTMLCanvasElement, moment: Moment): void {
-  const empty = emptied(canvas);
+export function drawSpring(empty: Sheet | null, moment: Moment): void {
   if (!empty) return;
   const { context, width, height } = empty;
   const plan = layOut(moment, width, height);

@@ -4,12 +4,20 @@
 
 import { clamp, digits, fixed, make, rich } from '../dom';
 import type { Closed } from './closed';
-import { drawSpring } from './draw';
-import { firstContact, label, nearest, positionsAt, survey, type Coil, type Scene, type Seen } from './scene';
+import { drawSpring, emptied } from './draw';
+import {
+  firstContact,
+  label,
+  nearest,
+  positionsAt,
+  SPEEDS,
+  survey,
+  usualSpeed,
+  type Coil,
+  type Scene,
+  type Seen,
+} from './scene';
 
-const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002];
-/** Where nobody chose, what is shown takes about so long [s]. */
-const ROUND = 10;
 /** Frames per second are counted over so many seconds. */
 const COUNTED = 2;
 /** Numbers that change faster than this cannot be read [ms]. */
@@ -180,9 +188,7 @@ export class Player {
 
   /** Seconds of the spring per second of the viewer. */
   private slow({ times }: Seen): number {
-    if (this.chosen.slow > 0) return this.chosen.slow;
-    const off = (slow: number) => Math.abs(Math.log((times[1] - times[0]) / slow / ROUND));
-    return SPEEDS.reduce((best, slow) => (off(slow) < off(best) ? slow : best), 1);
+    return this.chosen.slow > 0 ? this.chosen.slow : usualSpeed(times);
   }
 
   private fromScrub(): number {
@@ -229,7 +235,13 @@ export class Player {
     const at = nearest(answer.series['time'] ?? frames.times, this.time);
     const forces: [number, number] = [answer.series['F_i']?.[at] ?? 0, answer.series['F_o']?.[at] ?? 0];
     if (frames.times.length > 0)
-      drawSpring(this.canvas, { positions: positionsAt(frames, this.time), spring, forces, closed, ...this.scene });
+      drawSpring(emptied(this.canvas), {
+        positions: positionsAt(frames, this.time),
+        spring,
+        forces,
+        closed,
+        ...this.scene,
+      });
     if (told) this.tell(forces, spring);
     if (told) this.tellClosed(closed);
     const [from, to] = shown.times;

@@ -13,6 +13,17 @@ const ENOUGH = 400;
 /** By how much displacements may be drawn larger. */
 export const GAINS = [1, 2, 5, 10, 20, 50, 100, 200];
 
+/** Seconds of the spring per second of the viewer. */
+export const SPEEDS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002];
+/** Where nobody chose, what is shown takes about so long [s]. */
+const ROUND = 10;
+
+/** The speed at which shown times take about as long as people like to look. */
+export function usualSpeed([from, to]: [number, number]): number {
+  const off = (slow: number) => Math.abs(Math.log((to - from) / slow / ROUND));
+  return SPEEDS.reduce((best, slow) => (off(slow) < off(best) ? slow : best), 1);
+}
+
 /** Positions u1, x_1…x_N, u2 [m] at some times [s]. */
 export interface Frames {
   times: Float64Array;

@@ -2,7 +2,7 @@
 //
 // Next door: what fills them (`spring`).
 
-import { make } from '../dom';
+import { make, word } from '../dom';
 
 export function layOut(panel: HTMLElement) {
   const canvas = make('canvas', { class: 'coil', role: 'img' });
@@ -54,7 +54,7 @@ export function layOut(panel: HTMLElement) {
       make(
         'section',
         { class: 'card', 'aria-label': 'Forces over time' },
-        make('div', { class: 'head' }, make('h2', {}, 'Forces over time'), parts.status, parts.views),
+        make('div', { class: 'head' }, make('h2', {}, 'Forces over time'), word('forces'), parts.status, parts.views),
         parts.forces,
         parts.keys,
         parts.said,
@@ -70,14 +70,14 @@ export function layOut(panel: HTMLElement) {
       make(
         'section',
         { class: 'card off' },
-        make('div', { class: 'head' }, make('h2', {}, 'How far off')),
+        make('div', { class: 'head' }, make('h2', {}, 'How far off'), word('off')),
         parts.table,
       ),
       parts.meetings,
       make(
         'section',
         { class: 'card' },
-        make('div', { class: 'head' }, make('h2', {}, 'At which frequencies')),
+        make('div', { class: 'head' }, make('h2', {}, 'At which frequencies'), word('ringing')),
         parts.spectrum,
         parts.lines,
       ),

@@ -3,7 +3,7 @@
 // Next door: how they are computed (`coilsense-web`, `paper`).
 
 import type { Answer, PaperFacts } from '../answer';
-import { fixed, make, rich } from '../dom';
+import { fixed, make, rich, word } from '../dom';
 import { curves } from '../plots/curves';
 import { readInk } from '../plots/looks';
 import css from '../style/paper.css?inline';
@@ -36,11 +36,17 @@ function fill(place: HTMLElement, { facts, series }: Answer<PaperFacts>, millise
   place.setAttribute('aria-busy', 'false');
   const figures = make('div', { class: 'figures' });
   place.replaceChildren(
-    make('h2', {}, 'The paper, computed here'),
+    make('div', { class: 'head' }, make('h2', {}, 'The paper, computed here'), word('cleaned')),
     make(
       'p',
       {},
-      'Van der Weijde, van Ostayen and Vallery, “Influence of Internal Oscillations on Force Sensing in Coil Springs”: its simulated tables and figures, ' +
+      'Van der Weijde, van Ostayen and Vallery, “',
+      make(
+        'a',
+        { href: PAPER, target: '_blank', rel: 'noopener noreferrer' },
+        'Influence of Internal Oscillations on Force Sensing in Coil Springs',
+      ),
+      '”: its simulated tables and figures, ' +
         `computed in your browser just now in ${fixed(milliseconds / 1e3, 1)} s. Two readings: “tables” is what makes the printed numbers come out, “text” is what the words say. ` +
         'A cell that is more than 0.02 percentage points from the print is marked.',
     ),
