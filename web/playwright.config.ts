@@ -2,13 +2,20 @@
 // command are, which `cargo xtask test --only page` sets; COILSENSE_PORT where two run on one machine.
 import { defineConfig } from '@playwright/test';
 
+/** What measures how quick the page is, by itself; all others go two at a time. */
+const TIMED = 'speed.spec.ts';
+
 const PORT = Number(process.env['COILSENSE_PORT'] ?? 4187);
 
 export default defineConfig({
   testDir: 'tests',
   outputDir: 'test-results',
   globalSetup: './tests/command.ts',
-  workers: 1,
+  workers: 2,
+  projects: [
+    { name: 'most', testIgnore: TIMED },
+    { name: 'timed', testMatch: TIMED, workers: 1 },
+  ],
   timeout: 120_000,
   reporter: [['list']],
   use: {

@@ -130,6 +130,7 @@ test('the mark that is moved by keys says its forces, once a second', async ({ p
   await page.getByRole('button', { name: 'Pause' }).click();
   await listen(page);
   await page.locator('.plot.forces').focus();
+  const begun = Date.now();
   for (let press = 0; press < 25; press++) {
     await page.keyboard.press('ArrowRight');
     await page.waitForTimeout(80);
@@ -138,7 +139,7 @@ test('the mark that is moved by keys says its forces, once a second', async ({ p
   const all = await heard(page);
   calm(all);
   expect(all.length).toBeGreaterThan(1);
-  expect(all.length).toBeLessThan(5);
+  expect(all.length).toBeLessThanOrEqual(1 + (Date.now() - begun) / 1000);
   const clock = await page.locator('.clock').textContent();
   expect(all.at(-1)!.words).toMatch(new RegExp(`^${clock}: F_i [−\\d.]+ N, F_o [−\\d.]+ N`));
 });
