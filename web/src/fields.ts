@@ -146,7 +146,7 @@ export const GOAL: readonly Field[] = [
     key: 'force',
     label: 'Taken as true',
     words: ['F_x', 'F_i', 'F_o'],
-    hint: 'F_x: if you take k × stretch as the force',
+    hint: 'F_x: k × stretch as the force',
   },
   { key: 'bandwidth', label: 'Bandwidth', hint: 'of the goal; left empty, errors of every frequency count' },
 ];

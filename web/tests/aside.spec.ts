@@ -3,15 +3,22 @@ import { expect, exact, open, test } from './page';
 
 test('an end 2 under a force puts the table [control] aside, says so, and gives it back', async ({ page }) => {
   await open(page, '#S_T');
+  const end = page.getByLabel('End 2', { exact: true });
   const note = page.locator('#notices .said').filter({ hasText: '[control]' });
-  await page.getByLabel('End 2', { exact: true }).selectOption('mass');
-  await exact(page);
-  await expect(note).toHaveCount(0);
-  await page.getByLabel('End 2', { exact: true }).selectOption('force');
+  const address = () => decodeURIComponent(page.url());
+  await end.selectOption('force');
   await expect(note).toContainText('left out of the spec');
+  await expect.poll(address).toContain('-control');
   await exact(page);
-  expect(decodeURIComponent(page.url())).toContain('-control');
   await note.getByRole('button', { name: 'Undo' }).click();
-  await expect(page.getByLabel('End 2', { exact: true })).toHaveValue('mass');
-  await expect.poll(() => decodeURIComponent(page.url())).not.toContain('-control');
+  await expect(end).toHaveValue('held');
+  await expect.poll(address).not.toContain('-control');
+});
+
+test('nothing is said where nothing is put aside', async ({ page }) => {
+  await open(page, '#S_T');
+  await page.getByLabel('End 2', { exact: true }).selectOption('mass');
+  await expect.poll(() => page.url()).toContain('mass');
+  await exact(page);
+  await expect(page.locator('#notices .said')).toHaveCount(0);
 });

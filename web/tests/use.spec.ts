@@ -255,7 +255,7 @@ test('zoom by buttons and keys, and the mark by arrows', async ({ page }) => {
 test('all of it by keyboard: every control is reached in order, and works', async ({ page }) => {
   await open(page);
   const met: string[] = [];
-  for (let press = 0; press < 80; press++) {
+  for (let press = 0; press < 120; press++) {
     await page.keyboard.press('Tab');
     const name = await page.evaluate(() => {
       const at = document.activeElement;

@@ -126,9 +126,9 @@ const RINGING: readonly Term[] = [
   },
   {
     id: 'pitch',
-    names: ['pitch', 'mean'],
+    names: ['closer', 'wider than the mean'],
     words:
-      'From one winding to the next, as far as the wire’s centre. Colours tell where windings lie closer than the mean of all of them, and where wider.',
+      'Of the pitch, which is how far it is from one winding to the next. Colours tell where windings lie closer than the mean of all of them, and where wider.',
     unit: '%',
     book: 'guide/page.md#the-page-in-the-browser',
   },
@@ -347,7 +347,7 @@ const OFF: readonly Term[] = [
 const MODES: readonly Term[] = [
   {
     id: 'mode',
-    names: ['Every mode', 'Modes of the coil'],
+    names: ['Every mode'],
     words: 'A way in which the coil swings by itself, at one frequency, every part of it in step.',
     unit: 'Hz',
     book: COMPARED,

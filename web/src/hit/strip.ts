@@ -52,7 +52,12 @@ export class Strip {
       this.go();
     });
     this.host.addEventListener('keydown', (event) => this.key(event));
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    new ResizeObserver(() => {
+      // Out of sight nothing is painted, and the line would stay as wide as before.
+      this.area = null;
+      this.mark();
+      this.draw();
+    }).observe(this.canvas);
     new IntersectionObserver((entries) => {
       this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
       this.draw();

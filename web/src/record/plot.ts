@@ -16,7 +16,7 @@ export interface Box {
 }
 
 /** Room of the axes, and for the largest force [units of the picture]. */
-const AXES = { left: 52, top: 10, right: 12, bottom: 36 };
+const AXES = { left: 62, top: 10, right: 12, bottom: 36 };
 const AIR = 0.08;
 
 export class Plot {
@@ -102,7 +102,7 @@ export class Plot {
       });
     write(context, 'Time [ms]', left + width / 2, top + height + 31, { ...style, align: 'center' });
     context.save();
-    context.translate(left - 40, top + height / 2);
+    context.translate(left - 52, top + height / 2);
     context.rotate(-Math.PI / 2);
     write(context, 'Force [N]', 0, 4, { ...style, align: 'center' });
     context.restore();

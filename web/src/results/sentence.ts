@@ -30,19 +30,28 @@ export function sentence(answer: Answer<Facts>, times: [number, number]): Child[
   return [
     `In “${name}” (`,
     word('zeta', facts.dampings[facts.damping]?.label ?? 'ζ = 0'),
-    ') the spring ',
+    ') it ',
     word('surge', 'rings'),
-    ` at ${ring}, its ends up to `,
+    ` at ${ring}, ends up to `,
     bold(`${digits(apart, 3)}\u00a0N apart`),
     ` ${from}${fixed(1e3 * times[1], 0)}\u00a0ms: ${percent(apart, facts)} of `,
     word('F_nom', 'F', make('sub', {}, 'nom')),
-    `. From ${digits(window[0])} to ${digits(window[1])}\u00a0s a load cell at end ${end} is `,
+    `. At ${digits(window[0])}–${digits(window[1])}\u00a0s end ${end}’s load cell is `,
     bold(`${percent(off, facts)} `, word('rmsd', 'rms'), ' off'),
-    ', if you take ',
+    ' if you take ',
     ...meant,
     ' as the force.',
     facts.contact ? met(facts.contact) : facts.clash.firstContact !== null && beyond(),
   ];
+}
+
+/** Above all tabs; whoever is at one of its words stays there. */
+export function say(parts: Child[]): void {
+  const [host, next] = [document.getElementById('sentence'), make('p', {}, ...parts)];
+  if (!host || host.textContent === next.textContent) return;
+  const at = host.contains(document.activeElement) ? document.activeElement?.getAttribute('data-word') : null;
+  host.replaceChildren(...next.childNodes);
+  if (at) host.querySelector<HTMLElement>(`[data-word=${at}]`)?.focus();
 }
 
 const beyond = () => make('b', { class: 'beyond' }, ' Windings touch: a real coil would do something else.');

@@ -23,7 +23,7 @@ import { Folded } from '../results/folded';
 import { Judged } from '../results/judged';
 import { Meetings } from '../results/meetings';
 import type { Outcome } from '../results/outcome';
-import { sentence } from '../results/sentence';
+import { say, sentence } from '../results/sentence';
 import { Table } from '../results/table';
 import { showWarnings, springLine } from '../results/warnings';
 import { Why } from '../results/why';
@@ -173,13 +173,7 @@ export const open: Open = (panel, store, compute) => {
       curves(shown);
       player.show(shown);
       hits.ready();
-      document
-        .getElementById('sentence')
-        ?.replaceChildren(
-          ...sentence(shown.answer, shown.times).filter(
-            (part) => part !== null && part !== undefined && part !== false,
-          ),
-        );
+      say(sentence(shown.answer, shown.times));
       table.show(facts, shown.exact);
       meetings.show(shown.exact?.facts ?? null, facts);
       showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
