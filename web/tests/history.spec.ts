@@ -135,7 +135,7 @@ test('where nothing may be copied, the link is shown to be copied by hand', asyn
   await page.addInitScript(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
   await open(page);
   await mass(page).fill('70 g');
-  await page.getByRole('button', { name: 'Link' }).click();
+  await page.getByRole('button', { name: 'Link', exact: true }).click();
   const field = page.getByLabel('The link', { exact: true });
   await expect(field).toHaveValue(/spring\.mass=70\+g/);
   await expect(field).toBeFocused();

@@ -170,7 +170,7 @@ pub fn curve(spec: &Spec, asked: Asked) -> Result<Answer, String> {
 /// Series: `place` along the coil \[1\], `real` and `imaginary` of its motion, over that of the driven end or over its force.
 ///
 /// # Errors
-/// As [`curve`], or what of the question is out of range.
+/// As [`curve()`], or what of the question is out of range.
 pub fn at(spec: &Spec, asked: Asked, frequency: f64, places: usize) -> Result<Answer, String> {
     if !(2..=MOST_PLACES).contains(&places) {
         return Err(format!("places must be from 2 to {MOST_PLACES}, got {places}"));

@@ -48,7 +48,7 @@ impl Engine {
         log::trial(&self.spec_without_contact(text, "a simulated log")?, condition, damping, TRIAL_SEED)
     }
 
-    /// The two ends over frequency, see [`response::curve`]; `masses`: for each winding, as the exact case has them. Windings that meet are left out.
+    /// The two ends over frequency, see [`response::curve()`]; `masses`: for each winding, as the exact case has them. Windings that meet are left out.
     ///
     /// # Errors
     /// What the spec's reader or the science says.

@@ -50,7 +50,7 @@ impl Sample {
     }
 }
 
-/// See [`super::curve`].
+/// See [`super::curve()`].
 pub(super) fn answer(driven: &Driven, excitation: Excitation) -> Result<Answer, Error> {
     let samples = samples(driven)?;
     let mut meta = driven.facts();
