@@ -52,23 +52,6 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
         await isOpen();
       },
     },
-    film: {
-      hash: `#S_T&${STATE}&@times=[0,0.01]&@slow=0.005`,
-      use: async (page) => {
-        await exact(page);
-        page.on('download', () => (saved += 1));
-        saved = 0;
-        await page.getByRole('button', { name: 'Film (GIF)' }).click();
-      },
-      ends: async (page) => {
-        await exact(page);
-        const isSaved = (timeout: number) => expect.poll(() => saved, { timeout }).toBeGreaterThan(0);
-        // A page that was opened anew has not been asked yet.
-        if ((await page.locator('.filmed').textContent()) === '')
-          await page.getByRole('button', { name: 'Film (GIF)' }).click();
-        await isSaved(30_000);
-      },
-    },
     shelf: {
       hash: `#S_T&${STATE}`,
       use: async (page) => {
@@ -154,6 +137,24 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       hash: `#S_T&${STATE}&@tab="mitigate"&@mitigate={"seeds":"1","candidate":"none"}`,
       ends: (page) =>
         expect(page.locator('#panel-mitigate tr[data-candidate]').first()).toBeVisible({ timeout: 60_000 }),
+    },
+    // The last: what it shares with others they can load again by themselves.
+    film: {
+      hash: `#S_T&${STATE}&@times=[0,0.01]&@slow=0.005`,
+      use: async (page) => {
+        await exact(page);
+        page.on('download', () => (saved += 1));
+        saved = 0;
+        await page.getByRole('button', { name: 'Film (GIF)' }).click();
+      },
+      ends: async (page) => {
+        await exact(page);
+        const isSaved = (timeout: number) => expect.poll(() => saved, { timeout }).toBeGreaterThan(0);
+        // A page that was opened anew has not been asked yet.
+        if ((await page.locator('.filmed').textContent()) === '')
+          await page.getByRole('button', { name: 'Film (GIF)' }).click();
+        await isSaved(30_000);
+      },
     },
   };
 const exact = async (page: Page): Promise<void> => {

@@ -6,12 +6,11 @@
 import type { Shown } from '../compute';
 import { sections } from '../document';
 import { clamp, digits, make } from '../dom';
-import { download } from '../download';
+import { download, nameOf } from '../download';
 import { part } from '../faults';
 import { CONDITION } from '../fields';
 import { onset } from '../hit/act';
 import { FORCE_LINES, readings } from '../plots/lines';
-import { nameOf } from '../results/take';
 import { usualSpeed } from '../spring/scene';
 import type { State } from '../state';
 import type { Made, Making, Source } from './frames';

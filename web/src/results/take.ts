@@ -5,18 +5,12 @@
 import type { Compute, Shown } from '../compute';
 import { heldNow, keptLines } from '../compare/held';
 import { toToml } from '../document';
-import { download } from '../download';
+import { download, nameOf } from '../download';
 import { say } from '../faults';
 import { FORCE_LINES, readings } from '../plots/lines';
 import { preset } from '../presets';
 import type { State } from '../state';
 import { forcesSvg } from './svg';
-
-export function nameOf(shown: Shown | null): string {
-  const { facts } = shown?.answer ?? {};
-  const words = [facts?.spring.name ?? 'spring', facts?.conditions[facts.condition]?.name ?? ''];
-  return words.join('-').replaceAll(/[^\w.-]+/g, '-');
-}
 
 export function takeSpec(state: State, shown: Shown | null): void {
   const { files, example } = preset(state.preset);
