@@ -163,9 +163,30 @@ pub(super) fn dimension(title: &Title) -> Option<Dimension> {
     }
 }
 
+/// Whether a title is that of an instrument's input, such as `CH1`: its number says where a cable is, not at which end.
+fn is_input(name: &str) -> bool {
+    let lower = name.trim_end_matches(|c: char| c.is_ascii_digit()).to_lowercase();
+    let last = lower.split(|c: char| !c.is_alphanumeric()).rfind(|part| !part.is_empty()).unwrap_or("");
+    matches!(
+        last,
+        "" | "ch"
+            | "chan"
+            | "channel"
+            | "kanal"
+            | "canal"
+            | "kanaal"
+            | "ai"
+            | "ain"
+            | "adc"
+            | "analog"
+            | "col"
+            | "column"
+    )
+}
+
 /// Which end a title speaks of, 1 or 2: by its number, by what is driven and what is held, or by what is above and below.
 fn end(title: &Title) -> Option<usize> {
-    let number = title.name.chars().last().filter(|last| matches!(last, '1' | '2'));
+    let number = title.name.chars().last().filter(|last| matches!(last, '1' | '2') && !is_input(&title.name));
     let alone = title.name.chars().rev().nth(1).is_none_or(|before| !before.is_ascii_digit());
     let words = [(DRIVEN, HELD), (UPPER, LOWER)].into_iter().find_map(|(one, two)| {
         match (has(&title.name, one), has(&title.name, two)) {
@@ -229,6 +250,9 @@ mod tests {
             (["t", "upper load cell [N]", "lower load cell [N]"], [None, Some(InputForce), Some(OutputForce)]),
             (["t", "Kraft fest [N]", "Kraft Antrieb [N]"], [None, Some(OutputForce), Some(InputForce)]),
             (["t", "Kraft 2 [N]", "Kraft 1 [N]"], [None, Some(OutputForce), Some(InputForce)]),
+            // The inputs of an instrument are no ends: of two signals the first is the load cell's at the held end.
+            (["t", "CH1 [V]", "CH2 [V]"], [None, Some(OutputForce), Some(InputForce)]),
+            (["t", "Kanal 2 [N]", "AI 1 [N]"], [None, Some(OutputForce), Some(InputForce)]),
             // What is driven says more than what is above.
             (["t", "oben fest [N]", "unten Antrieb [N]"], [None, Some(OutputForce), Some(InputForce)]),
             // The first of two that speak of one end; a second column of it is no other end.
