@@ -1,10 +1,11 @@
 // The wire moving in one mode, turned by hand; and what its ends feel, in words.
 //
-// Next door: how it is drawn (`draw`), which mode it is (`choice`).
+// Next door: how it moves on (`plots/turning`), how it is drawn (`draw`), which mode it is (`choice`).
 
 import type { ShapeFacts } from '../answer';
 import { clamp, digits, make } from '../dom';
 import { ink, type Colour } from '../plots/looks';
+import { Turning } from '../plots/turning';
 import { drawWire } from './draw';
 import { LOOKS, MEANING } from './kinds';
 import { survey, type Scene, type View } from './scene';
@@ -26,18 +27,19 @@ export class Wire {
   private scene: Scene | null = null;
   private kind: ShapeFacts['mode']['kind'] = 'axial';
   private view: View = { yaw: 0.35, pitch: 0.3 };
-  private playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-  private running = false;
-  private inSight = false;
-  private phase = 0;
-  private before = 0;
   private readonly canvas = make('canvas', { role: 'img', 'aria-label': 'The wire, not computed yet' });
   private readonly turntable = make(
     'div',
     { class: 'turntable', tabindex: 0, role: 'group', 'aria-label': 'The wire in space; drag or arrows turn it' },
     this.canvas,
   );
-  private readonly play = make('button', { type: 'button', class: 'play' });
+  private readonly turning = new Turning({
+    canvas: this.canvas,
+    sized: this.canvas,
+    turn: SWING,
+    draw: (angle) => this.draw(angle),
+    isThere: () => this.scene !== null,
+  });
   private readonly scale = make('span', { class: 'soft' });
   private readonly words = make('p', {});
   private readonly body = make('tbody');
@@ -46,7 +48,7 @@ export class Wire {
     'div',
     {},
     this.turntable,
-    make('div', { class: 'player' }, this.play, this.scale),
+    make('div', { class: 'player' }, this.turning.play, this.scale),
     this.words,
     make(
       'div',
@@ -63,21 +65,11 @@ export class Wire {
   readonly element = make('div', { class: 'wire' }, this.refusal, this.seen);
 
   constructor() {
-    this.play.addEventListener('click', () => this.setPlaying(!this.playing));
     this.turntable.addEventListener('keydown', (event) => this.key(event));
     this.canvas.addEventListener('pointerdown', (event) => this.canvas.setPointerCapture(event.pointerId));
     this.canvas.addEventListener('pointermove', ({ pointerId, movementX, movementY }) => {
       if (this.canvas.hasPointerCapture(pointerId)) this.turn(PER_PIXEL * movementX, PER_PIXEL * movementY);
     });
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
-    new IntersectionObserver((entries) => {
-      this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
-      this.run();
-    }).observe(this.canvas);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
-      requestAnimationFrame(() => this.draw()),
-    );
-    this.setPlaying(this.playing);
   }
 
   show({ facts, positions, number, name }: Shown): void {
@@ -93,8 +85,7 @@ export class Wire {
     const farthest = digits(1e3 * this.scene.amplitude, 2);
     this.scale.textContent = `Enlarged: the farthest point moves ${farthest} mm here; slowed down to one swing in ${SWING} s.`;
     this.body.replaceChildren(...ends.map(row));
-    this.draw();
-    this.run();
+    this.turning.show();
   }
 
   /** Nothing is drawn; why. */
@@ -105,16 +96,9 @@ export class Wire {
     this.refusal.textContent = `The wire cannot be drawn: ${text}`;
   }
 
-  private setPlaying(playing: boolean): void {
-    this.playing = playing;
-    this.play.textContent = playing ? 'Hold still' : 'Move';
-    this.play.setAttribute('aria-pressed', String(playing));
-    this.run();
-  }
-
   private turn(yaw: number, pitch: number): void {
     this.view = { yaw: this.view.yaw + yaw, pitch: clamp(this.view.pitch + pitch, -Math.PI / 2, Math.PI / 2) };
-    if (!this.running) this.draw();
+    this.turning.again();
   }
 
   private key(event: KeyboardEvent): void {
@@ -130,25 +114,9 @@ export class Wire {
     this.turn(...by);
   }
 
-  private draw(): void {
+  private draw(angle: number): void {
     if (!this.scene) return;
-    drawWire(this.canvas, this.scene, this.view, Math.cos(this.phase), ink[LOOKS[this.kind].colour as Colour]);
-  }
-
-  private run(): void {
-    if (this.running || !this.playing || !this.inSight || !this.scene) return;
-    this.running = true;
-    this.before = performance.now();
-    requestAnimationFrame((now) => this.step(now));
-  }
-
-  private step(now: number): void {
-    this.running = this.playing && this.inSight && this.scene !== null;
-    if (!this.running) return;
-    this.phase = (this.phase + (2 * Math.PI * clamp(now - this.before, 0, 100)) / 1e3 / SWING) % (2 * Math.PI);
-    this.before = now;
-    this.draw();
-    requestAnimationFrame((next) => this.step(next));
+    drawWire(this.canvas, this.scene, this.view, Math.cos(angle), ink[LOOKS[this.kind].colour as Colour]);
   }
 }
 

@@ -1,11 +1,12 @@
 // The coil under a sine at one end, slowed down, and both forces over one turn of it; still where motion is not wanted.
 //
-// Next door: how a coil is drawn (`spring/draw`), what is said of it (`words`).
+// Next door: what goes round (`plots/turning`), how a coil is drawn (`spring/draw`), what is said of it (`words`).
 
 import type { Answer, ExactFacts, PointFacts, Polar } from '../answer';
-import { clamp, digits, make } from '../dom';
+import { digits, make } from '../dom';
 import { font } from '../plots/chart';
 import { ink, look, type Colour } from '../plots/looks';
+import { Turning } from '../plots/turning';
 import { drawSpring, emptied, strains } from '../spring/draw';
 import { brief, names } from './words';
 
@@ -32,35 +33,23 @@ interface Scene {
 
 export class Picture {
   private scene: Scene | null = null;
-  private playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-  private running = false;
-  private inSight = false;
-  private angle = 0;
-  private before = 0;
   private readonly coil = make('canvas', { class: 'moving', role: 'img', 'aria-label': 'The coil, not computed yet' });
   private readonly waves = make('canvas', { class: 'waves', role: 'img', 'aria-label': 'Both forces over one turn' });
-  private readonly play = make('button', { type: 'button', class: 'play' });
+  private readonly turning = new Turning({
+    canvas: this.coil,
+    sized: this.waves,
+    turn: TURN,
+    draw: (angle) => this.draw(angle),
+    isThere: () => this.scene !== null,
+  });
   private readonly scale = make('span', { class: 'soft' });
   readonly element = make(
     'div',
     { class: 'moved' },
     this.coil,
     this.waves,
-    make('div', { class: 'player' }, this.play, this.scale),
+    make('div', { class: 'player' }, this.turning.play, this.scale),
   );
-
-  constructor() {
-    this.play.addEventListener('click', () => this.setPlaying(!this.playing));
-    new ResizeObserver(() => this.draw()).observe(this.element);
-    new IntersectionObserver((entries) => {
-      this.inSight = entries[entries.length - 1]?.isIntersecting ?? false;
-      this.run();
-    }).observe(this.coil);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
-      requestAnimationFrame(() => this.draw()),
-    );
-    this.setPlaying(this.playing);
-  }
 
   /** The coil at a frequency, and its places along it. */
   show({ facts: point, series }: Answer<PointFacts>, facts: ExactFacts): void {
@@ -78,42 +67,19 @@ export class Picture {
       ? `Slowed down to one turn in ${TURN} s; motion to no scale, forces over the larger one.`
       : 'Exactly at a mode without damping the motion grows without end: nothing steady to draw.';
     // Where it stands still, as far apart as the forces come.
-    if (!this.playing) this.angle = farthest(point);
-    this.draw();
-    this.run();
+    if (!this.turning.playing) this.turning.angle = farthest(point);
+    this.turning.show();
   }
 
-  private setPlaying(playing: boolean): void {
-    this.playing = playing;
-    this.play.textContent = playing ? 'Hold still' : 'Move';
-    this.run();
-  }
-
-  private draw(): void {
+  private draw(angle: number): void {
     const { scene } = this;
     if (!scene) {
       emptied(this.coil);
       emptied(this.waves);
       return;
     }
-    drawMotion(this.coil, scene, this.angle);
-    drawWaves(this.waves, scene.point, this.angle);
-  }
-
-  private run(): void {
-    if (this.running || !this.playing || !this.inSight || !this.scene) return;
-    this.running = true;
-    this.before = performance.now();
-    requestAnimationFrame((now) => this.step(now));
-  }
-
-  private step(now: number): void {
-    this.running = this.playing && this.inSight && this.scene !== null;
-    if (!this.running) return;
-    this.angle = (this.angle + (ROUND * clamp(now - this.before, 0, 100)) / 1e3 / TURN) % ROUND;
-    this.before = now;
-    this.draw();
-    requestAnimationFrame((next) => this.step(next));
+    drawMotion(this.coil, scene, angle);
+    drawWaves(this.waves, scene.point, angle);
   }
 }
 
