@@ -65,6 +65,47 @@ test('workers that end are noticed at once, replaced and said, and what was aske
   });
 });
 
+test('the worker that judges, ended or silent at a case that nobody waits for, is replaced, and the verdict comes', async ({
+  page,
+}) => {
+  // Which workers judge is known by what they are asked.
+  await page.addInitScript(() => {
+    const post = Worker.prototype.postMessage;
+    const judges = new Set<Worker>();
+    Object.assign(window, { judges, deaf: false });
+    Worker.prototype.postMessage = function (...args: unknown[]) {
+      const asked = args[0] as { id?: number; text?: string };
+      const judges = asked.id !== undefined && asked.text !== undefined;
+      const seen = (window as unknown as { judges: Set<Worker>; deaf: boolean }).judges;
+      if (judges && (window as unknown as { deaf: boolean }).deaf && seen.has(this)) return;
+      if (judges) seen.add(this);
+      (post as (...args: unknown[]) => void).apply(this, args);
+    };
+  });
+  const judges = () => page.evaluate(() => (window as unknown as { judges: Set<Worker> }).judges.size);
+  const judged = () => page.waitForFunction(() => window.coilsense.verdict() !== null, null, { timeout: 30_000 });
+  const nominal = () => page.evaluate(() => window.coilsense.verdict()!.nominal_force_n);
+  await page.goto(`${host.address}#S_T`);
+  await judged();
+  expect(await judges()).toBe(1);
+  // Ended in the middle of a verdict.
+  await page.getByLabel('Stiffness k', { exact: true }).fill('800 N/m');
+  await exact(page);
+  await page.evaluate(() =>
+    (window as unknown as { judges: Set<Worker> }).judges.forEach((worker) => worker.terminate()),
+  );
+  await judged();
+  expect(await nominal()).toBeCloseTo(800 * 0.16, 9);
+  await expect(notes(page)).toContainText('The worker that judges had stopped and was restarted.');
+  expect(await judges()).toBe(2);
+  // Silent: the newest spec goes to another worker.
+  await page.evaluate(() => Object.assign(window, { deaf: true }));
+  await page.getByLabel('Stiffness k', { exact: true }).fill('900 N/m');
+  await judged();
+  expect(await nominal()).toBeCloseTo(900 * 0.16, 9);
+  expect(await judges()).toBe(3);
+});
+
 test('workers that do not answer are said, and begun anew', async ({ page }) => {
   // The second question on, the engine's workers keep silent.
   await page.addInitScript(() => {

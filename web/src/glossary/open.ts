@@ -5,7 +5,8 @@
 import { make, rich } from '../dom';
 import css from '../style/glossary.css?inline';
 import { wear } from '../style/wear';
-import { GLOSSARY, type Group, type Term } from './terms';
+import type { Group, Term } from './term';
+import { GLOSSARY } from './terms';
 
 let dialog: HTMLDialogElement | null = null;
 
