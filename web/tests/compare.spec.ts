@@ -169,7 +169,7 @@ test('a reload and a link keep it, another preset with a recorded motion, too', 
     percent(before.forces['F_o']!.rmsd, before.spring.nominalForce),
   );
   await expect(card(page)).toContainText('not there');
-  await expect(card(page)).toContainText('Not the same thing happens in both');
+  await expect(card(page)).toContainText('The two states differ in what happens');
 });
 
 test('another number of sensors, other names, another condition and damping are told as such', async ({ page }) => {
@@ -202,7 +202,7 @@ test('windings that would touch, and those that meet, are said of the state that
   await expect(cells(page, 'Windings').nth(1)).toContainText('meet', { timeout: 60_000 });
   await expect(cells(page, 'Windings that meet')).toHaveText(['pass through', 'are hard']);
   await expect(cells(page, 'Windings').nth(0)).toContainText('would touch from');
-  await expect(card(page)).toContainText('the figures are of no real coil');
+  await expect(card(page)).toContainText('a real coil does not follow these figures');
   // Computed once more after a reload, by the larger engine, since it is the kept one that needs it.
   await bar(page).getByRole('button', { name: 'Swap' }).click();
   await exact(page);

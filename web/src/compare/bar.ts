@@ -31,7 +31,7 @@ export class Bar {
       make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
     this.look = button('What changed', 'The table below', acts.look);
     this.look.classList.add('look');
-    this.swap = button('Swap', 'What is kept becomes what is shown, and the other way about', acts.swap);
+    this.swap = button('Swap', 'Exchanges the kept state and the one that is shown', acts.swap);
     this.element = make(
       'div',
       { class: 'kept', role: 'group', 'aria-label': 'Kept to compare', hidden: true },

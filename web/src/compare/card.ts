@@ -131,14 +131,15 @@ const goal = (meets: boolean | null): HTMLElement =>
 /** What must be known of both before they are compared. */
 function said(kept: Case, now: Case): string {
   const words = [
-    `Kept: ${named(kept)}. Now: ${named(now)}. Each force is off in % of its own state’s F_nom, in the case that is shown; ✓ and ✗ are of all cases.`,
+    `Kept: ${named(kept)}. Now: ${named(now)}. Errors of forces are in % of each state’s own F_nom, in the case that is shown; ✓ and ✗ are over all cases.`,
   ];
   const [one, other] = [kept.exact?.facts, now.exact?.facts];
   if (one && other) {
     const [a, b] = [one.conditions[one.condition], other.conditions[other.condition]];
     if (a && b && (a.name !== b.name || a.kind !== b.kind || String(a.window) !== String(b.window)))
-      words.push('Not the same thing happens in both, or another part of it is judged.');
-    if (isBeyond(one) || isBeyond(other)) words.push('Where windings would touch, the figures are of no real coil.');
+      words.push('The two states differ in what happens, or in which part of it is judged.');
+    if (isBeyond(one) || isBeyond(other))
+      words.push('Where windings would touch, a real coil does not follow these figures.');
   }
   return words.join(' ');
 }

@@ -86,7 +86,7 @@ export class Part {
   }
 
   private refuse(text: string): void {
-    this.refusal.textContent = text && `There is no such curve of this spring: ${text}`;
+    this.refusal.textContent = text && `The curve cannot be computed for this spring: ${text}`;
     this.refusal.hidden = text === '';
     this.body.hidden = text !== '';
     if (text) this.mark(false);

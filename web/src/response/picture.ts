@@ -64,8 +64,8 @@ export class Picture {
     this.coil.setAttribute('aria-label', `The coil of ${facts.spring.name} at ${brief(point)}`);
     this.waves.setAttribute('aria-label', `${own} and ${other} over one turn of ${brief(point)}`);
     this.scale.textContent = isSteady
-      ? `Slowed down to one turn in ${TURN} s; motion to no scale, forces over the larger one.`
-      : 'Exactly at a mode without damping the motion grows without end: nothing steady to draw.';
+      ? `Slowed down: one period in ${TURN} s. The motion is not to scale, forces are relative to the larger one.`
+      : 'Exactly at a mode without damping the motion grows without end: there is no steady motion to draw.';
     // Where it stands still, as far apart as the forces come.
     if (!this.turning.playing) this.turning.angle = farthest(point);
     this.turning.show();

@@ -72,7 +72,7 @@ export function reason({ driven, isMoved, own, other, through }: PointFacts): Ch
   if (near > LOUD && there > LOUD)
     return [
       rich(
-        `The coil rings here: ${name} is ${times(own)} and ${far} ${times(other)} of k × motion. Their ratio does not tell.`,
+        `The coil rings here: ${name} is ${times(own)} and ${far} ${times(other)} of k × motion. Their ratio says little.`,
       ),
     ];
   return [rich(`Of k × motion, ${name} is ${times(own)} and ${far} ${times(other)}.`)];
@@ -85,7 +85,7 @@ export function about({ facts: curve, series }: Answer<CurveFacts>, shown: Exact
   const damping = shown.dampings[shown.damping]?.label ?? 'ζ = 0';
   const [first] = peaks;
   const texts = [
-    `A sine at end ${driven}, once all else has died down, for ${damping}${curve.isMoved ? '' : '; the other end is held'}.`,
+    `A sine at end ${driven}, once everything else has died down, for ${damping}${curve.isMoved ? '' : '; the other end is held'}.`,
     tied === 'force' &&
       'End 2 is under a force that is prescribed, whatever end 1 does: it is pulled here with a sine, and end 1, held, feels what arrives.',
     tied === 'mass' &&
