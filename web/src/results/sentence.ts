@@ -28,7 +28,9 @@ export function sentence(answer: Answer<Facts>, times: [number, number]): Child[
   const ring = `${digits(facts.lines.find((line) => line > 0.4 * spring.surgeFrequency) ?? 0)}\u00a0Hz`;
   const from = times[0] === 0 ? 'in the first ' : `from ${fixed(1e3 * times[0], 0)} to `;
   return [
-    `In “${name}” (`,
+    'In ',
+    word('condition', `“${name}”`),
+    ' (',
     word('zeta', facts.dampings[facts.damping]?.label ?? 'ζ = 0'),
     ') it ',
     word('surge', 'rings'),
