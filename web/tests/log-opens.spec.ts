@@ -85,6 +85,20 @@ test('runs in the layout of the measured ones are known, and shown one at a time
   await expect(several.getByRole('button')).toHaveCount(0);
 });
 
+test('what is being typed while a log is read stays', async ({ page }) => {
+  await drop(page, { 'first.csv': run(1), 'other.csv': run(1.5) });
+  const zero = page.locator('#log-length-at-zero');
+  await expect(page.locator('#log-length-at-zero-error')).toContainText('is needed', { timeout: 30_000 });
+  await page.locator('#panel-log .several').getByRole('button', { name: 'other.csv' }).click();
+  await zero.fill('100 mm');
+  await expect(page.locator('#panel-log .asked')).toContainText('other.csv: ', { timeout: 30_000 });
+  await expect(page.locator('#log-layout')).toHaveValue('lab-data');
+  await settled(page);
+  await expect(zero).toHaveValue('100 mm');
+  await zero.press('Tab');
+  await expect(page.locator('#panel-log .curve')).toContainText('1/l = α L + β', { timeout: 30_000 });
+});
+
 test('what the page and the command simulate opens with its columns, and without a fault', async ({ page }) => {
   told('simulate', example('sea-ankle'), '--out', 'own.csv', '--overwrite');
   const own = readFileSync(join(folder, 'own-heel-strike-zeta-0.005.csv'), 'utf8');

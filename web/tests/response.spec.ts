@@ -178,7 +178,7 @@ test('without damping no number stands for what has no limit', async ({ page }) 
   // The peak to all of its digits.
   await part.getByRole('button', { name: /^peak 27\.03/ }).click();
   await pointAt(page, 27.03);
-  await expect(part.locator('.live')).toContainText('times as much');
+  await expect(part.locator('.live')).toContainText('times Fi');
   await expect(part).not.toContainText(/NaN|Infinity|undefined|null/);
   await open(page, '#S_T&@damping=2');
   await page.reload();

@@ -14,6 +14,8 @@ export class OptionField {
   private readonly input: HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
   private readonly error = make('p', { class: 'error', role: 'alert', hidden: true });
   private readonly reading = new Reading();
+  /** Something is typed and not left yet: whatever is said of the log meanwhile does not take it away. */
+  private isTyping = false;
 
   constructor(readonly option: Option) {
     const { name, label, hint, tick, long } = option;
@@ -37,9 +39,14 @@ export class OptionField {
       this.error,
     );
     if (this.input instanceof HTMLInputElement && !tick) {
-      this.input.addEventListener('input', () => this.reading.typing(this.word, this.understood));
+      this.input.addEventListener('input', () => {
+        this.isTyping = true;
+        this.reading.typing(this.word, this.understood);
+      });
+      this.input.addEventListener('blur', () => (this.isTyping = false));
       // Before anybody else hears of the change.
       this.input.addEventListener('change', () => {
+        this.isTyping = false;
         this.reading.left(this.understood);
         this.word = String(this.understood.value);
       });
@@ -66,6 +73,7 @@ export class OptionField {
 
   set word(text: string) {
     const { input } = this;
+    if (this.isTyping) return;
     if (input instanceof HTMLInputElement && input.type === 'checkbox') input.checked = text !== '';
     else if (input.value.trim() !== text) input.value = text;
     // An address may hold a word that is no choice.

@@ -30,10 +30,10 @@ function phase(value: Polar): string {
   return `${digits(Math.abs(degrees))}° ${degrees < 0 ? 'behind' : 'ahead of'} it`;
 }
 
-/** A share of a force; from twice of it on a factor. */
-function share(value: number | null): string {
-  if (value === null || value >= LIMITLESS) return 'more than a million times as much';
-  return value < 2 ? `${digits(100 * value)}\u00a0% of it` : `${digits(value)} times as much`;
+/** A share of a force, by its name; from twice of it on a factor. */
+function share(value: number | null, force: string): string {
+  if (value === null || value >= LIMITLESS) return `more than a million times ${force}`;
+  return value < 2 ? `${digits(100 * value)}\u00a0% of it` : `${digits(value)} times ${force}`;
 }
 
 /** For the slider: short. */
@@ -51,7 +51,7 @@ export function sentence(point: PointFacts, { until }: CurveFacts): Child[] {
     make('b', {}, times(through)),
     rich(` of the force at end ${driven}, which is ${how} (${other}/${own}), ${phase(through)}`),
     rich(`; k × stretch shows ${times(lengthOverOwn)} of it. `),
-    rich(`Taken for ${own}, ${other} is off by ${share(off)} here; `),
+    rich(`Taken for ${own}, ${other} is off by ${share(off, own)} here; `),
     until.through === null
       ? make('b', {}, `it is nowhere within ${percent}.`)
       : make('b', {}, `it is within ${percent} up to ${hertz(until.through)}.`),
