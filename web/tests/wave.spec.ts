@@ -31,6 +31,32 @@ test('the strip tells the way of the wave, goes with the player, and is read by 
   await expect(page.locator('.clock')).not.toHaveText(`${told.toFixed(1)} ms`);
 });
 
+test('a key that comes while the strip changes its size is told as soon as there is a picture', async ({ page }) => {
+  await open(page);
+  await ready(page);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const strip = page.getByRole('region', { name: 'The wave over position and time' }).getByRole('group');
+  await strip.focus();
+  // The keys come with the change itself, before the next picture.
+  await strip.evaluate(async (host) => {
+    const canvas = host.querySelector('canvas')!;
+    const press = (key: string) => host.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+    press('ArrowLeft');
+    await new Promise<void>((done) => {
+      new ResizeObserver((_, observer) => {
+        if (canvas.clientWidth > 150) return;
+        observer.disconnect();
+        for (let once = 0; once < 5; once++) press('ArrowLeft');
+        done();
+      }).observe(canvas);
+      (host as HTMLElement).style.width = '150px';
+    });
+  });
+  const { meanLength } = await facts(page);
+  const place = (1e3 * meanLength * (0.5 - 6 * 0.02)).toFixed(0);
+  await expect(page.getByRole('region', { name: 'The wave over position and time' })).toContainText(`At ${place} mm`);
+});
+
 test('the strip has the wave where the engine has it: its front is half way after half a way', async ({ page }) => {
   await open(page);
   await ready(page);

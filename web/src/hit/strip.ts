@@ -39,6 +39,7 @@ export class Strip {
   private time = 0;
   /** What is pointed at: a share of the length, a share of the page. */
   private pointed: [number, number] = [0.5, 0.5];
+  private isPointing = false;
   private inSight = false;
   private waits = false;
 
@@ -106,6 +107,8 @@ export class Strip {
       this.area = paint(emptied(this.canvas), this.shown, this.page, this.peak, this.onset);
       performance.measure('strip', { start: begun, end: performance.now() });
       this.mark();
+      // What a key moved while there was no picture, and the cross in one of another size.
+      if (this.isPointing) this.tell();
     });
   }
 
@@ -125,7 +128,7 @@ export class Strip {
     const box = this.host.getBoundingClientRect();
     const along = clamp((event.clientX - box.left - area.left) / area.width, 0, 1);
     const down = clamp((event.clientY - box.top - area.top) / area.height, 0, 1);
-    this.pointed = [along, down];
+    [this.pointed, this.isPointing] = [[along, down], true];
     this.value.setAttribute('aria-live', 'off');
     this.tell();
   }
@@ -143,12 +146,15 @@ export class Strip {
     const place = `${fixed(1e3 * along * answer.facts.meanLength, 0)} mm`;
     const words = Math.abs(value) < 5e-6 ? 'as wide as the mean' : value < 0 ? 'closer' : 'wider';
     const much = Math.abs(value) < 5e-6 ? '' : `${digits(100 * Math.abs(value), 2)} % `;
-    this.value.textContent = `At ${place} and ${fixed(1e3 * time, 1)} ms: ${much}${words}.`;
+    const told = `At ${place} and ${fixed(1e3 * time, 1)} ms: ${much}${words}.`;
+    // The same words once more would be read out again.
+    if (this.value.textContent !== told) this.value.textContent = told;
     this.cross.hidden = false;
     this.cross.style.transform = `translate(${area.left + along * area.width}px, ${area.top + down * area.height}px)`;
   }
 
   private rest(): void {
+    this.isPointing = false;
     this.cross.hidden = true;
     this.value.textContent = 'Colours as of the coil.';
   }
@@ -171,7 +177,7 @@ export class Strip {
     if (!to && event.key !== 'Enter') return;
     event.preventDefault();
     if (!to) return this.go();
-    this.pointed = [clamp(to[0], 0, 1), clamp(to[1], 0, 1)];
+    [this.pointed, this.isPointing] = [[clamp(to[0], 0, 1), clamp(to[1], 0, 1)], true];
     this.value.setAttribute('aria-live', 'polite');
     this.tell();
   }
