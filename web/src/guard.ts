@@ -59,9 +59,11 @@
       sheet.media = 'print';
       sheet.onload = () => (sheet.media = 'all');
     }
-    if (!runs()) say('The page is still loading …');
+    // A page that runs, but bare, is not all there either.
+    const isThere = () => runs() && isStyled();
+    if (!isThere()) say('The page is still loading …');
     const wait = setInterval(() => {
-      if (!runs()) return;
+      if (!isThere()) return;
       clearInterval(wait);
       shown?.remove();
     }, 200);
