@@ -2,8 +2,8 @@
 // command are, which `cargo xtask test --only page` sets; COILSENSE_PORT where two run on one machine.
 import { defineConfig } from '@playwright/test';
 
-/** What measures how quick the page is, by itself; all others go two at a time. */
-const TIMED = 'speed.spec.ts';
+/** What measures how quick the page is, or holds each of its files to three seconds, goes by itself; all else two at a time. */
+const ALONE = ['speed.spec.ts', 'fault.spec.ts', 'recover.spec.ts', 'compare.spec.ts'];
 
 const PORT = Number(process.env['COILSENSE_PORT'] ?? 4187);
 
@@ -13,8 +13,8 @@ export default defineConfig({
   globalSetup: './tests/command.ts',
   workers: 2,
   projects: [
-    { name: 'most', testIgnore: TIMED },
-    { name: 'timed', testMatch: TIMED, workers: 1 },
+    { name: 'most', testIgnore: ALONE },
+    { name: 'alone', testMatch: ALONE, workers: 1 },
   ],
   timeout: 120_000,
   reporter: [['list']],

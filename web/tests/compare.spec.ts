@@ -217,6 +217,8 @@ test('windings that would touch, and those that meet, are said of the state that
   // Computed once more after a reload, by the larger engine, since it is the kept one that needs it.
   await bar(page).getByRole('button', { name: 'Swap' }).click();
   await exact(page);
+  // A reload is of the address, which is written a moment later.
+  await expect.poll(() => decodeURIComponent(page.url())).toMatch(/@kept=.*contact\.windings=hard/);
   await page.reload();
   await exact(page);
   await expect(cells(page, 'Windings').nth(0)).toContainText('meet', { timeout: 60_000 });
