@@ -3,9 +3,10 @@
 //! Next door: the answers (`preview`, `exact`, `modes`, `paper`).
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use coilsense_lab::series::{self, Format};
-use coilsense_lab::spec::Spec;
+use coilsense_lab::spec::{Recordings, Spec};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::answer::Answer;
@@ -20,6 +21,8 @@ const NAME: &str = "spec";
 #[derive(Debug, Default)]
 pub struct Engine {
     files: BTreeMap<String, String>,
+    /// Those of them that a spec has named, parsed: a slider asks for the same road at every step.
+    recordings: Arc<Recordings>,
 }
 
 #[wasm_bindgen]
@@ -33,6 +36,7 @@ impl Engine {
     /// Gives a file that specs may name: a recorded motion.
     pub fn add_file(&mut self, name: String, text: String) {
         self.files.insert(name, text);
+        self.recordings = Arc::default();
     }
 
     /// Curves of a case between two times \[s\], fit to be drawn: at most `samples` (2 to 2000) times, L to second order.
@@ -115,13 +119,15 @@ impl Engine {
 impl Engine {
     pub(crate) fn spec(&self, text: &str) -> Result<Spec, String> {
         let files = |name: &str| self.files.get(name).cloned().ok_or_else(|| format!("{name} is not on this page"));
-        let spec = Spec::parse(NAME, text, &files).map_err(|error| error.to_string())?;
+        let spec = Spec::parse_sharing(NAME, text, &files, &self.recordings).map_err(|error| error.to_string())?;
         spec.needs_chain("the page").map_err(|error| error.to_string())?;
         if !cfg!(feature = "workshop") {
             spec.needs_no_contact("the page").map_err(|error| error.to_string())?;
         }
         if spec.cam.is_some() {
-            return Err(format!("{NAME}: [cam]: the page turns no camshaft; cams are for `coilsense speed`"));
+            return Err(format!(
+                "{NAME}: [cam]: the page turns no camshaft: a law is for `coilsense speed`, a recorded cycle (kind = \"recorded\") has its speed here"
+            ));
         }
         Ok(spec)
     }

@@ -98,7 +98,9 @@ fn best(analysis: &Analysis) -> String {
     };
     let (best_name, most) = (name(analysis, best), at_most(best));
     let (behind, specimens) = (behind(analysis, best), specimens(best));
-    format!("Choose {best_name}{behind}. {all} the goal of {wanted}; its standard uncertainty is {most}{specimens}.")
+    format!(
+        "Choose {best_name}{behind}. {all} the goal of {wanted}. Standard uncertainty of {best_name}: {most}.{specimens}"
+    )
 }
 
 /// `, behind a low-pass of order 8 at 20 Hz (41 ms late; without it 11.1 N rms in resonance)`.
@@ -114,11 +116,11 @@ fn behind(analysis: &Analysis, verdict: &Verdict) -> String {
     )
 }
 
-/// `, over the springs that its tolerances allow: 97 % of them are inside, the worst is 1.3 N off, the nominal one 0.4 N`.
+/// ` Of the springs within tolerance 97 % meet the goal; the worst errs by 1.3 N, the nominal one by 0.4 N.`
 fn specimens(verdict: &Verdict) -> String {
     let (worst, Some(inside)) = (verdict.at_worst(), verdict.least_inside()) else { return String::new() };
     format!(
-        ", rms over the springs within tolerance: {} of them meet the goal, the worst errs by {} N, the nominal one by {} N",
+        " Of the springs within tolerance {} meet the goal; the worst errs by {} N, the nominal one by {} N.",
         of_specimens(inside),
         digits(worst.worst),
         digits(worst.nominal),
@@ -136,25 +138,45 @@ fn of_specimens(share: f64) -> String {
     }
 }
 
-/// Those that miss the goal, and where.
+/// Those that miss the goal, and where; those that miss it alike share the words.
 fn failing(analysis: &Analysis) -> Option<String> {
-    let each: Vec<String> = analysis
-        .verdicts
-        .iter()
-        .filter(|verdict| verdict.meets_always() == Some(false))
-        .map(|verdict| match verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
-            true => format!("{} (reaches {} Hz only)", name(analysis, verdict), digits(verdict.bandwidth)),
-            false => format!(
-                "{} ({} N in {}, mostly {}; {})",
-                name(analysis, verdict),
-                digits(verdict.combined()),
-                place(analysis, verdict),
-                cause(verdict),
-                inside(verdict),
-            ),
-        })
-        .collect();
+    let mut each: Vec<(Vec<&str>, String)> = Vec::new();
+    for verdict in analysis.verdicts.iter().filter(|verdict| verdict.meets_always() == Some(false)) {
+        let how = missed(analysis, verdict);
+        match each.iter_mut().find(|(_, other)| *other == how) {
+            Some((names, _)) => names.push(name(analysis, verdict)),
+            None => each.push((vec![name(analysis, verdict)], how)),
+        }
+    }
+    let each: Vec<String> = each.into_iter().map(|(names, how)| format!("{} ({how})", several(&names))).collect();
     if each.is_empty() { None } else { Some(format!("Missed by: {}.", each.join("; "))) }
+}
+
+/// `a`, `a and b`; names that have commas themselves are told apart.
+fn several(names: &[&str]) -> String {
+    let marked: Vec<String> = match names {
+        [one] => vec![(*one).to_owned()],
+        many if many.iter().any(|name| name.contains(',')) => many.iter().map(|name| format!("“{name}”")).collect(),
+        many => many.iter().map(|name| (*name).to_owned()).collect(),
+    };
+    match marked.split_last() {
+        Some((last, before)) if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+        _ => marked.concat(),
+    }
+}
+
+/// By how much and where a sensor misses the goal, and why.
+fn missed(analysis: &Analysis, verdict: &Verdict) -> String {
+    if verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
+        return format!("reaches {} Hz only", digits(verdict.bandwidth));
+    }
+    format!(
+        "{} N in {}, mostly {}; {}",
+        digits(verdict.combined()),
+        place(analysis, verdict),
+        cause(verdict),
+        inside(verdict),
+    )
 }
 
 /// What the uncertainty of the worst case is mostly made of: a mean error, or the largest line of the budget.

@@ -70,6 +70,16 @@ impl Sums {
     }
 }
 
+/// How far two sums over the same springs are apart by their order of adding alone, over what is summed \[1\].
+const ROUND_OFF: f64 = 1e-12;
+
+/// A difference of two means of squares, where it is more than their last digits: else a sensor that the coil's frequency does not move would
+/// have a line of its budget about it on one machine, and none on another.
+fn beyond_round_off(difference: f64, mean_square: f64) -> f64 {
+    // Where nothing moves at all, no product of two tells.
+    if difference > (ROUND_OFF * mean_square).max(f64::MIN_POSITIVE) { difference } else { 0.0 }
+}
+
 impl Spread {
     /// Of the nominal spring alone.
     pub fn nominal(nominal: Moments) -> Self {
@@ -104,7 +114,7 @@ impl Spread {
             Sums::of(springs.each.iter().copied().chain(springs.more(count)).map(|specimen| on(&specimen))).variance()
         });
         // Where the nominal spring is at a peak the coil's own frequency takes from it: that is no line of its own.
-        let chain = (all - without).max(0.0);
+        let chain = beyond_round_off(all - without, sums.mean_square());
         let loudest = sums.loudest.sqrt();
         Self { nominal, mean, deviation: (all - chain).sqrt(), chain: chain.sqrt(), each, loudest }
     }

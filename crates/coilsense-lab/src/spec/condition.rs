@@ -34,8 +34,8 @@ enum About {
     Moving,
     /// An end that is driven.
     Driven(drive::Read, drive::Keys),
-    /// Ends that a file drives.
-    Recorded(Recorded),
+    /// Ends that a file drives, so many times as fast as it was recorded.
+    Recorded(Recorded, f64),
 }
 
 impl About {
@@ -45,7 +45,10 @@ impl About {
             "recorded" => {
                 let file = section.text("file")?;
                 let recorded = setting.recordings.of(&file, setting.mount.far_end(), setting.files);
-                recorded.map(Self::Recorded).map_err(|message| section.refuse("file", message))
+                let recorded = recorded.map_err(|message| section.refuse("file", message))?;
+                let Some(speed) = speed(section)? else { return Ok(Self::Recorded(recorded, 1.0)) };
+                let played = recorded.played(speed).map_err(|message| section.refuse("playback_speed", message))?;
+                Ok(Self::Recorded(played, speed))
             }
             other => match drive::named(other) {
                 Some((read, keys)) => Ok(Self::Driven(read, keys)),
@@ -98,15 +101,18 @@ impl ConditionSpec {
         section.only_of(kind, &format!("kind \"{kind}\""))?;
         let name = section.optional_text("name")?.unwrap_or_else(|| kind.to_owned());
         let about = About::read(section, setting, kind)?;
-        let recorded = match &about {
-            About::Recorded(recorded) => Some(recorded),
-            About::Moving | About::Driven(..) => None,
+        let (recorded, speed) = match &about {
+            About::Recorded(recorded, speed) => (Some(recorded), *speed),
+            About::Moving | About::Driven(..) => (None, 1.0),
         };
+        // Both count in the file's time: the same turns are judged at every speed.
         let told = section.above_zero("duration", Dimension::Time)?;
-        let duration = told.or(recorded.map(Recorded::duration)).unwrap_or(1.0);
+        let in_file = told.or(recorded.map(Recorded::duration)).unwrap_or(1.0);
         let sample_rate = section.above_zero("sample_rate", Dimension::Frequency)?.unwrap_or(10_000.0);
+        let duration = in_file / speed;
         size::check(section, setting, duration * sample_rate)?;
-        let window = size::window(section, duration, sample_rate)?;
+        let window = size::window(section, in_file, sample_rate / speed)?;
+        let window = (window.0 / speed, window.1 / speed);
         let remarks = recorded.map_or_else(Vec::new, |recorded| recorded.remarks.clone());
         let excitation = match about {
             About::Moving => moving(section, setting, kind)?,
@@ -115,7 +121,7 @@ impl ConditionSpec {
                 let least = drive::least(&inputs);
                 Ok((inputs, least))
             })?,
-            About::Recorded(recorded) => driven(section, setting, &[], || Ok((recorded.inputs, recorded.shortest)))?,
+            About::Recorded(recorded, _) => driven(section, setting, &[], || Ok((recorded.inputs, recorded.shortest)))?,
         };
         Ok(Self { name, kind, excitation, duration, window, sample_rate, remarks })
     }
@@ -125,6 +131,15 @@ impl ConditionSpec {
         super::stem(&self.name)
     }
 }
+
+/// How many times as fast a recorded motion is played \[1\], where it is given.
+fn speed(section: &Section<'_>) -> Result<Option<f64>, SpecError> {
+    let Some(speed) = section.optional_quantity("playback_speed", Dimension::Share)? else { return Ok(None) };
+    section.check("playback_speed", (SPEEDS.0..=SPEEDS.1).contains(&speed), speed, "from 1 to 10000 %").map(Some)
+}
+
+/// The slowest and the fastest that a recording is played \[1\].
+const SPEEDS: (f64, f64) = (0.01, 100.0);
 
 /// Both ends held while the windings still move.
 fn moving(section: &Section<'_>, setting: &Setting<'_>, kind: &str) -> Result<Excitation, SpecError> {

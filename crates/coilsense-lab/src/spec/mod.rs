@@ -80,10 +80,11 @@ pub use tolerance::{Departure, Tolerances};
 use std::fmt::Display;
 use std::io::Read;
 use std::path::Path;
+use std::sync::Arc;
 
 pub(crate) use draft::{Core, Draft, Place};
 pub(crate) use keys::Domain;
-pub(crate) use recordings::Recordings;
+pub use recordings::Recordings;
 pub(crate) use replaced::replaced;
 
 /// Reads the text of a file that a spec names, by the name it has there; the error says why it cannot be.
@@ -129,6 +130,19 @@ impl Spec {
     /// [`SpecError`], one line with file, line, key, value and what is allowed.
     pub fn parse(file: &str, text: &str, files: &Files<'_>) -> Result<Self, SpecError> {
         Draft::parse(file, text)?.spec(files)
+    }
+
+    /// The same for who reads one spec after another: a recorded file is parsed once, whichever spec names it first.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn parse_sharing(
+        file: &str,
+        text: &str,
+        files: &Files<'_>,
+        recordings: &Arc<Recordings>,
+    ) -> Result<Self, SpecError> {
+        Draft::parse(file, text)?.sharing(recordings).spec(files)
     }
 
     /// Reads a spec from a file; files that it names are looked for beside it.

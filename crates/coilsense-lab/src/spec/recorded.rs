@@ -26,9 +26,23 @@ struct Column {
 }
 
 impl Recorded {
-    /// The time of the last sample \[s\].
+    /// The time of the last sample in the file \[s\], however fast it is played.
     pub fn duration(&self) -> f64 {
         self.last
+    }
+
+    /// The same motion in less time: `speed` times as fast \[1\]; forces at end 2 stay what they are.
+    pub fn played(self, speed: f64) -> Result<Self, String> {
+        let [one, two] = self.inputs;
+        let faster = |input: EndInput| match input {
+            EndInput::Sampled(sampled) => {
+                sampled.played(speed).map(EndInput::Sampled).map_err(|error| error.to_string())
+            }
+            other => Ok(other),
+        };
+        let mut remarks = self.remarks;
+        remarks.push(format!("played at {} % of the file's speed", 100.0 * speed));
+        Ok(Self { inputs: [faster(one)?, faster(two)?], remarks, last: self.last, shortest: self.shortest })
     }
 
     pub fn parse(text: &str, far_end: FarEnd) -> Result<Self, String> {

@@ -15,7 +15,7 @@ type Read = Arc<OnceLock<Result<Recorded, String>>>;
 
 /// Recorded files by name, and by whether end 2 has a position in them or a force.
 #[derive(Debug, Default)]
-pub(crate) struct Recordings {
+pub struct Recordings {
     known: Mutex<BTreeMap<(String, bool), Read>>,
 }
 

@@ -28,7 +28,7 @@ const INNER: &str = "the mean diameter: the inner one and the wire's";
 const INNER_HALVED: &str = "half the mean diameter: half of the inner one and the wire's";
 const BY_PITCH: &str = "the pitch follows from rest_length and windings";
 
-const SYNONYMS: [Synonym; 38] = [
+const SYNONYMS: [Synonym; 39] = [
     same(
         "spring",
         &["outer_diameter", "outside_diameter", "external_diameter", "OD", "De", "Da"],
@@ -72,7 +72,12 @@ const SYNONYMS: [Synonym; 38] = [
     same("mount", &["beta"], &[("stiffness_damping", "")]),
     same("mount", &["m", "load", "load_mass", "payload"], &[("end_mass", "")]),
     same("condition", &["type"], &[("kind", "")]),
-    same("condition", &["v", "v0", "speed", "impact_speed", "impact_velocity"], &[("velocity", "")]),
+    same(
+        "condition",
+        &["v", "v0", "speed", "impact_speed", "impact_velocity"],
+        &[("velocity", ""), ("playback_speed", "a share of the speed at which the file was recorded")],
+    ),
+    same("condition", &["playback", "time_scale", "play_speed", "rpm"], &[("playback_speed", "")]),
     same("condition", &["f", "hertz"], &[("frequency", "")]),
     same("condition", &["a", "height", "stroke", "displacement", "travel"], &[("amplitude", "")]),
     same("condition", &["t", "time", "end_time"], &[("duration", "")]),

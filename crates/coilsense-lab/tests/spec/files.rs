@@ -68,6 +68,32 @@ fn a_recording_is_looked_for_beside_the_spec() {
 }
 
 #[test]
+fn a_recording_is_played_faster_in_less_time_with_the_same_turns_judged() {
+    let of = |keys: &str| {
+        let recorded = format!("kind = \"recorded\"\nfile = \"holds time [s],u1 [mm];0,0;0.1,2;0.3,0\"\n{keys}");
+        let text = BY_VALUES.replace("kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", &recorded);
+        let spec = super::fixtures::read(&text).unwrap();
+        spec.conditions.into_iter().find(|condition| condition.kind == "recorded").unwrap()
+    };
+    let motion = |condition: &coilsense_lab::spec::ConditionSpec| match condition.excitation.input(coilsense::End::One)
+    {
+        coilsense::EndInput::Sampled(sampled) => (sampled.times().to_vec(), sampled.values().to_vec()),
+        other => panic!("{other:?}"),
+    };
+    let plain = of("");
+    assert_eq!((plain.duration, plain.window), (0.3, (0.0, 0.3)));
+    assert_eq!(of("playback_speed = \"100 %\"\n").excitation, plain.excitation);
+    // 0.3 / 1.2 × 1.2 is less than 0.3: the window ends with the file at every speed.
+    let fast = of("playback_speed = \"120 %\"\nwindow = [\"0.1 s\", \"0.3 s\"]\n");
+    assert_eq!((fast.duration, fast.window), (0.3 / 1.2, (0.1 / 1.2, 0.3 / 1.2)));
+    assert_eq!(motion(&fast), (vec![0.0, 0.1 / 1.2, 0.3 / 1.2], vec![0.0, 0.002, 0.0]));
+    assert_eq!(fast.remarks, ["played at 120 % of the file's speed"]);
+    // Slower, and for a part of the file's own time.
+    let slow = of("playback_speed = \"50 %\"\nduration = \"0.2 s\"\n");
+    assert_eq!((slow.duration, slow.window), (0.4, (0.0, 0.4)));
+}
+
+#[test]
 fn ends_that_move_together_or_apart_do_not_meet() {
     let moved = |keys: &str| {
         let text = BY_VALUES.replace("kind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"", keys);
