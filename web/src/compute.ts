@@ -9,6 +9,7 @@ import { part, persistently, say } from './faults';
 import { compiled, text } from './fetched';
 import { Lane, type Reply } from './lane';
 import { Lanes } from './lanes';
+import { played } from './playback';
 import { preset } from './presets';
 import { isOther, type State } from './state';
 import type { Store } from './store';
@@ -71,6 +72,8 @@ export class Compute {
   /** The newest exact case, and the spec that it is of; it may come before the first preview. */
   private exact: Answer<ExactFacts> | null = null;
   private exactText = '';
+  /** How fast the condition was played that was shown last. */
+  private playedAt = 1;
   private rest = 0;
   private since = 0;
   /** How often a state was answered or refused: words of a refusal that come late are not said. */
@@ -117,6 +120,11 @@ export class Compute {
   /** The newest question of a part that asks often, in a worker beside the others; nobody answers one that a newer one overtook. */
   beside(question: Question, done: (reply: Reply) => void): void {
     this.lanes(question).asides.ask(question, done);
+  }
+
+  /** A worker of its own for a part that asks much of such a spec; the part ends it. */
+  laneOf(question: { text: string }): Lane {
+    return this.lanes(question).lane(false);
   }
 
   /** A worker of the larger engine for a part that asks it often. */
@@ -235,6 +243,7 @@ export class Compute {
       const stands = state === this.instead?.state;
       // What was exact of an earlier state is none of this one, even where its preview comes late.
       const same = question.text === this.exactText && !isOther(this.store.state, state);
+      this.playedAt = played(state.spec, state.view.condition);
       this.take(answer, fitting, same, begun, stands);
       const off = Math.abs(fitting[1] - times[1]) > 0.2 * times[1] || fitting[0] !== times[0];
       if (off && stands) this.askPreview(state, asked, false);
@@ -316,12 +325,16 @@ export class Compute {
 
   /** The times that are shown [s]: the chosen ones within the condition, or its first surge periods. */
   private times(state: State, facts = this.last?.answer.facts): [number, number] {
-    const { duration = 1, kind, window } = facts?.conditions[state.view.condition] ?? {};
+    const { condition } = state.view;
+    const { duration: told = 1, kind, window } = facts?.conditions[condition] ?? {};
+    // Facts of the state before may be of a recording that was played at another speed.
+    const slower = facts === this.last?.answer.facts ? this.playedAt / played(state.spec, condition) : 1;
+    const duration = told * slower;
     // Of the coil's own first mode: on a mass at end 2 the lowest line is the mass's swing.
     const { lines, spring } = facts ?? {};
     const ring = lines?.find((line) => line > 0.4 * (spring?.surgeFrequency ?? 0));
     // A recorded motion may begin with rest: where it is judged, it rings.
-    const begin = kind === 'recorded' ? (window?.[0] ?? 0) : 0;
+    const begin = kind === 'recorded' ? slower * (window?.[0] ?? 0) : 0;
     const first: [number, number] = [begin, Math.min(duration, begin + PERIODS / (ring ?? lines?.[0] ?? 54))];
     const [from, to] = state.view.times ?? first;
     return from < duration && to > from ? [Math.max(0, from), Math.min(to, duration)] : first;

@@ -11,6 +11,8 @@ export interface Field {
   hint?: string;
   /** A slider beside it: from a share of the preset's value to a multiple of it, evenly or by factors. */
   slide?: { from: number; to: number; scale: 'linear' | 'log'; whole?: boolean };
+  /** What holds where nothing is said, with its unit: the slider begins there. */
+  usual?: string;
   /** One of these words, the first being what holds where nothing is said. */
   words?: readonly string[];
   /** How people call them, where otherwise. */
@@ -114,7 +116,18 @@ export const CONDITION: Record<string, { first: readonly Field[]; more: readonly
     first: [AMPLITUDE, { key: 'width', label: 'How long it lasts', slide: { from: 0.05, to: 4, scale: 'linear' } }],
     more: [LENGTH, BEGIN, END],
   },
-  recorded: { first: [], more: [LENGTH, START] },
+  recorded: {
+    first: [
+      {
+        key: 'playback_speed',
+        label: 'Speed of the recording',
+        hint: 'the same turns, or the same road, in less time',
+        slide: { from: 0.4, to: 1.6, scale: 'linear' },
+        usual: '100 %',
+      },
+    ],
+    more: [LENGTH, START],
+  },
 };
 export const TIMING: readonly Field[] = [
   { key: 'duration', label: 'Simulated for' },

@@ -104,6 +104,22 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       // The verdict asks the same engine: what is missing of that is said by whoever asks first.
       ends: (page) => expect(page.locator('.two-ends [aria-busy=false]')).toBeVisible({ timeout: 40_000 }),
     },
+    speeds: {
+      hash: '#suspension&spring.mass=2+kg',
+      use: async (page) => {
+        await exact(page);
+        await page.locator('.speeds-of > details > summary').click();
+      },
+      ends: async (page) => {
+        // A page that was opened anew has not been asked yet.
+        await expect(async () => {
+          const speeds = page.locator('.speeds-of > details');
+          if ((await speeds.getAttribute('open', { timeout: 2000 })) === null)
+            await speeds.locator('> summary').click({ timeout: 2000 });
+          await expect(page.locator('.over-speed canvas')).toBeVisible({ timeout: 4000 });
+        }).toPass({ timeout: 20_000 });
+      },
+    },
     paper: {
       hash: `#S_T&${STATE}&@tab="paper"`,
       ends: (page) => expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 20_000 }),

@@ -62,12 +62,12 @@ export class Control {
       this.unit = unitOf(given) || unitOf(this.input.getAttribute('placeholder') ?? '') || last;
     }
     if (!this.slider) return;
-    const value = read(text);
+    const value = read(text || (this.field.usual ?? ''));
     this.slider.disabled = value === null;
     if (!value) return;
     const at = String(toSlider(this.field, value, this.usual(value)));
     if (document.activeElement !== this.slider || !this.isSliding) this.slider.value = at;
-    this.slider.setAttribute('aria-valuetext', text);
+    this.slider.setAttribute('aria-valuetext', text || (this.field.usual ?? ''));
     this.slider.style.setProperty('--part', `${(100 * Number(this.slider.value)) / STEPS}%`);
     this.isSliding = false;
   }
@@ -122,6 +122,7 @@ export class Control {
 
   private text(id: string): HTMLInputElement {
     const input = make('input', { id, type: 'text', autocomplete: 'off', spellcheck: 'false' });
+    input.placeholder = this.field.usual ?? '';
     input.addEventListener('input', (event) => {
       heard(() => {
         this.own = typed(this.field, input.value, this.unit);
@@ -157,7 +158,7 @@ export class Control {
     });
     slider.addEventListener('input', (event) => {
       const { state } = this.store;
-      const value = read(shown(valueAt(state.spec, this.place)));
+      const value = read(shown(valueAt(state.spec, this.place)) || (this.field.usual ?? ''));
       if (!value) return;
       const moved = fromSlider(this.field, Number(slider.value), value, this.usual(value));
       this.isSliding = true;
@@ -179,7 +180,7 @@ export class Control {
   /** The value that the slider's ends are shares of: the preset's, else the first one met in its unit. */
   private usual(value: Quantity): Quantity {
     const text = shown(valueAt(preset(this.store.state.preset).spec, this.place));
-    const given = text === '' ? null : read(text);
+    const given = read(text || (this.field.usual ?? ''));
     if (given && given.unit === value.unit && given.number !== 0) return given;
     if (!this.anchor || this.anchor.unit !== value.unit)
       this.anchor = value.number === 0 ? { ...value, number: 1 } : value;

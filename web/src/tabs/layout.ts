@@ -41,6 +41,7 @@ export function layOut(panel: HTMLElement) {
     warnings: make('ul', { class: 'warnings' }),
     facts: make('p', { class: 'facts' }),
     response: make('section', { class: 'card two-ends', 'aria-label': 'The two ends over frequency' }),
+    speeds: make('section', { class: 'card speeds-of', 'aria-label': 'Over the speed of the recording', hidden: true }),
     modes: make('section', { class: 'card every', 'aria-label': 'Every mode of the coil' }),
     downloads: make('div', { class: 'downloads' }),
   };
@@ -89,6 +90,7 @@ export function layOut(panel: HTMLElement) {
         parts.facts,
         parts.downloads,
       ),
+      parts.speeds,
       parts.response,
       parts.modes,
     ),
