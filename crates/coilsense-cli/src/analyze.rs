@@ -2,12 +2,13 @@
 
 use std::time::Instant;
 
-use coilsense_lab::analysis::{Analysis, AnalysisError};
-use coilsense_lab::report::{add_analysis, analysis_json, analysis_text};
-use coilsense_lab::request::{Given, JSON, OUT, SPEC};
+use coilsense_lab::analysis::{Analysis, AnalysisError, Check};
+use coilsense_lab::report::{add_analysis, analysis_json, analysis_text, analysis_warnings};
+use coilsense_lab::request::{CHECK, Given, JSON, OUT, SPEC};
 use coilsense_lab::spec::Spec;
 
 use crate::progress::Watch;
+use crate::unmet::Unmet;
 use crate::{date, files, terminal};
 
 /// Runs the command.
@@ -27,5 +28,12 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let text = if given.holds(&JSON) { analysis_json(&analysis, &date)? } else { analysis_text(&analysis) };
     let files = output.commit()?;
     let text = text + &terminal::where_to_look(given, files, folder, Some(begun.elapsed()));
-    Ok(terminal::answer(given, &text)?)
+    terminal::answer(given, &text)?;
+    if !given.holds(&JSON) {
+        analysis_warnings(&analysis).iter().for_each(terminal::warn);
+    }
+    match Check::of(&analysis) {
+        Check::Missed(why) | Check::Undecided(why) if given.holds(&CHECK) => Err(Unmet(why).into()),
+        _ => Ok(()),
+    }
 }

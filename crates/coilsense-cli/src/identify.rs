@@ -3,13 +3,15 @@
 use std::time::Instant;
 
 use anyhow::Context;
+use coilsense::identify::Answer;
 use coilsense_lab::identification::request::{SPEC, SPEC_OUT, coil, settings};
 use coilsense_lab::identification::{Identified, spec_file};
 use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_identification, identification_json, identification_text};
-use coilsense_lab::request::{DATE, Given, JSON, OUT};
+use coilsense_lab::request::{CHECK, DATE, Given, JSON, OUT};
 use coilsense_lab::spec::SpringSpec;
 
+use crate::unmet::Unmet;
 use crate::{date, files, log, options, terminal};
 
 /// Runs the command.
@@ -50,5 +52,10 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     if let (Some(files), Some(folder)) = (files, given.file(&OUT)) {
         text.push_str(&terminal::where_to_look(given, files, folder, Some(begun.elapsed())));
     }
-    Ok(terminal::answer(given, &text)?)
+    terminal::answer(given, &text)?;
+    match identified.found.verdict.answer {
+        Answer::Spring => Ok(()),
+        other if given.holds(&CHECK) => Err(Unmet(other.name().to_owned()).into()),
+        _ => Ok(()),
+    }
 }

@@ -7,6 +7,7 @@ mod analyze;
 mod app;
 mod calibrate;
 mod date;
+mod examples;
 mod experiment;
 mod export;
 mod files;
@@ -22,19 +23,22 @@ mod progress;
 mod reproduce;
 mod rig;
 mod sensitivity;
+mod shell;
 mod signals;
 mod simulate;
 mod speed;
 mod spring;
 mod sweep;
 mod terminal;
+mod unmet;
 
 use std::process::ExitCode;
 
-use clap::Command;
 use clap::error::ErrorKind;
+use clap::{ArgMatches, Command};
 use coilsense_lab::report::verbs::VERBS;
 use coilsense_lab::request::{Given, Verb};
+use unmet::Unmet;
 
 /// What runs a verb.
 type Run = fn(&Given) -> anyhow::Result<()>;
@@ -67,8 +71,11 @@ fn command() -> Command {
         .version(env!("CARGO_PKG_VERSION"))
         .about(env!("CARGO_PKG_DESCRIPTION"))
         .subcommand_required(true)
-        .arg_required_else_help(true);
-    VERBS.iter().fold(command, |command, verb| command.subcommand(options::command(verb)))
+        .arg_required_else_help(true)
+        .propagate_version(true)
+        .arg(options::quiet());
+    let command = VERBS.iter().fold(command, |command, verb| command.subcommand(options::command(verb)));
+    command.subcommands(shell::commands())
 }
 
 /// The verb of a name, and who runs it.
@@ -80,6 +87,9 @@ fn verb(name: &str) -> Option<(&'static Verb, Run)> {
 /// Exit code of bad input and of output that cannot be written, as clap's own for bad arguments.
 const BAD_INPUT: u8 = 2;
 
+/// Exit code of `--check` where the answer is no, or open.
+const UNMET: u8 = 3;
+
 /// Help and version, and arguments that cannot be.
 fn said_by_clap(error: &clap::Error) -> ExitCode {
     match terminal::of_clap(error) {
@@ -89,6 +99,14 @@ fn said_by_clap(error: &clap::Error) -> ExitCode {
             ExitCode::from(BAD_INPUT)
         }
     }
+}
+
+/// Runs a subcommand with what was said of it.
+fn run(name: &str, said: &ArgMatches) -> anyhow::Result<()> {
+    let Some((verb, run)) = verb(name) else { return shell::run(name, said) };
+    let given = options::given(verb, said);
+    files::remember(verb, &given);
+    run(&given)
 }
 
 fn main() -> ExitCode {
@@ -106,18 +124,16 @@ fn main() -> ExitCode {
         }
         Err(error) => return said_by_clap(&error),
     };
+    terminal::set_quiet(matches.get_flag(options::QUIET));
     // A wrong COILSENSE_SIMD is bad input like any other.
     let simd = coilsense::simd::SimdPath::selected().map_err(anyhow::Error::from);
-    let result = simd.and_then(|_| match matches.subcommand().and_then(|(name, said)| Some((verb(name)?, said))) {
-        Some(((verb, run), said)) => {
-            let given = options::given(verb, said);
-            files::remember(verb, &given);
-            run(&given)
-        }
-        None => Ok(()),
-    });
+    let result = simd.and_then(|_| matches.subcommand().map_or(Ok(()), |(name, said)| run(name, said)));
     match result {
         Ok(()) => ExitCode::SUCCESS,
+        Err(error) if error.is::<Unmet>() => {
+            terminal::tell(&format!("check: {error:#}"));
+            ExitCode::from(UNMET)
+        }
         Err(error) => {
             signals::last_word();
             terminal::refuse(format_args!("{error:#}"));

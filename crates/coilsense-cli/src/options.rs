@@ -6,7 +6,16 @@ use clap::builder::{PathBufValueParser, StyledStr, TypedValueParser, ValueParser
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use coilsense_lab::request::{Door, Given, IfAbsent, Row, Takes, Value, Verb, Wrong};
 
-use crate::date;
+use crate::{date, examples};
+
+/// Name of the option by which nothing is said but what goes wrong.
+pub const QUIET: &str = "quiet";
+
+/// Said before or behind any verb.
+pub fn quiet() -> Arg {
+    let help = "Print nothing but errors, and JSON where it is asked for: files and the exit code tell";
+    Arg::new(QUIET).short('q').long(QUIET).global(true).action(ArgAction::SetTrue).help(help)
+}
 
 /// The options of a verb that the command has.
 fn rows(verb: &Verb) -> impl Iterator<Item = &'static Row> + use<> {
@@ -15,8 +24,11 @@ fn rows(verb: &Verb) -> impl Iterator<Item = &'static Row> + use<> {
 
 /// The subcommand of a verb.
 pub fn command(verb: &'static Verb) -> Command {
-    let command = Command::new(verb.name).about(verb.about);
-    let command = if verb.more.is_empty() { command } else { command.after_long_help(verb.more) };
+    let command = Command::new(verb.name).about(verb.about).after_help(examples::of(verb.name));
+    let command = match verb.more {
+        "" => command,
+        more => command.after_long_help(format!("{more}\n\n{}", examples::of(verb.name).ansi())),
+    };
     rows(verb).fold(command, |command, row| command.arg(argument(row)))
 }
 
@@ -89,14 +101,17 @@ mod tests {
     fn the_command_has_the_options_of_the_tables_and_no_other() {
         let mut whole = crate::command();
         whole.build();
-        let named: Vec<&str> = whole.get_subcommands().map(Command::get_name).filter(|name| *name != "help").collect();
+        let others = ["help", crate::shell::COMPLETIONS, crate::shell::MAN];
+        let named: Vec<&str> =
+            whole.get_subcommands().map(Command::get_name).filter(|name| !others.contains(name)).collect();
         assert_eq!(named, VERBS.map(|verb| verb.name));
         assert_eq!(crate::RUNS.map(|(name, _)| name), VERBS.map(|verb| verb.name));
         for (verb, command) in VERBS.iter().zip(whole.get_subcommands()) {
-            let arguments = command.get_arguments().filter(|argument| argument.get_id() != "help");
-            let found: BTreeSet<&str> = arguments.map(|argument| argument.get_id().as_str()).collect();
+            let of_all = ["help", "version", QUIET];
+            let arguments = || command.get_arguments().filter(|argument| !of_all.contains(&argument.get_id().as_str()));
+            let found: BTreeSet<&str> = arguments().map(|argument| argument.get_id().as_str()).collect();
             assert_eq!(found, rows(verb).map(|row| row.name).collect(), "{}", verb.name);
-            for argument in command.get_arguments().filter(|argument| argument.get_id() != "help") {
+            for argument in arguments() {
                 let row = rows(verb).find(|row| row.name == argument.get_id().as_str()).unwrap();
                 assert_eq!(argument.get_long().map(str::to_owned), (!row.by_place).then(|| row.flag()));
                 let default = argument.get_default_values().first().and_then(|value| value.to_str());

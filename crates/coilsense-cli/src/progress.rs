@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::signals;
+use crate::{signals, terminal};
 
 /// The bar appears after this long.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -38,7 +38,7 @@ impl Watch {
     /// Shows how much is done; whether to go on.
     pub fn tell(&self, done: usize, of: usize) -> bool {
         self.bar.set_length(of as u64);
-        if self.begun.elapsed() > PATIENCE && self.bar.is_hidden() {
+        if self.begun.elapsed() > PATIENCE && self.bar.is_hidden() && !terminal::is_quiet() {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
         self.bar.set_position(done as u64);

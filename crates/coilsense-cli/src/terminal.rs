@@ -6,6 +6,7 @@
 use std::fmt::{Display, Write as _};
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
@@ -31,12 +32,33 @@ pub fn refuse_undone() {
     refuse(what);
 }
 
+/// Whether nothing is said but what goes wrong, and JSON.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Says nothing from here on but what goes wrong, and JSON where it is asked for.
+pub fn set_quiet(quiet: bool) {
+    QUIET.store(quiet, Ordering::Relaxed);
+}
+
+/// Whether that was asked for.
+pub fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// Writes on standard output what was asked for itself, such as a script.
+///
+/// # Errors
+/// As [`say`].
+pub fn raw(text: &str) -> Result<(), Unsaid> {
+    put(text)
+}
+
 /// Says a text for people on standard output.
 ///
 /// # Errors
 /// [`Unsaid`]; a reader that closed the pipe early (`| head`) has all it wants.
 pub fn say(text: &str) -> Result<(), Unsaid> {
-    put(&shown(text))
+    if is_quiet() { Ok(()) } else { put(&shown(text)) }
 }
 
 /// Says JSON, or a text for people, whichever was asked for.
@@ -44,7 +66,7 @@ pub fn say(text: &str) -> Result<(), Unsaid> {
 /// # Errors
 /// As [`say`].
 pub fn answer(given: &Given, text: &str) -> Result<(), Unsaid> {
-    put(&if given.holds(&JSON) { in_json(text) } else { shown(text) })
+    if given.holds(&JSON) { put(&in_json(text)) } else { say(text) }
 }
 
 /// The last line of a command that has written a report's folder; none in JSON.
@@ -58,7 +80,9 @@ pub fn where_to_look(given: &Given, files: usize, folder: &Path, took: Option<Du
 
 /// Says in a line that something is doubtful.
 pub fn warn(what: impl Display) {
-    tell(&format!("warning: {what}"));
+    if !is_quiet() {
+        tell(&format!("warning: {what}"));
+    }
 }
 
 /// Says in a line that nothing came of it, and why.

@@ -9,9 +9,9 @@ mod together;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use coilsense_lab::analysis::{Analysis, answer, simulate};
+use coilsense_lab::analysis::{Analysis, Check, answer, simulate};
 use coilsense_lab::output::Output;
-use coilsense_lab::report::{ReportError, add_analysis, analysis_json, analysis_text};
+use coilsense_lab::report::{ReportError, add_analysis, analysis_json, analysis_text, analysis_warnings};
 use pyo3::prelude::*;
 
 use crate::errors::IntoPython;
@@ -114,8 +114,15 @@ getters! {
     PyAnalysis, self;
     /// The answer in sentences, the most important first, as a list of str.
     answer: Vec<String> = answer(&self.analysis);
+    /// Whether it settles what the spec asks for: ``"met"``, ``"missed"`` or ``"undecided"``, as ``coilsense analyze --check`` has it.
+    check: &str = match Check::of(&self.analysis) {
+        Check::Met(_) => "met",
+        Check::Missed(_) => "missed",
+        Check::Undecided(_) => "undecided",
+    };
     /// What the command prints.
-    text: String = anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string();
+    text: String = anstream::adapter::strip_str(&analysis_text(&self.analysis)).to_string()
+        + &analysis_warnings(&self.analysis).iter().map(|line| format!("Warning: {line}\n")).collect::<String>();
     /// What a reader must know before using the numbers, as a list of str.
     warnings: Vec<&str> = self.analysis.warnings.iter().map(|warning| warning.text.as_str()).collect();
 }

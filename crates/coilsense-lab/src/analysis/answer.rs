@@ -20,7 +20,7 @@ pub fn answer(analysis: &Analysis) -> Vec<String> {
     lines
 }
 
-fn name<'a>(analysis: &'a Analysis, verdict: &Verdict) -> &'a str {
+pub(super) fn name<'a>(analysis: &'a Analysis, verdict: &Verdict) -> &'a str {
     &analysis.sensors[verdict.sensor].name
 }
 
@@ -31,7 +31,7 @@ fn force(analysis: &Analysis, newton: f64) -> String {
 }
 
 /// `1.22 N (1 % of F_nom)`.
-fn wish(analysis: &Analysis, newton: f64) -> String {
+pub(super) fn wish(analysis: &Analysis, newton: f64) -> String {
     let nominal = analysis.spec.spring.spring.nominal_force();
     format!("{} N ({} % of F_nom)", plainly(newton), plainly(100.0 * newton / nominal))
 }
@@ -153,7 +153,7 @@ fn failing(analysis: &Analysis) -> Option<String> {
 }
 
 /// `a`, `a and b`; names that have commas themselves are told apart.
-fn several(names: &[&str]) -> String {
+pub(crate) fn several(names: &[&str]) -> String {
     let marked: Vec<String> = match names {
         [one] => vec![(*one).to_owned()],
         many if many.iter().any(|name| name.contains(',')) => many.iter().map(|name| format!("“{name}”")).collect(),
@@ -192,17 +192,19 @@ fn cause(verdict: &Verdict) -> String {
 /// From so many times the nominal oscillation on, that of the loudest spring says that the error cannot be told from the spec.
 const UNTOLD: f64 = 2.0;
 
-/// Where how far a sensor is off hangs on a frequency that the spec does not say well enough, and what would tell it.
+/// Whether how far a sensor is off hangs on a frequency that the spec does not say well enough.
+pub(super) fn is_untold(verdict: &Verdict) -> bool {
+    let worst = verdict.at_worst();
+    let by_surge = worst.over_specimens > 0.5 * worst.combined;
+    by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
+}
+
+/// Where how far a sensor is off hangs on such a frequency, and what would tell it.
 fn untold(analysis: &Analysis) -> Option<String> {
-    let cannot = |verdict: &&Verdict| {
-        let worst = verdict.at_worst();
-        let by_surge = worst.over_specimens > 0.5 * worst.combined;
-        by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
-    };
     let each: Vec<String> = analysis
         .verdicts
         .iter()
-        .filter(cannot)
+        .filter(|verdict| is_untold(verdict))
         .map(|verdict| {
             let (worst, place) = (verdict.at_worst(), case_name(analysis, verdict.worst));
             let (nominal, most) = (digits(worst.nominal), digits(worst.worst));

@@ -28,7 +28,7 @@ mod speed;
 #[cfg(all(feature = "reference", feature = "parquet"))]
 pub mod verbs;
 
-pub use analysis::{AnalysisOutcome, add_analysis, analysis_json, analysis_text};
+pub use analysis::{AnalysisOutcome, add_analysis, analysis_json, analysis_text, analysis_warnings};
 pub use calibration::{CalibrationOutcome, add_calibration, calibration_json, calibration_text};
 pub use data_sheet::{DataSheetOutcome, data_sheet_json, data_sheet_text};
 pub use experiment::{ExperimentOutcome, add_experiment, experiment_json, experiment_text};

@@ -6,7 +6,7 @@
 mod sweeps;
 
 use crate::request::{
-    Allowed, DATE, DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE, OVERWRITE_OUT, Row, SPEC, Takes, Verb, out,
+    Allowed, CHECK, DATE, DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE, OVERWRITE_OUT, Row, SPEC, Takes, Verb, out,
 };
 use crate::{calibration, identification, mitigation, plant, recording, speed, sweep};
 pub use sweeps::{DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_ROW, WHERE};
@@ -55,7 +55,7 @@ pub const VERBS: [Verb; 18] = [
             &recording::request::WINDOW,
             &recording::request::SECOND,
             &identification::request::OPTIONS,
-            &[JSON, FIGURES, OVERWRITE, DATE],
+            &[JSON, SPRING_RINGS, FIGURES, OVERWRITE, DATE],
         ],
         more: "",
     },
@@ -215,7 +215,7 @@ const SIMULATE: [Row; 5] = [
     ONE_FILE,
     JSON,
 ];
-const ANALYZE: [Row; 5] = [
+const ANALYZE: [Row; 6] = [
     SPEC,
     out(
         "Folder for report.html, results.json and signals.parquet; its other files are left alone",
@@ -223,8 +223,17 @@ const ANALYZE: [Row; 5] = [
     ),
     OVERWRITE,
     Row { meaning: "Print JSON, as it stands in results.json", ..JSON },
+    Row {
+        meaning: "Exit with code 3 where no sensor meets the goal, or that is not decided; all files are written",
+        ..CHECK
+    },
     DATE,
 ];
+const SPRING_RINGS: Row = Row {
+    meaning: "Exit with code 3 where it is not the spring that rings, or that stays undecided; all files are written",
+    elsewhere: &[(Door::Python, "the result's `verdict`"), (Door::Page, "the verdict")],
+    ..CHECK
+};
 /// The page of a log.
 pub const REPORT: Row = Row {
     name: "report",

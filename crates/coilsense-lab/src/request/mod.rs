@@ -7,7 +7,9 @@ mod given;
 mod shared;
 
 pub use given::{Given, Value};
-pub use shared::{DATE, DATE_OF_OUT, JSON, KNOWN_SPRING, LENGTH, OUT, OVERWRITE, OVERWRITE_OUT, SPEC, WINDINGS, out};
+pub use shared::{
+    CHECK, DATE, DATE_OF_OUT, JSON, KNOWN_SPRING, LENGTH, OUT, OVERWRITE, OVERWRITE_OUT, SPEC, WINDINGS, out,
+};
 
 use crate::quantity::Dimension;
 

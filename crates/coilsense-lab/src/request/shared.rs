@@ -49,6 +49,12 @@ pub const JSON: Row = Row {
     elsewhere: &[(Door::Python, "the result's method `to_dict`"), (Door::Page, "its buttons that save")],
     ..Row::PLAIN
 };
+/// For scripts: an exit code of its own where the answer is no, or open; verbs say which.
+pub const CHECK: Row = Row {
+    name: "check",
+    elsewhere: &[(Door::Python, "the result's `check`"), (Door::Page, "the verdict")],
+    ..Row::PLAIN
+};
 /// The date of a report.
 pub const DATE: Row = Row {
     name: "date",

@@ -12,7 +12,7 @@ mod text;
 mod viewer_data;
 
 pub use json::{AnalysisOutcome, analysis_json};
-pub use text::analysis_text;
+pub use text::{analysis_text, analysis_warnings};
 
 use super::ReportError;
 use crate::analysis::Analysis;

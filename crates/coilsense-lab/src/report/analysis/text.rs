@@ -1,4 +1,4 @@
-//! An analysis in the terminal: the answer, the sensors, the warnings.
+//! An analysis in the terminal: the answer and the sensors on one stream, the warnings on the other.
 //!
 //! Next door: the same as a page (`html`) and for machines (`json`).
 
@@ -6,15 +6,15 @@ use std::fmt::Write;
 
 use anstyle::{AnsiColor, Style};
 
-use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
+use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet, several};
 use crate::quantity::digits;
+use crate::spec::SensorSpec;
 
 const BOLD: Style = Style::new().bold();
 const GOOD: Style = AnsiColor::Green.on_default();
 const BAD: Style = AnsiColor::Red.on_default();
-const MARK: Style = AnsiColor::Yellow.on_default();
 
-/// The answer in the first lines, then a table of sensors and the warnings.
+/// The answer in the first lines, then a table of sensors; warnings are for the other stream, see [`analysis_warnings`].
 pub fn analysis_text(analysis: &Analysis) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
@@ -53,10 +53,26 @@ pub fn analysis_text(analysis: &Analysis) -> String {
         digits(nominal)
     );
     text += &changes(analysis, widest);
-    for warning in &analysis.warnings {
-        let _ = writeln!(text, "{MARK}Warning:{MARK:#} {}", warning.text);
-    }
     text
+}
+
+/// What a reader must know before using the numbers, a line each; what holds for several sensors alike is said once.
+pub fn analysis_warnings(analysis: &Analysis) -> Vec<String> {
+    let mut lines: Vec<(Vec<&str>, &str)> = Vec::new();
+    for warning in &analysis.warnings {
+        let of = |sensor: &&SensorSpec| warning.text.starts_with(&format!("{}: ", sensor.name));
+        let sensor = analysis.sensors.iter().find(of).map(|sensor| sensor.name.as_str());
+        let said = sensor.map_or(warning.text.as_str(), |name| &warning.text[name.len() + 2..]);
+        match lines.iter_mut().find(|(names, text)| *text == said && !names.is_empty() && sensor.is_some()) {
+            Some((names, _)) => names.extend(sensor),
+            None => lines.push((sensor.into_iter().collect(), said)),
+        }
+    }
+    let line = |(names, said): (Vec<&str>, &str)| match names.is_empty() {
+        true => said.to_owned(),
+        false => format!("{}: {said}", several(&names)),
+    };
+    lines.into_iter().map(line).collect()
 }
 
 /// What would make the sensors meet the goal that miss it, as a table; nothing where none misses it.
