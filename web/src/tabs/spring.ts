@@ -104,7 +104,7 @@ export const open: Open = (panel, store, compute) => {
   });
   const { spring: card, canvas, wave: strip } = parts;
   const hits = new Hits({ store, compute, player, card, canvas, strip, last: () => last });
-  const later = new Later({ store, compute, parts, forces }, (shown) => shown === last && mark(shown.exact !== null));
+  const later = new Later({ store, compute, parts, forces }, (shown) => shown === last && !isPast && settle(shown));
   const views = new Views(store, parts.views, forces);
   const compare = new Compare({ store, compute, parts, forces, spectrum, last: () => last, refused: () => refused });
   let facts: Facts | null = null;
@@ -140,13 +140,21 @@ export const open: Open = (panel, store, compute) => {
     parts.status.classList.toggle('preview', !exact);
     document.body.dataset['exact'] = String(exact);
   };
+  // Until the engine answers, what is shown is of another state.
+  let isPast = false;
+  /** Exact is what all of it is; only then is it judged. */
+  const settle = ({ exact, exactText }: Shown) => {
+    const isWhole = exact !== null && later.isThere;
+    if (isWhole) judged.show(exactText, exact.facts);
+    mark(isWhole);
+  };
   if (store.state.view.frequency) response.open();
   store.subscribe((state, before) => {
     inputs();
     // A link to a frequency.
     if (state.view.frequency && state.view.frequency !== before.view.frequency) response.open();
-    // Until the engine answers, what is shown is of another state.
     if (isOther(state, before)) {
+      isPast = true;
       mark(false);
       modes.show(null);
       response.show(null);
@@ -188,11 +196,10 @@ export const open: Open = (panel, store, compute) => {
       const isRecorded = facts.conditions[facts.condition]?.kind === 'recorded';
       parts.speeds.hidden = !isRecorded;
       if (isRecorded) speeds.show(exact);
-      if (shown.exact) judged.show(shown.exactText);
       panels.show(store.state, facts);
       views.show(shown);
-      // Exact is what all of it is.
-      mark(shown.exact !== null && later.isThere);
+      isPast = false;
+      settle(shown);
     },
     refused: (refusal) => patience.tell(refusal),
     busy: () => {},
