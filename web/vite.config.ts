@@ -73,7 +73,7 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
 }
 
 /** What is loaded once there are curves. */
-const BELOW = /\/src\/(results\/(below|downloads|table|verdict|warnings)\.ts|style\/verdict\.css)/;
+const BELOW = /\/src\/(results\/(below|downloads|table|warnings)\.ts|style\/below\.css)/;
 
 export default defineConfig({
   base: './',

@@ -62,8 +62,8 @@ export const FORCES: readonly Term[] = [
     id: 'exact',
     names: ['exact'],
     words:
-      'All numbers and curves are computed in full, as the command computes them. While a slider moves, a preview with fewer samples is drawn at once and marked as such.',
-    book: COMPARED,
+      'Every sample of the whole time, as the command computes it. A preview has the shown times only, so that it follows a slider; the exact case takes its place as soon as you rest.',
+    book: 'guide/page.md#the-page-in-the-browser',
   },
 ];
 

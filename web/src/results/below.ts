@@ -5,6 +5,9 @@
 import type { Compute, Shown } from '../compute';
 import type { ForcePlot } from '../plots/forces';
 import type { Store } from '../store';
+import css from '../style/below.css?inline';
+import figures from '../style/figures.css?inline';
+import { wear } from '../style/wear';
 import type { layOut } from '../tabs/layout';
 import { Downloads } from './downloads';
 import type { Outcome } from './outcome';
@@ -24,6 +27,7 @@ export class Below {
   private readonly downloads: Downloads;
 
   constructor(private readonly around: Around) {
+    wear(figures, css);
     const { store, compute, parts, forces } = around;
     this.table = new Table(store, parts.table);
     this.downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);

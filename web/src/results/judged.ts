@@ -9,6 +9,9 @@ import type { Judge } from './judge';
 import type { Outcome } from './outcome';
 import type { Verdict } from './verdict';
 
+/** So long after the first exact case its curves are drawn and the page may be used [ms]. */
+const DRAWN = 100;
+
 export class Judged {
   private judge: Promise<Judge> | null = null;
   private card: Verdict | null = null;
@@ -25,7 +28,8 @@ export class Judged {
   show(text: string | null, facts?: ExactFacts): void {
     // An embedded page does not show it.
     if ((text === null && !this.judge) || document.documentElement.classList.contains('embed')) return;
-    this.judge ??= this.load();
+    // What is drawn comes first.
+    this.judge ??= new Promise<void>((done) => setTimeout(done, DRAWN)).then(() => this.load());
     if (facts) this.facts = facts;
     void this.judge.then((judge) => {
       if (text === null) return judge.moved();

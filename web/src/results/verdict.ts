@@ -140,7 +140,7 @@ function ranking(outcome: Outcome): HTMLElement {
     make('th', { scope: 'col' }, word(id, rich(text))),
   );
   const head = make('tr', {}, ...heads);
-  const whole = () => table.classList.toggle('whole');
+  const whole = () => table.classList.toggle('widened');
   const table = make(
     'div',
     { class: 'scroll ranking', tabindex: 0, role: 'region', 'aria-label': 'Every sensor’s uncertainty' },

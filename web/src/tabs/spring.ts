@@ -145,8 +145,8 @@ export const open: Open = (panel, store, compute) => {
   /** Exact is what all of it is; only then is it judged. */
   const settle = ({ exact, exactText }: Shown) => {
     const isWhole = exact !== null && later.isThere;
-    if (isWhole) judged.show(exactText, exact.facts);
     mark(isWhole);
+    if (isWhole) judged.show(exactText, exact.facts);
   };
   if (store.state.view.frequency) response.open();
   store.subscribe((state, before) => {
