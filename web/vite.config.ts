@@ -72,6 +72,9 @@ function isFirst(id: string, graph: Graph, seen = new Set<string>()): boolean {
   return graph.getModuleInfo(id)?.importers.some((one) => !seen.has(one) && isFirst(one, graph, seen)) ?? false;
 }
 
+/** What is loaded once there are curves. */
+const BELOW = /\/src\/(results\/(below|downloads|table|warnings)\.ts|style\/below\.css)/;
+
 export default defineConfig({
   base: './',
   define: { BOOK: JSON.stringify(book()), PAPER: JSON.stringify(paper()) },
@@ -81,9 +84,16 @@ export default defineConfig({
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 1000,
     modulePreload: false,
-    // What is loaded at first is one file, and nothing of it one more that may be missing.
+    // What is loaded at first is one file, and what is below the first screen another: each more is one that may be missing.
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: (id, graph) => (isFirst(id, graph) ? 'page' : null) }] } },
+      output: {
+        codeSplitting: {
+          groups: [
+            { name: (id, graph) => (isFirst(id, graph) ? 'page' : null), priority: 1 },
+            { name: 'below', test: BELOW },
+          ],
+        },
+      },
     },
   },
   worker: { format: 'es', plugins: glue },

@@ -39,12 +39,13 @@ export function reveal(element: HTMLElement): void {
   element.scrollIntoView({ block: 'center' });
 }
 
-/** `F_i` and `F_nom` with their letters lowered. */
-export function rich(text: string): DocumentFragment {
+/** `F_i` and `F_nom` with their letters lowered; `isExact` keeps what is not seen of them, where a text is to stay what it was to the letter. */
+export function rich(text: string, isExact = false): DocumentFragment {
   const fragment = document.createDocumentFragment();
-  text
-    .split(/(?<=\bF)_([a-zA-Z]|nom)\b/)
-    .forEach((part, index) => fragment.append(index % 2 ? make('sub', {}, part) : part));
+  text.split(/(?<=\bF)_([a-zA-Z]|nom)\b/).forEach((part, index) => {
+    if (index % 2 && isExact) fragment.append(make('span', { hidden: true }, '_'));
+    fragment.append(index % 2 ? make('sub', {}, part) : part);
+  });
   return fragment;
 }
 

@@ -157,9 +157,9 @@ export const GOAL: readonly Field[] = [
   },
   {
     key: 'force',
-    label: 'Taken as true',
+    label: 'Force taken as true',
     words: ['F_x', 'F_i', 'F_o'],
-    hint: 'F_x: k × stretch as the force',
+    names: { F_x: 'k × stretch', F_i: 'at end 1', F_o: 'at end 2' },
   },
   { key: 'bandwidth', label: 'Bandwidth', hint: 'of the goal; left empty, errors of every frequency count' },
 ];

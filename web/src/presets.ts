@@ -22,18 +22,18 @@ export interface Preset {
 }
 
 export const PRESETS: readonly Preset[] = [
-  { id: 'S_T', label: 'S_T – ankle of a humanoid robot', example: 'sea-ankle', spec: ankle, files: {} },
-  { id: 'S_A', label: 'S_A – ankle prosthesis', example: 'parallel-ankle', spec: parallelAnkle, files: {} },
+  { id: 'S_T', label: 'S_T – robot ankle', example: 'sea-ankle', spec: ankle, files: {} },
+  { id: 'S_A', label: 'S_A – prosthesis', example: 'parallel-ankle', spec: parallelAnkle, files: {} },
   {
     id: 'valve',
-    label: 'Valve spring at 6000 rpm',
+    label: 'Valve, 6000 rpm',
     example: 'valve-spring',
     spec: valve,
     files: { 'cam-6000rpm.csv': { address: cam, bytes: LENGTHS.cam } },
   },
   {
     id: 'suspension',
-    label: 'Car suspension on a rough road',
+    label: 'Car suspension',
     example: 'car-suspension',
     spec: car,
     files: { 'road-c-20mps.csv': { address: road, bytes: LENGTHS.road } },

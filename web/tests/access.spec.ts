@@ -1,12 +1,12 @@
 // For everyone: no violation that axe knows, nothing wider than the screen, still where motion is not wanted.
 import AxeBuilder from '@axe-core/playwright';
-import { expect, exact, open, test } from './page';
+import { expect, exact, open, test, unfold } from './page';
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await open(page, '#S_A&@condition=4');
-    for (const summary of await page.locator('summary').all()) await summary.click();
+    await unfold(page);
     // What is of an earlier state, or of none yet, stands in grey on purpose.
     await expect(page.locator('.every [aria-busy=false]')).toBeVisible({ timeout: 60_000 });
     const spring = await new AxeBuilder({ page }).analyze();

@@ -43,12 +43,12 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
     },
     words: {
       hash: `#S_T&${STATE}`,
-      use: (page) => page.getByRole('button', { name: /^Words of this page/ }).click(),
+      use: (page) => page.getByRole('button', { name: /^Glossary/ }).click(),
       ends: async (page) => {
         await exact(page);
         const dialog = page.locator('.glossary');
         const isOpen = () => expect(dialog).toBeVisible({ timeout: 2000 });
-        await isOpen().catch(() => page.getByRole('button', { name: /^Words of this page/ }).click());
+        await isOpen().catch(() => page.getByRole('button', { name: /^Glossary/ }).click());
         await isOpen();
       },
     },

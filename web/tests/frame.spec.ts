@@ -20,7 +20,7 @@ test('who has just come is shown what to drag, until it was dragged', async ({ p
 
 test('each tab says what it is for; the sentence about the spring stands where it is about', async ({ page }) => {
   await open(page);
-  await expect(page.locator('#sentence')).toContainText(/N apart/);
+  await expect(page.locator('#sentence')).toContainText(/differ by up to [\d.]+\u00a0N/);
   for (const [tab, words] of [
     ['Log', 'recording'],
     ['Paper', 'paper'],
@@ -66,7 +66,7 @@ test('embedded, the spring and its forces stand alone, with a way to all of it',
   await page.goto('./?embed#S_T&spring.mass=70+g');
   await page.waitForFunction(() => document.body.dataset['exact'] === 'true');
   await expect(page.locator('.play').first()).toBeVisible();
-  for (const gone of ['#tabs', '.choose', '.controls', '.results', 'footer'])
+  for (const gone of ['#tabs', '.choose', '.controls', '.trust', '.results', 'footer'])
     await expect(page.locator(gone)).toBeHidden();
   const [whole] = await Promise.all([
     page.waitForEvent('popup'),

@@ -9,8 +9,8 @@ import { expect, open, test } from './page';
 const TERMS = GLOSSARY.flatMap(({ terms }) => terms);
 const root = new URL('../..', import.meta.url);
 const read = (file: string): string => readFileSync(new URL(file, root), 'utf8');
-const dialog = (page: Page) => page.getByRole('dialog', { name: 'Words of this page' });
-const opener = (page: Page) => page.getByRole('button', { name: /^Words of this page/ });
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'Glossary' });
+const opener = (page: Page) => page.getByRole('button', { name: /^Glossary/ });
 
 /** A heading's address, as GitHub and mdBook both make it. */
 const slug = (heading: string): string =>

@@ -54,6 +54,13 @@ export async function exact(page: Page): Promise<void> {
   await page.waitForFunction(() => document.body.dataset['exact'] === 'true', null, { timeout: 30_000 });
 }
 
+/** Opens all that is folded, the verdict's details with it: they come later than the rest. */
+export async function unfold(page: Page): Promise<void> {
+  await expect(page.locator('.trust .answer')).toBeVisible({ timeout: 60_000 });
+  const closed = page.locator('details:not([open]) > summary:visible');
+  for (let left = await closed.count(); left > 0; left = await closed.count()) await closed.first().click();
+}
+
 /** The exact facts of what is shown. */
 export async function facts(page: Page): Promise<ExactFacts> {
   await exact(page);

@@ -233,7 +233,7 @@ test('a link with keys that nobody knows opens, and names them', async ({ page }
   await exact(page);
   for (const words of ['spring.colour', 'motor', 'nonsense', '@times']) await expect(notes(page)).toContainText(words);
   await expect(page.getByLabel('Mass m', { exact: true })).toHaveValue('66 g');
-  await expect(page.locator('#sentence')).toContainText('N apart');
+  await expect(page.locator('#sentence')).toContainText('the forces at the two ends differ by up to');
   await expect.poll(() => page.url()).not.toContain('colour');
   await page.setViewportSize({ width: 375, height: 812 });
   host.faults.set(FILES.find((file) => file.startsWith('assets/paper-')) ?? '', 'missing');
@@ -252,7 +252,7 @@ test('a link with a wrong value opens with an answer, the field in sight and red
   await expect(page.locator('#sensor-1-bandwidth-error')).toContainText('must be a frequency with its unit');
   await expect(field).toBeInViewport();
   await expect(field).toHaveValue('abc');
-  await expect(page.locator('#sentence')).toContainText('N apart');
+  await expect(page.locator('#sentence')).toContainText('the forces at the two ends differ by up to');
   const mass = await page.evaluate(() => window.coilsense.last()?.answer.facts.spring.mass);
   expect(mass).toBeCloseTo(0.066, 12);
   await field.fill('1 kHz');
@@ -309,5 +309,5 @@ test('files dropped anywhere go to the tab that they belong to', async ({ page }
   await exact(page);
   await dropOn(page, 'main', 'torn.toml', '[spring]\nmass = "65');
   await expect(notes(page)).toContainText('torn.toml cannot be opened');
-  await expect(page.locator('#sentence')).toContainText('N apart');
+  await expect(page.locator('#sentence')).toContainText('the forces at the two ends differ by up to');
 });

@@ -5,6 +5,7 @@
 
 import type { Deviation, ExactFacts } from '../answer';
 import { digits, fixed } from '../dom';
+import { called } from '../plots/looks';
 import { isBeyond, ring, type Case } from './case';
 
 /** A figure of a state: a number that the other one is compared with, what stands for it, and whether it meets the goal. */
@@ -56,7 +57,7 @@ const ASKED: readonly Asked[] = [
   { label: 'Damping shown', of: ({ dampings, damping }) => ({ text: dampings[damping]?.label ?? '–' }) },
   { label: 'F_nom', of: ({ spring }) => newtons(spring.nominalForce), same: true },
   { label: 'Judged from, to', of: (facts) => ({ text: span(facts) }), same: true },
-  { label: 'Taken as true', of: ({ truth }) => ({ text: truth }), same: true },
+  { label: 'Force taken as true', of: ({ truth }) => ({ text: called(truth) }), same: true },
   { label: 'Windings', of: (facts) => ({ text: windings(facts) }), same: true },
 ];
 const newtons = (force: number): Cell => ({ text: `${digits(force, 4)}\u00a0N`, value: force });
@@ -64,8 +65,8 @@ const newtons = (force: number): Cell => ({ text: `${digits(force, 4)}\u00a0N`, 
 function ends(kept: ExactFacts | null, now: ExactFacts | null): Asked[] {
   const names = [...new Set([kept, now].flatMap((facts) => (facts ? [judgedForce(facts)] : [])))];
   return names.flatMap((name): Asked[] => [
-    { label: `${name}, rms off`, of: (facts) => off(facts, facts.forces[name], 'rmsd') },
-    { label: `${name}, most off`, of: (facts) => off(facts, facts.forces[name], 'maximumAbsolute') },
+    { label: `${called(name)}, rms off`, of: (facts) => off(facts, facts.forces[name], 'rmsd') },
+    { label: `${called(name)}, most off`, of: (facts) => off(facts, facts.forces[name], 'maximumAbsolute') },
   ]);
 }
 

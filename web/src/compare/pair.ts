@@ -9,7 +9,7 @@ import type { Shown } from '../compute';
 import { digits, fixed, make, rich } from '../dom';
 import { axis, curve, LARGER, plain } from '../plots/chart';
 import { readings, type Line } from '../plots/lines';
-import { ink, sample } from '../plots/looks';
+import { called, ink, sample } from '../plots/looks';
 import { mark } from '../results/table';
 import css from '../style/compare.css?inline';
 import { wear } from '../style/wear';
@@ -164,7 +164,7 @@ export class Pair {
     const [from, to] = times.map((time) => fixed(1e3 * time, 0));
     this.words.replaceChildren(
       rich(
-        `What each reads less ${facts.truth}, on one scale: in % of F_nom = ${fixed(facts.spring.nominalForce, 1)} N from ${from} to ${to} ms as shown, and judged. u, lag and goal are the verdict’s, over all cases.`,
+        `What each reads less ${called(facts.truth)}, on one scale: in % of F_nom = ${fixed(facts.spring.nominalForce, 1)} N from ${from} to ${to} ms as shown, and judged. u, lag and goal are the verdict’s, over all cases.`,
       ),
     );
   }

@@ -54,12 +54,12 @@ export class Part {
     const { store, compute, parts, forces, spectrum, last } = compare.around;
     wear(css);
     this.refusal = compare.around.refused();
-    this.bar = new Bar(parts.keys, {
+    this.bar = new Bar(parts.forces, {
       swap: () => this.swap(),
       forget: () => this.forget(),
       look: () => this.card.look(),
     });
-    this.card = new Card(parts.verdict);
+    this.card = new Card(parts.off);
     this.ghost = new Ghost(forces, spectrum, () => store.state.view);
     store.subscribe((state, before) => this.moved(state, before));
     compute.listen({

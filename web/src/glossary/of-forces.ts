@@ -14,14 +14,14 @@ export const FORCES: readonly Term[] = [
   },
   {
     id: 'F_i',
-    names: ['F_i'],
+    names: ['F_i', 'End 1 (F_i)'],
     words: 'The force at end 1, the input, which a load cell there feels; positive where the spring pulls.',
     unit: 'N',
     book: WORDS,
   },
   {
     id: 'F_o',
-    names: ['F_o'],
+    names: ['F_o', 'End 2 (F_o)'],
     words: 'The force at end 2, the output, which a load cell there feels; positive where the spring pulls.',
     unit: 'N',
     book: WORDS,
@@ -53,10 +53,17 @@ export const FORCES: readonly Term[] = [
   },
   {
     id: 'truth',
-    names: ['Taken as true'],
+    names: ['Force taken as true'],
     words:
       'The force that the others are held against. Nobody can look up the true one while the coil rings, since its ends disagree. So “off” means: if you take k × stretch as the force, or the force at one end where you choose that.',
     book: COMPARED,
+  },
+  {
+    id: 'exact',
+    names: ['exact'],
+    words:
+      'Every sample of the whole time, as the command computes it. A preview has the shown times only, so that it follows a slider; the exact case takes its place as soon as you rest.',
+    book: 'guide/page.md#the-page-in-the-browser',
   },
 ];
 

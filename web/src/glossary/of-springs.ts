@@ -196,11 +196,4 @@ export const DONE: readonly Term[] = [
     unit: 's',
     book: SPEC.condition,
   },
-  {
-    id: 'exact',
-    names: ['exact'],
-    words:
-      'Every sample of the whole time, as the command computes it. A preview has the shown times only, so that it follows a slider; the exact case takes its place as soon as you rest.',
-    book: 'guide/page.md#the-page-in-the-browser',
-  },
 ];

@@ -42,7 +42,7 @@ function build(): HTMLDialogElement {
     make(
       'div',
       { class: 'top' },
-      make('h2', { id: 'glossary-heading' }, 'Words of this page'),
+      make('h2', { id: 'glossary-heading' }, 'Glossary'),
       search,
       make('button', { type: 'button', class: 'plain', onclick: close }, 'Close'),
     ),

@@ -37,7 +37,7 @@ export function paint(
   if (area.width < 20 || area.height < 20 || frames.times.length === 0) return null;
   dots(empty, area, frames, page, peak);
   axes(context, area, page, 1e3 * answer.facts.meanLength);
-  if (onset) ways(context, area, page, onset, answer.facts.spring.transitTime);
+  if (onset) ways(context, area, page, onset, answer.facts.spring.transitTime, answer.facts.contact?.first ?? Infinity);
   return area;
 }
 
@@ -118,7 +118,7 @@ function axes(context: CanvasRenderingContext2D, area: Area, page: [number, numb
   }
   context.textAlign = 'center';
   context.textBaseline = 'bottom';
-  context.fillText('Position [mm]', left + width / 2, bottom + 39 * LARGER);
+  context.fillText('Position [mm]', left + width / 2, bottom + 36 * LARGER);
   context.save();
   context.translate(11 * LARGER, top + height / 2);
   context.rotate(-Math.PI / 2);
@@ -134,13 +134,14 @@ function axes(context: CanvasRenderingContext2D, area: Area, page: [number, numb
   context.fillText('End 2', left + width, top - 3);
 }
 
-/** Dashed: to the far end and back, as fast as a wave. */
+/** Dashed: to the far end and back, again and again, as fast as a wave; where windings meet, it is another one from then on. */
 function ways(
   context: CanvasRenderingContext2D,
   { left, top, width, height }: Area,
   [from, to]: [number, number],
   { time, end }: Onset,
   oneWay: number,
+  until: number,
 ): void {
   const y = (at: number) => top + (height * (at - from)) / (to - from);
   const near = end === 1 ? left : left + width;
@@ -150,14 +151,19 @@ function ways(
   context.rect(left, top, width, height);
   context.clip();
   context.beginPath();
-  context.moveTo(near, y(time));
-  context.lineTo(far, y(time + oneWay));
-  context.lineTo(near, y(time + 2 * oneWay));
-  context.setLineDash([5 * LARGER, 4 * LARGER]);
-  context.lineWidth = 3.5;
+  const last = Math.min(to, until);
+  for (let turn = Math.max(0, Math.floor((from - time) / oneWay)); time + turn * oneWay < last; turn++) {
+    const [out, back] = turn % 2 ? [far, near] : [near, far];
+    const part = Math.min(1, (until - time) / oneWay - turn);
+    context.moveTo(out, y(time + turn * oneWay));
+    context.lineTo(out + part * (back - out), y(time + (turn + part) * oneWay));
+  }
+  // Dark between two pale edges: seen on every colour of the strip.
+  context.lineWidth = 5 * LARGER;
   context.strokeStyle = ink.card;
   context.stroke();
-  context.lineWidth = 1.5;
+  context.setLineDash([7 * LARGER, 4 * LARGER]);
+  context.lineWidth = 2 * LARGER;
   context.strokeStyle = ink.ink;
   context.stroke();
   context.restore();

@@ -70,7 +70,7 @@ export class Strip {
     [this.shown, this.peak, this.onset] = [shown, peak, onset];
     const { transitTime, name } = shown.answer.facts.spring;
     const way = `${digits(1e3 * transitTime)} ms`;
-    this.foot.textContent = `One way, end to end: ${way}${onset ? '; dashed: there and back' : ''}.`;
+    this.foot.textContent = `One way, end to end: ${way}${onset ? '; dashed: to and fro' : ''}.`;
     this.canvas.setAttribute(
       'aria-label',
       `How closely the windings of ${name} lie, from end 1 at the left to end 2, over time downwards: the wave takes ${way} from end to end.`,
@@ -98,7 +98,8 @@ export class Strip {
 
   /** In the next frame, once. */
   private draw(): void {
-    if (this.waits || !this.inSight || !this.shown) return;
+    // Once in any case: a picture of the whole page has it, too. What moves while nobody sees it is not painted.
+    if (this.waits || (!this.inSight && this.area) || !this.shown) return;
     this.waits = true;
     requestAnimationFrame(() => {
       this.waits = false;

@@ -3,7 +3,7 @@
 // Next door: which fields there are (`fields`), which of them are shown (`panels`), what is typed (`quantity`).
 
 import { valueAt, withValue, type Value } from '../document';
-import { make } from '../dom';
+import { make, rich } from '../dom';
 import type { Field } from '../fields';
 import { preset } from '../presets';
 import type { State } from '../state';
@@ -34,7 +34,7 @@ export class Control {
     this.error.id = `${id}-error`;
     this.input = field.list ? this.choice(id, []) : field.words ? this.choice(id, field.words) : this.text(id);
     this.slider = field.slide ? this.range() : null;
-    this.hint = make('span', { class: 'hint', id: `${id}-hint`, hidden: !field.hint }, field.hint);
+    this.hint = make('span', { class: 'hint', id: `${id}-hint`, hidden: !field.hint }, rich(field.hint ?? ''));
     this.input.setAttribute('aria-describedby', `${this.reading.id(id)} ${this.hint.id} ${this.error.id}`);
     this.element = make(
       'div',
@@ -87,7 +87,7 @@ export class Control {
 
   /** Another hint than the field's own, and what holds while nothing is typed. */
   tell(hint: string, usual = ''): void {
-    this.hint.textContent = hint;
+    this.hint.replaceChildren(rich(hint));
     this.hint.hidden = hint === '';
     if (this.input instanceof HTMLInputElement) this.input.placeholder = usual;
   }

@@ -138,7 +138,7 @@ export class Panels {
     // What is done comes first, beside the choice of it: on a phone it stands above the spring.
     this.first.replaceChildren(...condition.first.map(at(`condition.${number}`)));
     this.host.replaceChildren(
-      make('div', { class: 'head' }, make('h2', {}, 'Drag a slider, or type'), word('spring')),
+      make('div', { class: 'head' }, make('h2', {}, 'Spring, sensors and limit'), word('spring')),
       this.damping.element,
       this.contact.element,
       ...(geometry ? BY_GEOMETRY : BY_VALUES).map(spring),

@@ -3,14 +3,13 @@
 // Next door: their looks (`looks`), the chart (`forces`), the words beside it (`readout`).
 
 import type { ExactFacts, Facts } from '../answer';
-import { FORCE_NAMES, MEANING } from './looks';
+import { FORCE_NAMES } from './looks';
 
 export interface Line {
   /** Its series in an answer. */
   series: string;
-  /** Its name for people. */
+  /** The symbol of a force, the name of a sensor. */
   name: string;
-  meaning: string;
   /** Among lines of its sort. */
   number: number;
 }
@@ -18,7 +17,6 @@ export interface Line {
 export const FORCE_LINES: readonly Line[] = FORCE_NAMES.map((name, number) => ({
   series: name,
   name,
-  meaning: MEANING[name] ?? '',
   number,
 }));
 
@@ -26,6 +24,6 @@ export const FORCE_LINES: readonly Line[] = FORCE_NAMES.map((name, number) => ({
 export function readings(facts: Facts | ExactFacts | null, wanted: readonly string[]): Line[] {
   if (!facts || !('sensors' in facts)) return [];
   return facts.sensors.flatMap(({ name }, number) =>
-    wanted.includes(name) ? [{ series: `reading ${number}`, name, meaning: '', number }] : [],
+    wanted.includes(name) ? [{ series: `reading ${number}`, name, number }] : [],
   );
 }

@@ -19,13 +19,16 @@ export const KNOWN: Readonly<Record<string, Look>> = {
 /** What sensors read: thin, without a dash, in colours that no force has. */
 const READING = ['orange', 'purple', 'teal', 'pink', 'olive', 'brown'] as const;
 
-/** What each force is, for people. */
-export const MEANING: Record<string, string> = {
-  F_i: 'load cell at end 1',
-  F_o: 'load cell at end 2',
-  F_x: 'by length: k·Δl',
-  F_L: 'by inductance',
+/** What each force is called; its symbol stands behind it, see `called`. */
+export const NAMES: Readonly<Record<string, string>> = {
+  F_i: 'End 1',
+  F_o: 'End 2',
+  F_x: 'k × stretch',
+  F_L: 'inductance',
 };
+
+/** `End 1 (F_i)`; what has no other name is called as it is. */
+export const called = (name: string): string => (NAMES[name] ? `${NAMES[name]} (${name})` : name);
 
 export const FORCE_NAMES = ['F_i', 'F_o', 'F_x', 'F_L'] as const;
 

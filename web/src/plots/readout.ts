@@ -3,10 +3,13 @@
 // Next door: the curves (`forces`).
 
 import type { Shown } from '../compute';
-import { clamp, fixed, make, rich, word } from '../dom';
+import { clamp, fixed, make, rich, word, type Child } from '../dom';
 import { nearest } from '../spring/scene';
 import type { Line } from './lines';
-import { sample } from './looks';
+import { NAMES, sample } from './looks';
+
+/** Curves nearer than this to one another all along, of the nominal force, are one on any screen [1]. */
+const TOGETHER = 5e-4;
 
 export class ReadOut {
   private values: HTMLOutputElement[] = [];
@@ -20,8 +23,9 @@ export class ReadOut {
   show(shown: Shown, lines: readonly Line[]): void {
     this.shown = shown;
     this.lines = lines;
-    const now = JSON.stringify(lines);
-    if (now !== this.drawn) this.draw();
+    const isOne = ['F_x', 'F_L'].every((name) => lines.some((line) => line.name === name)) && lieTogether(shown);
+    const now = JSON.stringify([lines, isOne]);
+    if (now !== this.drawn) this.draw(isOne);
     this.drawn = now;
     this.write();
   }
@@ -37,19 +41,23 @@ export class ReadOut {
     return `${fixed(1e3 * this.time, 1)} ms: ${values.join(', ')}`;
   }
 
-  private draw(): void {
+  /** `isOne`: the curves by length and by inductance cannot be told apart, and one value stands for both. */
+  private draw(isOne: boolean): void {
     // They change with each frame: what a reader is to hear of them is told elsewhere.
     this.values = this.lines.map(() => make('output', { 'aria-live': 'off' }));
-    const key = ({ series, name, meaning }: Line, index: number) =>
-      make(
-        'span',
-        {},
-        sample(series),
-        make('span', {}, make('b', {}, meaning ? word(name, rich(name)) : name), meaning && ` ${meaning}`),
-        this.values[index],
-      );
-    const limit = make('span', {}, make('i', { class: 'limit' }), 'within your limit');
-    this.host.replaceChildren(...this.lines.map(key), limit);
+    const parts = ({ series, name }: Line): Child[] => [
+      sample(series),
+      isOne && name === 'F_L' && make('span', { class: 'short' }, '≈'),
+      make('span', {}, ...names(name)),
+    ];
+    const keys = this.lines.map((line, index) => {
+      const value = this.values[index];
+      if (isOne && line.name === 'F_x') return make('span', {}, ...parts(line));
+      // On a phone the sign alone says that they are one.
+      return make('span', {}, ...parts(line), isOne && line.name === 'F_L' && long(' both'), value);
+    });
+    const limit = make('span', {}, make('i', { class: 'limit' }), make('span', {}, long('within your '), 'limit'));
+    this.host.replaceChildren(...keys, limit);
   }
 
   private write(): void {
@@ -63,4 +71,25 @@ export class ReadOut {
       this.values[at]?.replaceChildren(value === undefined ? '…' : `${fixed(value, decimals)} N`);
     });
   }
+}
+
+/** What a phone leaves out. */
+const long = (...words: Child[]) => make('span', { class: 'long' }, ...words);
+
+/** Of a force its name, then its symbol; of a sensor its name. */
+function names(name: string): Child[] {
+  // The longest name; on a phone its symbol has to do.
+  if (name === 'F_L') return [word(name, make('b', { class: 'long' }, NAMES[name]), long(' ('), rich(name), long(')'))];
+  const known = NAMES[name];
+  return [known ? word(name, make('b', {}, known)) : make('b', {}, name), known && long(' (', rich(name), ')')];
+}
+
+/** Whether the forces by length and by inductance are one all over the shown times. */
+function lieTogether({ answer, times }: Shown): boolean {
+  const { F_x: one, F_L: other, time } = answer.series;
+  if (!one || !other || !time) return false;
+  const most = TOGETHER * answer.facts.spring.nominalForce;
+  return time.every(
+    (at, index) => at < times[0] || at > times[1] || Math.abs((one[index] ?? 0) - (other[index] ?? NaN)) < most,
+  );
 }

@@ -65,12 +65,15 @@ export class SpectrumPlot {
 
   private options(): Omit<uPlot.Options, 'width' | 'height'> {
     return {
+      // Room for the names of the lines.
+      padding: [16 * LARGER, null, null, null],
       scales: { x: { time: false, auto: false }, y: { distr: 3, auto: false } },
       cursor: { drag: { x: false, y: false }, points: { show: false }, y: false },
       axes: [
         axis('Frequency [Hz]', 36, { space: 60 * LARGER }),
         axis('Amplitude [N]', 62, {
-          splits: (_, __, low, high) => decades(low, high),
+          // A line for each decade: nine of them, and peaks between, would be a thicket.
+          splits: (_, __, low, high) => decades(low, high).filter((tick) => /^(1e|0\.0*1$|10*$)/.test(String(tick))),
           values: (_, ticks) =>
             ticks.map((tick) =>
               tick === null || (!/^1(0*$|e|\.?0*e)/.test(String(tick)) && !/^0\.0*1$/.test(String(tick)))
@@ -92,8 +95,8 @@ export class SpectrumPlot {
     ctx.lineWidth = ratio;
     ctx.setLineDash([3 * ratio, 4 * ratio]);
     ctx.font = font(11, ratio);
-    ctx.textBaseline = 'top';
-    ctx.textAlign = 'left';
+    ctx.textBaseline = 'bottom';
+    ctx.textAlign = 'center';
     let free = 0;
     this.facts?.lines.forEach((line, index) => {
       const x = plot.valToPos(line, 'x', true);
@@ -105,11 +108,12 @@ export class SpectrumPlot {
       const next = plot.valToPos(this.facts?.lines[1] ?? 2 * line, 'x', true);
       const long = `f1 = ${line.toPrecision(3)} Hz`;
       const words = index === 0 && x + ctx.measureText(long).width + 8 * ratio < next ? long : `f${index + 1}`;
-      const end = x + ctx.measureText(words).width + 4 * ratio;
-      // Neither beyond the plot nor into the name before.
-      if (x < free || end > bbox.left + bbox.width) return;
-      ctx.fillText(words, x + 4 * ratio, bbox.top + 3 * ratio);
-      free = end;
+      const half = ctx.measureText(words).width / 2;
+      // Above the frame, where no curve strikes it out; neither beyond the plot nor into the name before.
+      const middle = Math.max(x, bbox.left + half);
+      if (middle - half < free || middle + half > bbox.left + bbox.width) return;
+      ctx.fillText(words, middle, bbox.top - 2 * ratio);
+      free = middle + half + 4 * ratio;
     });
     ctx.restore();
   }

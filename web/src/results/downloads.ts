@@ -1,4 +1,4 @@
-// What the user may take along: the spec that the command takes, the series as the command writes them, the picture of the forces, a film, the address.
+// What may be downloaded: the spec that the command takes, the series as the command writes them, the picture of the forces, a film, the address.
 //
 // Next door: how the files are made (`take`), and films (`record/record`).
 
@@ -25,7 +25,6 @@ export class Downloads {
     const button = (label: string, title: string, act: () => void) =>
       make('button', { type: 'button', class: 'plain', title, onclick: act }, label);
     host.replaceChildren(
-      make('span', {}, 'Take along: '),
       button('Spec (TOML)', 'For the command: coilsense analyze', () =>
         this.take(({ takeSpec }) => takeSpec(store.state, this.shown)),
       ),

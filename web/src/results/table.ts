@@ -1,11 +1,11 @@
-// How far each force is off in the case that is drawn: RMSD, maximum and bias in % of F_nom; and which sensors the command's verdict lets through.
+// How far each force is off in the case that is drawn: RMSD, maximum and bias; and which sensors the command's verdict lets through, in its order.
 //
 // Next door: the same as curves (`plots`), the verdict over all cases (`verdict`), what else must be known (`warnings`).
 
 import type { Answer, Deviation, ExactFacts, Facts } from '../answer';
-import { fixed, make, rich, word } from '../dom';
+import { clamp, digits, fixed, make, rich, word } from '../dom';
 import { FORCE_LINES, type Line } from '../plots/lines';
-import { sample } from '../plots/looks';
+import { called, NAMES, sample } from '../plots/looks';
 import type { Store } from '../store';
 import type { Outcome } from './outcome';
 
@@ -13,10 +13,23 @@ interface Row extends Line {
   off: Deviation | null;
 }
 
+/** Heads of the figures as those of the verdict: whether the goal is met, newtons, then per cent; each with the word that explains it. */
+const HEADS = [
+  ['limit', 'Goal', ''],
+  ['rmsd', 'RMSD', ' [N]'],
+  ['rmsd', 'RMSD', ' [%]'],
+  ['max', 'Max.', ' [%]'],
+  ['bias', 'Bias', ' [%]'],
+] as const;
+
 export class Table {
   private readonly body = make('tbody');
   private readonly caption = make('caption');
   private meets = new Map<string, boolean | null>();
+  /** Sensors from the best to the worst, as the last verdict has them. */
+  private order: string[] = [];
+  /** What is shown, for a verdict that puts its sensors in another order. */
+  private shown: Parameters<Table['show']> | null = null;
   /** The cells of the sensors' verdicts. */
   private marks: [string, HTMLElement][] = [];
 
@@ -24,9 +37,7 @@ export class Table {
     private readonly store: Store,
     host: HTMLElement,
   ) {
-    const heads = Object.entries({ rmsd: 'RMSD', max: 'Max.', bias: 'Bias', limit: 'Goal' }).map(([id, text]) =>
-      make('th', { scope: 'col' }, word(id, text)),
-    );
+    const heads = HEADS.map(([id, text, unit]) => make('th', { scope: 'col' }, word(id, text), unit));
     host.replaceChildren(
       make(
         'table',
@@ -41,6 +52,10 @@ export class Table {
   /** What the command concludes of each sensor over all cases; null while it is not known. */
   judge(outcome: Outcome | null): void {
     this.meets = new Map(outcome?.ranking.map(({ sensor, meets_goal: meets }) => [sensor, meets]));
+    const order = outcome?.ranking.map(({ sensor }) => sensor) ?? this.order;
+    const isOther = order.join() !== this.order.join();
+    this.order = order;
+    if (isOther && this.shown) return this.show(...this.shown);
     for (const [name, cell] of this.marks) this.mark(name, cell);
   }
 
@@ -48,24 +63,29 @@ export class Table {
   show(facts: Facts, exact: Answer<ExactFacts> | null): void {
     this.body.classList.toggle('stale', exact === null);
     if (!exact) return;
+    this.shown = [facts, exact];
     const { forces, sensors, spring, truth, dampings, damping, clash, contact } = exact.facts;
     const { hidden, sensors: wanted } = this.store.state.view;
     const paper = FORCE_LINES.map((line): Row => ({
       ...line,
       off: line.name === truth ? null : (forces[line.name] ?? null),
     }));
-    const own = sensors.map(({ name, deviation }, number): Row => ({
-      ...{ series: `reading ${number}`, name, meaning: '', number },
-      off: deviation,
-    }));
+    const place = (name: string) => (this.order.includes(name) ? this.order.indexOf(name) : Infinity);
+    const own = sensors
+      .map(({ name, deviation }, number): Row => ({ series: `reading ${number}`, name, number, off: deviation }))
+      .sort((a, b) => place(a.name) - place(b.name) || a.number - b.number);
     const window = facts.conditions[facts.condition]?.window ?? [0, 0];
     // A coil whose windings would touch does something else: these numbers are of none.
     const beyond = contact === null && clash.firstContact !== null;
     this.body.classList.toggle('grey', beyond);
+    const { name } = facts.conditions[facts.condition] ?? {};
     this.caption.replaceChildren(
-      rich(
-        `This case, ${dampings[damping]?.label ?? ''}, judged from ${fixed(window[0], 2)} to ${fixed(window[1], 2)} s: off from ${truthOf(truth)}, in % of F_nom = ${fixed(spring.nominalForce, 1)} N.`,
+      make(
+        'b',
+        {},
+        `This “${name}”, ${dampings[damping]?.label ?? ''}, ${digits(window[0])}–${digits(window[1])}\u00a0s: `,
       ),
+      rich(`off from ${called(truth)}, the force taken as true; % of F_nom = ${digits(spring.nominalForce, 4)} N`),
       beyond ? ' In grey: windings would touch, so no real coil does this.' : '',
     );
     this.marks = [];
@@ -73,7 +93,7 @@ export class Table {
       ? document.activeElement?.closest('tr')?.getAttribute('data-force')
       : null;
     const heading = (text: string) =>
-      make('tr', { class: 'group' }, make('th', { colspan: 5, scope: 'rowgroup' }, text));
+      make('tr', { class: 'group' }, make('th', { colspan: 6, scope: 'rowgroup' }, text));
     this.body.replaceChildren(
       heading('What the spring alone does'),
       ...paper.map((row) => this.row(row, spring.nominalForce, !hidden.includes(row.name))),
@@ -86,7 +106,14 @@ export class Table {
   private row(row: Row, nominal: number, shown: boolean): HTMLElement {
     const { name, off, series } = row;
     const percent = (force: number) => fixed((100 * force) / nominal, 3);
-    const cells = off ? [percent(off.rmsd), percent(off.maximumAbsolute), percent(off.mean)] : ['–', '–', '–'];
+    const cells = off
+      ? [
+          fixed(off.rmsd, clamp(5 - Math.floor(Math.log10(nominal)), 0, 6)),
+          percent(off.rmsd),
+          percent(off.maximumAbsolute),
+          percent(off.mean),
+        ]
+      : ['–', '–', '–', '–'];
     const verdict = make('td');
     // The spring alone is no sensor: the goal is for what measures it.
     if (series.startsWith('reading')) {
@@ -97,8 +124,8 @@ export class Table {
       'tr',
       { 'data-force': name },
       make('th', { scope: 'row' }, this.toggle(row, shown)),
-      ...cells.map((text) => make('td', {}, text)),
       verdict,
+      ...cells.map((text) => make('td', {}, text)),
     );
   }
 
@@ -109,7 +136,7 @@ export class Table {
   }
 
   /** Shows and hides the curve. */
-  private toggle({ series, name, meaning }: Line, shown: boolean): HTMLElement {
+  private toggle({ series, name }: Line, shown: boolean): HTMLElement {
     // Forces are drawn unless they are hidden, readings only where they are asked for.
     const list = FORCE_LINES.some((line) => line.series === series) ? 'hidden' : 'sensors';
     const flip = () => {
@@ -127,7 +154,7 @@ export class Table {
         onclick: flip,
       },
       sample(series),
-      make('span', {}, make('b', {}, rich(name)), meaning && ` ${meaning}`),
+      make('span', {}, make('b', {}, NAMES[name] ?? name), NAMES[name] && make('span', {}, ' (', rich(name), ')')),
     );
   }
 }
@@ -137,6 +164,3 @@ export function mark(meets: boolean | null, words = 'visually-hidden'): (string 
   if (meets === null) return ['–'];
   return [meets ? '✓' : '✗', make('span', { class: words }, meets ? ' meets it' : ' misses it')];
 }
-
-/** The force that counts as true, with what it is. */
-const truthOf = (truth: string): string => (truth === 'F_x' ? 'F_x, if you take k × stretch as the force' : truth);

@@ -2,17 +2,22 @@
 //
 // Next door: who asks for it (`judge`), the case that is drawn, with a mark for each sensor (`table`).
 
-import { digits, fixed, make, rich, word } from '../dom';
+import type { ExactFacts } from '../answer';
+import { digits, fixed, make, reveal, rich, word } from '../dom';
+import { called } from '../plots/looks';
 import type { Standing } from './judge';
 import type { Outcome, Ranked } from './outcome';
 import { mark } from './table';
 import css from '../style/verdict.css?inline';
 import { wear } from '../style/wear';
+import { brief } from './warnings';
 
 export class Verdict {
   private readonly status = make('span', { class: 'standing' }, '…');
   private readonly bar = make('progress', { 'aria-label': 'Cases judged' });
   private readonly body = make('div', { class: 'verdict' });
+  private readonly scope = make('p', { class: 'scope' });
+  private readonly heed = make('p', { class: 'heed' });
 
   constructor(
     host: HTMLElement,
@@ -21,8 +26,21 @@ export class Verdict {
     wear(css);
     host.replaceChildren(
       make('div', { class: 'head' }, make('h2', {}, 'Which sensor to trust'), word('sensors'), this.status),
+      this.scope,
       this.bar,
+      this.heed,
       this.body,
+    );
+  }
+
+  /** What is judged, beside the one case that is drawn, and what that case must be read with. */
+  about(facts: ExactFacts): void {
+    this.scope.replaceChildren(...scope(facts));
+    const warnings = brief(facts);
+    this.heed.hidden = warnings === '';
+    this.heed.replaceChildren(
+      `${warnings}. `,
+      lead('Read them', () => document.querySelector<HTMLElement>('.rely')),
     );
   }
 
@@ -56,25 +74,54 @@ function told(outcome: Outcome): HTMLElement[] {
   const [first = '', ...rest] = outcome.answer;
   // What to do, as far as the first pause: "Choose two encoders".
   const end = /^.*?(?=[;,(]|\.\s|$)/.exec(first)?.[0].length ?? 0;
-  const lead = make('p', { class: 'answer' }, make('b', {}, first.slice(0, end)), first.slice(end));
-  const more = rest.map((line) => make('p', {}, line));
+  const answer = make(
+    'p',
+    { class: 'answer' },
+    make('b', {}, rich(first.slice(0, end), true)),
+    make('span', {}, rich(first.slice(end), true)),
+  );
+  const lines = rest.map((line) => make('p', {}, rich(line, true)));
+  const more = lines.length > 0 ? [make('details', {}, make('summary', {}, 'Details'), ...lines)] : [];
   return outcome.ranking.length > 0
-    ? [lead, ...more, goal(outcome), ranking(outcome), ...remedies(outcome)]
-    : [lead, ...more];
+    ? [answer, goal(outcome), ranking(outcome), ...remedies(outcome), ...more]
+    : [answer, ...lines];
+}
+
+/** A button that leads to another place of the page. */
+function lead(words: string, to: () => HTMLElement | null): HTMLElement {
+  const go = () => {
+    const place = to();
+    if (!place) return;
+    reveal(place);
+    place.focus({ preventScroll: true });
+  };
+  return make('button', { type: 'button', class: 'lead', onclick: go }, words);
+}
+
+/** That the verdict is of more than the case that is drawn. */
+function scope({ conditions, dampings, condition, contact, damping }: ExactFacts): (HTMLElement | string)[] {
+  const count = (number: number, word: string) =>
+    `${number === 1 ? 'the' : `all ${number}`} ${word}${number === 1 ? '' : 's'}`;
+  const ways = contact ? 'way of damping and meeting' : 'damping';
+  const all = `Over ${count(conditions.length, 'condition')}, ${count(dampings.length, ways)} and the tolerances of this spring`;
+  const isOne = conditions.length * dampings.length === 1;
+  const drawn = `“${conditions[condition]?.name ?? ''}”, ${dampings[damping]?.label ?? ''}`;
+  return [make('b', {}, isOne ? all : `${all}, not only ${drawn}`), '.'];
 }
 
 /** What is judged: the goal with its force, its size and its bandwidth. */
 function goal({ goal, nominal_force_n: nominal }: Outcome): HTMLElement {
-  const truth =
-    goal.force === 'F_x'
-      ? 'if you take k × stretch as the true force (F_x)'
-      : `if you take ${goal.force} as the true force`;
   const size =
     goal.error_n === null
       ? 'No goal is set'
       : `Goal: ${digits(goal.error_n)} N (${digits((100 * goal.error_n) / nominal)} % of F_nom) standard uncertainty`;
   const band = goal.bandwidth_hz === null ? 'at every frequency' : `up to ${digits(goal.bandwidth_hz)} Hz`;
-  return make('p', { class: 'facts' }, rich(`${size}, ${band}, ${truth}; the worst of all conditions and dampings.`));
+  return make(
+    'p',
+    { class: 'facts' },
+    rich(`${size}, ${band}. Force taken as true: ${called(goal.force)}. `),
+    lead('Change it', () => document.getElementById('goal-force')),
+  );
 }
 
 /** Heads of the figures, each with the word that explains it. */
@@ -93,9 +140,12 @@ function ranking(outcome: Outcome): HTMLElement {
     make('th', { scope: 'col' }, word(id, rich(text))),
   );
   const head = make('tr', {}, ...heads);
-  return make(
+  const whole = () => table.classList.toggle('widened');
+  const table = make(
     'div',
-    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Every sensor’s uncertainty' },
+    { class: 'scroll ranking', tabindex: 0, role: 'region', 'aria-label': 'Every sensor’s uncertainty' },
+    // A phone has room for the first four columns.
+    make('button', { type: 'button', class: 'plain unfold', onclick: whole }, 'More or fewer columns'),
     make('table', {}, make('thead', {}, head), make('tbody', {}, ...outcome.ranking.map(row))),
     make(
       'p',
@@ -103,6 +153,7 @@ function ranking(outcome: Outcome): HTMLElement {
       'u: combined standard uncertainty in the worst case, rms over the springs within tolerance; nominal, worst: error of the nominal and of the worst spring; inside: share of the springs that meet the goal in every case.',
     ),
   );
+  return table;
 }
 
 function row(one: Ranked): HTMLElement {

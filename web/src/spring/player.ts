@@ -5,6 +5,7 @@
 import { clamp, digits, fixed, make, rich } from '../dom';
 import type { Closed } from './closed';
 import { drawSpring, emptied } from './draw';
+import { STEADY, VARYING } from './walls';
 import {
   firstContact,
   label,
@@ -18,6 +19,8 @@ import {
   type Seen,
 } from './scene';
 
+/** A phone has no room for it. */
+const than = () => make('span', { class: 'long' }, ' than the mean');
 /** Frames per second are counted over so many seconds. */
 const COUNTED = 2;
 /** Numbers that change faster than this cannot be read [ms]. */
@@ -90,7 +93,7 @@ export class Player {
       make(
         'p',
         { class: 'legend awaited' },
-        make('span', {}, 'Windings closer ', this.low, ' ', scale, ' ', this.high, ' wider than the mean'),
+        make('span', {}, 'Windings: ', this.low, ' closer ', scale, ' ', this.high, ' wider', than()),
         this.touch,
         this.together,
         this.gain,
@@ -223,7 +226,11 @@ export class Player {
 
   enlarge(gain: number): void {
     this.scene.gain = gain;
-    this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements are drawn ${gain} times larger`}; what changes in the arrows is enlarged.`;
+    const { mean, departure } = this.scene;
+    // Of two newtons more in an arrow and two of its mean, the former are so much longer.
+    const arrows = departure > 0 && mean !== 0 ? (VARYING * Math.abs(mean)) / (STEADY * departure) : 1;
+    const times = arrows > 1.05 || arrows < 0.95 ? `; changes of the arrows × ${digits(arrows, 2)}` : '';
+    this.gain.textContent = `${gain === 1 ? 'Drawn true to scale' : `Displacements × ${gain}`}${times}.`;
   }
 
   draw(told = true): void {
@@ -254,14 +261,14 @@ export class Player {
     const decimals = clamp(2 - Math.floor(Math.log10(spring.nominalForce)) + 1, 0, 3);
     ['F_i', 'F_o'].forEach((name, end) =>
       this.ends[end]?.replaceChildren(
-        make('small', {}, `End ${end + 1} `),
-        make('b', {}, rich(name)),
+        make('b', {}, `End ${end + 1} `),
+        make('small', {}, '(', rich(name), ')'),
         ` ${fixed(forces[end] ?? 0, decimals)} N`,
       ),
     );
     const apart = forces[1] - forces[0];
     this.difference.replaceChildren(
-      `${fixed(Math.abs(apart), decimals)} N apart`,
+      `now ${fixed(Math.abs(apart), decimals)} N apart`,
       make('small', {}, ` ${fixed((100 * Math.abs(apart)) / spring.nominalForce, 1)} % of F`, make('sub', {}, 'nom')),
     );
   }

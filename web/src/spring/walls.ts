@@ -6,6 +6,10 @@ import { font } from '../plots/chart';
 import { ink } from '../plots/looks';
 import type { Moment, Plan } from './draw';
 
+/** Of the room beside a wall, what the mean force takes, and what its largest departure, which would not be seen to scale. */
+export const STEADY = 0.55;
+export const VARYING = 0.4;
+
 /** Both walls, hollow where the spring has left them, and at each the force: an arrow out of the spring for tension, into it for compression. */
 export function drawEnds(context: CanvasRenderingContext2D, plan: Plan, moment: Moment): void {
   const { forces, mean, departure, closed } = moment;
@@ -18,9 +22,8 @@ export function drawEnds(context: CanvasRenderingContext2D, plan: Plan, moment: 
     context.lineWidth = 1;
     if (closed?.off.includes(end + 1)) context.strokeRect(...wall);
     else context.fillRect(...wall);
-    // Half of the room stands for the mean, a third of it for the largest departure, which would not be seen to scale.
-    const length =
-      (margin - 16) * (Math.sign(mean) * 0.55 + (departure > 0 ? (0.4 * ((forces[end] ?? 0) - mean)) / departure : 0));
+    const varying = departure > 0 ? (VARYING * ((forces[end] ?? 0) - mean)) / departure : 0;
+    const length = (margin - 16) * (Math.sign(mean) * STEADY + varying);
     arrow(context, at + outward * 6, middle, length, outward, colours[end] ?? ink.ink);
   });
 }

@@ -36,6 +36,7 @@ export function layOut(panel: HTMLElement) {
     why: make('section', { class: 'card why', 'aria-label': 'Why the ends disagree' }),
     verdict: make('section', { class: 'card trust', 'aria-label': 'Which sensor to trust' }),
     said: make('p', { class: 'visually-hidden', role: 'status' }),
+    off: make('section', { class: 'card off' }),
     table: make('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'How far each force is off' }),
     meetings: make('section', { class: 'card meetings', 'aria-label': 'How windings met', hidden: true }),
     warnings: make('ul', { class: 'warnings' }),
@@ -45,6 +46,7 @@ export function layOut(panel: HTMLElement) {
     modes: make('section', { class: 'card every', 'aria-label': 'Every mode of the coil' }),
     downloads: make('div', { class: 'downloads' }),
   };
+  parts.off.append(make('div', { class: 'head' }, make('h2', {}, 'How far off'), word('off')), parts.table);
   panel.classList.add('workbench');
   panel.replaceChildren(
     parts.choose,
@@ -56,24 +58,19 @@ export function layOut(panel: HTMLElement) {
         'section',
         { class: 'card', 'aria-label': 'Forces over time' },
         make('div', { class: 'head' }, make('h2', {}, 'Forces over time'), word('forces'), parts.status, parts.views),
-        parts.forces,
         parts.keys,
+        parts.forces,
         parts.said,
       ),
       parts.why,
       parts.wave,
     ),
     make('div', { class: 'controls' }, parts.refusal, parts.fields),
+    parts.verdict,
     make(
       'div',
       { class: 'results' },
-      parts.verdict,
-      make(
-        'section',
-        { class: 'card off' },
-        make('div', { class: 'head' }, make('h2', {}, 'How far off'), word('off')),
-        parts.table,
-      ),
+      parts.off,
       parts.meetings,
       make(
         'section',
@@ -84,15 +81,20 @@ export function layOut(panel: HTMLElement) {
       ),
       make(
         'section',
-        { class: 'card' },
+        { class: 'card rely', tabindex: -1 },
         make('div', { class: 'head' }, make('h2', {}, 'Before you rely on it')),
         parts.warnings,
         parts.facts,
-        parts.downloads,
       ),
       parts.speeds,
       parts.response,
       parts.modes,
+      make(
+        'section',
+        { class: 'card get' },
+        make('div', { class: 'head' }, make('h2', {}, 'Download')),
+        parts.downloads,
+      ),
     ),
   );
   return parts;

@@ -6,6 +6,7 @@ import type { Answer, PaperFacts } from '../answer';
 import { fixed, make, rich, word } from '../dom';
 import { curves } from '../plots/curves';
 import { readInk } from '../plots/looks';
+import figures from '../style/figures.css?inline';
 import css from '../style/paper.css?inline';
 import { wear } from '../style/wear';
 import type { Open } from './tab';
@@ -18,7 +19,7 @@ const CONDITIONS = [
 
 export const open: Open = (panel, _, compute) => {
   readInk();
-  wear(css);
+  wear(figures, css);
   const place = make(
     'div',
     { class: 'paper', 'aria-busy': 'true' },

@@ -18,14 +18,12 @@ import { readInk } from '../plots/looks';
 import { ReadOut } from '../plots/readout';
 import { SpectrumPlot } from '../plots/spectrum';
 import { Views } from '../plots/views';
-import { Downloads } from '../results/downloads';
 import { Folded } from '../results/folded';
 import { Judged } from '../results/judged';
+import { Later } from '../results/later';
 import { Meetings } from '../results/meetings';
 import type { Outcome } from '../results/outcome';
 import { say, sentence } from '../results/sentence';
-import { Table } from '../results/table';
-import { showWarnings, springLine } from '../results/warnings';
 import { Why } from '../results/why';
 import { Player } from '../spring/player';
 import { layOut } from './layout';
@@ -48,11 +46,10 @@ export const open: Open = (panel, store, compute) => {
   const catalogue = () =>
     (shelf ??= part('The catalogue', () => import('../inputs/shelf')).then(({ Shelf }) => new Shelf(compute, facts)));
   const panels = new Panels(store, parts.first, parts.fields, clock, catalogue);
-  const table = new Table(store, parts.table);
   let outcome: Outcome | null = null;
   const judged = new Judged(parts.verdict, compute, (found, failed) => {
     outcome = found;
-    table.judge(found);
+    later.judge(found);
     compare.judged(found, failed);
   });
   const meetings = new Meetings(parts.meetings);
@@ -107,7 +104,7 @@ export const open: Open = (panel, store, compute) => {
   });
   const { spring: card, canvas, wave: strip } = parts;
   const hits = new Hits({ store, compute, player, card, canvas, strip, last: () => last });
-  const downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
+  const later = new Later({ store, compute, parts, forces }, (shown) => shown === last && !isPast && settle(shown));
   const views = new Views(store, parts.views, forces);
   const compare = new Compare({ store, compute, parts, forces, spectrum, last: () => last, refused: () => refused });
   let facts: Facts | null = null;
@@ -130,7 +127,10 @@ export const open: Open = (panel, store, compute) => {
   let refused: Refusal | null = null;
   let clocked = 0;
   forces.onDrawn = () => {
-    if (last && performance.getEntriesByName('first curves').length === 0) performance.mark('first curves');
+    if (last && performance.getEntriesByName('first curves').length === 0) {
+      performance.mark('first curves');
+      later.load();
+    }
     if (!last?.since || last.since === clocked) return;
     clocked = last.since;
     performance.measure('slider to plots', { start: clocked, end: performance.now() });
@@ -140,13 +140,21 @@ export const open: Open = (panel, store, compute) => {
     parts.status.classList.toggle('preview', !exact);
     document.body.dataset['exact'] = String(exact);
   };
+  // Until the engine answers, what is shown is of another state.
+  let isPast = false;
+  /** Exact is what all of it is; only then is it judged. */
+  const settle = ({ exact, exactText }: Shown) => {
+    const isWhole = exact !== null && later.isThere;
+    mark(isWhole);
+    if (isWhole) judged.show(exactText, exact.facts);
+  };
   if (store.state.view.frequency) response.open();
   store.subscribe((state, before) => {
     inputs();
     // A link to a frequency.
     if (state.view.frequency && state.view.frequency !== before.view.frequency) response.open();
-    // Until the engine answers, what is shown is of another state.
     if (isOther(state, before)) {
+      isPast = true;
       mark(false);
       modes.show(null);
       response.show(null);
@@ -155,7 +163,7 @@ export const open: Open = (panel, store, compute) => {
     }
     if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
       curves(last);
-      table.show(last.answer.facts, last.exact);
+      later.show(last);
     }
   });
   const patience = new Patience<Refusal>((refusal) => {
@@ -167,7 +175,7 @@ export const open: Open = (panel, store, compute) => {
       void refusals().then(({ showRefusal }) => {
         if (refused === refusal) showRefusal(parts.refusal, store, refusal, field, last !== null);
       });
-    if (refusal && last) mark(last.exact !== null);
+    if (refusal && last) mark(last.exact !== null && later.isThere);
     if (refusal && !last) document.getElementById('sentence')?.replaceChildren('Nothing is computed yet.');
   });
   compute.listen({
@@ -179,10 +187,8 @@ export const open: Open = (panel, store, compute) => {
       player.show(shown);
       hits.ready();
       say(sentence(shown.answer, shown.times));
-      table.show(facts, shown.exact);
+      later.show(shown);
       meetings.show(shown.exact?.facts ?? null, facts);
-      showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
-      parts.facts.textContent = springLine(facts);
       why.show(shown);
       const exact = shown.exact && { ...shown.exact.facts, text: shown.exactText };
       modes.show(exact);
@@ -190,11 +196,10 @@ export const open: Open = (panel, store, compute) => {
       const isRecorded = facts.conditions[facts.condition]?.kind === 'recorded';
       parts.speeds.hidden = !isRecorded;
       if (isRecorded) speeds.show(exact);
-      if (shown.exact) judged.show(shown.exactText);
       panels.show(store.state, facts);
       views.show(shown);
-      downloads.show(shown);
-      mark(shown.exact !== null);
+      isPast = false;
+      settle(shown);
     },
     refused: (refusal) => patience.tell(refusal),
     busy: () => {},
