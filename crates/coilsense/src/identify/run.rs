@@ -198,13 +198,11 @@ impl Identification {
         Some((mass, low * low.tan()))
     }
 
-    /// ω1 τ: π for the continuous coil, 2N sin(π/2N) for a chain.
+    /// ω1 τ: π for the continuous coil, 2N sin(π/2N) for a chain, whose first line lies lower.
     fn turns(&self) -> f64 {
         // What was said of N and the lines contradict is left out.
-        self.settings
-            .windings
-            .filter(|_| self.fitted_windings.is_none())
-            .map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin())
+        let windings = self.fitted_windings.or(self.settings.windings);
+        windings.map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin())
     }
 
     /// f1 from a spec, or from mass and stiffness.
