@@ -142,6 +142,11 @@ pub use sensors::InductanceSensor;
 pub use signals::{Channel, Signals};
 pub use spring::{Spring, SpringParameters};
 
+/// The code of this crate's own README, run as a doctest.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct OwnReadme;
+
 /// The README's code, run as a doctest.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
