@@ -19,7 +19,7 @@ def _public() -> Iterator[tuple[str, object]]:
         noun = getattr(coilsense, name)
         yield name, noun
         if inspect.isclass(noun):
-            for member in vars(noun):
+            for member in sorted(vars(noun)):
                 if not member.startswith("_"):
                     yield f"{name}.{member}", getattr(noun, member)
 

@@ -65,7 +65,7 @@ def test_a_number_gives_a_number_and_an_array_one_of_its_shape(name: str) -> Non
 
 
 @pytest.mark.parametrize("name", NUMBER_BY_NUMBER)
-@pytest.mark.parametrize("wrong", [None, [1.0, None], [1j], [[1.0, 2.0], [3.0]], numpy.array([True]), object(), {}, b"1", ["1 mm"]], ids=repr)
+@pytest.mark.parametrize("wrong", [None, [1.0, None], [1j], [[1.0, 2.0], [3.0]], numpy.array([True]), object(), {}, b"1", ["1 mm"]], ids=lambda wrong: "object" if type(wrong) is object else repr(wrong))
 def test_what_numpy_would_take_for_numbers_is_refused_by_the_argument_s_name(name: str, wrong: object) -> None:
     function = NUMBER_BY_NUMBER[name][0]
     with pytest.raises(TypeError, match=r"^\w+ must be a number, a text with its unit, or an array of real numbers, got "):

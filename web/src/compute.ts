@@ -23,6 +23,8 @@ const MOST_MENDED = 8;
 const MOST_SAMPLES = 2000;
 /** What is shown where nobody chose: so many first surge periods as fit the screen. */
 const PERIODS = innerWidth < 640 ? 3 : 6;
+/** What the finding is told of, on every screen. */
+const TOLD_PERIODS = 6;
 
 export interface Shown {
   /** The curves: of the exact case where it is there, else of the preview. */
@@ -324,7 +326,7 @@ export class Compute {
   }
 
   /** The times that are shown [s]: the chosen ones within the condition, or its first surge periods. */
-  private times(state: State, facts = this.last?.answer.facts): [number, number] {
+  private times(state: State, facts = this.last?.answer.facts, periods = PERIODS): [number, number] {
     const { condition } = state.view;
     const { duration: told = 1, kind, window } = facts?.conditions[condition] ?? {};
     // Facts of the state before may be of a recording that was played at another speed.
@@ -335,9 +337,14 @@ export class Compute {
     const ring = lines?.find((line) => line > 0.4 * (spring?.surgeFrequency ?? 0));
     // A recorded motion may begin with rest: where it is judged, it rings.
     const begin = kind === 'recorded' ? slower * (window?.[0] ?? 0) : 0;
-    const first: [number, number] = [begin, Math.min(duration, begin + PERIODS / (ring ?? lines?.[0] ?? 54))];
+    const first: [number, number] = [begin, Math.min(duration, begin + periods / (ring ?? lines?.[0] ?? 54))];
     const [from, to] = state.view.times ?? first;
     return from < duration && to > from ? [Math.max(0, from), Math.min(to, duration)] : first;
+  }
+
+  /** The times that the finding is told of [s]: an exact case has more than a small screen shows, a preview has not. */
+  told({ exact, times }: Shown): [number, number] {
+    return exact ? this.times(this.store.state, exact.facts, TOLD_PERIODS) : times;
   }
 
   /** What a preset's spec names. */

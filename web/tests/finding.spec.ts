@@ -165,3 +165,15 @@ test('the wave is drawn before anybody scrolls to it, with the way of a wave on 
   await page.locator('.strip').scrollIntoViewIfNeeded();
   await expect.poll(dark).toBeGreaterThan(200);
 });
+
+test('the finding is one and the same on a phone and on a desk', async ({ browser }) => {
+  const said = async (width: number, height: number) => {
+    const context = await browser.newContext({ viewport: { width, height }, serviceWorkers: 'block' });
+    const page = await context.newPage();
+    await open(page, '#S_T');
+    const text = await page.locator('#sentence').textContent();
+    await context.close();
+    return text;
+  };
+  expect(await said(390, 844)).toBe(await said(1280, 800));
+});

@@ -87,14 +87,9 @@ fn every_link_of_readme_and_book_leads_somewhere() {
     let root = crate::root();
     let mut pages = BTreeMap::new();
     pages_in(&root.join("book/src"), &mut pages);
-    for readme in [
-        "README.md",
-        "CONTRIBUTING.md",
-        "SECURITY.md",
-        "reference/README.md",
-        "bench/README.md",
-        "examples/README.md",
-    ] {
+    for readme in
+        ["README.md", "CONTRIBUTING.md", "SECURITY.md", "reference/README.md", "bench/README.md", "examples/README.md"]
+    {
         let path = plain(&root.join(readme));
         pages.insert(path.clone(), Page::parse(&std::fs::read_to_string(path).unwrap()));
     }

@@ -37,7 +37,8 @@ pub fn steps() -> anyhow::Result<bool> {
     // What is written for simulators, they read; the command writes it.
     let command = crate::commands::executable()?;
     let checks: [&[&str]; 5] = [
-        &["-m", "pytest", "-q"],
+        // Two files at a time: most of them keep one core busy.
+        &["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"],
         &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
         &["-m", "pyright", "--pythonpath", "target/python/bin/python"],
         &["-m", "pyright", "--verifytypes", "coilsense", "--ignoreexternal"],

@@ -186,7 +186,7 @@ export const open: Open = (panel, store, compute) => {
       curves(shown);
       player.show(shown);
       hits.ready();
-      say(sentence(shown.answer, shown.times));
+      say(sentence(shown.answer, compute.told(shown)));
       later.show(shown);
       meetings.show(shown.exact?.facts ?? null, facts);
       why.show(shown);

@@ -8,6 +8,7 @@ use minijinja::{AutoEscape, Environment, Value, context};
 use rayon::prelude::*;
 
 use super::figures;
+use super::text::analysis_warnings;
 use super::viewer_data::viewer_json;
 use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
 use crate::helix::{ModeLine, ModesAt, UnderEnds};
@@ -34,7 +35,7 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
         answer => answer(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
         goal => goal(analysis),
         changes => changes(analysis),
-        warnings => analysis.warnings.iter().map(|warning| warning.text.clone()).collect::<Vec<_>>(),
+        warnings => analysis_warnings(analysis),
         ranking => drawn("ranking", &figures::ranking(analysis))?,
         verdicts,
         dampings => spec.mount.cases.iter().map(|case| case.label.clone()).collect::<Vec<_>>(),
