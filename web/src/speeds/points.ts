@@ -8,7 +8,7 @@ import type { Facts } from '../answer';
 export const FROM = 0.4;
 export const TO = 1.6;
 const FEWEST = 25;
-const MOST = 65;
+const MOST = 41;
 /** Around so many of the highest peaks the curve is looked at more closely, so often halved. */
 const PEAKS = 3;
 const HALVINGS = 3;
