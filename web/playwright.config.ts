@@ -15,6 +15,18 @@ export default defineConfig({
   projects: [
     { name: 'most', testIgnore: ALONE },
     { name: 'alone', testMatch: ALONE, workers: 1 },
+    {
+      name: 'firefox',
+      use: {
+        browserName: 'firefox',
+        channel: 'moz-firefox',
+        launchOptions: {
+          executablePath: new URL('tests/firefox.mjs', import.meta.url).pathname,
+          args: [],
+          firefoxUserPrefs: { 'layout.css.prefers-color-scheme.content-override': 1 },
+        },
+      },
+    },
   ],
   timeout: 120_000,
   reporter: [['list']],
