@@ -9,21 +9,58 @@ use anyhow::{Context, bail};
 
 use crate::{commands, root, typed};
 
-/// Names under which the browser is installed.
-const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
-/// What installs it on Debian.
-pub const INSTALL: &str = "apt-get install --yes chromium";
-
-/// The browser, where there is one.
-pub fn find() -> Option<PathBuf> {
-    let folders = std::env::var_os("PATH")?;
-    let places = std::env::split_paths(&folders).flat_map(|folder| NAMES.map(|name| folder.join(name)));
-    places.into_iter().find(|path| path.is_file())
+/// A browser of the system's; none is downloaded.
+pub struct Browser {
+    pub name: &'static str,
+    /// The variable that says where it is, for the page's tests, too.
+    pub variable: &'static str,
+    /// Names under which it is installed.
+    names: &'static [&'static str],
+    /// What installs it on Debian.
+    install: &'static str,
 }
 
-/// Installs the browser from the system's packages; whether it is there then.
-pub fn install() -> bool {
-    typed("apt-get update") && typed(INSTALL) && find().is_some()
+pub const CHROMIUM: Browser = Browser {
+    name: "Chromium",
+    variable: "COILSENSE_CHROMIUM",
+    names: &["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
+    install: "apt-get install --yes chromium",
+};
+
+pub const FIREFOX: Browser = Browser {
+    name: "Firefox",
+    variable: "COILSENSE_FIREFOX_PATH",
+    names: &["firefox-esr", "firefox"],
+    install: "apt-get install --yes firefox-esr",
+};
+
+impl Browser {
+    /// The browser, where there is one: the one that its variable names, else the first by its name.
+    pub fn find(&self) -> Option<PathBuf> {
+        if let Some(named) = self.named() {
+            return named.is_file().then_some(named);
+        }
+        let folders = std::env::var_os("PATH")?;
+        let mut places =
+            std::env::split_paths(&folders).flat_map(|folder| self.names.iter().map(move |name| folder.join(name)));
+        places.find(|path| path.is_file())
+    }
+
+    /// What is missing and how to get it, after installing it from the system's packages where that may be done.
+    pub fn missing(&self, may_install: bool) -> Option<String> {
+        if self.find().is_some() {
+            return None;
+        }
+        if let Some(named) = self.named() {
+            return Some(format!("{} names no file: {}", self.variable, named.display()));
+        }
+        let there = may_install && typed("apt-get update") && typed(self.install) && self.find().is_some();
+        (!there).then(|| format!("no {}; install it with: {}", self.name, self.install))
+    }
+
+    fn named(&self) -> Option<PathBuf> {
+        std::env::var_os(self.variable).filter(|path| !path.is_empty()).map(PathBuf::from)
+    }
 }
 
 /// Opens the report of an example; whether it draws what it should, without an error.

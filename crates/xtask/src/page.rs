@@ -1,14 +1,15 @@
-//! The page (`web/`): its engine built from source for the browser, its JavaScript, and its tests in the system's Chromium.
+//! The page (`web/`): its engine built from source for the browser, its JavaScript, and its tests in the system's Chromium and Firefox.
 //!
-//! Next door: the other checks (`test`), what compiles the engine (`toolchain`), the browser (`browser`), the command that the page
+//! Next door: the other checks (`test`), what compiles the engine (`toolchain`), the browsers (`browser`), the command that the page
 //! is held against (`commands`).
 
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, bail};
 
+use crate::browser::{Browser, CHROMIUM, FIREFOX};
 use crate::toolchain::{Build, Target};
-use crate::{browser, built, cargo, commands, notices, root, target_folder, typed};
+use crate::{built, cargo, commands, notices, root, target_folder, typed};
 
 /// A browser; every one of the last years works on two numbers at a time.
 const TARGET: Target = Target {
@@ -17,6 +18,8 @@ const TARGET: Target = Target {
     linker: ["wasm-ld-22", "wasm-ld"],
     flags: &["-Ctarget-feature=+simd128"],
 };
+/// The browsers that the page is tested in.
+const BROWSERS: [Browser; 2] = [CHROMIUM, FIREFOX];
 /// What installs Node on Debian.
 const INSTALL_NODE: &str = "apt-get install --yes --no-install-recommends nodejs npm";
 /// The oldest Node that the page's tools run on.
@@ -39,10 +42,7 @@ pub fn missing_node(may_install: bool) -> Option<String> {
 
 /// The same to test it.
 pub fn missing_for_tests(may_install: bool) -> Option<String> {
-    missing(may_install).or_else(|| {
-        let there = browser::find().is_some() || may_install && browser::install();
-        (!there).then(|| format!("no browser; install one with: {}", browser::INSTALL))
-    })
+    missing(may_install).or_else(|| BROWSERS.iter().find_map(|browser| browser.missing(may_install)))
 }
 
 /// Builds `web/dist` from source; whether that succeeds.
@@ -71,9 +71,12 @@ pub fn check() -> anyhow::Result<bool> {
         return Ok(false);
     }
     let command = commands::executable()?;
-    let Some(browser) = browser::find() else { bail!("no browser") };
     let mut tests = in_web("npm", &["test"]);
-    tests.env("COILSENSE_COMMAND", command).env("COILSENSE_CHROMIUM", browser);
+    tests.env("COILSENSE_COMMAND", command);
+    for browser in BROWSERS {
+        let Some(found) = browser.find() else { bail!("no {}", browser.name) };
+        tests.env(browser.variable, found);
+    }
     Ok(tests.status().context("cannot start npm")?.success())
 }
 

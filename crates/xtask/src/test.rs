@@ -244,10 +244,10 @@ fn packed_crates(_: &Arguments) -> anyhow::Result<Outcome> {
 /// A report in a real browser, which is installed where that is asked for.
 fn report_page(arguments: &Arguments) -> anyhow::Result<Outcome> {
     let may_install = strict() || arguments.install;
-    if browser::find().is_none() && !(may_install && browser::install()) {
-        return Ok(Outcome::Missing(format!("no browser; install one with: {}", browser::INSTALL)));
+    if let Some(missing) = browser::CHROMIUM.missing(may_install) {
+        return Ok(Outcome::Missing(missing));
     }
-    let Some(found) = browser::find() else { return Ok(Outcome::Failed) };
+    let Some(found) = browser::CHROMIUM.find() else { return Ok(Outcome::Failed) };
     passed(browser::report(&found)?)
 }
 
