@@ -1,11 +1,17 @@
 #!/usr/bin/env node
-// Firefox for Playwright, started in its place: COILSENSE_FIREFOX_PATH, or Debian's. Playwright asks every browser for a colour scheme by
-// `emulation.setMediaFeaturesOverride`, and without an answer opens no page. Firefox ESR 153 does not know that command, so it is carried out here
-// by the browser's own switch; all other messages pass as they are.
+// Firefox for Playwright, started in its place: COILSENSE_FIREFOX_PATH, or Debian's. Two things of WebDriver BiDi that Playwright cannot do without
+// are newer than Firefox ESR 153, and are added here to what both say to each other; all other messages pass as they are.
+// - Every page is opened with a colour scheme, by a command that this Firefox does not know: it is carried out by the browser's own switch.
+// - A download that is no navigation has no name of its own, and Playwright takes no notice of it: its address becomes its name.
 import { spawn } from 'node:child_process';
+import { renameSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { WebSocket, WebSocketServer } from 'ws';
 
 const COMMAND = 'emulation.setMediaFeaturesOverride';
+const DOWNLOAD = 'browsingContext.download';
+/** What the files of downloads are called, by their address. */
+const names = new Map();
 /** What this program asks has numbers that Playwright does not reach. */
 const OWN = 2 ** 40;
 
@@ -36,7 +42,9 @@ function relay(driver, address) {
   const ask = (method, params) =>
     new Promise((resolve, reject) => {
       const id = OWN + answers.size;
-      answers.set(id, (answer) => (answer.type === 'success' ? resolve(answer.result) : reject(new Error(answer.message))));
+      answers.set(id, (answer) =>
+        answer.type === 'success' ? resolve(answer.result) : reject(new Error(answer.message)),
+      );
       upstream.send(JSON.stringify({ id, method, params }));
     });
   driver.on('message', async (data) => {
@@ -55,10 +63,21 @@ function relay(driver, address) {
     const own = text.includes(`"id":${String(OWN).slice(0, 6)}`) ? JSON.parse(text) : {};
     const answer = answers.get(own.id);
     if (answer) answer(own);
-    else driver.send(text);
+    else driver.send(text.includes(`"${DOWNLOAD}`) ? download(text) : text);
   });
   driver.on('close', () => upstream.close());
   upstream.on('close', () => driver.close());
+}
+
+/** A message of a download, with its name; the file is where Playwright looks for it, also if an earlier one was called the same. */
+function download(text) {
+  const message = JSON.parse(text);
+  const { method = '', params } = message;
+  if (!method.startsWith(DOWNLOAD)) return text;
+  const { url, suggestedFilename, filepath } = params;
+  if (suggestedFilename) names.set(url, suggestedFilename);
+  else if (filepath) renameSync(filepath, join(dirname(filepath), names.get(url)));
+  return JSON.stringify({ ...message, params: { ...params, download: url } });
 }
 
 /** Light or dark for these pages; every new page of Playwright's is light, as the browser is (`layout.css.prefers-color-scheme.content-override`). */
