@@ -13,6 +13,8 @@ const SIZE = { width: 1280, height: 720 };
 const BITRATE = 4e6;
 /** Most pictures that wait to be compressed. */
 const QUEUE = 4;
+/** How long it is waited for the encoder to take one, before it is looked whether it still works [ms]. */
+const LONGEST = 100;
 
 const CODECS = [
   ['vp09.00.31.08', 'V_VP9'],
@@ -28,6 +30,16 @@ export async function codec(): Promise<{ config: VideoEncoderConfig; name: Film[
     if (found?.supported) return { config, name };
   }
   return null;
+}
+
+/** Waits for the encoder, which works on other cores: who asks again and again takes one of them away. */
+async function room(encoder: VideoEncoder, making: Making): Promise<void> {
+  await new Promise((go) => {
+    encoder.addEventListener('dequeue', go, { once: true });
+    // One that has failed takes nothing more.
+    setTimeout(go, LONGEST);
+  });
+  await rest(making);
 }
 
 export async function video(
@@ -53,10 +65,9 @@ export async function video(
       const picture = new VideoFrame(source.draw(shareOf(number, count), SIZE.width), { timestamp });
       encoder.encode(picture, { keyFrame: number % KEYS === 0 });
       picture.close();
-      do {
-        await rest(making);
-        if (failed) throw failed;
-      } while (encoder.encodeQueueSize > QUEUE);
+      await rest(making);
+      while (encoder.encodeQueueSize > QUEUE && !failed) await room(encoder, making);
+      if (failed) throw failed;
       making.told(number + 1, count);
     }
     await encoder.flush();
