@@ -23,7 +23,13 @@ export default defineConfig({
         launchOptions: {
           executablePath: new URL('tests/firefox.mjs', import.meta.url).pathname,
           args: [],
-          firefoxUserPrefs: { 'layout.css.prefers-color-scheme.content-override': 1 },
+          firefoxUserPrefs: {
+            'layout.css.prefers-color-scheme.content-override': 1,
+            // Else the list of downloads opens, and has the focus.
+            'browser.download.alwaysOpenPanel': false,
+            // Pages that come back as they were left have no event that Playwright waits for.
+            'browser.sessionhistory.max_total_viewers': 0,
+          },
         },
       },
     },

@@ -14,7 +14,9 @@ interface Here {
 export async function coil(page: Page): Promise<Here> {
   const strike = page.locator('.strike');
   await strike.scrollIntoViewIfNeeded();
-  const { x, y, width, height } = (await strike.boundingBox())!;
+  const { x, y, height } = (await strike.boundingBox())!;
+  // As the page has it: in whole pixels, which is not what every browser makes of the layout.
+  const width = await strike.evaluate((one) => one.clientWidth);
   const margin = Math.min(110, Math.max(44, 0.09 * width));
   const span = await page.evaluate(() => {
     const { positions, columns } = window.coilsense.last()!.frames;
