@@ -45,6 +45,8 @@ export function say(kind: string, text: string, label = '', act = () => {}): voi
 export const slow = (text: string, label = '', act = () => {}): (() => void) => put(false, text, label, act);
 
 const open = new Map<string, Promise<void>>();
+/** What each of them does to try again. */
+const retries = new Set<() => void>();
 let pressed = '';
 
 /** Says a fault, and waits until the user tries again, or the network is back. */
@@ -55,6 +57,7 @@ export function again(what: string, text: string): Promise<void> {
     const done = () => {
       gone();
       removeEventListener('online', done);
+      retries.delete(done);
       open.delete(what);
       resolve();
     };
@@ -63,6 +66,7 @@ export function again(what: string, text: string): Promise<void> {
       done();
     });
     addEventListener('online', done);
+    retries.add(done);
     // Whoever pressed it does not lose the place.
     if (pressed === what) host.querySelector<HTMLElement>('.refusal:last-child button')?.focus();
   });
@@ -84,7 +88,10 @@ export async function persistently<T>(what: string, act: (isAgain: boolean) => P
     let quick = () => {};
     const late = setTimeout(() => (quick = slow(`${what}: still loading …`)), SILENT);
     try {
-      return await act(isAgain);
+      const found = await act(isAgain);
+      // Several parts may want one file: what was mended for one is tried for all.
+      if (isAgain) for (const retry of [...retries]) retry();
+      return found;
     } catch (reason) {
       quick();
       clearTimeout(late);

@@ -105,7 +105,7 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       ends: (page) => expect(page.locator('.two-ends [aria-busy=false]')).toBeVisible({ timeout: 40_000 }),
     },
     speeds: {
-      hash: '#suspension&spring.mass=2+kg',
+      hash: '#valve&spring.wire_diameter=4.05+mm',
       use: async (page) => {
         await exact(page);
         await page.locator('.speeds-of > details > summary').click();
