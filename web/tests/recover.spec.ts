@@ -146,21 +146,25 @@ test('after the first visit everything works without a network, and no build is 
   await page.goto(`${host.address}#suspension`);
   await exact(page);
   await context.setOffline(false);
-  // A newer build: the page and its script are others, and the older script has gone.
-  const script = FILES.find((file) => /^assets\/page-.*js$/.test(file)) ?? '';
-  const newer = script.replace('page-', 'page-newer-');
+  // A newer build: the page and its scripts are others, as a change in one that all import makes them, and the older page's script has gone.
   const text = (file: string) => readFileSync(`${dist}${file}`, 'utf8');
   const hash = (content: string) => createHash('sha256').update(content).digest('hex');
-  const html = text('index.html').replace(script, newer).replace('Hit the spring.', 'Hit the newer spring.');
+  const scripts = FILES.filter((file) => /^assets\/.*\.js$/.test(file));
+  const next = (file: string) => file.replace(/\.js$/, '-newer.js');
+  const base = (file: string) => file.slice(file.lastIndexOf('/') + 1);
+  const renamed = (content: string) =>
+    scripts.reduce((text, file) => text.replaceAll(base(file), base(next(file))), content);
+  for (const file of scripts) host.contents.set(next(file), renamed(text(file)));
+  const script = scripts.find((file) => file.startsWith('assets/page-')) ?? '';
+  const newer = next(script);
+  const html = renamed(text('index.html')).replace('Hit the spring.', 'Hit the newer spring.');
   host.contents.set('index.html', html);
-  host.contents.set(newer, text(script));
-  host.contents.set(
-    'sw.js',
-    text('sw.js')
-      .replaceAll(hash(text('index.html')), hash(html))
-      .replaceAll(script, newer)
-      .replace(/[`"][0-9a-f]{16}[`"]/g, '"newer"'),
-  );
+  const hashes = [
+    ...scripts.map((file) => [text(file), renamed(text(file))] as const),
+    [text('index.html'), html] as const,
+  ];
+  const served = hashes.reduce((sw, [before, after]) => sw.replaceAll(hash(before), hash(after)), text('sw.js'));
+  host.contents.set('sw.js', renamed(served).replace(/[`"][0-9a-f]{16}[`"]/g, '"newer"'));
   host.faults.set(script, 'missing');
   await page.reload();
   await exact(page);
