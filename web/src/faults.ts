@@ -45,8 +45,6 @@ export function say(kind: string, text: string, label = '', act = () => {}): voi
 export const slow = (text: string, label = '', act = () => {}): (() => void) => put(false, text, label, act);
 
 const open = new Map<string, Promise<void>>();
-/** What each of them does to try again. */
-const retries = new Set<() => void>();
 let pressed = '';
 
 /** Says a fault, and waits until the user tries again, or the network is back. */
@@ -57,7 +55,6 @@ export function again(what: string, text: string): Promise<void> {
     const done = () => {
       gone();
       removeEventListener('online', done);
-      retries.delete(done);
       open.delete(what);
       resolve();
     };
@@ -66,7 +63,6 @@ export function again(what: string, text: string): Promise<void> {
       done();
     });
     addEventListener('online', done);
-    retries.add(done);
     // Whoever pressed it does not lose the place.
     if (pressed === what) host.querySelector<HTMLElement>('.refusal:last-child button')?.focus();
   });
@@ -90,7 +86,7 @@ export async function persistently<T>(what: string, act: (isAgain: boolean) => P
     try {
       const found = await act(isAgain);
       // Several parts may want one file: what was mended for one is tried for all.
-      if (isAgain) for (const retry of [...retries]) retry();
+      if (isAgain) dispatchEvent(new Event('online'));
       return found;
     } catch (reason) {
       quick();

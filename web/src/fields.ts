@@ -121,7 +121,6 @@ export const CONDITION: Record<string, { first: readonly Field[]; more: readonly
       {
         key: 'playback_speed',
         label: 'Speed of the recording',
-        hint: 'the same turns, or the same road, in less time',
         slide: { from: 0.4, to: 1.6, scale: 'linear' },
         usual: '100 %',
       },

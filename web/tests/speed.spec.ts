@@ -152,8 +152,8 @@ test('first load and time until it can be used', async ({ page }) => {
   );
   expect(bytes).toBeGreaterThan(100_000);
   // The goal is 500; what is left of it is not there to be used up unseen: the helix took 45 of it, since a spec's f1 is the helix's, and 8 what
-  // its lines and shapes are asked by, what says and mends faults 2, hits, verdict and their places 2.5; the parts themselves are loaded later.
-  expect(bytes).toBeLessThan(486_000);
+  // its lines and shapes are asked by, what says and mends faults 2, hits, verdict and their places 2.5, the speed of a recording 0.4; the parts themselves are loaded later.
+  expect(bytes).toBeLessThan(486_400);
   expect(whole).toBeLessThan(500_000);
   expect(interactive / bare).toBeLessThan(MOST_LOADS);
 });

@@ -3,6 +3,7 @@
 // Next door: who loads it (`later`), its parts (`table`, `warnings`, `downloads`).
 
 import type { Compute, Shown } from '../compute';
+import { part } from '../faults';
 import type { ForcePlot } from '../plots/forces';
 import type { Store } from '../store';
 import css from '../style/below.css?inline';
@@ -10,6 +11,7 @@ import figures from '../style/figures.css?inline';
 import { wear } from '../style/wear';
 import type { layOut } from '../tabs/layout';
 import { Downloads } from './downloads';
+import { Folded } from './folded';
 import type { Outcome } from './outcome';
 import { Table } from './table';
 import { showWarnings, springLine } from './warnings';
@@ -25,12 +27,17 @@ export interface Around {
 export class Below {
   private readonly table: Table;
   private readonly downloads: Downloads;
+  private readonly speeds: Folded;
 
   constructor(private readonly around: Around) {
     wear(figures, css);
     const { store, compute, parts, forces } = around;
     this.table = new Table(store, parts.table);
     this.downloads = new Downloads(store, compute, parts.downloads, () => forces.plot);
+    this.speeds = new Folded(parts.speeds, 'Over the speed of the recording', async (element, title) => {
+      const { Part } = await part(title, () => import('../speeds/part'));
+      return new Part(element, compute, store);
+    });
   }
 
   /** Of the verdict; null while there is none. */
@@ -45,5 +52,8 @@ export class Below {
     showWarnings(parts.warnings, facts, shown.exact?.facts ?? null);
     parts.facts.replaceChildren(springLine(facts));
     this.downloads.show(shown);
+    const isRecorded = facts.conditions[facts.condition]?.kind === 'recorded';
+    parts.speeds.hidden = !isRecorded;
+    if (isRecorded) this.speeds.show(shown.exact && { ...shown.exact.facts, text: shown.exactText });
   }
 }

@@ -61,10 +61,6 @@ export const open: Open = (panel, store, compute) => {
     const { Part } = await part(title, () => import('../response/part'));
     return new Part(element, compute, store);
   });
-  const speeds = new Folded(parts.speeds, 'Over the speed of the recording', async (element, title) => {
-    const { Part } = await part(title, () => import('../speeds/part'));
-    return new Part(element, compute, store);
-  });
   const spectrum = new SpectrumPlot(parts.spectrum);
   const forces = new ForcePlot(parts.forces, {
     zoom: (times) => store.setView({ times }),
@@ -158,7 +154,6 @@ export const open: Open = (panel, store, compute) => {
       mark(false);
       modes.show(null);
       response.show(null);
-      speeds.show(null);
       if (state.spec !== before.spec) judged.show(null);
     }
     if (last && (state.view.hidden !== before.view.hidden || state.view.sensors !== before.view.sensors)) {
@@ -193,9 +188,6 @@ export const open: Open = (panel, store, compute) => {
       const exact = shown.exact && { ...shown.exact.facts, text: shown.exactText };
       modes.show(exact);
       response.show(exact);
-      const isRecorded = facts.conditions[facts.condition]?.kind === 'recorded';
-      parts.speeds.hidden = !isRecorded;
-      if (isRecorded) speeds.show(exact);
       panels.show(store.state, facts);
       views.show(shown);
       isPast = false;
