@@ -44,6 +44,10 @@ export function say(kind: string, text: string, label = '', act = () => {}): voi
 /** Says that something takes long, with a way out where there is one; what comes back takes it away. */
 export const slow = (text: string, label = '', act = () => {}): (() => void) => put(false, text, label, act);
 
+const MENDED = 'mended';
+/** After these it may go well: the network is back, or something else that was missing is there. */
+const HOPES = ['online', MENDED];
+
 const open = new Map<string, Promise<void>>();
 let pressed = '';
 
@@ -54,7 +58,7 @@ export function again(what: string, text: string): Promise<void> {
   const promise = new Promise<void>((resolve) => {
     const done = () => {
       gone();
-      removeEventListener('online', done);
+      for (const event of HOPES) removeEventListener(event, done);
       open.delete(what);
       resolve();
     };
@@ -62,7 +66,7 @@ export function again(what: string, text: string): Promise<void> {
       pressed = what;
       done();
     });
-    addEventListener('online', done);
+    for (const event of HOPES) addEventListener(event, done);
     // Whoever pressed it does not lose the place.
     if (pressed === what) host.querySelector<HTMLElement>('.refusal:last-child button')?.focus();
   });
@@ -86,7 +90,7 @@ export async function persistently<T>(what: string, act: (isAgain: boolean) => P
     try {
       const found = await act(isAgain);
       // Several parts may want one file: what was mended for one is tried for all.
-      if (isAgain) dispatchEvent(new Event('online'));
+      if (isAgain) dispatchEvent(new Event(MENDED));
       return found;
     } catch (reason) {
       quick();

@@ -83,43 +83,13 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       hash: `#S_T&${STATE}&@sensors=["laser","two+encoders"]`,
       ends: (page) => expect(page.locator('.pair tbody tr')).toHaveCount(2, { timeout: 20_000 }),
     },
-    modes: {
-      hash: `#S_T&${STATE}`,
-      use: async (page) => {
-        await exact(page);
-        await page.locator('.every > details > summary').click();
-      },
-      ends: async (page) => {
-        // A page that is opened anew has not been asked yet.
-        await expect(async () => {
-          const modes = page.locator('.every > details');
-          if ((await modes.getAttribute('open', { timeout: 2000 })) === null)
-            await modes.locator('> summary').click({ timeout: 2000 });
-          await expect(page.locator('.every [aria-busy=false]')).toBeVisible({ timeout: 4000 });
-        }).toPass({ timeout: 20_000 });
-      },
-    },
+    modes: { hash: `#S_T&${STATE}`, ...unfolded('.every', '.every [aria-busy=false]') },
     response: {
       hash: `#S_T&${STATE}&@frequency=20`,
       // The verdict asks the same engine: what is missing of that is said by whoever asks first.
       ends: (page) => expect(page.locator('.two-ends [aria-busy=false]')).toBeVisible({ timeout: 40_000 }),
     },
-    speeds: {
-      hash: '#valve&spring.wire_diameter=4.05+mm',
-      use: async (page) => {
-        await exact(page);
-        await page.locator('.speeds-of > details > summary').click();
-      },
-      ends: async (page) => {
-        // A page that was opened anew has not been asked yet.
-        await expect(async () => {
-          const speeds = page.locator('.speeds-of > details');
-          if ((await speeds.getAttribute('open', { timeout: 2000 })) === null)
-            await speeds.locator('> summary').click({ timeout: 2000 });
-          await expect(page.locator('.over-speed canvas')).toBeVisible({ timeout: 4000 });
-        }).toPass({ timeout: 20_000 });
-      },
-    },
+    speeds: { hash: '#valve&spring.wire_diameter=4.05+mm', ...unfolded('.speeds-of', '.over-speed canvas') },
     paper: {
       hash: `#S_T&${STATE}&@tab="paper"`,
       ends: (page) => expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 20_000 }),
@@ -173,6 +143,25 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       },
     },
   };
+/** A card that is folded until somebody opens it, and what is seen in it then. */
+function unfolded(card: string, seen: string) {
+  const summary = (page: Page) => page.locator(`${card} > details > summary`);
+  return {
+    use: async (page: Page) => {
+      await exact(page);
+      await summary(page).click();
+    },
+    ends: async (page: Page) => {
+      // A page that was opened anew has not been asked yet.
+      await expect(async () => {
+        if ((await page.locator(`${card} > details`).getAttribute('open', { timeout: 2000 })) === null)
+          await summary(page).click({ timeout: 2000 });
+        await expect(page.locator(seen)).toBeVisible({ timeout: 4000 });
+      }).toPass({ timeout: 20_000 });
+    },
+  };
+}
+
 const exact = async (page: Page): Promise<void> => {
   await page.waitForFunction(() => document.body.dataset['exact'] === 'true', null, { timeout: 20_000 });
 };

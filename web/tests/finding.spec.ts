@@ -31,7 +31,7 @@ test('the headline is what the curves show: a hit, of which the length tells not
   );
   const rms = ((100 * forces['F_o']!.rmsd) / spring.nominalForce).toPrecision(3);
   await expect(page.locator('#sentence .finer')).toHaveText(
-    `ζ = 0, first 111\u00a0ms. Judged at 0.75–1\u00a0s: a load cell at end 2 is ${rms}\u00a0% rms off with k × stretch taken as true.`,
+    `ζ = 0, first 111\u00a0ms. Over 0.75–1\u00a0s a load cell at end 2 is off from k × stretch by ${rms}\u00a0% of Fnom, rms.`,
   );
 });
 

@@ -106,3 +106,18 @@ test('a click on the curve takes that speed, the curve stays, and another spring
   await exact(page);
   await expect(body).toHaveAttribute('aria-busy', 'true');
 });
+
+test('the worst is told of speeds at which no windings pass through one another', async ({ page }) => {
+  test.slow();
+  await open(page, '#valve&mount.damping_ratio=0.01');
+  const points = await curve(page);
+  const worst = (of: At[]) => of.reduce((a, b) => ((b.off['F_o'] ?? 0) > (a.off['F_o'] ?? 0) ? b : a));
+  const free = points.filter(({ touch }) => !touch);
+  // Beyond contact it is larger by far: that is no force of a coil.
+  expect(free.length).toBeLessThan(points.length);
+  expect(worst(free).off['F_o']! / worst(points).off['F_o']!).toBeLessThan(0.9);
+  await expect(card(page).locator('.live')).toContainText(
+    `at ${Number((100 * worst(free).speed).toFixed(1))}\u00a0%, the worst of the speeds at which no windings touch`,
+  );
+  await expect(card(page).locator('.about')).toContainText('speeds at which windings would touch');
+});

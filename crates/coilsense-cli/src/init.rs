@@ -22,7 +22,8 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         false => Ok(text.clone()),
     };
     let Some(path) = given.file(&OUT) else {
-        return Ok(terminal::answer(given, &told(None)?)?);
+        // The spec is the product, also for who wants to hear nothing: `coilsense init -q > my.toml`.
+        return Ok(terminal::product(given, &told(None)?)?);
     };
     if path.exists() && !given.holds(&OVERWRITE) {
         bail!("{}: is there already; name a file that is not, or replace it with --overwrite", path.display());

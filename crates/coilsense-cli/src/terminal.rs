@@ -69,6 +69,14 @@ pub fn answer(given: &Given, text: &str) -> Result<(), Unsaid> {
     if given.holds(&JSON) { put(&in_json(text)) } else { say(text) }
 }
 
+/// The same of what a file would hold, which is never left out.
+///
+/// # Errors
+/// As [`say`].
+pub fn product(given: &Given, text: &str) -> Result<(), Unsaid> {
+    if given.holds(&JSON) { put(&in_json(text)) } else { put(&shown(text)) }
+}
+
 /// The last line of a command that has written a report's folder; none in JSON.
 pub fn where_to_look(given: &Given, files: usize, folder: &Path, took: Option<Duration>) -> String {
     if given.holds(&JSON) {

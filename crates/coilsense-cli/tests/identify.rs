@@ -1,18 +1,13 @@
 //! `coilsense identify` as a person meets it: a log in, a verdict in the first line, a spec that `analyze` reads; bad logs in one line.
 
+mod running;
+
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 use coilsense::{Damping, Excitation, FarEnd, Motion, Mount};
-
-fn coilsense(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_coilsense"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("the command starts")
-}
+use running::coilsense;
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()

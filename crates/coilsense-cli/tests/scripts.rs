@@ -1,18 +1,13 @@
 //! The command in a script: exit codes, what goes to which stream, what a shell completes, the manual's pages.
 
+mod running;
+
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
 
-const ANKLE: &str = include_str!("../../../examples/sea-ankle.toml");
+use running::coilsense;
 
-fn coilsense(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_coilsense"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("the command starts")
-}
+const ANKLE: &str = include_str!("../../../examples/sea-ankle.toml");
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
@@ -86,6 +81,9 @@ fn quiet_says_nothing_but_errors_and_json() {
     let json = analyzed(&[], &["-q", "--json"]);
     assert!(serde_json::from_str::<serde_json::Value>(&text(&json.stdout)).is_ok() && json.stderr.is_empty());
     let place = tempfile::tempdir().unwrap();
+    // A spec that goes into a file by the shell is the product, and no talk.
+    let init = coilsense(place.path(), &["init", "-q"]);
+    assert!(text(&init.stdout).contains("\n[spring]\n"));
     let wrong = coilsense(place.path(), &["--quiet", "analyze", "none.toml"]);
     assert_eq!((wrong.status.code(), text(&wrong.stderr).lines().count()), (Some(2), 1));
 }

@@ -90,7 +90,9 @@ pub fn readme() -> anyhow::Result<bool> {
         let place = tempfile::tempdir()?;
         copy_examples(&place.path().join("examples"))?;
         for line in text.lines().filter_map(|line| line.strip_prefix(PREFIX)) {
-            let words = line.split('#').next().unwrap_or_default().split_whitespace();
+            // As a shell has it: quotes keep brackets from it.
+            let words =
+                line.split('#').next().unwrap_or_default().split_whitespace().map(|word| word.trim_matches('\''));
             println!("{name}: coilsense {}", line.trim_end());
             if !Command::new(&executable).args(words).current_dir(place.path()).status()?.success() {
                 return Ok(false);

@@ -8,6 +8,7 @@ import { make } from '../dom';
 import type { Lane, Reply } from '../lane';
 import type { Case } from '../results/folded';
 import type { Store } from '../store';
+import over from '../style/over.css?inline';
 import css from '../style/response.css?inline';
 import { wear } from '../style/wear';
 import { Choice } from './choice';
@@ -38,7 +39,7 @@ export class Part {
   private readonly about = make('div', { class: 'about' });
   private readonly body = make(
     'div',
-    { class: 'over-frequency', hidden: true },
+    { class: 'over-curve over-frequency', hidden: true },
     make('div', {}, make('label', { class: 'over' }, 'Over ', this.over), this.curve.element, this.choice.element),
     make('div', {}, this.words, this.why, this.picture.element, this.about),
   );
@@ -48,7 +49,7 @@ export class Part {
     compute: Compute,
     private readonly store: Store,
   ) {
-    wear(css);
+    wear(over, css);
     this.lane = compute.workshopLane();
     host.append(this.refusal, this.body);
     this.over.addEventListener('change', () => this.draw());

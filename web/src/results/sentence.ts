@@ -75,16 +75,17 @@ function finer(
 ): Child[] {
   const [from = 0, to = 0] = times.map((time) => fixed(1e3 * time, 0));
   const other = truth === 'F_o' ? 'F_i' : 'F_o';
-  const meant = truth === 'F_x' ? 'k × stretch' : `that at end ${truth === 'F_i' ? '1' : '2'}`;
+  const meant = truth === 'F_x' ? 'k × stretch' : `the force at end ${truth === 'F_i' ? '1' : '2'}`;
   return [
     word('zeta', dampings[damping]?.label ?? 'ζ = 0'),
     times[0] === 0 ? `, first ${to}\u00a0ms. ` : `, ${from}–${to}\u00a0ms. `,
-    `Judged at ${digits(window[0])}–${digits(window[1])}\u00a0s: a load cell at end ${other === 'F_o' ? '2' : '1'} is `,
-    `${digits((100 * (forces[other]?.rmsd ?? 0)) / spring.nominalForce)}\u00a0% `,
-    word('rmsd', 'rms'),
-    ' off with ',
+    `Over ${digits(window[0])}–${digits(window[1])}\u00a0s a load cell at end ${other === 'F_o' ? '2' : '1'} is off from `,
     word('truth', meant),
-    ' taken as true.',
+    ` by ${digits((100 * (forces[other]?.rmsd ?? 0)) / spring.nominalForce)}\u00a0% of `,
+    nominal(),
+    ', ',
+    word('rmsd', 'rms'),
+    '.',
   ];
 }
 

@@ -72,7 +72,9 @@ export class Curve {
       if (!touch) return;
       const from = Math.sqrt(speed * (this.points[index - 1]?.speed ?? speed));
       const to = Math.sqrt(speed * (this.points[index + 1]?.speed ?? speed));
-      ctx.fillRect(x(from), bbox.top, Math.max(1, x(to) - x(from)), bbox.height);
+      // Whole pixels: neighbours leave no seam.
+      const left = Math.floor(x(from));
+      ctx.fillRect(left, bbox.top, Math.max(1, Math.ceil(x(to)) - left), bbox.height);
     });
     if (this.goal !== null) {
       const ratio = devicePixelRatio || 1;

@@ -10,6 +10,7 @@ import type { Lane, Reply } from '../lane';
 import { KEY, played } from '../playback';
 import type { Case } from '../results/folded';
 import type { Store } from '../store';
+import over from '../style/over.css?inline';
 import css from '../style/speeds.css?inline';
 import { wear } from '../style/wear';
 import { Curve } from './curve';
@@ -23,7 +24,7 @@ export class Part {
   private readonly refusal = make('p', { class: 'refusal', role: 'status', hidden: true });
   private readonly body = make(
     'div',
-    { class: 'over-speed', 'aria-busy': 'true' },
+    { class: 'over-curve over-speed', 'aria-busy': 'true' },
     this.words,
     this.curve.element,
     this.about,
@@ -42,8 +43,9 @@ export class Part {
     private readonly compute: Compute,
     private readonly store: Store,
   ) {
-    wear(css);
-    const hint = 'The same motion played slower and faster: click a speed to see it. By the command: ';
+    wear(over, css);
+    const hint =
+      'The same motion played slower and faster; click a speed to see it. As a table, of the worst damping: ';
     host.append(this.refusal, make('p', { class: 'hint' }, hint, this.command), this.body);
     store.subscribe((state) => this.facts && this.curve.at(played(state.spec, state.view.condition)));
   }
@@ -67,11 +69,13 @@ export class Part {
         : one,
     );
     [this.asked, this.spec, this.facts] = [asked, plain, { ...shown, conditions: times }];
-    this.command.textContent = `coilsense sweep spec.toml --over condition.${1 + view.condition}.${KEY}=40..160%:121 --columns F_o.rmsd --out out/speeds`;
+    const [force] = forcesOf(this.facts);
+    const number = 1 + view.condition;
+    this.command.textContent = `coilsense sweep spec.toml --over condition.${number}.${KEY}=40..160%:121 --columns '${force}.rmsd[${number}]' --out out/speeds`;
     [this.points, this.of] = [[], count(this.facts)];
-    this.wanted = inOrder(this.of);
+    this.stop();
     this.refuse('');
-    this.lane?.end();
+    this.wanted = inOrder(this.of);
     this.lane = this.compute.laneOf({ text: shown.text });
     this.mark(false);
     this.next();
@@ -92,8 +96,7 @@ export class Part {
     }
     const speed = this.wanted.shift();
     if (speed === undefined) {
-      this.lane?.end();
-      this.lane = null;
+      this.stop();
       return this.draw();
     }
     const { condition, damping } = this.facts;
@@ -123,7 +126,7 @@ export class Part {
     const goal = facts.goal === null ? null : facts.goal / facts.spring.nominalForce;
     this.curve.show(this.points, forcesOf(facts), goal, facts.truth);
     this.curve.at(played(this.store.state.spec, facts.condition));
-    this.words.replaceChildren(...sentence(this.points, facts).filter(isThere));
+    this.words.replaceChildren(...sentence(this.points, facts));
     const told = doubts(this.points, facts, this.lane ? Math.max(this.of, this.points.length + 1) : this.points.length);
     this.about.replaceChildren(...told.map((text) => make('p', {}, text)));
     // For whoever checks the page: all digits.
@@ -135,7 +138,14 @@ export class Part {
     this.refusal.textContent = text && `The curve cannot be computed for this motion: ${text}`;
     this.refusal.hidden = text === '';
     this.body.hidden = text !== '';
-    if (text) this.wanted = [];
+    if (text) this.stop();
+  }
+
+  /** Nothing more is asked. */
+  private stop(): void {
+    this.wanted = [];
+    this.lane?.end();
+    this.lane = null;
   }
 
   private pick(speed: number): void {
@@ -153,6 +163,3 @@ function bare(spec: Spec): Spec {
   const { rig: _, control: __, ...rest } = spec;
   return { ...rest, sensor: [{ kind: 'load-cell' }] };
 }
-
-const isThere = <T>(child: T | null | undefined | false): child is T =>
-  child !== null && child !== undefined && child !== false;

@@ -3,7 +3,7 @@
 // Next door: the curve (`curve`), where it is computed (`points`).
 
 import type { Facts } from '../answer';
-import { digits, make, rich, type Child } from '../dom';
+import { digits, make, rich } from '../dom';
 import { narrowest, step, type At } from './points';
 
 const percent = (share: number) => `${digits(100 * share)}\u00a0%`;
@@ -13,21 +13,22 @@ export const speedOf = (share: number) => `${Number((100 * share).toFixed(1))}\u
 /** The forces that are told: those at the ends and by length, but the one that is taken as true. */
 export const forcesOf = ({ truth }: Facts): string[] => ['F_o', 'F_i', 'F_x'].filter((force) => force !== truth);
 
-/** Between which values the force that is told first lies, and where it is worst. */
-export function sentence(points: readonly At[], facts: Facts): Child[] {
+/** Between which values the force that is told first lies, and where it is worst: as long as no windings pass through one another. */
+export function sentence(points: readonly At[], facts: Facts): (string | Node)[] {
   const [force = 'F_o'] = forcesOf(facts);
   const off = (point: At) => point.off[force] ?? 0;
-  const [first] = points;
-  if (!first) return [];
-  const least = points.reduce((a, b) => (off(b) < off(a) ? b : a), first);
-  const most = points.reduce((a, b) => (off(b) > off(a) ? b : a), first);
+  const real = facts.contact ? points : points.filter(({ touch }) => !touch);
+  const [first] = real;
+  if (!first) return ['At every speed so far windings would touch, so that a real coil would do something else.'];
+  const least = real.reduce((a, b) => (off(b) < off(a) ? b : a), first);
+  const most = real.reduce((a, b) => (off(b) > off(a) ? b : a), first);
   return [
     make('b', {}, rich(force)),
     rich(
       ` is off from ${facts.truth} by ${percent(off(least))} of F_nom at ${speedOf(least.speed)} of the recorded speed, and by `,
     ),
     make('b', {}, percent(off(most))),
-    ` at ${speedOf(most.speed)}, where it is worst.`,
+    ` at ${speedOf(most.speed)}, ${real.length < points.length ? 'the worst of the speeds at which no windings touch' : 'where it is worst'}.`,
   ];
 }
 

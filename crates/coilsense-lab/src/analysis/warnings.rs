@@ -252,7 +252,7 @@ fn alias(judge: &Judge<'_>, sensor: &SensorSpec) -> Result<Option<Warning>, Erro
     let Some(&(line, amplitude)) = folded.iter().max_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(None) };
     let (plural, verb) = if folded.len() == 1 { ("", "gets") } else { ("s", "get") };
     let text = format!(
-        "{}: {} surge line{plural} above half of its sample rate of {} Hz {verb} through its filter; the largest, {line:.0} Hz with {} N, \
+        "{}: {} surge line{plural} above half of the sample rate of {} Hz {verb} through the filter; the largest, {line:.0} Hz with {} N, \
          shows up at {:.1} Hz.",
         sensor.name,
         folded.len(),
