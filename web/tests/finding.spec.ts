@@ -45,7 +45,7 @@ test('where the driven end moves, k × stretch is not said to be still; a force 
   await expect(sentence).toContainText('In “first turns” the forces');
   await expect(sentence).toContainText(`k × stretch itself changes by ${two(swing)}\u00a0N.`);
   await expect(sentence).not.toContainText('none of this');
-  await expect(sentence).toContainText('off with that at end 1 taken as true');
+  await expect(sentence).toContainText('a load cell at end 2 is off from the force at end 1 by ');
 });
 
 test('without a hit there is nothing to tell apart, and windings that touch do not ring at a frequency', async ({

@@ -4,7 +4,6 @@ mod running;
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::process::Output;
 
 use coilsense::{Damping, Excitation, FarEnd, Motion, Mount};
 use running::coilsense;
