@@ -58,9 +58,14 @@ const played = (page: Page, file: Buffer, type: string, shares: number[]) =>
         video.onerror = () => failed(new Error(video.error?.message));
       });
       for (const share of shares) {
+        // A seek is over before its picture is there.
+        const shown = new Promise<void>((done) => {
+          video.requestVideoFrameCallback(() => done());
+          setTimeout(done, 1000);
+        });
         const sought = new Promise((done) => (video.onseeked = done));
         video.currentTime = Math.max(0.01, share * (video.duration - 0.02));
-        await sought;
+        await Promise.all([sought, shown]);
         look(video, video.videoWidth, video.videoHeight);
       }
       return { ...told(), duration: video.duration };

@@ -103,7 +103,7 @@ for (const colorScheme of ['light', 'dark'] as const)
     const asked: string[] = [];
     page.on('request', (request) => asked.push(request.url()));
     expect(await page.evaluate(() => document.querySelector('.glossary'))).toBeNull();
-    await page.locator('#sentence').getByRole('button', { name: 'Fnom' }).click();
+    await page.locator('#sentence').getByRole('button', { name: 'Fnom' }).first().click();
     await expect(dialog(page)).toBeVisible();
     expect(asked.filter((url) => /open-/.test(url))).toHaveLength(1);
     const term = dialog(page).locator('#word-F_nom');
@@ -149,7 +149,7 @@ test('by keys: opened, searched, left by Escape, and the place is kept', async (
 
 test('whoever is at a word of the answer stays there while it changes', async ({ page }) => {
   await open(page);
-  const mark = page.locator('#sentence [data-word=F_nom]');
+  const mark = page.locator('#sentence [data-word=F_nom]').first();
   await mark.focus();
   const before = await page.locator('#sentence').textContent();
   await page.evaluate(() => {
