@@ -82,7 +82,7 @@ fn whisker(scene: &Scene, (lower, upper): (f64, f64), y: f64) -> Vec<Shape> {
     vec![seam, Shape::Lines { runs, pen: pen(scene.theme.shade(Colour::Ink), 1.2) }]
 }
 
-/// The text past the end of bar and whisker, on paper so that no line crosses it.
+/// The text past the end of bar and whisker, and past a mark that it would stand on where there is room; on paper, so that no line crosses it.
 fn text(scene: &Scene, bar: &Bar, y: f64, shapes: &mut Vec<Shape>) {
     if bar.text.is_empty() {
         return;
@@ -94,9 +94,18 @@ fn text(scene: &Scene, bar: &Bar, y: f64, shapes: &mut Vec<Shape>) {
     let end = ends.fold(start, if falling { f64::min } else { f64::max });
     let room = width(&bar.text, SMALL);
     let Frame { left, .. } = scene.frame;
-    let from = if falling { end - TEXT_GAP - room } else { end + TEXT_GAP };
+    let last = scene.frame.right() - TEXT_GAP - room;
+    let mut from = if falling { end - TEXT_GAP - room } else { end + TEXT_GAP };
+    let mut marks: Vec<f64> = scene.panel.marks.iter().filter_map(|mark| across(scene, mark.x)).collect();
+    marks.sort_by(f64::total_cmp);
+    for mark in marks.into_iter().filter(|_| !falling) {
+        let stands_on = (from - TEXT_GAP..=from + room + TEXT_GAP).contains(&mark);
+        if stands_on && mark + TEXT_GAP <= last {
+            from = mark + TEXT_GAP;
+        }
+    }
     // Where a given range leaves no room beyond the bar, the text moves onto it.
-    let from = from.min(scene.frame.right() - TEXT_GAP - room).max(left + TEXT_GAP);
+    let from = from.min(last).max(left + TEXT_GAP);
     let backing = Frame { left: from - 2.0, top: y - 0.55 * SMALL, width: room + 4.0, height: 1.1 * SMALL };
     shapes.push(Shape::Area { outlines: vec![backing.corners()], ink: scene.theme.paper(), opacity: 1.0 });
     shapes.push(Shape::Text(scene.text(&bar.text, [from, y + 0.36 * SMALL], SMALL, Anchor::Start)));

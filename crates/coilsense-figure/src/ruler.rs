@@ -50,6 +50,12 @@ impl Ruler {
         if self.scale == Scale::Log10 { 10f64.powf(place) } else { place }
     }
 
+    /// Widens the range about its middle to an extent.
+    pub fn widen_to(&mut self, extent: f64) {
+        let room = 0.5 * (extent - (self.upper - self.lower)).max(0.0);
+        (self.lower, self.upper) = (self.lower - room, self.upper + room);
+    }
+
     /// Whether a share lies on the axis, forgiving the rounding of its ends.
     pub fn holds(share: f64) -> bool {
         (-1e-9..=1.0 + 1e-9).contains(&share)

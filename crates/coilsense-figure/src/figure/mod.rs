@@ -39,6 +39,9 @@ pub struct Panel {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
+    /// Whether a unit is as long on the one axis as on the other, so that circles are round; both are linear then, and the one that has more
+    /// room shows more than its range, equally much at both ends.
+    pub equal_units: bool,
     /// The curves, the last one on top.
     pub curves: Vec<Curve>,
     /// Points that are not joined, with error bars, over all curves.

@@ -13,6 +13,7 @@ mod identification;
 mod mitigation;
 mod outcome;
 mod overview;
+mod page;
 #[cfg(feature = "parquet")]
 mod pareto;
 mod placement;

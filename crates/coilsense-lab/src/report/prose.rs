@@ -2,17 +2,12 @@
 //!
 //! Next door: the pages.
 
-/// A sentence with true minus signs, whose numbers stay with their units, and `ζ = 0.02` in one piece, where a line ends.
+/// A sentence whose numbers stay with their units, and `ζ = 0.02` in one piece, where a line ends.
 pub(super) fn unbroken(text: &str) -> String {
     let mut together = text.replace("ζ = ", "ζ\u{a0}=\u{a0}").replace(" e = ", " e\u{a0}=\u{a0}");
     for unit in ["N", "%", "Hz", "ms", "mm"] {
         for digit in '0'..='9' {
             together = together.replace(&format!("{digit} {unit}"), &format!("{digit}\u{a0}{unit}"));
-        }
-    }
-    for digit in '0'..='9' {
-        for before in [" ", "("] {
-            together = together.replace(&format!("{before}-{digit}"), &format!("{before}\u{2212}{digit}"));
         }
     }
     together
@@ -21,11 +16,6 @@ pub(super) fn unbroken(text: &str) -> String {
 /// A file's own name: where it lay is the reader's matter, and would differ from machine to machine.
 pub(super) fn file_name(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
-}
-
-/// A number with a true minus sign.
-pub(super) fn signed(text: &str) -> String {
-    text.replace('-', "\u{2212}")
 }
 
 /// A name that the figures' lettering prints as it is.

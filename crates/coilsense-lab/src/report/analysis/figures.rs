@@ -17,6 +17,10 @@ const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 300.0;
 /// Surge lines that are drawn.
 const LINES: usize = 8;
+/// Most samples of a curve over the length.
+const MOST_POINTS: usize = 6000;
+/// Share of a length by which it may change and be said to rest.
+const STILL: f64 = 1e-6;
 
 /// The sensors by their combined uncertainty, best first, and the goal.
 pub(super) fn ranking(analysis: &Analysis) -> Figure {
@@ -148,6 +152,35 @@ fn spectrum(case: &Case, channel: Channel) -> Option<&coilsense::measures::Spect
 fn surge_lines(analysis: &Analysis) -> Vec<f64> {
     let modes = ModalModel::chain(&analysis.spec.spring.spring, analysis.spec.mount.far_end());
     modes.frequencies().iter().take(LINES).map(|angular| angular / std::f64::consts::TAU).collect()
+}
+
+/// Forces over the length, of a condition at one damping: a spring without mass stays on the line of F_x. `None` where the length rests.
+pub(super) fn over_length(case: &Case) -> Option<Figure> {
+    let part = case.judged.clone();
+    let step = part.len().div_ceil(MOST_POINTS).max(1);
+    let every = |values: &[f64]| -> Vec<f64> { values[part.clone()].iter().step_by(step).copied().collect() };
+    let [first, second] = [Channel::U1, Channel::U2].map(|end| case.signals.channel(end).ok().map(every));
+    let lengths: Vec<f64> = first?.iter().zip(second?).map(|(first, second)| 1e3 * (second - first)).collect();
+    let bounds = lengths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (at.min(low), at.max(high)));
+    if bounds.1 - bounds.0 < STILL * bounds.1 {
+        return None;
+    }
+    let looks = [
+        (Channel::InputForce, Colour::Blue, Dash::Solid),
+        (Channel::OutputForce, Colour::Red, Dash::Dashed),
+        (Channel::DeflectionForce, Colour::Ink, Dash::Solid),
+    ];
+    let curve = |(channel, colour, dash): (Channel, Colour, Dash)| {
+        let y = every(case.signals.channel(channel).ok()?);
+        Some(Curve { label: channel.name().into(), x: lengths.clone(), y, stroke: Stroke { colour, dash, width: 1.2 } })
+    };
+    let panel = Panel {
+        x: Axis { label: "Length [mm]".into(), ..Axis::default() },
+        y: Axis { label: "Force [N]".into(), ..Axis::default() },
+        curves: looks.into_iter().filter_map(curve).collect(),
+        ..Panel::default()
+    };
+    Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
 }
 
 /// How far each winding is from where it would lie in a spring without mass, over time.

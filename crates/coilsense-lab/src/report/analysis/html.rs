@@ -4,10 +4,11 @@
 
 use coilsense::Channel;
 use coilsense_figure::{Figure, Theme};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 use rayon::prelude::*;
 
 use super::figures;
+use super::frequency::over_frequency;
 use super::text::analysis_warnings;
 use super::viewer_data::viewer_json;
 use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
@@ -19,48 +20,50 @@ use crate::spec::Spec;
 
 /// The page of an analysis.
 pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let spec = &analysis.spec;
     let conditions: Vec<usize> = (0..spec.conditions.len()).collect();
     let verdicts: Vec<Value> =
         analysis.verdicts.par_iter().map(|verdict| verdict_value(analysis, verdict)).collect::<Result<_, _>>()?;
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        date,
-        spring => &spec.spring.name,
-        file => file_name(&spec.file),
-        text => &spec.text,
-        answer => answer(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-        goal => goal(analysis),
-        changes => changes(analysis),
-        warnings => analysis_warnings(analysis),
-        ranking => drawn("ranking", &figures::ranking(analysis))?,
-        verdicts,
-        dampings => spec.mount.cases.iter().map(|case| case.label.clone()).collect::<Vec<_>>(),
-        is_band => spec.mount.is_band,
-        rows => conditions.iter().map(|&condition| condition_value(analysis, condition)).collect::<Vec<_>>(),
-        figures => conditions.par_iter().map(|&condition| figures_of(analysis, condition)).collect::<Result<Vec<_>, _>>()?,
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            date,
+            spring => &spec.spring.name,
+            file => file_name(&spec.file),
+            text => &spec.text,
+            answer => answer(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            goal => goal(analysis),
+            changes => changes(analysis),
+            warnings => analysis_warnings(analysis),
+            ranking => drawn("ranking", &figures::ranking(analysis))?,
+            verdicts,
+            dampings => spec.mount.cases.iter().map(|case| case.label.clone()).collect::<Vec<_>>(),
+            is_band => spec.mount.is_band,
+            rows => conditions.iter().map(|&condition| condition_value(analysis, condition)).collect::<Vec<_>>(),
+            figures => conditions.par_iter().map(|&condition| figures_of(analysis, condition)).collect::<Result<Vec<_>, _>>()?,
+            frequency => frequency(spec)?,
+            frequency => frequency(spec)?,
         contact => contact_value(analysis)?,
-        meets => spec.mount.cases.iter().any(|case| case.contact.is_some()),
-        groups => groups(analysis),
-        surge => surge(analysis),
-        modes_at => modes_at(analysis),
-        modes => super::modes_figure::modes(analysis).map(|figure| drawn("modes", &figure)).transpose()?,
-        material => &analysis.data_sheet.material,
-        reference => spec.goal.force.name(),
-        nominal => digits(spec.spring.spring.nominal_force()),
-        coverage => plainly(100.0 * spec.uncertainty.coverage),
-        trials => spec.uncertainty.trials,
-        seed => spec.uncertainty.seed,
-        temperature => plainly(spec.uncertainty.temperature_change),
-        remarks => remarks(spec),
-        style => include_str!("../style.css"),
-        viewer_style => include_str!("../viewer/viewer.css"),
-        viewer => include_str!("../viewer/viewer.js"),
-        data => viewer_json(analysis)?,
-    })?;
+            meets => spec.mount.cases.iter().any(|case| case.contact.is_some()),
+            groups => groups(analysis),
+            surge => surge(analysis),
+            modes_at => modes_at(analysis),
+            modes => super::modes_figure::modes(analysis).map(|figure| drawn("modes", &figure)).transpose()?,
+            material => &analysis.data_sheet.material,
+            reference => spec.goal.force.name(),
+            nominal => digits(spec.spring.spring.nominal_force()),
+            coverage => plainly(100.0 * spec.uncertainty.coverage),
+            trials => spec.uncertainty.trials,
+            seed => spec.uncertainty.seed,
+            temperature => plainly(spec.uncertainty.temperature_change),
+            remarks => remarks(spec),
+            style => include_str!("../style.css"),
+            viewer_style => include_str!("../viewer/viewer.css"),
+            viewer => include_str!("../viewer/viewer.js"),
+            data => viewer_json(analysis)?,
+        },
+    )?;
     Ok(page)
 }
 
@@ -165,7 +168,11 @@ fn verdict_value(analysis: &Analysis, verdict: &Verdict) -> Result<Value, Report
 
 /// A number over many decades: three significant digits, with a power of ten where that is shorter.
 fn scientific(value: f64) -> String {
-    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) { digits(value) } else { format!("{value:.2e}") }
+    // The root of a variance that is zero but for the last digit.
+    if value.abs() < 1e-100 {
+        return "0".to_owned();
+    }
+    if (1e-3..1e5).contains(&value.abs()) { digits(value) } else { format!("{value:.2e}") }
 }
 
 /// Percent as a table shows it: three significant digits, but no more than three decimals.
@@ -175,7 +182,6 @@ fn percent_text(percent: f64) -> String {
         small if small < 1.0 => format!("{percent:.3}"),
         _ => digits(percent),
     }
-    .replace('-', "\u{2212}")
 }
 
 /// A condition's rows in the table of measures: each force and each sensor, one cell per damping.
@@ -217,7 +223,7 @@ fn condition_value(analysis: &Analysis, condition: usize) -> Value {
     }
 }
 
-/// Spectrum and winding map of a condition, at the first damping: the largest ringing.
+/// Spectrum, force over length and winding map of a condition, at the first damping: the largest ringing.
 fn figures_of(analysis: &Analysis, condition: usize) -> Result<Value, ReportError> {
     let name = &analysis.spec.conditions[condition].name;
     let shown = 0;
@@ -225,7 +231,15 @@ fn figures_of(analysis: &Analysis, condition: usize) -> Result<Value, ReportErro
     let spectrum = spectrum.map(|figure| drawn(&format!("spectrum of {name}"), &figure)).transpose()?;
     let map = analysis.case(condition, shown).and_then(figures::map);
     let map = map.map(|figure| drawn(&format!("map of {name}"), &figure)).transpose()?;
-    Ok(context! { name, damping => &analysis.spec.mount.cases[shown].label, spectrum, map })
+    let over_length = analysis.case(condition, shown).and_then(figures::over_length);
+    let over_length = over_length.map(|figure| drawn(&format!("force over length in {name}"), &figure)).transpose()?;
+    Ok(context! { name, damping => &analysis.spec.mount.cases[shown].label, spectrum, over_length, map })
+}
+
+/// How far off forces are over frequency, where the spring has such a response.
+fn frequency(spec: &Spec) -> Result<Option<Value>, ReportError> {
+    let Some(found) = over_frequency(spec) else { return Ok(None) };
+    Ok(Some(context! { figure => drawn("frequency", &found.figure)?, caption => unbroken(&found.caption) }))
 }
 
 /// What met, of all cases and of the busiest; `None` where nothing did.

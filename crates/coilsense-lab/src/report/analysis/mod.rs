@@ -4,6 +4,7 @@
 
 mod contact;
 mod figures;
+mod frequency;
 mod html;
 mod json;
 mod json_cases;

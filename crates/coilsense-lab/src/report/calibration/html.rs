@@ -3,50 +3,50 @@
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
 use coilsense::calibrate::{Inversion, Misfit};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use super::text::{thinned, windings};
 use crate::calibration::{Outcome, Relation, THEORY_POINTS, answer, with_error};
 use crate::quantity::{digits, plainly};
-use crate::report::prose::{file_name, signed, unbroken};
+use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 
 /// The page of a calibration.
 pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let measured = &outcome.measured;
     let figure = |figure: &Drawn| {
         context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
     };
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        style => include_str!("../style.css"),
-        date,
-        file => file_name(&measured.file),
-        simulated => measured.simulated,
-        answer => answer(outcome).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-        figures => drawn.iter().map(figure).collect::<Vec<_>>(),
-        curves => curves(outcome),
-        relation => outcome.plan.relation.words(),
-        rivals => rivals(outcome),
-        others => outcome.taken.has_others().then_some(outcome.taken.judged.len()),
-        theories => theories(outcome),
-        windings => outcome.plan.coil.map(|coil| windings(coil.windings())),
-        coil => outcome.plan.coil.map(|coil| context! {
-            radius => plainly(1e3 * coil.coil_radius()), wire => plainly(2e3 * coil.wire_radius()),
-        }),
-        authors_inversion => matches!(outcome.plan.inversion, Inversion::TwentyFiveLengths { .. }),
-        place => measured.place_name(),
-        zero_length => measured.zero_length.map(|length| plainly_long(1e3 * length)),
-        force => force(outcome),
-        line => outcome.plan.relation == Relation::InverseLength,
-        steel => outcome.plan.relation == Relation::Steel,
-        degrees => outcome.reading.map(|reading| reading.degrees_of_freedom()),
-        points => points(outcome),
-        account => thinned(outcome).into_iter().chain(measured.account.clone()).collect::<Vec<_>>(),
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            style => include_str!("../style.css"),
+            date,
+            file => file_name(&measured.file),
+            simulated => measured.simulated,
+            answer => answer(outcome).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            curves => curves(outcome),
+            relation => outcome.plan.relation.words(),
+            rivals => rivals(outcome),
+            others => outcome.taken.has_others().then_some(outcome.taken.judged.len()),
+            theories => theories(outcome),
+            windings => outcome.plan.coil.map(|coil| windings(coil.windings())),
+            coil => outcome.plan.coil.map(|coil| context! {
+                radius => plainly(1e3 * coil.coil_radius()), wire => plainly(2e3 * coil.wire_radius()),
+            }),
+            authors_inversion => matches!(outcome.plan.inversion, Inversion::TwentyFiveLengths { .. }),
+            place => measured.place_name(),
+            zero_length => measured.zero_length.map(|length| plainly_long(1e3 * length)),
+            force => force(outcome),
+            line => outcome.plan.relation == Relation::InverseLength,
+            steel => outcome.plan.relation == Relation::Steel,
+            degrees => outcome.reading.map(|reading| reading.degrees_of_freedom()),
+            points => points(outcome),
+            account => thinned(outcome).into_iter().chain(measured.account.clone()).collect::<Vec<_>>(),
+        },
+    )?;
     Ok(page)
 }
 
@@ -57,7 +57,7 @@ fn plainly_long(value: f64) -> String {
 
 fn misfit_value(misfit: &Misfit) -> Value {
     context! {
-        r2 => signed(&format!("{:.5}", misfit.r2)),
+        r2 => format!("{:.5}", misfit.r2),
         rmse => digits(1e3 * misfit.rmse),
         percent => format!("{:.3}", 100.0 * misfit.rmse_share_of_range),
     }
@@ -65,12 +65,12 @@ fn misfit_value(misfit: &Misfit) -> Value {
 
 fn curves(outcome: &Outcome) -> [Value; 2] {
     let (inverse, direct) = (&outcome.inverse_length, &outcome.inductance);
-    let micro = |value: f64, error: Option<f64>| signed(&with_error(1e6 * value, error.map(|error| 1e6 * error)));
+    let micro = |value: f64, error: Option<f64>| with_error(1e6 * value, error.map(|error| 1e6 * error));
     [
         context! {
             name => "1/l = αL + β, eq. (13)", squares => "1/l",
-            alpha => signed(&with_error(inverse.alpha, inverse.alpha_se)), alpha_unit => "1/(H m)",
-            beta => signed(&with_error(inverse.beta, inverse.beta_se)), beta_unit => "1/m",
+            alpha => with_error(inverse.alpha, inverse.alpha_se), alpha_unit => "1/(H m)",
+            beta => with_error(inverse.beta, inverse.beta_se), beta_unit => "1/m",
             misfit => misfit_value(&inverse.misfit),
         },
         context! {
@@ -129,8 +129,8 @@ fn points(outcome: &Outcome) -> Vec<Value> {
             henry_se => measured.standard_errors.get(index).map(|error| format!("{:.4}", 1e6 * error)),
             read => format!("{:.3}", 1e3 * (outcome.taken.read[index] - zero)),
             read_u => outcome.taken.curve.length_u(henry).map(|length_u| format!("{:.3}", 1e3 * length_u)),
-            residual => signed(&format!("{:+.3}", 1e3 * (outcome.taken.read[index] - measured.points.lengths()[index]))),
-            force => force.map(|(force, _)| signed(&format!("{force:.3}"))),
+            residual => format!("{:+.3}", 1e3 * (outcome.taken.read[index] - measured.points.lengths()[index])),
+            force => force.map(|(force, _)| format!("{force:.3}")),
             force_u => force.and_then(|(_, uncertainty)| uncertainty).map(digits),
         }
     };

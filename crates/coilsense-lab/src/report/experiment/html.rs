@@ -3,11 +3,11 @@
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
 use coilsense::Channel;
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use crate::experiment::{Curve, Experiment, FORCES, Findings, Run, answer, pair, probability};
 use crate::quantity::digits;
-use crate::report::prose::{file_name, signed, unbroken};
+use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 
 /// The page of an experiment.
@@ -17,30 +17,30 @@ pub(super) fn page(
     date: &str,
     drawn: &[Drawn],
 ) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let figure = |figure: &Drawn| {
         context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
     };
     let runs = experiment.runs.iter().enumerate();
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        style => include_str!("../style.css"),
-        date,
-        name => name(experiment),
-        simulated => experiment.simulated,
-        answer => answer(experiment, findings).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-        figures => drawn.iter().map(figure).collect::<Vec<_>>(),
-        nominal => experiment.spec.nominal_force,
-        reference => exact(experiment.reference, 3),
-        forces => FORCES.map(Channel::name),
-        runs => runs.clone().map(|(index, run)| run_value(experiment, findings, index, run)).collect::<Vec<_>>(),
-        offsets => runs.filter_map(|(index, run)| offsets(findings, index, run)).collect::<Vec<_>>(),
-        drifts => drifts(experiment, findings),
-        spring => spring(experiment),
-        account => experiment.account(),
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            style => include_str!("../style.css"),
+            date,
+            name => name(experiment),
+            simulated => experiment.simulated,
+            answer => answer(experiment, findings).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            nominal => experiment.spec.nominal_force,
+            reference => exact(experiment.reference, 3),
+            forces => FORCES.map(Channel::name),
+            runs => runs.clone().map(|(index, run)| run_value(experiment, findings, index, run)).collect::<Vec<_>>(),
+            offsets => runs.filter_map(|(index, run)| offsets(findings, index, run)).collect::<Vec<_>>(),
+            drifts => drifts(experiment, findings),
+            spring => spring(experiment),
+            account => experiment.account(),
+        },
+    )?;
     Ok(page)
 }
 
@@ -51,11 +51,9 @@ fn name(experiment: &Experiment) -> String {
     experiment.spec.name.clone().unwrap_or_else(|| file_name(&folder).to_owned())
 }
 
-/// A number with some decimals and a true minus, which zero has not.
+/// A number with some decimals.
 pub(super) fn exact(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let is_zero = text.chars().all(|c| "-0.".contains(c));
-    if is_zero { text.trim_start_matches('-').to_owned() } else { signed(&text) }
+    format!("{value:.decimals$}")
 }
 
 /// A mean less the preload's, and σ/√n, in percent of F_nom.
@@ -65,7 +63,7 @@ pub(super) fn cell(experiment: &Experiment, run: &Run, force: Channel) -> Option
         [mean.mean - experiment.reference, mean.standard_error].map(|newton| experiment.percent(newton));
     let text = format!("{value:+.4}");
     // What rounds to zero has no sign.
-    let text = if text.ends_with("0.0000") { "0.0000".to_owned() } else { signed(&text) };
+    let text = if text.ends_with("0.0000") { "0.0000".to_owned() } else { text };
     Some(format!("{text} ± {error:.4}"))
 }
 
@@ -158,7 +156,7 @@ fn spring(experiment: &Experiment) -> Vec<[String; 3]> {
         ),
         (Some(fit), None) => format!("from the calibration run; {} mm RMS", digits(1e3 * fit.misfit.rmse)),
     };
-    let number = |value: f64, error: Option<f64>| signed(&crate::calibration::with_error(value, error));
+    let number = |value: f64, error: Option<f64>| crate::calibration::with_error(value, error);
     let (alpha, beta) = (calibration.alpha(), calibration.beta());
     let fit = fit.as_ref();
     rows.push(row("α of 1/l = αL + β", format!("{} 1/(H m)", number(alpha, fit.and_then(|fit| fit.alpha_se))), &how));

@@ -3,38 +3,38 @@
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
 use coilsense::identify::Line;
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use crate::identification::{Identified, answer, component_name, interval};
 use crate::quantity::digits;
-use crate::report::prose::{file_name, signed, unbroken};
+use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 
 /// The page of an identification.
 pub(super) fn page(identified: &Identified, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let found = &identified.found;
     let figure = |figure: &Drawn| {
         context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
     };
     let hits: Vec<String> = found.hits.iter().map(|hit| format!("{:.3}", hit.time)).collect();
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        style => include_str!("../style.css"),
-        date,
-        file => file_name(&identified.file),
-        simulated => &identified.simulated,
-        answer => answer(identified).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-        figures => drawn.iter().map(figure).collect::<Vec<_>>(),
-        lines => found.lines.iter().map(line_value).collect::<Vec<_>>(),
-        both => found.has_both_forces,
-        fitted_windings => found.fitted_windings.map(digits),
-        no_stiffness => found.stiffness.as_ref().err(),
-        hits => hits.join(", "),
-        account => &identified.account,
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            style => include_str!("../style.css"),
+            date,
+            file => file_name(&identified.file),
+            simulated => &identified.simulated,
+            answer => answer(identified).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            lines => found.lines.iter().map(line_value).collect::<Vec<_>>(),
+            both => found.has_both_forces,
+            fitted_windings => found.fitted_windings.map(digits),
+            no_stiffness => found.stiffness.as_ref().err(),
+            hits => hits.join(", "),
+            account => &identified.account,
+        },
+    )?;
     Ok(page)
 }
 
@@ -42,12 +42,12 @@ fn line_value(line: &Line) -> Value {
     let half = line.half_power.as_ref();
     context! {
         frequency => interval(&line.frequency, 1.0),
-        ratio => line.ratio.filter(|_| line.decays).map(|ratio| signed(&interval(&ratio, 1.0))),
-        half_power => half.ok().map(|ratio| signed(&interval(ratio, 1.0))),
+        ratio => line.ratio.filter(|_| line.decays).map(|ratio| interval(&ratio, 1.0)),
+        half_power => half.ok().map(|ratio| interval(ratio, 1.0)),
         refused => half.err(),
         amplitude => digits(line.amplitude),
         part => component_name(line.part),
-        reason => unbroken(&signed(&line.reason)),
+        reason => unbroken(&line.reason),
         known => line.mode().is_some(),
     }
 }

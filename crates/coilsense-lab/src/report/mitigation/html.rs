@@ -3,7 +3,7 @@
 //! Next door: its layout (`page.html`), its figures (`figures`), the same as text (`text`).
 
 use coilsense_figure::{Figure, Theme};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use super::shaping::{percent as share, shaping_advice};
 use super::text::{advice, conditions, judged, notes, percent};
@@ -15,31 +15,31 @@ use crate::spec::Spec;
 
 /// The page of a mitigation.
 pub(super) fn page(answer: &Ranking, spec: &Spec, date: &str, trade_off: &Drawn) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let study = &answer.study;
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        date,
-        spring => &spec.spring.name,
-        file => std::path::Path::new(&spec.file).file_name().map(|name| name.to_string_lossy()),
-        log => study.recorded.as_ref().map(|log| &log.name),
-        text => &spec.text,
-        answer => advice(answer).lines().map(str::to_owned).chain(notes(answer).iter().cloned()).collect::<Vec<_>>(),
-        groups => judged(answer).into_iter().map(|truth| group(answer, truth)).collect::<Vec<_>>(),
-        left_out => answer.left_out.iter().map(|it| context! { name => &it.name, reason => &it.reason }).collect::<Vec<_>>(),
-        conditions => conditions(answer),
-        nominal_force => digits(study.spring.nominal_force()),
-        bandwidth => digits(study.bandwidth),
-        rate => digits(study.rate),
-        trade_off => context! { light => &trade_off.light, dark => &trade_off.dark },
-        over_time => figures::over_time(answer).map(|figure| drawn(&figure)).transpose()?,
-        run => answer.shown.as_ref().map(|shown| &shown.label),
-        exports => exports(answer),
-        shaping => answer.shaping.as_ref().map(shaping),
-        style => include_str!("../style.css"),
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            date,
+            spring => &spec.spring.name,
+            file => std::path::Path::new(&spec.file).file_name().map(|name| name.to_string_lossy()),
+            log => study.recorded.as_ref().map(|log| &log.name),
+            text => &spec.text,
+            answer => advice(answer).lines().map(str::to_owned).chain(notes(answer).iter().cloned()).collect::<Vec<_>>(),
+            groups => judged(answer).into_iter().map(|truth| group(answer, truth)).collect::<Vec<_>>(),
+            left_out => answer.left_out.iter().map(|it| context! { name => &it.name, reason => &it.reason }).collect::<Vec<_>>(),
+            conditions => conditions(answer),
+            nominal_force => digits(study.spring.nominal_force()),
+            bandwidth => digits(study.bandwidth),
+            rate => digits(study.rate),
+            trade_off => context! { light => &trade_off.light, dark => &trade_off.dark },
+            over_time => figures::over_time(answer).map(|figure| drawn(&figure)).transpose()?,
+            run => answer.shown.as_ref().map(|shown| &shown.label),
+            exports => exports(answer),
+            shaping => answer.shaping.as_ref().map(shaping),
+            style => include_str!("../style.css"),
+        },
+    )?;
     Ok(page)
 }
 

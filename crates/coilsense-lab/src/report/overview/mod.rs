@@ -5,7 +5,7 @@
 mod figures;
 mod shown;
 
-use minijinja::{AutoEscape, Environment, context};
+use minijinja::context;
 
 pub use shown::{OverviewOutcome, overview_json, overview_text};
 
@@ -38,25 +38,25 @@ pub fn add_overview(
 }
 
 fn page(overview: &Overview, recording: &Recording, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let figure = |figure: &Drawn| {
         context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
     };
     let rows = shown::columns(overview);
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        style => include_str!("../style.css"),
-        date,
-        file => file_name(&overview.file.display().to_string()),
-        simulated => recording.simulated(),
-        summary => shown::summary(overview),
-        uneven => recording.sample_rate().err().map(|error| error.to_string()),
-        columns => rows,
-        remarks => &overview.remarks,
-        figures => drawn.iter().map(figure).collect::<Vec<_>>(),
-        account => recording.account().lines(),
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            style => include_str!("../style.css"),
+            date,
+            file => file_name(&overview.file.display().to_string()),
+            simulated => recording.simulated(),
+            summary => shown::summary(overview),
+            uneven => recording.sample_rate().err().map(|error| error.to_string()),
+            columns => rows,
+            remarks => &overview.remarks,
+            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            account => recording.account().lines(),
+        },
+    )?;
     Ok(page)
 }

@@ -2,12 +2,12 @@
 //!
 //! Next door: its layout (`page.html`), its figure (`figures`), which designs are listed (`table`).
 
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use super::table::{columns, listed, role};
 use crate::pareto::{Aim, Study, answer};
 use crate::quantity::Shown;
-use crate::report::prose::{file_name, signed, unbroken};
+use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 use crate::sweep::Dataset;
 
@@ -21,44 +21,44 @@ pub(super) fn page(
     date: &str,
     figure: Option<&Drawn>,
 ) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let plan = dataset.plan();
     let parameters = plan.parameters();
     let places = listed(study, MOST);
     let columns = columns(study, &places);
     let objectives = &study.question.objectives;
     let word = |aim: Aim| if aim == Aim::Minimize { "little" } else { "much" };
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        style => include_str!("../style.css"),
-        date,
-        file => file_name(&parameters.spec_file),
-        answer => answer(study).iter().map(|line| signed(&unbroken(line))).collect::<Vec<_>>(),
-        wanted => objectives.iter().map(|own| format!("{} {}", word(own.aim), own.name())).collect::<Vec<_>>().join(", "),
-        conditions => study.question.conditions(),
-        figure => figure.map(|figure| context! { light => &figure.light, dark => &figure.dark }),
-        drawn => study.cloud.len(),
-        compared => study.counts.compared,
-        titles => columns.iter().map(|column| column.title.clone()).collect::<Vec<_>>(),
-        of_objectives => objectives.len(),
-        of_variables => columns.len() - objectives.len(),
-        rows => rows(study, &places, &columns),
-        count => study.rows.len(),
-        spans => spans(study),
-        over => &parameters.over,
-        sampling => parameters.sampling.map(|sampling| sampling.name()),
-        planned => plan.rows(),
-        seed => parameters.seed,
-        text => &parameters.spec,
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            style => include_str!("../style.css"),
+            date,
+            file => file_name(&parameters.spec_file),
+            answer => answer(study).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            wanted => objectives.iter().map(|own| format!("{} {}", word(own.aim), own.name())).collect::<Vec<_>>().join(", "),
+            conditions => study.question.conditions(),
+            figure => figure.map(|figure| context! { light => &figure.light, dark => &figure.dark }),
+            drawn => study.cloud.len(),
+            compared => study.counts.compared,
+            titles => columns.iter().map(|column| column.title.clone()).collect::<Vec<_>>(),
+            of_objectives => objectives.len(),
+            of_variables => columns.len() - objectives.len(),
+            rows => rows(study, &places, &columns),
+            count => study.rows.len(),
+            spans => spans(study),
+            over => &parameters.over,
+            sampling => parameters.sampling.map(|sampling| sampling.name()),
+            planned => plan.rows(),
+            seed => parameters.seed,
+            text => &parameters.spec,
+        },
+    )?;
     Ok(page)
 }
 
 fn rows(study: &Study, places: &[usize], columns: &[super::table::Listed]) -> Vec<Value> {
     let row = |(index, place): (usize, &usize)| {
-        let cells = columns.iter().map(|column| signed(&column.cells[index]));
+        let cells = columns.iter().map(|column| column.cells[index].clone());
         context! { row => study.rows[*place], role => role(study, *place), cells => cells.collect::<Vec<_>>() }
     };
     places.iter().enumerate().map(row).collect()
@@ -72,8 +72,8 @@ fn spans(study: &Study) -> Vec<Value> {
         let share = if width > 0.0 { format!("{:.0} %", 100.0 * kept / width) } else { "–".to_owned() };
         context! {
             title => shown.title(),
-            all => span.all.map(|value| signed(&shown.digits(value))),
-            front => span.front.map(|value| signed(&shown.digits(value))),
+            all => span.all.map(|value| shown.digits(value)),
+            front => span.front.map(|value| shown.digits(value)),
             share,
         }
     };

@@ -83,6 +83,59 @@ pub(super) fn bode(placement: &Placement, traces: &Traces) -> Figure {
     Figure { panels: vec![size, phase], columns: 1, panel_width: WIDTH, panel_height: HEIGHT }
 }
 
+/// F_o over its reference with the loop closed, for each force with which it is stable; `None` where it is with none.
+pub(super) fn tracking(placement: &Placement) -> Result<Option<Figure>, Error> {
+    let (surge, shown) = (placement.spec.spring.spring.surge_frequency(), placement.shown());
+    let (from, to) = (placement.crossover.min(surge) / DECADES_BELOW, 5.0 * surge);
+    let is_stable = |channel: Channel| {
+        let candidate = placement.candidates.iter().find(|candidate| candidate.channel == channel);
+        candidate.is_some_and(|candidate| candidate.judged[shown].margins.stable)
+    };
+    let of = |(channel, colour, dash): &(Channel, Colour, Dash)| {
+        let looped = placement.force_loop(shown, *channel)?;
+        let points = looped.trace()?;
+        let frequencies = points.points().iter().map(|point| point.angular_frequency);
+        let frequencies: Vec<f64> = frequencies.filter(|omega| (from..=to).contains(&(omega / TAU))).collect();
+        let followed = |omega: &f64| {
+            let plant = looped.plant().at(*omega)?;
+            let response = looped.tracking(*omega)? / plant.of(*channel)? * plant.of(Channel::OutputForce)?;
+            Ok(Point { angular_frequency: *omega, response })
+        };
+        let points = frequencies.iter().map(followed).collect::<Result<Vec<Point>, Error>>()?;
+        let x: Vec<f64> = frequencies.iter().map(|omega| omega / TAU).collect();
+        let curve = |label: &str, y| Curve { label: label.into(), x: x.clone(), y, stroke: stroke(*colour, *dash) };
+        let size = points.iter().map(|point| point.response.norm()).collect();
+        Ok([curve(channel.name(), size), curve(channel.name(), unwrapped(&points))])
+    };
+    let stable = LOOKS.iter().filter(|(channel, ..)| is_stable(*channel));
+    let (sizes, phases): (Vec<Curve>, Vec<Curve>) = stable
+        .map(of)
+        .collect::<Result<Vec<[Curve; 2]>, Error>>()?
+        .into_iter()
+        .map(|[size, phase]| (size, phase))
+        .unzip();
+    if sizes.is_empty() {
+        return Ok(None);
+    }
+    let x = Axis { label: "Frequency [Hz]".into(), range: Some((from, to)), scale: Scale::Log10 };
+    let size = Panel {
+        title: "Tracking: F_o over its reference, loop closed".into(),
+        x: x.clone(),
+        y: Axis { label: "|F_o/reference| [1]".into(), scale: Scale::Log10, ..Axis::default() },
+        curves: sizes,
+        limits: vec![HorizontalMark { y: 1.0, label: "1".into() }],
+        marks: surge_marks(placement, to),
+        ..Panel::default()
+    };
+    let phase = Panel {
+        x,
+        y: Axis { label: "Phase [°]".into(), range: Some((-540.0, 90.0)), ..Axis::default() },
+        curves: phases,
+        ..Panel::default()
+    };
+    Ok(Some(Figure { panels: vec![size, phase], columns: 1, panel_width: WIDTH, panel_height: HEIGHT }))
+}
+
 /// Phase without jumps [°].
 fn unwrapped(points: &[Point]) -> Vec<f64> {
     let mut phases: Vec<f64> = Vec::with_capacity(points.len());
@@ -119,6 +172,7 @@ pub(super) fn nyquist(traces: &Traces) -> Figure {
     let axis = |label: &str| Axis { label: label.into(), range: Some((-reach, reach)), ..Axis::default() };
     let panel = Panel {
         title: "Nyquist: the loop is unstable where its curve goes round −1".into(),
+        equal_units: true,
         x: axis("Re L [1]"),
         y: axis("Im L [1]"),
         curves: traces.0.iter().map(curve).chain([circle]).collect(),

@@ -3,7 +3,7 @@
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
 use coilsense_figure::{Figure, Theme};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use super::text::significant;
 use super::{bounded, figures};
@@ -13,42 +13,43 @@ use crate::report::ReportError;
 
 /// The page of a placement.
 pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let traces = figures::Traces::of(placement)?;
     let step = figures::step(placement).map(|figure| drawn("step", &figure)).transpose()?;
     let steps = figures::steps(placement).map(|figure| drawn("steps", &figure)).transpose()?;
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        date,
-        spring => &placement.spec.spring.name,
-        file => std::path::Path::new(&placement.spec.file).file_name().map(|name| name.to_string_lossy()),
-        text => &placement.spec.text,
-        answer => answer(placement),
-        rows => rows(placement),
-        tolerance => format!("{:.0}", 100.0 * crate::placement::TOLERANCE),
-        estimates => placement.estimates.iter().map(|estimate| context! {
-            name => estimate.name,
-            stable_to => bounded(estimate.stable_crossover, digits),
-            robust_to => bounded(estimate.robust_crossover, digits),
-        }).collect::<Vec<_>>(),
-        shown => &placement.dampings[placement.shown()].label,
-        crossover => digits(placement.crossover),
-        gain => significant(placement.gain),
-        unit => placement.control.drive.command_unit(),
-        sampled => placement.control.sample_time.map(|step| digits(1.0 / step)),
-        best => placement.candidates[placement.best].channel.name(),
-        bode => drawn("bode", &figures::bode(placement, &traces))?,
-        nyquist => drawn("nyquist", &figures::nyquist(&traces))?,
-        step,
-        steps,
-        drive => drive_words(&placement.control.drive),
-        runs => placement.runs.iter().map(run_row).collect::<Vec<_>>(),
-        beside => [1.0 - BESIDE, 1.0 + BESIDE],
-        rendered => drawn("rendered", &figures::rendered(placement)?)?,
-        style => include_str!("../style.css"),
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            date,
+            spring => &placement.spec.spring.name,
+            file => std::path::Path::new(&placement.spec.file).file_name().map(|name| name.to_string_lossy()),
+            text => &placement.spec.text,
+            answer => answer(placement),
+            rows => rows(placement),
+            tolerance => format!("{:.0}", 100.0 * crate::placement::TOLERANCE),
+            estimates => placement.estimates.iter().map(|estimate| context! {
+                name => estimate.name,
+                stable_to => bounded(estimate.stable_crossover, digits),
+                robust_to => bounded(estimate.robust_crossover, digits),
+            }).collect::<Vec<_>>(),
+            shown => &placement.dampings[placement.shown()].label,
+            crossover => digits(placement.crossover),
+            gain => significant(placement.gain),
+            unit => placement.control.drive.command_unit(),
+            sampled => placement.control.sample_time.map(|step| digits(1.0 / step)),
+            best => placement.candidates[placement.best].channel.name(),
+            bode => drawn("bode", &figures::bode(placement, &traces))?,
+            tracking => figures::tracking(placement)?.map(|figure| drawn("tracking", &figure)).transpose()?,
+            nyquist => drawn("nyquist", &figures::nyquist(&traces))?,
+            step,
+            steps,
+            drive => drive_words(&placement.control.drive),
+            runs => placement.runs.iter().map(run_row).collect::<Vec<_>>(),
+            beside => [1.0 - BESIDE, 1.0 + BESIDE],
+            rendered => drawn("rendered", &figures::rendered(placement)?)?,
+            style => include_str!("../style.css"),
+        },
+    )?;
     Ok(page)
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Next door: its words about limits (`limits`), its layout (`page.html`).
 
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use super::text::{finding, reasons_in_use, summary, table_title};
 use super::{Drawn, ReportError, limits};
@@ -11,9 +11,6 @@ use crate::reproduce::{Cell, Condition, Protocol, Reproduction, TOLERANCE_POINTS
 
 /// The page of a reproduction.
 pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let tables: Vec<Value> =
         [Table::Two, Table::Three].into_iter().map(|table| table_value(reproduction, table)).collect();
     let reasons: Vec<Value> = reasons_in_use(reproduction)
@@ -27,21 +24,24 @@ pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<Strin
     let limits: Vec<Value> =
         limits::limits(reproduction)?.into_iter().map(|(heading, paragraph)| context! { heading, paragraph }).collect();
     let protocols: Vec<&str> = reproduction.protocols.iter().map(|protocol| protocol.name()).collect();
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        style => include_str!("../style.css"),
-        summary => summary(reproduction),
-        finding => finding(reproduction),
-        warnings => reproduction.warnings(),
-        table_i => reproduction.springs_are_table_i,
-        protocols,
-        tables,
-        reasons,
-        figures,
-        limits,
-        springs => springs(reproduction),
-        tolerance => TOLERANCE_POINTS,
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            style => include_str!("../style.css"),
+            summary => summary(reproduction),
+            finding => finding(reproduction),
+            warnings => reproduction.warnings(),
+            table_i => reproduction.springs_are_table_i,
+            protocols,
+            tables,
+            reasons,
+            figures,
+            limits,
+            springs => springs(reproduction),
+            tolerance => TOLERANCE_POINTS,
+        },
+    )?;
     Ok(page)
 }
 

@@ -3,7 +3,7 @@
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
 use coilsense_figure::{Figure, Theme};
-use minijinja::{AutoEscape, Environment, Value, context};
+use minijinja::{Value, context};
 
 use super::figures;
 use crate::quantity::digits;
@@ -13,33 +13,33 @@ use crate::speed::{SpeedMap, SpeedPoint, answer};
 
 /// The page of a map.
 pub(super) fn page(map: &SpeedMap, date: &str) -> Result<String, ReportError> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.add_template("page", include_str!("page.html"))?;
     let ways = &map.spec.mount.cases;
-    let page = environment.get_template("page")?.render(context! {
-        version => env!("CARGO_PKG_VERSION"),
-        date,
-        spring => &map.spec.spring.name,
-        file => file_name(&map.spec.file),
-        text => &map.spec.text,
-        cam => &map.cam.words,
-        answer => answer(map).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-        overview => drawn("overview", &figures::overview(map, 2))?,
-        narrow => drawn("overview", &figures::overview(map, 1))?,
-        ends => drawn("forces", &figures::ends(map))?,
-        waterfall => drawn("waterfall", &figures::waterfall(map))?,
-        has_strength => map.spec.strength.is_some(),
-        first_way => &ways[0].label,
-        has_follower => map.points.iter().any(|point| point.floating.is_some()),
-        crossings => map.campbell.crossings.iter().map(|at| context! {
-            harmonic => at.harmonic,
-            speed => format!("{:.0}", 60.0 * at.speed),
-            amplitude => digits(1e6 * at.amplitude),
-        }).collect::<Vec<_>>(),
-        rows => map.points.iter().map(|point| row(map, point)).collect::<Vec<_>>(),
-        style => include_str!("../style.css"),
-    })?;
+    let page = crate::report::page::page(
+        include_str!("page.html"),
+        context! {
+            version => env!("CARGO_PKG_VERSION"),
+            date,
+            spring => &map.spec.spring.name,
+            file => file_name(&map.spec.file),
+            text => &map.spec.text,
+            cam => &map.cam.words,
+            answer => answer(map).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            overview => drawn("overview", &figures::overview(map, 2))?,
+            narrow => drawn("overview", &figures::overview(map, 1))?,
+            ends => drawn("forces", &figures::ends(map))?,
+            waterfall => drawn("waterfall", &figures::waterfall(map))?,
+            has_strength => map.spec.strength.is_some(),
+            first_way => &ways[0].label,
+            has_follower => map.points.iter().any(|point| point.floating.is_some()),
+            crossings => map.campbell.crossings.iter().map(|at| context! {
+                harmonic => at.harmonic,
+                speed => format!("{:.0}", 60.0 * at.speed),
+                amplitude => digits(1e6 * at.amplitude),
+            }).collect::<Vec<_>>(),
+            rows => map.points.iter().map(|point| row(map, point)).collect::<Vec<_>>(),
+            style => include_str!("../style.css"),
+        },
+    )?;
     Ok(page)
 }
 
