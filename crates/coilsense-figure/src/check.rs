@@ -42,6 +42,10 @@ fn band(band: &Band) -> Result<(), PlotError> {
 
 fn points(points: &Points) -> Result<(), PlotError> {
     let [x, y, errors] = [&points.x, &points.y, &points.errors].map(Vec::len);
+    let names = points.names.len();
+    if names != 0 && names != x {
+        return Err(PlotError::PointNames { label: points.label.clone(), x, names });
+    }
     if x == y && (errors == 0 || errors == x) {
         return Ok(());
     }

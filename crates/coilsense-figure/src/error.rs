@@ -92,6 +92,16 @@ pub enum PlotError {
         /// Height left for the axes \[px\].
         height: f64,
     },
+    /// Points have names, but not one each.
+    #[error("points `{label}` need no names or one each, got {names} for {x} points")]
+    PointNames {
+        /// Label of the points.
+        label: String,
+        /// How many points there are.
+        x: usize,
+        /// How many names.
+        names: usize,
+    },
     /// A line has no width.
     #[error("line width of curve `{label}` must be above zero, got {width} px")]
     Width {

@@ -41,6 +41,7 @@ pub(crate) fn draw(scene: &Scene, shapes: &mut Vec<Shape>) -> Result<(), PlotErr
     x_letters(scene, &x, shapes);
     y_letters(scene, &y, shapes);
     head::letters(scene, shapes);
+    points::names(scene, shapes);
     beside::limit_letters(scene, shapes);
     Ok(())
 }

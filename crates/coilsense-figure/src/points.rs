@@ -1,11 +1,13 @@
-//! Draws points and their error bars.
+//! Draws points with their error bars and names.
 //!
 //! What they are is said in `figure`.
 
-use crate::drawing::{Pen, Point, Shape};
+use crate::drawing::{Anchor, Pen, Point, Shape};
+use crate::lettering::width;
 use crate::ruler::Ruler;
 use crate::scene::Scene;
-use crate::{Colour, Marker, Theme};
+use crate::sheet::SMALL;
+use crate::{Colour, Marker, Points, Theme};
 
 /// Half the height of a marker \[px\].
 const SIZE: f64 = 3.6;
@@ -65,5 +67,47 @@ pub(crate) fn shapes(scene: &Scene, shapes: &mut Vec<Shape>) {
         let outline = |index: usize| points.marker.outline(scene.frame.at(across(index), up(points.y[index])));
         let outlines = shown.into_iter().map(outline).collect();
         shapes.push(Shape::Area { outlines, ink: scene.theme.shade(points.colour), opacity: points.marker.opacity() });
+    }
+}
+
+/// Names of points, each where it has room: right of its point, left of it, above or below; on no other point and on no name before it.
+pub(crate) fn names(scene: &Scene, shapes: &mut Vec<Shape>) {
+    let [x, y] = &scene.rulers;
+    let place = |points: &Points, index: usize| {
+        let (across, up) = (x.share(points.x[index]), y.share(points.y[index]));
+        (Ruler::holds(across) && Ruler::holds(up)).then(|| scene.frame.at(across, up))
+    };
+    let all = || scene.panel.points.iter().flat_map(|points| (0..points.x.len()).map(move |index| (points, index)));
+    let mut taken: Vec<[f64; 4]> = Vec::new();
+    for (points, index) in all() {
+        let Some([left, top]) = place(points, index) else { continue };
+        taken.push([left - SIZE, top - SIZE, left + SIZE, top + SIZE]);
+    }
+    for (points, index) in all() {
+        let (Some([left, top]), Some(name)) = (place(points, index), points.names.get(index)) else { continue };
+        let (long, half) = (width(name, SMALL), 0.5 * SMALL);
+        let beside = SIZE + 4.0;
+        let places = [
+            [left + beside, top],
+            [left - beside - long, top],
+            [left - 0.5 * long, top - beside - half],
+            [left - 0.5 * long, top + beside + half],
+        ];
+        let around = |[from, middle]: Point| [from - 2.0, middle - half - 1.0, from + long + 2.0, middle + half + 1.0];
+        let is_free = |at: &Point| {
+            let sides = around(*at);
+            let inside = sides[0] >= scene.frame.left
+                && sides[2] <= scene.frame.right()
+                && sides[1] >= scene.frame.top
+                && sides[3] <= scene.frame.bottom();
+            let clear = |other: &[f64; 4]| {
+                sides[2] <= other[0] || other[2] <= sides[0] || sides[3] <= other[1] || other[3] <= sides[1]
+            };
+            inside && taken.iter().all(clear)
+        };
+        if let Some(at) = places.into_iter().find(is_free).filter(|_| !name.is_empty()) {
+            taken.push(around(at));
+            shapes.push(Shape::Text(scene.text(name, [at[0], at[1] + 0.36 * SMALL], SMALL, Anchor::Start)));
+        }
     }
 }

@@ -75,8 +75,8 @@ pub fn documents() -> anyhow::Result<Vec<PathBuf>> {
     Ok(pages)
 }
 
-/// Types the commands of README and book, each page's in a folder of its own that has the examples; whether all of them succeed and no page holds
-/// Rust that nothing compiles.
+/// Types the commands of README and book, each page's in a folder of its own that has the examples; whether all of them succeed, no report holds
+/// numbers as a program writes them, and no page Rust that nothing compiles.
 pub fn readme() -> anyhow::Result<bool> {
     let executable = executable()?;
     let doctests = std::fs::read_to_string(root().join("crates/coilsense/src/lib.rs"))?;
@@ -98,6 +98,9 @@ pub fn readme() -> anyhow::Result<bool> {
                 return Ok(false);
             }
             typed += 1;
+        }
+        if !crate::reports::are_set(place.path())? {
+            bail!("{name}: a report has numbers as a program writes them");
         }
     }
     println!("{typed} commands of README and book");
@@ -159,7 +162,7 @@ pub fn every_example() -> anyhow::Result<bool> {
             bail!("{} is missing", missing.display());
         }
     }
-    Ok(true)
+    crate::reports::are_set(place.path())
 }
 
 /// The examples' specs, copied.

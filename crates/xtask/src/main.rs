@@ -17,6 +17,7 @@ mod package;
 mod packed;
 mod page;
 mod python;
+mod reports;
 mod robot;
 mod stubs;
 mod sweep;

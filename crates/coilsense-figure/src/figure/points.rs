@@ -15,6 +15,8 @@ pub struct Points {
     pub y: Vec<f64>,
     /// Half the length of each error bar, in the unit of the y axis; none, or as many as `x`.
     pub errors: Vec<f64>,
+    /// What stands beside each point; none, or as many as `x`. A name that has no room on any side is left out, the first ones first served.
+    pub names: Vec<String>,
     /// Colour by name.
     pub colour: Colour,
     /// What stands at each point.

@@ -58,3 +58,25 @@ fn points_whose_series_do_not_go_together_are_refused() {
         "points `F_o` need as many x as y values and no error bars or as many, got 3, 3 and 1"
     );
 }
+
+#[test]
+fn names_of_points_stand_beside_them_and_on_nothing_else() {
+    let named = |x: Vec<f64>, names: &[&str]| Points {
+        y: vec![1.0; x.len()],
+        x,
+        names: names.iter().map(|name| (*name).to_owned()).collect(),
+        ..Points::default()
+    };
+    // Three far apart, and three on one another: the last has no side left.
+    let figure = of(vec![
+        named(vec![0.0, 5.0, 10.0], &["left", "middle", "right"]),
+        named(vec![2.0; 5], &["first", "second", "third", "fourth", "fifth"]),
+    ]);
+    let svg = figure.to_svg(Theme::Light).unwrap();
+    for name in ["left", "middle", "right", "first", "second", "third", "fourth"] {
+        assert!(svg.contains(&format!(">{name}</text>")), "{name}");
+    }
+    assert!(!svg.contains(">fifth</text>"));
+    let refused = of(vec![named(vec![0.0, 1.0], &["one"])]).to_svg(Theme::Light).unwrap_err();
+    assert_eq!(refused.to_string(), "points `` need no names or one each, got 1 for 2 points");
+}

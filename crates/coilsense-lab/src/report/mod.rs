@@ -25,6 +25,7 @@ mod reproduction;
 mod schemas;
 #[cfg(feature = "parquet")]
 mod sensitivity;
+mod spectrogram;
 mod speed;
 #[cfg(all(feature = "reference", feature = "parquet"))]
 pub mod verbs;

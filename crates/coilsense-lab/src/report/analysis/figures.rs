@@ -10,6 +10,7 @@ use coilsense_figure::{
 
 use crate::analysis::{Analysis, Case, Verdict};
 use crate::quantity::digits;
+use crate::report::page::typeset;
 use crate::report::prose::plain;
 
 /// Width of a figure \[px\].
@@ -36,7 +37,7 @@ pub(super) fn ranking(analysis: &Analysis) -> Figure {
         Bar {
             name,
             value: percent,
-            text: format!("{} %", digits(percent)),
+            text: format!("{} %", typeset(&digits(percent))),
             group: group.into(),
             colour,
             ..Bar::default()
@@ -63,7 +64,7 @@ pub(super) fn budget(analysis: &Analysis, verdict: &Verdict) -> Figure {
     let bar = |(name, newton): (String, f64)| {
         let percent = 100.0 * newton / nominal;
         let colour = if name == "combined" { Colour::Ink } else { Colour::Blue };
-        Bar { name, value: percent, text: format!("{} %", digits(percent)), colour, ..Bar::default() }
+        Bar { name, value: percent, text: format!("{} %", typeset(&digits(percent))), colour, ..Bar::default() }
     };
     let goal = analysis.spec.goal.error.map(|error| Mark { x: 100.0 * error / nominal, label: "goal".into() });
     let axis = "Contribution to the standard uncertainty [% of F_{nom}]";

@@ -41,6 +41,7 @@ fn of_force(
         errors: points.iter().map(|point| point.2).collect(),
         colour,
         marker,
+        ..Points::default()
     }
 }
 
@@ -53,9 +54,9 @@ pub(super) fn over_frequency(experiment: &Experiment) -> Figure {
         label: label.into(),
         x: experiment.harmonics().map(|(_, run)| run.spec.frequency).collect(),
         y: experiment.harmonics().map(|(_, run)| experiment.percent(of(run))).collect(),
-        errors: Vec::new(),
         colour,
         marker,
+        ..Points::default()
     };
     let above = Panel {
         title: marked(experiment, ""),

@@ -1,11 +1,13 @@
-//! The figures of an identification: spectrum with its lines, a ring-down with its fit, force over length.
+//! The figures of an identification: spectrum with its lines, spectrogram, a ring-down with its fit, force over length.
 //!
 //! Next door: how figures are drawn (`coilsense_figure`).
 
+use coilsense::Channel;
 use coilsense::identify::{Meaning, Part, RingDown, Stiffness, Welch};
 use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Mark, Panel, Points, Scale, Stroke};
 
 use crate::identification::Identified;
+use crate::report::spectrogram::spectrogram;
 
 /// Width of a figure \[px\].
 const WIDTH: f64 = 760.0;
@@ -20,6 +22,10 @@ pub(super) fn all(identified: &Identified) -> Vec<(String, String, Figure)> {
     if found.spectra.iter().any(|(_, welch)| welch.density.len() > 2) {
         let caption = "Spectrum of the whole record (Welch), with the modes f_j that were found; grey lines without a name are other lines.";
         figures.push(("spectrum".to_owned(), format!("{caption}{said}"), spectrum(identified)));
+    }
+    if let Some((channel, figure)) = over_time(identified) {
+        let caption = format!("Which frequencies {} has when; upright lines are the hits.", channel.name());
+        figures.push(("spectrogram".to_owned(), format!("{caption}{said}"), figure));
     }
     if let Some(ring_down) = &found.ring_down {
         let caption = format!(
@@ -48,12 +54,32 @@ fn label(part: Part) -> String {
     }
 }
 
-fn spectrum(identified: &Identified) -> Figure {
+/// Up to which frequency \[Hz\] there is something to see.
+fn highest(identified: &Identified) -> f64 {
     let found = &identified.found;
     let nyquist = 0.5 * found.sampling.rate;
-    let modes = || found.lines.iter().filter_map(|line| Some((line.mode()?, line.frequency.value)));
     let seen = found.lines.iter().map(|line| line.frequency.value).fold(0.0, f64::max);
-    let highest = if seen > 0.0 { (1.15 * seen).min(nyquist) } else { nyquist };
+    if seen > 0.0 { (1.15 * seen).min(nyquist) } else { nyquist }
+}
+
+/// The spectrogram of a force with the hits, where there are hits.
+fn over_time(identified: &Identified) -> Option<(Channel, Figure)> {
+    let (found, signals) = (&identified.found, &identified.signals);
+    if found.hits.is_empty() {
+        return None;
+    }
+    let forces = [Channel::OutputForce, Channel::InputForce].into_iter();
+    let (channel, values) = forces.filter_map(|force| Some((force, signals.channel(force).ok()?))).next()?;
+    let panel = spectrogram(signals.time(), values, found.sampling.rate, highest(identified))?;
+    let marks = found.hits.iter().map(|hit| Mark { x: hit.time, label: String::new() }).collect();
+    let panel = Panel { title: title(identified), marks, ..panel };
+    Some((channel, Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: 280.0 }))
+}
+
+fn spectrum(identified: &Identified) -> Figure {
+    let found = &identified.found;
+    let modes = || found.lines.iter().filter_map(|line| Some((line.mode()?, line.frequency.value)));
+    let highest = highest(identified);
     let looks = [(Colour::Red, Dash::Solid), (Colour::Blue, Dash::Dashed)];
     let mut peak = f64::MIN_POSITIVE;
     let mut bottom = f64::INFINITY;

@@ -5,14 +5,17 @@
 use coilsense_figure::{Axis, Colour, Curve, Dash, Figure, Marker, Panel, Points, Scale, Stroke};
 
 use super::text::{judged, percent};
-use crate::mitigation::{Made, Origin, Ranking, Truth};
+use crate::mitigation::{Judgement, Made, Origin, Ranking, Truth};
 
 /// Worst-case error against lag.
 pub(super) fn trade_off(answer: &Ranking) -> Figure {
     let points = |truth, origin, label: &str, colour, marker| {
         let those = answer.judged.iter().filter(|(c, _)| c.truth == truth && c.origin == origin);
+        let names =
+            those.clone().map(|(c, j)| if is_on_front(answer, truth, j) { c.name.clone() } else { String::new() });
+        let names = names.collect();
         let (x, y) = those.map(|(_, j)| (j.lag.to_degrees(), percent(answer, j.worst))).unzip();
-        Points { label: label.to_owned(), x, y, errors: Vec::new(), colour, marker }
+        Points { label: label.to_owned(), x, y, names, colour, marker, ..Points::default() }
     };
     let axis = |label: String, range, scale| Axis { label, range, scale };
     // No point stands on the frame.
@@ -22,14 +25,21 @@ pub(super) fn trade_off(answer: &Ranking) -> Figure {
         let room = 0.05 * (most - least).max(1.0);
         Some((least - room, most + room))
     };
+    // A name has room below the least.
+    let errors = || {
+        let worst = answer.judged.iter().map(|(_, j)| percent(answer, j.worst)).filter(|worst| *worst > 0.0);
+        let (least, most) =
+            worst.fold((f64::INFINITY, 0.0_f64), |(least, most), worst| (least.min(worst), most.max(worst)));
+        (least < most).then_some((0.65 * least, 1.25 * most))
+    };
     let panel = |title: &str, truth| Panel {
         title: title.to_owned(),
         x: axis(format!("Lag at {:.3} Hz [°]", answer.study.bandwidth), around(truth), Scale::Linear),
-        y: axis("Worst error [% of F_{nom}]".to_owned(), None, Scale::Log10),
+        y: axis("Worst error [% of F_{nom}]".to_owned(), errors(), Scale::Log10),
         points: vec![
-            points(truth, Origin::Raw, "nothing done", Colour::Ink, Marker::Disc),
-            points(truth, Origin::Textbook, "textbook", Colour::Blue, Marker::Square),
             points(truth, Origin::Fitted, "fitted", Colour::Red, Marker::Diamond),
+            points(truth, Origin::Textbook, "textbook", Colour::Blue, Marker::Square),
+            points(truth, Origin::Raw, "nothing done", Colour::Ink, Marker::Disc),
         ],
         ..Panel::default()
     };
@@ -39,6 +49,16 @@ pub(super) fn trade_off(answer: &Ranking) -> Figure {
         panel_width: 420.0,
         panel_height: 320.0,
     }
+}
+
+/// Whether nothing is both less wrong and less late, one of them by some.
+fn is_on_front(answer: &Ranking, truth: Truth, judged: &Judgement) -> bool {
+    let mut others = answer.judged.iter().filter(|(candidate, _)| candidate.truth == truth).map(|(_, other)| other);
+    !others.any(|other| {
+        other.worst <= judged.worst
+            && other.lag.abs() <= judged.lag.abs()
+            && (other.worst < judged.worst || other.lag.abs() < judged.lag.abs())
+    })
 }
 
 fn title(truth: Truth) -> &'static str {
