@@ -10,7 +10,7 @@ use clap::builder::StyledStr;
 type Example = (&'static str, &'static str);
 
 /// Examples of each verb, the most common first.
-pub const EXAMPLES: [(&str, &[Example]); 18] = [
+pub const EXAMPLES: [(&str, &[Example]); 19] = [
     (
         "init",
         &[
@@ -125,6 +125,13 @@ pub const EXAMPLES: [(&str, &[Example]); 18] = [
     (
         "experiment",
         &[("an experiment's logs as the paper has them", "coilsense experiment out/virtual-rig --out out/experiment")],
+    ),
+    (
+        "record",
+        &[
+            ("a record.toml to fill in, beside your logs", "coilsense record my-spring --begin"),
+            ("what is missing, and one file to send", "coilsense record my-spring --out my-spring.zip"),
+        ],
     ),
     ("app", &[("the page on this machine", "coilsense app")]),
     (

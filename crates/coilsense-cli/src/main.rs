@@ -20,6 +20,7 @@ mod options;
 mod pareto;
 mod placement;
 mod progress;
+mod record;
 mod reproduce;
 mod rig;
 mod sensitivity;
@@ -61,6 +62,7 @@ const RUNS: [(&str, Run); VERBS.len()] = [
     ("sensitivity", sensitivity::run),
     ("pareto", pareto::run),
     ("experiment", experiment::run),
+    ("record", record::run),
     ("app", app::run),
     ("reproduce", reproduce::run),
 ];

@@ -158,7 +158,9 @@ fn what_is_printed_is_what_the_schemas_say() {
     let points = "l [mm],L [uH]\n196,3.9\n210,3.6\n230,3.35\n250,3.1\n264,2.95\n";
     std::fs::write(folder.join("points.csv"), points).expect("written");
     let sweep = "sweep spec.toml --over spring.stiffness=600..900N/m --rows 64 --seed 1 --sampling";
+    assert!(coilsense(folder, &["record", "mine", "--begin"]).status.success());
     let commands = [
+        ("record", "record mine"),
         ("init", "init --from S_T"),
         ("init", "init --from S_T --out spec.toml"),
         ("data-sheet", "spring spec.toml"),

@@ -100,6 +100,9 @@ pub mod pareto;
 /// A dataset to the variables that matter.
 pub mod sensitivity;
 
+/// A folder of measured logs to what is missing in it, and to one file to send.
+pub mod record;
+
 /// A spec to the files that a real rig would write.
 pub mod rig;
 

@@ -144,7 +144,7 @@ pub fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measureme
 
 /// Whole commands: `coilsense reproduce`, and `coilsense analyze` on every example, `coilsense rig` on those of a rig.
 fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
-    let executable = commands::executable()?;
+    let executable = commands::with_every_format()?;
     let mut all = vec![whole(&executable, "reproduce", &["reproduce"])?];
     for spec in commands::examples()? {
         let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();

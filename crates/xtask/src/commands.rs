@@ -15,9 +15,19 @@ pub const SPEED: [&str; 7] = ["speed", "--from", "1000rpm", "--to", "8000rpm", "
 /// How README and book call the command from a checkout.
 const PREFIX: &str = "cargo run --release -- ";
 
-/// The release build of the command.
+/// The release build of the command, as README says to make it.
 pub fn executable() -> anyhow::Result<PathBuf> {
-    if !cargo(&["build", "--release", "--package", "coilsense-cli"]).status()?.success() {
+    built(&[])
+}
+
+/// The release build of the command with all that a release has but the page.
+pub fn with_every_format() -> anyhow::Result<PathBuf> {
+    built(&["--features", "formats"])
+}
+
+fn built(features: &[&str]) -> anyhow::Result<PathBuf> {
+    let mut build = cargo(&["build", "--release", "--package", "coilsense-cli"]);
+    if !build.args(features).status()?.success() {
         bail!("the release build failed");
     }
     Ok(target_folder().join("release/coilsense"))

@@ -27,7 +27,7 @@ const MOST_TO_IDENTIFY: f64 = 700.0;
 
 /// Makes logs of a minute, of ten million rows and of 2 GB, imports them, prints time and peak memory.
 pub fn run() -> anyhow::Result<()> {
-    let executable = commands::executable()?;
+    let executable = commands::with_every_format()?;
     let place = root().join("target/bench-logs");
     std::fs::create_dir_all(&place)?;
     println!("{:46} {:>9} {:>14} {:>9}", "job", "time [s]", "peak RSS [MB]", "MB/s");

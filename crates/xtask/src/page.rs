@@ -70,7 +70,7 @@ pub fn check() -> anyhow::Result<bool> {
     if !cargo(&built::EVERY_TEST).args(["--test", "app"]).status()?.success() {
         return Ok(false);
     }
-    let command = commands::executable()?;
+    let command = commands::with_every_format()?;
     let mut tests = in_web("npm", &["test"]);
     tests.env("COILSENSE_COMMAND", command);
     for browser in BROWSERS {

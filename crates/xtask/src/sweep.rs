@@ -49,7 +49,7 @@ struct Summary {
 
 /// Measures and prints.
 pub fn run(million: bool) -> anyhow::Result<()> {
-    let executable = commands::executable()?;
+    let executable = commands::with_every_format()?;
     println!("{:22} {:>7} {:>5} {:>12} {:>9}  goal", "designs", "rows", "cores", "designs/s", "peak MB");
     for case in CASES {
         let best = |jobs: u64| -> anyhow::Result<Summary> {

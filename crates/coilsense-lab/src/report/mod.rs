@@ -18,6 +18,7 @@ mod page;
 mod pareto;
 mod placement;
 mod prose;
+mod record;
 #[cfg(all(feature = "reference", feature = "parquet"))]
 mod reference;
 mod reproduction;
@@ -45,6 +46,7 @@ pub use overview::{OverviewOutcome, add_overview, overview_json, overview_text};
 #[cfg(feature = "parquet")]
 pub use pareto::{ParetoOutcome, add_pareto, pareto_json, pareto_text};
 pub use placement::{PlacementOutcome, add_placement, placement_json, placement_text};
+pub use record::{CheckRow, RecordOutcome, record_json, record_text};
 #[cfg(all(feature = "reference", feature = "parquet"))]
 pub use reference::options_markdown;
 pub use reproduction::{add_reproduction, reproduction_json, reproduction_text};

@@ -15,6 +15,7 @@ use super::mitigation::MitigationOutcome;
 use super::outcome::schema_of;
 use super::overview::OverviewOutcome;
 use super::placement::PlacementOutcome;
+use super::record::RecordOutcome;
 use super::reproduction::ReproductionOutcome;
 use super::speed::SpeedOutcome;
 use crate::spec::{experiment_file_schema, spec_schema};
@@ -36,6 +37,7 @@ pub fn schemas() -> Vec<(&'static str, Value)> {
         schema_of::<InitOutcome<'static>>(),
         schema_of::<MitigationOutcome>(),
         schema_of::<PlacementOutcome<'static>>(),
+        schema_of::<RecordOutcome<'static>>(),
         schema_of::<ReproductionOutcome<'static>>(),
         schema_of::<RigOutcome<'static>>(),
         schema_of::<SimulationOutcome<'static>>(),

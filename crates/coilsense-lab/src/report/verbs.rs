@@ -13,7 +13,7 @@ pub use sweeps::{DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_RO
 use sweeps::{PARETO, SENSITIVITY, SWEEP, VARIED};
 
 /// The verbs, in the order of the command's help.
-pub const VERBS: [Verb; 18] = [
+pub const VERBS: [Verb; 19] = [
     Verb { name: "init", about: "Write a commented spec to start from", groups: &[&INIT], more: "" },
     Verb {
         name: "spring",
@@ -130,6 +130,12 @@ pub const VERBS: [Verb; 18] = [
         name: "experiment",
         about: "Process an experiment: how load cell, position and inductance differ, what is biased, what drifts",
         groups: &[&[FOLDER], &recording::request::CLEANING, &EXPERIMENT],
+        more: "",
+    },
+    Verb {
+        name: "record",
+        about: "A record of a real spring that rings, to be sent: say what is missing in a folder of logs, and pack it",
+        groups: &[&RECORD],
         more: "",
     },
     Verb {
@@ -328,6 +334,30 @@ pub const FOLDER: Row = Row {
     ..Row::PLAIN
 };
 const EXPERIMENT: [Row; 4] = [JSON, Row { if_absent: IfAbsent::Value("out/experiment"), ..FIGURES }, OVERWRITE, DATE];
+
+/// A record's folder.
+pub const RECORD_FOLDER: Row = Row {
+    meaning: "Folder with record.toml, which says who recorded what, and lists the logs: see book/src/guide/record.md",
+    ..FOLDER
+};
+/// Writes what is to be filled in.
+pub const BEGIN: Row = Row {
+    name: "begin",
+    meaning: "Write a record.toml to fill in into the folder",
+    conflicts: &["out", "check"],
+    ..Row::PLAIN
+};
+const RECORD: [Row; 6] = [
+    RECORD_FOLDER,
+    BEGIN,
+    Row {
+        elsewhere: &[],
+        ..out("ZIP archive to send, with every file as it is; refused while something is missing", IfAbsent::Nothing)
+    },
+    JSON,
+    Row { meaning: "Exit with code 3 where something is missing or doubtful", elsewhere: &[], ..CHECK },
+    Row { elsewhere: &[], ..OVERWRITE_OUT },
+];
 
 /// Where the page is served.
 pub const PORT: Row = Row {

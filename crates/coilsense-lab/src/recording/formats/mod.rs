@@ -232,7 +232,10 @@ impl Row {
     fn refusal(&self, file: &Path) -> String {
         match self.takes {
             Takes::Feature(feature) => {
-                format!("is {}, which this build cannot read: it was made without the feature {feature}", self.name)
+                format!(
+                    "is {}, which this build cannot read: build the command with --features formats (the library with {feature})",
+                    self.name
+                )
             }
             Takes::Advice(advice) => advised(file, self.name, advice),
         }
