@@ -1,6 +1,7 @@
 //! coilsense's own chores. `cargo xtask test` is the one door to all checks; `cargo xtask bench` measures.
 
 mod bench;
+mod book;
 mod browser;
 mod built;
 mod commands;

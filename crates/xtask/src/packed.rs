@@ -89,6 +89,14 @@ fn ask(command: &Path, place: &Path) -> anyhow::Result<bool> {
             return Ok(false);
         }
     }
+    // A plain build says of a format that it leaves out how to have it.
+    std::fs::write(place.join("run.mf4"), b"MDF     4.10    test    ")?;
+    let refused = Command::new(command).args(["identify", "run.mf4"]).current_dir(place).output()?;
+    let said = String::from_utf8_lossy(&refused.stderr);
+    if refused.status.success() || !said.contains("--features formats") {
+        eprintln!("coilsense identify run.mf4: {said}");
+        return Ok(false);
+    }
     let report = place.join("out/report.html");
     println!("coilsense analyze: {:.0} kB of report", 1e-3 * report.metadata()?.len() as f64);
     Ok(true)

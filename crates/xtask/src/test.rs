@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{browser, built, cargo, commands, fuzz, package, packed, page, robot, strict, viewer};
+use crate::{book, browser, built, cargo, commands, fuzz, package, packed, page, robot, strict, viewer};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -44,7 +44,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 16] = [
+const PARTS: [Part; 17] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -55,6 +55,7 @@ const PARTS: [Part; 16] = [
     Part { name: "no_std", run: no_std },
     Part { name: "README", run: readme },
     Part { name: "examples", run: examples },
+    Part { name: "book", run: book },
     Part { name: "packed crates", run: packed_crates },
     Part { name: "report page", run: report_page },
     Part { name: "Python", run: python },
@@ -234,6 +235,11 @@ fn readme(_: &Arguments) -> anyhow::Result<Outcome> {
 
 fn examples(_: &Arguments) -> anyhow::Result<Outcome> {
     passed(commands::every_example()?)
+}
+
+/// The book, built and its links followed.
+fn book(_: &Arguments) -> anyhow::Result<Outcome> {
+    passed(book::steps()?)
 }
 
 /// The crates as they would be published, built in an empty folder.

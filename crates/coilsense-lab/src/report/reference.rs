@@ -63,7 +63,14 @@ fn line(row: &Row) -> String {
         IfAbsent::RefusedWithout(other) => format!("must be given without `--{other}`"),
     };
     let cells = [name, takes(row), allowed(row), default, meaning];
-    format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
+    format!("| {} |\n", cells.map(|cell| escaped(&cell)).join(" | "))
+}
+
+/// A cell as Markdown has it: no bar ends it, and outside of code no tag begins.
+fn escaped(cell: &str) -> String {
+    let parts = cell.split('`').enumerate();
+    let parts = parts.map(|(place, part)| if place % 2 == 0 { part.replace('<', "\\<") } else { part.to_owned() });
+    parts.collect::<Vec<_>>().join("`").replace('|', "\\|")
 }
 
 fn takes(row: &Row) -> String {
