@@ -110,10 +110,11 @@ fn dead(pages: &BTreeMap<PathBuf, Page>, folder: &Path) -> Vec<String> {
 /// A path without `..`.
 fn plain(path: &Path) -> PathBuf {
     path.components().fold(PathBuf::new(), |mut plain, part| {
-        if part == Component::ParentDir {
-            drop(plain.pop())
-        } else {
-            plain.push(part)
+        match part {
+            Component::ParentDir => {
+                plain.pop();
+            }
+            part => plain.push(part),
         }
         plain
     })
