@@ -205,7 +205,7 @@ test('the log is drawn as it was dropped, with its hits, and a part of it can be
   await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);
   // A choice does not change what is looked at.
   await type(page, 'How exact', 'A force is trusted up to', '2 %');
-  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('Dynamic error at most 2.00 %', {
+  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('Within 2.00 % of its amplitude', {
     timeout: 30_000,
   });
   await expect(shown).toHaveText(/^8\.7\d* s to 10\.6\d* s$/);

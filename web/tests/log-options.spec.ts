@@ -34,7 +34,7 @@ test('windings, mass, end 2, accuracies, tolerances and cleaning do what the com
   await type(page, 'What may be cleaned up', 'Leave out before', '1 s');
   await type(page, 'What may be cleaned up', 'and after', '39 s');
   await settled(page);
-  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('Dynamic error at most 3.00 %');
+  await expect(page.getByRole('region', { name: 'Verdict' })).toContainText('Within 3.00 % of its amplitude');
   const options =
     '--windings 52 --mass 65g --end2 held --accuracy-force 0.5% --accuracy-position 0.2% --tolerance 3% --prediction-tolerance 2% --fill-gaps 10ms --from 1s --to 39s';
   const there = JSON.parse(told('identify', 'hit.csv', ...options.split(' '), '--json')) as unknown;

@@ -60,7 +60,10 @@ fn the_page_marks_just_the_cells_that_differ() {
     assert_eq!(page.matches("<td class=\"off\">").count(), differing);
     assert!((40..80).contains(&differing), "{differing}");
     for (cell, _) in computed() {
-        assert!(page.contains(&format!(">{:.3}", cell.percent)), "{cell:?}");
+        // With a true minus, and none before zero.
+        let shown = format!("{:.3}", cell.percent);
+        let shown = if shown == "-0.000" { "0.000".to_owned() } else { shown.replace('-', "\u{2212}") };
+        assert!(page.contains(&format!(">{shown}")), "{cell:?}");
     }
     for fact in [
         "9.248",

@@ -91,6 +91,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     }
     warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
+        warnings.extend(faultless(sensor));
         warnings.extend(alias(judge, sensor)?);
         warnings.extend(range(spec, index, sensor, cases));
         warnings.extend(magnetisation::frequency(&spec.spring, sensor).map(magnetised));
@@ -176,7 +177,7 @@ struct Pull {
 /// Ends of a compression spring that would have to pull, under the damping where they pull hardest.
 fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
     if spec.spring.geometry.parameters().end_type.is_extension() {
-        return Ok(None);
+        return push(spec, cases);
     }
     let mut pulls = Vec::new();
     for case in cases {
@@ -210,6 +211,45 @@ fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
         ends.join("; "),
     );
     Ok(Some(Warning { subject: Subject::Lift, text }))
+}
+
+/// Hooks that would have to push, where they push hardest.
+fn push(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
+    let mut pushes = Vec::new();
+    for case in cases {
+        for (end, channel) in [(End::One, Channel::InputForce), (End::Two, Channel::OutputForce)] {
+            let pushed: Vec<f64> = case.signals.channel(channel)?.iter().map(|force| -force).collect();
+            pushes.extend(pull(spec, case, end, &pushed));
+        }
+    }
+    let Some(worst) = pushes.iter().max_by(|a, b| a.largest.0.total_cmp(&b.largest.0)) else { return Ok(None) };
+    let text = format!(
+        "{}, {}: hooks can only pull, and would have to push with up to {} N at end {}, at t = {:.4} s. Of a spring that is pressed give end_type: open, \
+         open-ground, closed or closed-ground.",
+        spec.conditions[cases[0].condition].name,
+        spec.mount.cases[worst.damping].label,
+        digits(worst.largest.0),
+        if worst.end == End::One { 1 } else { 2 },
+        worst.largest.1,
+    );
+    Ok(Some(Warning { subject: Subject::Lift, text }))
+}
+
+/// A sensor of which nothing is told that could be wrong: its uncertainty is that of the oscillation.
+fn faultless(sensor: &SensorSpec) -> Option<Warning> {
+    let readout = &sensor.readout;
+    let told = [
+        readout.noise,
+        readout.resolution.unwrap_or_default(),
+        sensor.accuracy_full_scale,
+        sensor.accuracy_reading,
+        sensor.calibration_uncertainty,
+    ];
+    // Of a coil the calibration is doubted in any case.
+    (told.iter().all(|limit| *limit == 0.0) && sensor.quantity.kind() != "inductance").then(|| Warning {
+        subject: Subject::Doubt,
+        text: format!("{}: the spec gives neither noise nor resolution nor limits of error, so its uncertainty is only what the oscillation and the spring add.", sensor.name),
+    })
 }
 
 /// The pull on an end up to the end of the judged part, where there is one.

@@ -18,8 +18,8 @@ pub fn answer(identified: &Identified) -> Vec<String> {
         let percent = digits(100.0 * trust.tolerance);
         let if_spring = if verdict.answer == Answer::Spring { "" } else { " if it is the spring" };
         lines.push(format!(
-            "Dynamic error at most {percent} % of a force's amplitude{if_spring}: F_o in place of the force at the driven end up to {} Hz, F_x in its \
-             place up to {} Hz, F_x in place of the force at the held end up to {} Hz (a sinusoid, f1 = {} Hz, no damping).",
+            "Within {percent} % of its amplitude{if_spring}, a sinusoid of the force at the driven end is told by F_o, the force at the other end, up to {} Hz and by \
+             F_x = k (l - l0) up to {} Hz; the force at the held end by F_x up to {} Hz (f1 = {} Hz, no damping).",
             digits(trust.output_for_input),
             digits(trust.deflection_for_input),
             digits(trust.deflection_for_output),
@@ -48,7 +48,7 @@ fn numbers(identified: &Identified) -> Option<String> {
         add(name, Some(&line.length_at_zero), 1e3, " mm");
     }
     add("mass of the coil", found.mass.as_ref(), 1e3, " g");
-    add("τ", found.transit_time.as_ref(), 1e3, " ms");
+    add("wave transit time τ", found.transit_time.as_ref(), 1e3, " ms");
     if let Some(mass) = found.end_mass {
         parts.push(format!("mass at end 2 {} kg", digits(mass)));
     }

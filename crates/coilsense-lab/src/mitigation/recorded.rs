@@ -63,7 +63,7 @@ impl Recorded {
         log: &Recording,
         by_inductance: Option<&Applied>,
     ) -> Result<(Self, Spring), RecordingError> {
-        let force = log.channel(Channel::InputForce)?;
+        let force = input_force(log)?;
         let Ends { positions: [first, second], zero, mut notes } =
             Ends::of((known.is_held, known.spring.stiffness()), asked, log, by_inductance)?;
         let lengths: Vec<f64> = first.iter().zip(&second).map(|(first, second)| second - first).collect();
@@ -102,6 +102,22 @@ impl Recorded {
             notes,
         };
         Ok((recorded, spring))
+    }
+}
+
+/// F_i, from which filters and estimators start: a force at the other end is not it.
+fn input_force(log: &Recording) -> Result<&[f64], RecordingError> {
+    let refused = |why: &str| Err(RecordingError::of_file(&log.account().file, why.to_owned()));
+    let of = |channel| log.signals().channel(channel).ok();
+    match (of(Channel::InputForce), of(Channel::OutputForce)) {
+        (None, Some(_)) => refused(
+            "has F_o, the force at end 2, and no F_i: filters and estimators start from a load cell at end 1. Where this one sits at end 1, name its column F_i \
+             and count positions from there; else record one at end 1",
+        ),
+        (Some(input), Some(output)) if input == output => refused(
+            "has one and the same series as F_i and as F_o: two load cells never agree so; name each column once",
+        ),
+        _ => log.channel(Channel::InputForce),
     }
 }
 

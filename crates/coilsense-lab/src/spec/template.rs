@@ -23,7 +23,7 @@ wire_diameter = "2 mm"
 coil_diameter = "16 mm"     # mean diameter, wire centre to wire centre
 end_type = "hooks"          # hooks, open, open-ground, closed, closed-ground
 material = "steel EN 10270-1" # or shear_modulus = "81.5 GPa", density = "7850 kg/m3", …
-wire_diameter_tolerance = "1 %" # as a maker gives them; with all four the rate is known within 5.7 %. Or, of a rate that was measured:
+wire_diameter_tolerance = "1 %" # as a maker gives them; with all four the rate is known within 5.4 %. Or, of a rate that was measured:
 coil_diameter_tolerance = "1 %" # stiffness_tolerance = "0.5 %" in their place
 windings_tolerance = "0.5 %"
 shear_modulus_tolerance = "2 %"

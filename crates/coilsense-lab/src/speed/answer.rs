@@ -8,6 +8,9 @@ use crate::quantity::digits;
 /// Extremes that differ by more than this share of F_nom from turns to turns have not settled.
 pub(crate) const SETTLED: f64 = 0.02;
 
+/// Bands of speeds that a sentence names one by one.
+const MOST_BANDS: usize = 3;
+
 /// The answer, a sentence or two per line.
 pub fn answer(map: &SpeedMap) -> Vec<String> {
     let mut lines = vec![floats(map), meets(map), surge(map), seats(map), fatigue(map), rebound(map)];
@@ -30,9 +33,39 @@ pub(crate) fn rpm(speed: f64) -> String {
     format!("{:.0} rpm", 60.0 * speed)
 }
 
+/// The speeds that were run, for what holds at all of them.
+fn run(map: &SpeedMap) -> String {
+    format!("at all speeds run, {} to {}", rpm(map.range.from), rpm(map.range.to))
+}
+
 /// The lowest speed of those of which something holds in some way, and in how many ways it holds there.
 fn lowest(map: &SpeedMap, holds: impl Fn(&SpeedPoint) -> bool) -> Option<&SpeedPoint> {
     map.points.iter().filter(|point| holds(point)).min_by(|a, b| a.speed.total_cmp(&b.speed))
+}
+
+/// At which of the speeds that were run something holds, in the way in which it does at the lowest; from a speed on, where it holds at all above.
+fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool) -> String {
+    let mut points: Vec<&SpeedPoint> = map.points.iter().filter(|point| point.way == first.way).collect();
+    points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+    let last = points.len() - 1;
+    let mut bands: Vec<(usize, usize)> = Vec::new();
+    for (index, _) in points.iter().enumerate().filter(|(_, point)| holds(point)) {
+        match bands.last_mut() {
+            Some((_, end)) if *end + 1 == index => *end = index,
+            _ => bands.push((index, index)),
+        }
+    }
+    let words = |&(from, to): &(usize, usize)| match (rpm(points[from].speed), rpm(points[to].speed)) {
+        (from, _) if to == last => format!("from {from} on"),
+        (from, to) if from == to => format!("at {from}"),
+        (from, to) => format!("from {from} to {to}"),
+    };
+    let (shown, more) = bands.split_at(bands.len().min(MOST_BANDS));
+    let shown: Vec<String> = shown.iter().map(words).collect();
+    match more.last() {
+        None => shown.join(", "),
+        Some(end) => format!("{}, in {} more bands, the last {}", shown.join(", "), more.len(), words(end)),
+    }
 }
 
 fn label<'a>(map: &'a SpeedMap, point: &SpeedPoint) -> &'a str {
@@ -49,8 +82,8 @@ fn floats(map: &SpeedMap) -> String {
         let least = each.min_by(|a, b| a.1.least_cam_force.total_cmp(&b.1.least_cam_force));
         return least.map_or_else(String::new, |(point, floating)| {
             format!(
-                "The follower stays on its cam up to {}; the cam presses least, with {} N, at {} ({}).",
-                rpm(map.range.to),
+                "The follower stays on its cam {}; the cam presses least, with {} N, at {} ({}).",
+                run(map),
                 digits(floating.least_cam_force),
                 rpm(point.speed),
                 label(map, point)
@@ -68,12 +101,13 @@ fn floats(map: &SpeedMap) -> String {
             digits(fastest)
         )
     });
-    format!("The follower floats from {} on ({}){worst}.", rpm(first.speed), label(map, first))
+    format!("The follower floats {} ({}){worst}.", spans(map, first, aloft), label(map, first))
 }
 
 fn meets(map: &SpeedMap) -> String {
-    let Some(first) = lowest(map, |point| point.touches > 0.0) else {
-        return format!("Windings stay clear of each other and of their seats up to {}.", rpm(map.range.to));
+    let touches = |point: &SpeedPoint| point.touches > 0.0;
+    let Some(first) = lowest(map, touches) else {
+        return format!("Windings stay clear of each other and of their seats {}.", run(map));
     };
     let most = map.points.iter().max_by(|a, b| a.fastest.total_cmp(&b.fastest));
     let most = most.map_or_else(String::new, |point| {
@@ -83,7 +117,7 @@ fn meets(map: &SpeedMap) -> String {
     let longest = longest.map_or_else(String::new, |point| {
         format!("; longest at {}, for {} % of a turn", rpm(point.speed), digits(100.0 * point.closed))
     });
-    format!("Windings meet from {} on ({}){most}{longest}.", rpm(first.speed), label(map, first))
+    format!("Windings meet {} ({}){most}{longest}.", spans(map, first, touches), label(map, first))
 }
 
 fn surge(map: &SpeedMap) -> String {
@@ -113,8 +147,9 @@ fn seats(map: &SpeedMap) -> String {
     let least = |point: &SpeedPoint| point.least_push().into_iter().fold(f64::INFINITY, f64::min);
     let Some(worst) = map.points.iter().min_by(|a, b| least(a).total_cmp(&least(b))) else { return String::new() };
     let at = format!("{} ({})", rpm(worst.speed), label(map, worst));
-    match lowest(map, |point| point.lifts > 0.0) {
-        Some(first) => format!("An end leaves its seat from {} on ({}).", rpm(first.speed), label(map, first)),
+    let lifts = |point: &SpeedPoint| point.lifts > 0.0;
+    match lowest(map, lifts) {
+        Some(first) => format!("An end leaves its seat {} ({}).", spans(map, first, lifts), label(map, first)),
         None if least(worst) < 0.0 => {
             format!("A seat would have to pull with {} N at {at}: lift_off is off.", digits(-least(worst)))
         }

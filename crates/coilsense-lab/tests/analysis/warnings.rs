@@ -145,6 +145,23 @@ fn an_end_that_can_only_push_is_told_where_it_would_have_to_pull() {
     let largest: f64 = text.split("by up to ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!((17.88..44.86).contains(&largest), "{text}");
     assert_eq!(pushed(seats, 0.1, "").len(), 0, "at most 5.4 N of 9.1");
-    assert_eq!(pushed("end_type = \"hooks\"", 1.0, "").len(), 0, "hooks may be pulled");
-    assert_eq!(pushed("", 1.0, "").len(), 0, "and so may ends that nobody told");
+    // Hooks can pull, which is the other way round: pressed as it is here, such a spring would fall off.
+    for ends in ["end_type = \"hooks\"", ""] {
+        let [text] = &pushed(ends, 0.1, "")[..] else { panic!("{ends}") };
+        assert!(text.starts_with("hit, ζ = 0: hooks can only pull, and would have to push with up to "), "{text}");
+        assert!(text.contains("give end_type: open, open-ground, closed or closed-ground"), "{text}");
+    }
+}
+
+#[test]
+fn a_sensor_that_nothing_is_told_of_is_not_taken_for_a_perfect_one_in_silence() {
+    let told = |keys: &str| {
+        let analysis = undamped(S_T, &format!("{STILL}\n[[sensor]]\nname = \"mine\"\n{keys}\n"));
+        of(&analysis, Subject::Doubt).iter().filter(|text| text.contains("neither noise nor resolution")).count()
+    };
+    assert_eq!(told("class = \"two magnetic rotary encoders\""), 1, "its values are of one's own drive");
+    assert_eq!(told("kind = \"load-cell\""), 1);
+    assert_eq!(told("kind = \"load-cell\"\nnoise = \"0.1 N\""), 0);
+    assert_eq!(told("kind = \"deflection\"\naccuracy_reading = \"0.1 %\""), 0);
+    assert_eq!(told("kind = \"inductance\""), 0, "its calibration is doubted in any case");
 }

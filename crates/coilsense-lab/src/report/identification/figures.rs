@@ -156,7 +156,7 @@ fn decay(identified: &Identified, ring_down: &RingDown) -> Figure {
         ],
         ..Panel::default()
     };
-    let panels = vec![panel(begin, "first six periods"), panel(count, "the whole")];
+    let panels = vec![panel(begin, "first six periods of the strongest line"), panel(count, "the whole")];
     Figure { panels, columns: 1, panel_width: WIDTH, panel_height: 240.0 }
 }
 

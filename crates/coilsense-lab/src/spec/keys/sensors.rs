@@ -41,8 +41,8 @@ pub(super) const SENSOR: Table = Table {
             "no averaging",
         ),
         optional("sample_rate", "\"1 kHz\"", "it holds each reading until the next", "that of the simulation"),
-        optional("noise", "\"0.1 %\"", "rms, of every reading: native unit or a share of `range`", "none"),
-        optional("resolution", "\"10 um\"", "smallest step: native unit or a share of `range`", "none"),
+        optional("noise", "\"0.1 %\"", "rms, of every reading: native unit or a share of `range`; of `two-encoder` of the difference of both, √2 times one's where they are alike", "none"),
+        optional("resolution", "\"10 um\"", "smallest step: native unit or a share of `range`; of `two-encoder` of the difference, as noise", "none"),
         optional(
             "accuracy_full_scale",
             "\"0.1 %\"",
