@@ -174,15 +174,15 @@ struct Pull {
     is_judged: bool,
 }
 
-/// Ends of a compression spring that would have to pull, under the damping where they pull hardest.
+/// Ends of a compression spring that would have to pull, and hooks that would have to push, under the damping where they do so hardest.
 fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
-    if spec.spring.geometry.parameters().end_type.is_extension() {
-        return push(spec, cases);
-    }
+    // Hooks are the other way round.
+    let hooks = spec.spring.geometry.parameters().end_type.is_extension();
+    let sign = if hooks { -1.0 } else { 1.0 };
     let mut pulls = Vec::new();
     for case in cases {
         for (end, channel) in [(End::One, Channel::InputForce), (End::Two, Channel::OutputForce)] {
-            pulls.extend(pull(spec, case, end, case.signals.channel(channel)?));
+            pulls.extend(pull(spec, case, end, case.signals.channel(channel)?, sign));
         }
     }
     let Some(worst) = pulls.iter().max_by(|a, b| a.largest.0.total_cmp(&b.largest.0)) else { return Ok(None) };
@@ -203,9 +203,15 @@ fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
     let also = if others.is_empty() { String::new() } else { format!(" So they would at {}.", others.join(", ")) };
     let judged =
         if pulls.iter().any(|pull| pull.is_judged) { "" } else { " The judged part itself has no such force." };
+    let (wrong, then) = match hooks {
+        true => ("hooks can only pull, and would have to push", "Give the end_type of a spring that is pressed."),
+        false => (
+            "ends that can only push would have to pull",
+            "A real spring lifts off its seat there, which the model does not know; the numbers after that lie beyond what this spring can do.",
+        ),
+    };
     let text = format!(
-        "{}, {}: ends that can only push would have to pull: {}. A real spring lifts off its seat there, which the model does not know; \
-         the numbers after that lie beyond what this spring can do.{also}{judged}",
+        "{}, {}: {wrong}: {}. {then}{also}{judged}",
         spec.conditions[cases[0].condition].name,
         label(worst.damping),
         ends.join("; "),
@@ -213,54 +219,33 @@ fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
     Ok(Some(Warning { subject: Subject::Lift, text }))
 }
 
-/// Hooks that would have to push, where they push hardest.
-fn push(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
-    let mut pushes = Vec::new();
-    for case in cases {
-        for (end, channel) in [(End::One, Channel::InputForce), (End::Two, Channel::OutputForce)] {
-            let pushed: Vec<f64> = case.signals.channel(channel)?.iter().map(|force| -force).collect();
-            pushes.extend(pull(spec, case, end, &pushed));
-        }
-    }
-    let Some(worst) = pushes.iter().max_by(|a, b| a.largest.0.total_cmp(&b.largest.0)) else { return Ok(None) };
-    let text = format!(
-        "{}, {}: hooks can only pull, and would have to push with up to {} N at end {}, at t = {:.4} s. Of a spring that is pressed give end_type: open, \
-         open-ground, closed or closed-ground.",
-        spec.conditions[cases[0].condition].name,
-        spec.mount.cases[worst.damping].label,
-        digits(worst.largest.0),
-        if worst.end == End::One { 1 } else { 2 },
-        worst.largest.1,
-    );
-    Ok(Some(Warning { subject: Subject::Lift, text }))
-}
-
 /// A sensor of which nothing is told that could be wrong: its uncertainty is that of the oscillation.
 fn faultless(sensor: &SensorSpec) -> Option<Warning> {
     let readout = &sensor.readout;
-    let told = [
-        readout.noise,
-        readout.resolution.unwrap_or_default(),
-        sensor.accuracy_full_scale,
-        sensor.accuracy_reading,
-        sensor.calibration_uncertainty,
-    ];
+    let told = readout.noise
+        + readout.resolution.unwrap_or_default()
+        + sensor.accuracy_full_scale
+        + sensor.accuracy_reading
+        + sensor.calibration_uncertainty;
     // Of a coil the calibration is doubted in any case.
-    (told.iter().all(|limit| *limit == 0.0) && sensor.quantity.kind() != "inductance").then(|| Warning {
+    (told == 0.0 && sensor.quantity.kind() != "inductance").then(|| Warning {
         subject: Subject::Doubt,
-        text: format!("{}: the spec gives neither noise nor resolution nor limits of error, so its uncertainty is only what the oscillation and the spring add.", sensor.name),
+        text: format!(
+            "{}: no noise, resolution or limit of error is given, so only oscillation and spring count.",
+            sensor.name
+        ),
     })
 }
 
-/// The pull on an end up to the end of the judged part, where there is one.
-fn pull(spec: &Spec, case: &Case, end: End, force: &[f64]) -> Option<Pull> {
+/// The pull, or with a turned sign the push, on an end up to the end of the judged part, where there is one.
+fn pull(spec: &Spec, case: &Case, end: End, force: &[f64], sign: f64) -> Option<Pull> {
     let least = LEAST_LIFT * spec.spring.spring.nominal_force();
     let force = &force[..case.judged.end];
     let times = case.signals.time();
-    let first = force.iter().position(|force| *force > least)?;
-    let (place, largest) = force.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
-    let is_judged = force[case.judged.start..].iter().any(|force| *force > least);
-    Some(Pull { end, damping: case.damping, first: times[first], largest: (*largest, times[place]), is_judged })
+    let first = force.iter().position(|force| sign * force > least)?;
+    let (place, largest) = force.iter().map(|force| sign * force).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let is_judged = force[case.judged.start..].iter().any(|force| sign * force > least);
+    Some(Pull { end, damping: case.damping, first: times[first], largest: (largest, times[place]), is_judged })
 }
 
 /// Surge lines above half of a sensor's sample rate that get through its filter.

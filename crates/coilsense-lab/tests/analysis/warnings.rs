@@ -148,8 +148,8 @@ fn an_end_that_can_only_push_is_told_where_it_would_have_to_pull() {
     // Hooks can pull, which is the other way round: pressed as it is here, such a spring would fall off.
     for ends in ["end_type = \"hooks\"", ""] {
         let [text] = &pushed(ends, 0.1, "")[..] else { panic!("{ends}") };
-        assert!(text.starts_with("hit, ζ = 0: hooks can only pull, and would have to push with up to "), "{text}");
-        assert!(text.contains("give end_type: open, open-ground, closed or closed-ground"), "{text}");
+        assert!(text.starts_with("hit, ζ = 0: hooks can only pull, and would have to push: end "), "{text}");
+        assert!(text.contains("Give the end_type of a spring that is pressed."), "{text}");
     }
 }
 
@@ -157,7 +157,10 @@ fn an_end_that_can_only_push_is_told_where_it_would_have_to_pull() {
 fn a_sensor_that_nothing_is_told_of_is_not_taken_for_a_perfect_one_in_silence() {
     let told = |keys: &str| {
         let analysis = undamped(S_T, &format!("{STILL}\n[[sensor]]\nname = \"mine\"\n{keys}\n"));
-        of(&analysis, Subject::Doubt).iter().filter(|text| text.contains("neither noise nor resolution")).count()
+        of(&analysis, Subject::Doubt)
+            .iter()
+            .filter(|text| text.contains("no noise, resolution or limit of error is given"))
+            .count()
     };
     assert_eq!(told("class = \"two magnetic rotary encoders\""), 1, "its values are of one's own drive");
     assert_eq!(told("kind = \"load-cell\""), 1);

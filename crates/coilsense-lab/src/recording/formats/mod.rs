@@ -233,7 +233,7 @@ impl Row {
         match self.takes {
             Takes::Feature(feature) => {
                 format!(
-                    "is {}, which this build cannot read: build the command with --features formats (the library with {feature})",
+                    "is {}, left out of this build: build with --features formats, of the library {feature}",
                     self.name
                 )
             }
