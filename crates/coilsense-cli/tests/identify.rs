@@ -70,7 +70,7 @@ fn a_tapped_spring_becomes_a_verdict_a_report_and_a_spec_that_analyze_reads() {
     assert!(text(&output.stdout).starts_with("spring: "), "{}", text(&output.stdout));
     let page = std::fs::read_to_string(folder.path().join("report/report.html")).expect("the page is there");
     assert!(
-        page.contains("What rings in bench.csv") && page.contains("2026-11-22") && page.matches("<figure").count() == 3
+        page.contains("What rings in bench.csv") && page.contains("2026-11-22") && page.matches("<figure").count() == 4
     );
     let results = std::fs::read_to_string(folder.path().join("report/results.json")).expect("the results are there");
     let results: serde_json::Value = serde_json::from_str(&results).expect("they are JSON");

@@ -57,8 +57,9 @@ fn the_page_holds_the_advice_first_and_needs_no_network() {
     let page = std::fs::read_to_string(folder.path().join("out/report.html")).unwrap();
     let (advised, ranking) = (page.find(r#"class="answer""#).unwrap(), page.find(r#"id="ranking""#).unwrap());
     for line in text.lines().take(2) {
-        // Advice is the same in both; the page escapes what HTML would read as its own.
-        let place = page.find(&line.replace('<', "&lt;").replace('/', "&#x2f;")).unwrap_or_else(|| panic!("{line}"));
+        // Advice is the same in both; the page escapes what HTML would read as its own, and has true minus signs.
+        let printed = line.replace('<', "&lt;").replace('/', "&#x2f;").replace(" -", " \u{2212}");
+        let place = page.find(&printed).unwrap_or_else(|| panic!("{line}"));
         assert!(advised < place && place < ranking, "{line}");
     }
     for part in
