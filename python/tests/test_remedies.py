@@ -78,7 +78,7 @@ def test_what_cannot_be_applied_is_refused(remedies: coilsense.Mitigation) -> No
         coilsense.mitigate(SPEC, seeds=0)
     with pytest.raises(coilsense.Error, match="give one of them"):
         coilsense.mitigate(SPEC, hit_log(seconds=1), stated=True)
-    with pytest.raises(coilsense.LogError, match="has no F_i"):
+    with pytest.raises(coilsense.LogError, match="has F_o, the force at end 2, and no F_i: "):
         coilsense.mitigate(SPEC, coilsense.Signals([0.0, 1.0], {"F_o": [1.0, 2.0]}))
 
 
