@@ -162,6 +162,7 @@ fn what_cannot_be_sent_is_refused_with_the_reason() {
             "file = \"spring.toml\"\nkind = \"hits\"",
             "missing   spring.toml",
         ),
+        ("file = \"hits-2.csv\"", "file = \"hits-1.csv\"", "hits-1.csv: is listed twice"),
         ("licence = \"CC-BY-4.0\"", "licence = \"MIT\"", "got \"MIT\""),
         ("length = \"230 mm\"", "length = \"230\"", "length = \"230\" must be a length with its unit"),
     ] {

@@ -1,6 +1,7 @@
 //! What a figure must keep: peaks, gaps, ticks, words, and the size of its files.
 
 mod parts;
+mod places;
 mod points;
 
 use super::drawing::{Frame, Point};

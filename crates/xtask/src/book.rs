@@ -107,13 +107,14 @@ fn dead(pages: &BTreeMap<PathBuf, Page>, folder: &Path) -> Vec<String> {
     dead
 }
 
-/// A path without `..`.
-fn plain(path: &Path) -> PathBuf {
+/// A path without `.` and `..`.
+pub fn plain(path: &Path) -> PathBuf {
     path.components().fold(PathBuf::new(), |mut plain, part| {
         match part {
             Component::ParentDir => {
                 plain.pop();
             }
+            Component::CurDir => {}
             part => plain.push(part),
         }
         plain

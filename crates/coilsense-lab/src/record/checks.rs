@@ -145,6 +145,9 @@ fn spring(record: &mut Record) -> Settings {
 fn log(record: &mut Record, index: usize, settings: &Settings) {
     let LogEntry { file, kind, .. } = &record.file.log[index];
     let (name, kind) = (file.clone(), *kind);
+    if record.file.log[..index].iter().any(|before| before.file == name) {
+        return record.add(name, State::Missing, "is listed twice: its hits would count twice");
+    }
     let found = match read(record, &record.file.log[index], settings) {
         Ok(found) => found,
         Err(reason) => return record.add(name, State::Missing, reason),

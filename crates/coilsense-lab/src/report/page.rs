@@ -4,12 +4,18 @@
 
 use std::fmt::Write as _;
 
-use minijinja::{AutoEscape, Environment, Error, Value, escape_formatter};
+use coilsense_figure::{Figure, Theme};
+use minijinja::{AutoEscape, Environment, Error, Value, context, escape_formatter};
 
-/// A page's layout with its values. Numbers in them have true minus signs and powers of ten; `|verbatim` leaves text as it was written.
+use super::{Drawn, ReportError};
+
+/// A page's layout with its values; `version` and `style` are the same for all. Numbers in values have true minus signs and powers of ten;
+/// `|verbatim` leaves text as it was written.
 pub(super) fn page(layout: &str, values: Value) -> Result<String, Error> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.add_global("version", env!("CARGO_PKG_VERSION"));
+    environment.add_global("style", include_str!("style.css"));
     environment.add_filter("verbatim", |text: &str| Value::from_object(Verbatim(text.to_owned())));
     environment.set_formatter(|out, state, value| {
         let text = match value.as_str() {
@@ -23,6 +29,18 @@ pub(super) fn page(layout: &str, values: Value) -> Result<String, Error> {
     });
     environment.add_template("page", layout)?;
     environment.get_template("page")?.render(values)
+}
+
+/// A figure that also lies beside the page, as layouts have it.
+pub(super) fn shown(figure: &Drawn) -> Value {
+    context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
+}
+
+/// A figure that is on the page only.
+pub(super) fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
+    let refuse = |source| ReportError::Figure { name: name.to_owned(), source };
+    let (light, dark) = (figure.to_svg(Theme::Light).map_err(refuse)?, figure.to_svg(Theme::Dark).map_err(refuse)?);
+    Ok(context! { light, dark })
 }
 
 /// Text that no typesetter touches: a spec that a reader copies.

@@ -7,7 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::outcome::{Outcome, to_json};
-use crate::record::{Record, State};
+use crate::record::{Check, Record, State};
 
 /// What was looked at in a record of a real spring.
 #[derive(Debug, Serialize)]
@@ -35,6 +35,12 @@ pub struct CheckRow<'a> {
     pub says: &'a str,
 }
 
+impl<'a> From<&'a Check> for CheckRow<'a> {
+    fn from(check: &'a Check) -> Self {
+        Self { of: &check.of, state: check.state.name(), says: &check.says }
+    }
+}
+
 impl Outcome for RecordOutcome<'_> {
     const SCHEMA: &'static str = "coilsense/record/1";
 }
@@ -44,9 +50,7 @@ impl Outcome for RecordOutcome<'_> {
 /// # Errors
 /// What `serde_json` says.
 pub fn record_json(record: &Record, folder: &Path, out: Option<&Path>) -> Result<String, serde_json::Error> {
-    let row = |check: &'_ crate::record::Check| (check.of.clone(), check.state.name(), check.says.clone());
-    let rows: Vec<(String, &'static str, String)> = record.checks.iter().map(row).collect();
-    let checks = rows.iter().map(|(of, state, says)| CheckRow { of, state, says }).collect();
+    let checks = record.checks.iter().map(CheckRow::from).collect();
     to_json(RecordOutcome { folder, out, whole: record.is_whole(), checks })
 }
 

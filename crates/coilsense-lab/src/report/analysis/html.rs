@@ -3,7 +3,6 @@
 //! Next door: its layout (`page.html`), its figures (`figures`), its interactive part (`viewer_data`, `report/viewer`).
 
 use coilsense::Channel;
-use coilsense_figure::{Figure, Theme};
 use minijinja::{Value, context};
 use rayon::prelude::*;
 
@@ -15,6 +14,7 @@ use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
 use crate::helix::{ModeLine, ModesAt, UnderEnds};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
+use crate::report::page::{self, drawn};
 use crate::report::prose::{file_name, unbroken};
 use crate::spec::Spec;
 
@@ -24,10 +24,9 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
     let conditions: Vec<usize> = (0..spec.conditions.len()).collect();
     let verdicts: Vec<Value> =
         analysis.verdicts.par_iter().map(|verdict| verdict_value(analysis, verdict)).collect::<Result<_, _>>()?;
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
             date,
             spring => &spec.spring.name,
             file => file_name(&spec.file),
@@ -58,13 +57,11 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
             seed => spec.uncertainty.seed,
             temperature => plainly(spec.uncertainty.temperature_change),
             remarks => remarks(spec),
-            style => include_str!("../style.css"),
             viewer_style => include_str!("../viewer/viewer.css"),
             viewer => include_str!("../viewer/viewer.js"),
             data => viewer_json(analysis)?,
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 /// What would make the sensors meet the goal that miss it.
@@ -89,12 +86,6 @@ fn remarks(spec: &Spec) -> Vec<String> {
         }
     }
     shared.into_iter().map(|(names, said)| format!("{}: {said}.", names.join(", "))).collect()
-}
-
-fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
-    let refuse = |source| ReportError::Figure { name: name.to_owned(), source };
-    let (light, dark) = (figure.to_svg(Theme::Light).map_err(refuse)?, figure.to_svg(Theme::Dark).map_err(refuse)?);
-    Ok(context! { light, dark })
 }
 
 /// `1.22 N (1 % of F_nom) up to 20 Hz`, where there is a goal.

@@ -8,25 +8,21 @@ use minijinja::{Value, context};
 use super::text::{thinned, windings};
 use crate::calibration::{Outcome, Relation, THEORY_POINTS, answer, with_error};
 use crate::quantity::{digits, plainly};
+use crate::report::page::{self, shown};
 use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 
 /// The page of a calibration.
 pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
     let measured = &outcome.measured;
-    let figure = |figure: &Drawn| {
-        context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
-    };
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             date,
             file => file_name(&measured.file),
             simulated => measured.simulated,
             answer => answer(outcome).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            figures => drawn.iter().map(shown).collect::<Vec<_>>(),
             curves => curves(outcome),
             relation => outcome.plan.relation.words(),
             rivals => rivals(outcome),
@@ -46,8 +42,7 @@ pub(super) fn page(outcome: &Outcome, date: &str, drawn: &[Drawn]) -> Result<Str
             points => points(outcome),
             account => thinned(outcome).into_iter().chain(measured.account.clone()).collect::<Vec<_>>(),
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 /// All digits that a person has set.

@@ -7,6 +7,7 @@ use minijinja::{Value, context};
 
 use crate::experiment::{Curve, Experiment, FORCES, Findings, Run, answer, pair, probability};
 use crate::quantity::digits;
+use crate::report::page::{self, shown};
 use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 
@@ -17,20 +18,15 @@ pub(super) fn page(
     date: &str,
     drawn: &[Drawn],
 ) -> Result<String, ReportError> {
-    let figure = |figure: &Drawn| {
-        context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
-    };
     let runs = experiment.runs.iter().enumerate();
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             date,
             name => name(experiment),
             simulated => experiment.simulated,
             answer => answer(experiment, findings).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            figures => drawn.iter().map(shown).collect::<Vec<_>>(),
             nominal => experiment.spec.nominal_force,
             reference => exact(experiment.reference, 3),
             forces => FORCES.map(Channel::name),
@@ -40,8 +36,7 @@ pub(super) fn page(
             spring => spring(experiment),
             account => experiment.account(),
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 /// What people call it: its own name, or that of its folder.

@@ -7,26 +7,22 @@ use minijinja::{Value, context};
 
 use crate::identification::{Identified, answer, component_name, interval};
 use crate::quantity::digits;
+use crate::report::page::{self, shown};
 use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 
 /// The page of an identification.
 pub(super) fn page(identified: &Identified, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
     let found = &identified.found;
-    let figure = |figure: &Drawn| {
-        context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
-    };
     let hits: Vec<String> = found.hits.iter().map(|hit| format!("{:.3}", hit.time)).collect();
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             date,
             file => file_name(&identified.file),
             simulated => &identified.simulated,
             answer => answer(identified).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
-            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            figures => drawn.iter().map(shown).collect::<Vec<_>>(),
             lines => found.lines.iter().map(line_value).collect::<Vec<_>>(),
             both => found.has_both_forces,
             fitted_windings => found.fitted_windings.map(digits),
@@ -34,8 +30,7 @@ pub(super) fn page(identified: &Identified, date: &str, drawn: &[Drawn]) -> Resu
             hits => hits.join(", "),
             account => &identified.account,
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 fn line_value(line: &Line) -> Value {

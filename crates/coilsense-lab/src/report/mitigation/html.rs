@@ -2,7 +2,6 @@
 //!
 //! Next door: its layout (`page.html`), its figures (`figures`), the same as text (`text`).
 
-use coilsense_figure::{Figure, Theme};
 use minijinja::{Value, context};
 
 use super::shaping::{percent as share, shaping_advice};
@@ -10,16 +9,16 @@ use super::text::{advice, conditions, judged, notes, percent};
 use super::{EXPORTS, figures};
 use crate::mitigation::{Ranking, Shaping, Truth};
 use crate::quantity::digits;
+use crate::report::page::{self, drawn};
 use crate::report::{Drawn, ReportError};
 use crate::spec::Spec;
 
 /// The page of a mitigation.
 pub(super) fn page(answer: &Ranking, spec: &Spec, date: &str, trade_off: &Drawn) -> Result<String, ReportError> {
     let study = &answer.study;
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
             date,
             spring => &spec.spring.name,
             file => std::path::Path::new(&spec.file).file_name().map(|name| name.to_string_lossy()),
@@ -33,21 +32,12 @@ pub(super) fn page(answer: &Ranking, spec: &Spec, date: &str, trade_off: &Drawn)
             bandwidth => digits(study.bandwidth),
             rate => digits(study.rate),
             trade_off => context! { light => &trade_off.light, dark => &trade_off.dark },
-            over_time => figures::over_time(answer).map(|figure| drawn(&figure)).transpose()?,
+            over_time => figures::over_time(answer).map(|figure| drawn("over-time", &figure)).transpose()?,
             run => answer.shown.as_ref().map(|shown| &shown.label),
             exports => exports(answer),
             shaping => answer.shaping.as_ref().map(shaping),
-            style => include_str!("../style.css"),
         },
-    )?;
-    Ok(page)
-}
-
-fn drawn(figure: &Figure) -> Result<Value, ReportError> {
-    let fault = |source| ReportError::Figure { name: "over-time".to_owned(), source };
-    let light = figure.to_svg(Theme::Light).map_err(fault)?;
-    let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
-    Ok(context! { light, dark })
+    )?)
 }
 
 /// The ranking of those that are to give one force.

@@ -9,6 +9,7 @@ use minijinja::context;
 
 pub use shown::{OverviewOutcome, overview_json, overview_text};
 
+use super::page::{self, shown};
 use super::prose::file_name;
 use super::{Drawn, ReportError, draw};
 use crate::output::Output;
@@ -38,15 +39,10 @@ pub fn add_overview(
 }
 
 fn page(overview: &Overview, recording: &Recording, date: &str, drawn: &[Drawn]) -> Result<String, ReportError> {
-    let figure = |figure: &Drawn| {
-        context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark }
-    };
     let rows = shown::columns(overview);
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             date,
             file => file_name(&overview.file.display().to_string()),
             simulated => recording.simulated(),
@@ -54,9 +50,8 @@ fn page(overview: &Overview, recording: &Recording, date: &str, drawn: &[Drawn])
             uneven => recording.sample_rate().err().map(|error| error.to_string()),
             columns => rows,
             remarks => &overview.remarks,
-            figures => drawn.iter().map(figure).collect::<Vec<_>>(),
+            figures => drawn.iter().map(shown).collect::<Vec<_>>(),
             account => recording.account().lines(),
         },
-    )?;
-    Ok(page)
+    )?)
 }

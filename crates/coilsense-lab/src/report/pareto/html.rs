@@ -7,6 +7,7 @@ use minijinja::{Value, context};
 use super::table::{columns, listed, role};
 use crate::pareto::{Aim, Study, answer};
 use crate::quantity::Shown;
+use crate::report::page::{self, shown};
 use crate::report::prose::{file_name, unbroken};
 use crate::report::{Drawn, ReportError};
 use crate::sweep::Dataset;
@@ -27,17 +28,15 @@ pub(super) fn page(
     let columns = columns(study, &places);
     let objectives = &study.question.objectives;
     let word = |aim: Aim| if aim == Aim::Minimize { "little" } else { "much" };
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             date,
             file => file_name(&parameters.spec_file),
             answer => answer(study).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
             wanted => objectives.iter().map(|own| format!("{} {}", word(own.aim), own.name())).collect::<Vec<_>>().join(", "),
             conditions => study.question.conditions(),
-            figure => figure.map(|figure| context! { light => &figure.light, dark => &figure.dark }),
+            figure => figure.map(shown),
             drawn => study.cloud.len(),
             compared => study.counts.compared,
             titles => columns.iter().map(|column| column.title.clone()).collect::<Vec<_>>(),
@@ -52,8 +51,7 @@ pub(super) fn page(
             seed => parameters.seed,
             text => &parameters.spec,
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 fn rows(study: &Study, places: &[usize], columns: &[super::table::Listed]) -> Vec<Value> {

@@ -2,7 +2,6 @@
 //!
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
-use coilsense_figure::{Figure, Theme};
 use minijinja::{Value, context};
 
 use super::text::significant;
@@ -10,16 +9,16 @@ use super::{bounded, figures};
 use crate::placement::{BESIDE, LoopRun, Placement, answer, drive_words};
 use crate::quantity::digits;
 use crate::report::ReportError;
+use crate::report::page::{self, drawn};
 
 /// The page of a placement.
 pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportError> {
     let traces = figures::Traces::of(placement)?;
     let step = figures::step(placement).map(|figure| drawn("step", &figure)).transpose()?;
     let steps = figures::steps(placement).map(|figure| drawn("steps", &figure)).transpose()?;
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
             date,
             spring => &placement.spec.spring.name,
             file => std::path::Path::new(&placement.spec.file).file_name().map(|name| name.to_string_lossy()),
@@ -47,17 +46,8 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
             runs => placement.runs.iter().map(run_row).collect::<Vec<_>>(),
             beside => [1.0 - BESIDE, 1.0 + BESIDE],
             rendered => drawn("rendered", &figures::rendered(placement)?)?,
-            style => include_str!("../style.css"),
         },
-    )?;
-    Ok(page)
-}
-
-fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
-    let fault = |source| ReportError::Figure { name: name.to_owned(), source };
-    let light = figure.to_svg(Theme::Light).map_err(fault)?;
-    let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
-    Ok(context! { light, dark })
+    )?)
 }
 
 fn run_row(run: &LoopRun) -> Value {

@@ -7,6 +7,7 @@ use minijinja::{Value, context};
 use super::text::{finding, reasons_in_use, summary, table_title};
 use super::{Drawn, ReportError, limits};
 use crate::published::{COLUMNS, Table};
+use crate::report::page::{self, shown};
 use crate::reproduce::{Cell, Condition, Protocol, Reproduction, TOLERANCE_POINTS};
 
 /// The page of a reproduction.
@@ -17,18 +18,13 @@ pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<Strin
         .into_iter()
         .map(|reason| context! { letter => reason.letter(), sentence => reason.sentence() })
         .collect();
-    let figures: Vec<Value> = drawn
-        .iter()
-        .map(|figure| context! { name => &figure.name, caption => &figure.caption, light => &figure.light, dark => &figure.dark })
-        .collect();
+    let figures: Vec<Value> = drawn.iter().map(shown).collect();
     let limits: Vec<Value> =
         limits::limits(reproduction)?.into_iter().map(|(heading, paragraph)| context! { heading, paragraph }).collect();
     let protocols: Vec<&str> = reproduction.protocols.iter().map(|protocol| protocol.name()).collect();
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             summary => summary(reproduction),
             finding => finding(reproduction),
             warnings => reproduction.warnings(),
@@ -41,8 +37,7 @@ pub(super) fn page(reproduction: &Reproduction, drawn: &[Drawn]) -> Result<Strin
             springs => springs(reproduction),
             tolerance => TOLERANCE_POINTS,
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 /// A table: one row per spring and condition, and in it one group of cells per force.

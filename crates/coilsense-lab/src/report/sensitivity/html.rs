@@ -7,6 +7,7 @@ use minijinja::{Value, context};
 use super::figures;
 use super::text::cell;
 use crate::quantity::{Shown, without_unit};
+use crate::report::page;
 use crate::report::prose::{file_name, unbroken};
 use crate::report::{ReportError, draw};
 use crate::sensitivity::{OfColumn, Study, account, ranked, sentence};
@@ -16,11 +17,9 @@ use crate::sweep::Dataset;
 pub(super) fn page(study: &Study, dataset: &Dataset, date: &str) -> Result<String, ReportError> {
     let parameters = dataset.plan().parameters();
     let columns = study.columns.iter().filter(|column| column.found.is_ok());
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
-            style => include_str!("../style.css"),
             date,
             file => file_name(&parameters.spec_file),
             sentences => columns.clone().map(|column| unbroken(&sentence(study, column))).collect::<Vec<_>>(),
@@ -35,8 +34,7 @@ pub(super) fn page(study: &Study, dataset: &Dataset, date: &str) -> Result<Strin
             seed => parameters.seed,
             text => &parameters.spec,
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 fn section(study: &Study, column: &OfColumn) -> Result<Value, ReportError> {

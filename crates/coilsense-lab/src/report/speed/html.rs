@@ -2,22 +2,21 @@
 //!
 //! Next door: its layout (`page.html`), its figures (`figures`).
 
-use coilsense_figure::{Figure, Theme};
 use minijinja::{Value, context};
 
 use super::figures;
 use crate::quantity::digits;
 use crate::report::ReportError;
+use crate::report::page::{self, drawn};
 use crate::report::prose::{file_name, unbroken};
 use crate::speed::{SpeedMap, SpeedPoint, answer};
 
 /// The page of a map.
 pub(super) fn page(map: &SpeedMap, date: &str) -> Result<String, ReportError> {
     let ways = &map.spec.mount.cases;
-    let page = crate::report::page::page(
+    Ok(page::page(
         include_str!("page.html"),
         context! {
-            version => env!("CARGO_PKG_VERSION"),
             date,
             spring => &map.spec.spring.name,
             file => file_name(&map.spec.file),
@@ -37,10 +36,8 @@ pub(super) fn page(map: &SpeedMap, date: &str) -> Result<String, ReportError> {
                 amplitude => digits(1e6 * at.amplitude),
             }).collect::<Vec<_>>(),
             rows => map.points.iter().map(|point| row(map, point)).collect::<Vec<_>>(),
-            style => include_str!("../style.css"),
         },
-    )?;
-    Ok(page)
+    )?)
 }
 
 fn row(map: &SpeedMap, point: &SpeedPoint) -> Value {
@@ -65,11 +62,4 @@ fn row(map: &SpeedMap, point: &SpeedPoint) -> Value {
         unsettled => format!("{:.1}", 100.0 * point.unsettled),
         is_wild => point.unsettled > crate::speed::SETTLED || point.given_up.is_some(),
     }
-}
-
-fn drawn(name: &str, figure: &Figure) -> Result<Value, ReportError> {
-    let fault = |source| ReportError::Figure { name: name.to_owned(), source };
-    let light = figure.to_svg(Theme::Light).map_err(fault)?;
-    let dark = figure.to_svg(Theme::Dark).map_err(fault)?;
-    Ok(context! { light, dark })
 }
