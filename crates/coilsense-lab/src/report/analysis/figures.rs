@@ -227,3 +227,32 @@ pub(super) fn map(case: &Case) -> Option<Figure> {
     };
     Some(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::over_length;
+    use crate::analysis::simulate;
+    use crate::spec::Spec;
+
+    #[test]
+    fn force_over_length_is_drawn_where_the_length_moves_and_f_x_is_its_line() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/sea-ankle.toml");
+        let spec = Spec::read(&file).unwrap();
+        let spring = spec.spring.spring.clone();
+        let number = |name: &str| spec.conditions.iter().position(|condition| condition.name == name).unwrap();
+        let (held, moved) = (number("heel strike"), number("half resonance"));
+        let cases = simulate(&spec, &|_, _| true).unwrap();
+        let of = |condition: usize| cases.iter().find(|case| case.condition == condition && case.damping == 0).unwrap();
+        assert!(over_length(of(held)).is_none(), "both ends rest");
+        let panel = &over_length(of(moved)).unwrap().panels[0];
+        let [input, _, by_length] = &panel.curves[..] else { panic!() };
+        let off = |force: &f64, length: &f64| force - spring.stiffness() * (1e-3 * length - spring.rest_length());
+        let largest = |y: &[f64]| y.iter().zip(&by_length.x).map(|(y, x)| off(y, x).abs()).fold(0.0, f64::max);
+        assert!(largest(&by_length.y) < 1e-9 && largest(&input.y) > 0.5, "{}", largest(&input.y));
+        let travel = by_length.x.iter().fold(0.0_f64, |most, x| most.max(*x))
+            - by_length.x.iter().fold(1e9_f64, |least, x| least.min(*x));
+        assert!(travel > 1.0, "{travel} mm");
+    }
+}

@@ -259,3 +259,33 @@ pub(super) fn rendered(placement: &Placement) -> Result<Figure, Error> {
     };
     Ok(Figure { panels: vec![panel], columns: 1, panel_width: WIDTH, panel_height: HEIGHT })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use coilsense::Channel;
+
+    use super::tracking;
+    use crate::placement::Placement;
+    use crate::spec::Spec;
+
+    #[test]
+    fn tracking_begins_at_one_peaks_as_judged_and_leaves_unstable_loops_out() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/sea-ankle.toml");
+        let placement = Placement::of(Spec::read(&file).unwrap()).unwrap();
+        let figure = tracking(&placement).unwrap().unwrap();
+        let stable: Vec<_> =
+            placement.candidates.iter().filter(|one| one.judged[placement.shown()].margins.stable).collect();
+        assert!(stable.iter().all(|one| one.channel != Channel::OutputForce) && stable.len() > 1);
+        assert_eq!(figure.panels[0].curves.len(), stable.len());
+        for candidate in stable {
+            let curve = figure.panels[0].curves.iter().find(|curve| curve.label == candidate.channel.name()).unwrap();
+            assert!((curve.y[0] - 1.0).abs() < 1e-3, "{}: {}", curve.label, curve.y[0]);
+            let [_, load] = candidate.judged[placement.shown()].peaks.unwrap();
+            let largest = curve.y.iter().fold(0.0_f64, |most, y| most.max(*y));
+            // Where nothing rises above the static one, the figure begins a little above its frequency.
+            assert!((largest / load.size - 1.0).abs() < 1e-4, "{}: {largest} for {}", curve.label, load.size);
+        }
+    }
+}
