@@ -20,6 +20,9 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     // Refused before the work where it must not be written.
     let asked = given.file(&OUT);
+    if let Some(path) = asked.filter(|path| path.extension().is_none_or(|ending| ending != "zip")) {
+        bail!("{}: must end in .zip", path.display());
+    }
     let output = asked.map(|path| files::one(given, path)).transpose()?;
     let record = Record::read(folder)?;
     let is_whole = record.is_whole();

@@ -81,7 +81,7 @@ fn a_template_is_written_once_and_asks_for_all_that_it_leaves_empty() {
     for asked in [
         "missing   who.name: say who",
         "missing   who.date",
-        "missing   who.licence: must be one of \"CC-BY-4.0\" and \"check only\", got \"\"",
+        "missing   who.licence: must be \"CC-BY-4.0\" or \"check only\", got \"\"",
         "missing   spring.described",
         "missing   spring.mount",
         "missing   spring.spec",
@@ -97,6 +97,8 @@ fn a_template_is_written_once_and_asks_for_all_that_it_leaves_empty() {
     assert_eq!(packed.status.code(), Some(2));
     assert!(text(&packed.stderr).contains("mine.zip was not written: the record is not whole"));
     assert!(!place.path().join("mine.zip").exists());
+    let other = coilsense(place.path(), &["record", "mine", "--out", "mine.tar"]);
+    assert_eq!((other.status.code(), text(&other.stderr).as_str()), (Some(2), "error: mine.tar: must end in .zip\n"));
 }
 
 #[test]

@@ -82,15 +82,14 @@ fn words(record: &mut Record) {
         ("spring.mount", &file.spring.mount, "say what each end is fixed to, with its mass"),
     ];
     let told = told.map(|(key, text, ask)| match text.trim() {
-        "" => (key.to_owned(), State::Missing, format!("{ask} in {FILE}")),
+        "" => (key.to_owned(), State::Missing, ask.to_owned()),
         text => (key.to_owned(), State::Fine, text.to_owned()),
     });
     let licence = match file.who.licence.trim() {
         known if LICENCES.contains(&known) => (State::Fine, known.to_owned()),
-        other => (
-            State::Missing,
-            format!("must be one of {}, got {other:?}", LICENCES.map(|one| format!("{one:?}")).join(" and ")),
-        ),
+        other => {
+            (State::Missing, format!("must be {}, got {other:?}", LICENCES.map(|one| format!("{one:?}")).join(" or ")))
+        }
     };
     let instruments: Vec<(String, State, String)> = file
         .instrument

@@ -351,8 +351,12 @@ const RECORD: [Row; 6] = [
     RECORD_FOLDER,
     BEGIN,
     Row {
+        takes: Takes::File("FILE"),
         elsewhere: &[],
-        ..out("ZIP archive to send, with every file as it is; refused while something is missing", IfAbsent::Nothing)
+        ..out(
+            "ZIP archive to send (FILE.zip), with every file as it is; refused while something is missing",
+            IfAbsent::Nothing,
+        )
     },
     JSON,
     Row { meaning: "Exit with code 3 where something is missing or doubtful", elsewhere: &[], ..CHECK },

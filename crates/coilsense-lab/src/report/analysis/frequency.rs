@@ -92,7 +92,7 @@ pub(super) fn over_frequency(spec: &Spec) -> Option<OverFrequency> {
     let marks = lines.filter(|(_, line)| *line < to).map(|(j, x)| Mark { x, label: format!("f_{{{}}}", j + 1) });
     let panel = Panel {
         x: Axis { label: "Frequency [Hz]".into(), range: Some((from, to)), scale: Scale::Log10 },
-        y: Axis { label: format!("Off from {reference} [% of it]"), range: Some(SHOWN), scale: Scale::Log10 },
+        y: Axis { label: format!("Deviation from {reference} [% of it]"), range: Some(SHOWN), scale: Scale::Log10 },
         curves,
         bands: bands.into_iter().flatten().collect(),
         limits: vec![HorizontalMark { y: 100.0 * WITHIN, label: format!("{} %", 100.0 * WITHIN) }],
@@ -104,7 +104,7 @@ pub(super) fn over_frequency(spec: &Spec) -> Option<OverFrequency> {
             responses.iter().map(|response| response.follows(force, &frequencies)).collect();
         let least = found.ok()?.into_iter().flatten().fold(f64::INFINITY, f64::min);
         let up_to = if least.is_finite() { format!("up to {} Hz", digits(least)) } else { "at all of them".to_owned() };
-        Some(format!("{} is within {} % of it {up_to}", FORCES[force].name(), 100.0 * WITHIN))
+        Some(format!("{} is within {} % of {reference} {up_to}", FORCES[force].name(), 100.0 * WITHIN))
     });
     let follows: Vec<String> = follows.collect::<Option<_>>()?;
     let drawn = if cases.len() > 1 {
@@ -113,7 +113,7 @@ pub(super) fn over_frequency(spec: &Spec) -> Option<OverFrequency> {
         format!("{}.", cases[0].label)
     };
     let caption = format!(
-        "Against {reference}, while end {} is {} by a sine, {}. {drawn} Axial motion of the chain, no windings that meet.",
+        "While end {} is {} sinusoidally, {}. {drawn} Axial motion only; windings do not touch.",
         if input == End::One { 1 } else { 2 },
         if spec.mount.far_end() == FarEnd::Force { "pulled" } else { "moved" },
         follows.join(" and ")
@@ -214,11 +214,11 @@ mod tests {
     fn the_caption_names_the_least_of_all_dampings_and_what_is_left_out() {
         let shown = over_frequency(&example("sea-ankle.toml")).unwrap();
         for said in [
-            "Against F_x",
+            "of F_x",
             "end 1 is moved",
-            "F_i is within 1 % of it up to 2.9",
-            "F_o is within 1 % of it up to 4.2",
-            "no windings that meet",
+            "F_i is within 1 % of F_x up to 2.9",
+            "F_o is within 1 % of F_x up to 4.2",
+            "windings do not touch",
         ] {
             assert!(shown.caption.contains(said), "{said}: {}", shown.caption);
         }
