@@ -206,6 +206,7 @@ fn remove(folder: &Path) -> io::Result<()> {
 
 /// A folder that nobody else can look into.
 fn private_folder(path: &Path) -> io::Result<()> {
+    #[cfg_attr(not(unix), expect(unused_mut, reason = "only Unix has modes"))]
     let mut builder = fs::DirBuilder::new();
     #[cfg(unix)]
     {

@@ -11,7 +11,7 @@ use std::path::{Component, Path, PathBuf};
 
 pub use checks::{Check, State};
 pub use file::{FILE, Kind, TEMPLATE};
-use file::{File, LogEntry};
+use file::File;
 
 use crate::identification::Identified;
 use crate::message::Message;
@@ -77,7 +77,7 @@ impl Record {
     #[cfg(feature = "fmu")]
     fn names(&self) -> Vec<&str> {
         let mut names = vec![FILE, self.file.spring.spec.as_str()];
-        let of_logs = self.file.log.iter().flat_map(|log: &LogEntry| [Some(&log.file), log.mapping.as_ref()]);
+        let of_logs = self.file.log.iter().flat_map(|log| [Some(&log.file), log.mapping.as_ref()]);
         for name in of_logs.flatten().map(String::as_str) {
             if !names.contains(&name) {
                 names.push(name);
