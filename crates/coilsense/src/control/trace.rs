@@ -53,7 +53,9 @@ impl Trace {
         let decades = (to / from).log10();
         let count = (60.0 * decades).ceil() as usize;
         let mut frequencies: Vec<f64> =
-            (0..=count).map(|index| from * (to / from).powf(index as f64 / count as f64)).collect();
+            (0..count).map(|index| from * (to / from).powf(index as f64 / count as f64)).collect();
+        // Not what rounding makes of it, which may lie beyond.
+        frequencies.push(to);
         frequencies.extend(known.into_iter().filter(|frequency| (from..to).contains(frequency)));
         frequencies.sort_by(f64::total_cmp);
         frequencies.dedup();
@@ -173,5 +175,24 @@ fn bisect(response: &impl Fn(f64) -> Result<Complex64, Error>, first: Point, las
             return Ok(Point { angular_frequency: middle, response: found });
         }
         if (found.im > 0.0) == rising { high = middle } else { low = middle }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_point_lies_beyond_the_range_by_rounding() {
+        // Half the rate of a loop is where its response ends: 0.3 ms was refused by the last digit, as nearly every second step was.
+        for tenths in 1..200 {
+            let to = PI / (1e-4 * f64::from(tenths));
+            let within = |frequency: f64| {
+                assert!((1e-3..=to).contains(&frequency), "{frequency} of {to}");
+                Ok(Complex64::new(1.0, 0.0) / Complex64::new(1.0, frequency))
+            };
+            let trace = Trace::of(within, 1e-3, to, []).unwrap();
+            assert_eq!(trace.points().last().unwrap().angular_frequency, to);
+        }
     }
 }
