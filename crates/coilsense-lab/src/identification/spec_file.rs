@@ -37,10 +37,14 @@ pub fn spec_file(identified: &Identified, coil: &Coil) -> Result<String, SpecFil
     let line = found.stiffness.as_ref().map_err(|reason| SpecFileError(reason.clone()))?;
     let missing = |what: &str| SpecFileError(what.to_owned());
     if !line.both_positions {
-        return Err(missing("only one end's position was recorded, so no length is known"));
+        return Err(missing(
+            "only one end's position was recorded, so no length is known; where the other end is held, say where: --constant u2=\"150 mm\"",
+        ));
     }
     let first = found.first_frequency.ok_or_else(|| missing("no mode of the spring was found"))?;
-    let mass = found.mass.ok_or_else(|| missing("no mode of the spring was found"))?;
+    // Of a continuous coil: however many masses stand for a winding, they come to its first frequency.
+    let held = found.mass.ok_or_else(|| missing("no mode of the spring was found"))?;
+    let mass = held.scaled(line.value() / (4.0 * first.value * first.value) / held.value);
     let time = found.transit_time.ok_or_else(|| missing("no mode of the spring was found"))?;
     let rest = line.length_at_zero;
     if !(rest.value > 0.0 && line.range.0 > 0.0) {

@@ -90,6 +90,8 @@ pub struct Identification {
     pub explanations: Vec<Weight>,
     /// N of the chain whose mode series fits best; none for the continuous coil, or where it was given.
     pub fitted_windings: Option<f64>,
+    /// Whether the windings that were said count for nothing, since the lines contradict them.
+    pub windings_left_out: bool,
     /// Mass at end 2 \[kg\], where end 2 moves with the ringing and F_o and u2 were recorded.
     pub end_mass: Option<f64>,
     /// f1 \[Hz\] of the spring with both ends held, undamped.

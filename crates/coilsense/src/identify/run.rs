@@ -78,6 +78,7 @@ impl Identification {
             turned: None,
             opposed: false,
             fitted_windings: None,
+            windings_left_out: false,
             end_mass: None,
             first_frequency: None,
             ratio: None,
@@ -155,6 +156,7 @@ impl Identification {
         self.mode_series = Some(coil.mode_series);
         let fitted = self.settings.windings.is_none() || coil.other_windings.is_some();
         self.fitted_windings = (fitted && coil.windings.is_finite()).then_some(coil.windings);
+        self.windings_left_out = coil.other_windings.is_some();
         let lowest = coil.modes.iter().find(|(line, _, _)| self.lines[*line].mode().is_some());
         let Some(&(line, mode, _)) = lowest else { return };
         self.first_frequency = Some(Estimate::new(coil.first, coil.first * coil.spread, coil.factor));
@@ -200,8 +202,8 @@ impl Identification {
 
     /// ω1 τ: π for the continuous coil, 2N sin(π/2N) for a chain, whose first line lies lower.
     fn turns(&self) -> f64 {
-        // What was said of N and the lines contradict is left out.
-        let windings = self.fitted_windings.or(self.settings.windings);
+        let said = self.settings.windings.filter(|_| !self.windings_left_out);
+        let windings = self.fitted_windings.or(said);
         windings.map_or(PI, |windings| 2.0 * windings * (FRAC_PI_2 / windings).sin())
     }
 

@@ -293,6 +293,24 @@ fn windings_that_the_lines_contradict_are_left_out_and_that_is_said() {
 }
 
 #[test]
+fn a_coil_that_is_continuous_has_its_own_mass_whatever_windings_are_said() {
+    // As good as continuous: where the lines contradict what was said, no chain's factor stays in the mass.
+    let spring = coilsense::Spring::new(coilsense::SpringParameters {
+        windings: 400.0,
+        ..crate::paper_springs::s_t().parameters().clone()
+    })
+    .unwrap();
+    let truth = crate::records::hit(&spring, 0.004, 3, [0.0; 3]);
+    for said in [5.35, 8.0] {
+        let settings = Settings { windings: Some(said), ..Settings::default() };
+        let found = Identification::of(&truth.signals, &settings).unwrap();
+        assert!(found.windings_left_out, "{said}: {:?}", found.verdict);
+        let mass = found.mass.unwrap();
+        assert!((mass.value / 0.065 - 1.0).abs() < 2e-3, "{said}: {mass:?}, {:?}", found.fitted_windings);
+    }
+}
+
+#[test]
 fn the_way_and_the_mass_of_a_coil_of_few_windings_are_right_whether_they_are_told_or_fitted() {
     // A chain of ten has its first line 0.41 % below that of a continuous coil: taken for one, its mass was 0.83 % too large.
     let spring = coilsense::Spring::new(coilsense::SpringParameters {
