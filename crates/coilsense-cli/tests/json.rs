@@ -155,6 +155,7 @@ fn what_is_printed_is_what_the_schemas_say() {
         |name: &str| std::fs::copy(root().join("examples").join(name), folder.join(name)).expect("the example");
     example("virtual-rig.toml");
     example("sea-ankle.toml");
+    example("valve-train.toml");
     let points = "l [mm],L [uH]\n196,3.9\n210,3.6\n230,3.35\n250,3.1\n264,2.95\n";
     std::fs::write(folder.join("points.csv"), points).expect("written");
     let sweep = "sweep spec.toml --over spring.stiffness=600..900N/m --rows 64 --seed 1 --sampling";
@@ -176,6 +177,7 @@ fn what_is_printed_is_what_the_schemas_say() {
         ("export", "export virtual-rig.toml --as c --out plant.h"),
         ("export", "export virtual-rig.toml --as state-space --error 1% --bandwidth 100Hz --step 1ms --out plant.json"),
         ("export", "export virtual-rig.toml --as fmu --out plant.fmu"),
+        ("speed", "speed valve-train.toml --from 900rpm --to 1000rpm --step 100rpm"),
         ("placement", "placement sea-ankle.toml"),
         ("sweep-summary", &format!("{sweep} sobol --out designs")),
         ("pareto", "pareto designs --minimize F_o.rmsd --maximize stiffness"),

@@ -13,10 +13,13 @@ const MOST_BANDS: usize = 3;
 
 /// The answer, a sentence or two per line.
 pub fn answer(map: &SpeedMap) -> Vec<String> {
-    let mut lines = vec![floats(map), meets(map), surge(map), seats(map), fatigue(map), rebound(map)];
+    let mut lines = vec![floats(map), meets(map), surge(map)];
+    lines.extend(finer(map));
+    lines.extend([seats(map), fatigue(map), rebound(map)]);
     lines.extend(unsettled(map));
     lines.extend(given_up(map));
     lines.extend(refined(map));
+    lines.extend(aside(map));
     lines.push(format!(
         "{} of a camshaft that turns {} times a turn of the engine; {} per winding. Left out: what else gives between cam and spring, friction, how \
          windings rebound in fact.",
@@ -61,10 +64,13 @@ fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool
         (from, to) => format!("from {from} to {to}"),
     };
     let (shown, more) = bands.split_at(bands.len().min(MOST_BANDS));
+    // Between two speeds that were run it begins somewhere.
+    let before = bands.first().and_then(|(from, _)| from.checked_sub(1));
+    let before = before.map_or_else(String::new, |before| format!(", not yet at {}", rpm(points[before].speed)));
     let shown: Vec<String> = shown.iter().map(words).collect();
     match more.last() {
-        None => shown.join(", "),
-        Some(end) => format!("{}, in {} more bands, the last {}", shown.join(", "), more.len(), words(end)),
+        None => format!("{}{before}", shown.join(", ")),
+        Some(end) => format!("{}, in {} more bands, the last {}{before}", shown.join(", "), more.len(), words(end)),
     }
 }
 
@@ -76,8 +82,7 @@ fn floats(map: &SpeedMap) -> String {
     if map.points.iter().all(|point| point.floating.is_none()) {
         return "No follower_mass under [mount]: whether the valve leaves its cam is not asked.".to_owned();
     }
-    let aloft = |point: &SpeedPoint| point.floating.is_some_and(|floating| floating.floats > 0.0);
-    let Some(first) = lowest(map, aloft) else {
+    let Some(first) = lowest(map, SpeedPoint::is_aloft) else {
         let each = map.points.iter().filter_map(|point| Some((point, point.floating?)));
         let least = each.min_by(|a, b| a.1.least_cam_force.total_cmp(&b.1.least_cam_force));
         return least.map_or_else(String::new, |(point, floating)| {
@@ -101,12 +106,11 @@ fn floats(map: &SpeedMap) -> String {
             digits(fastest)
         )
     });
-    format!("The follower floats {} ({}){worst}.", spans(map, first, aloft), label(map, first))
+    format!("The follower floats {} ({}){worst}.", spans(map, first, SpeedPoint::is_aloft), label(map, first))
 }
 
 fn meets(map: &SpeedMap) -> String {
-    let touches = |point: &SpeedPoint| point.touches > 0.0;
-    let Some(first) = lowest(map, touches) else {
+    let Some(first) = lowest(map, SpeedPoint::meets) else {
         return format!("Windings stay clear of each other and of their seats {}.", run(map));
     };
     let most = map.points.iter().max_by(|a, b| a.fastest.total_cmp(&b.fastest));
@@ -117,7 +121,7 @@ fn meets(map: &SpeedMap) -> String {
     let longest = longest.map_or_else(String::new, |point| {
         format!("; longest at {}, for {} % of a turn", rpm(point.speed), digits(100.0 * point.closed))
     });
-    format!("Windings meet {} ({}){most}{longest}.", spans(map, first, touches), label(map, first))
+    format!("Windings meet {} ({}){most}{longest}.", spans(map, first, SpeedPoint::meets), label(map, first))
 }
 
 fn surge(map: &SpeedMap) -> String {
@@ -140,6 +144,64 @@ fn surge(map: &SpeedMap) -> String {
         label(map, worst),
         digits(worst.apart)
     )
+}
+
+/// Change of the most surge by twice the masses below which they are enough, as `analyze` has it where windings meet.
+const ENOUGH: f64 = crate::study::ENOUGH_WITH_CONTACT;
+
+/// A change below this share of F_nom counts for nothing.
+const FELT: f64 = 0.005;
+
+/// What hangs on how many masses stand for a winding.
+fn finer(map: &SpeedMap) -> Option<String> {
+    let finer = &map.finer;
+    let untried = finer.untried.as_ref().map(|why| {
+        format!("Not tried with twice the masses per winding at every speed that decides, so how far figures hang on their number is open: {why}.")
+    });
+    let worst = map.points.iter().max_by(|a, b| a.surge.total_cmp(&b.surge))?;
+    let mut off = Vec::new();
+    let mut settled = None;
+    let twice = masses(finer.per_winding);
+    if let Some(run) = finer.run_of(map, worst) {
+        let (change, nominal) = ((run.surge - worst.surge).abs(), map.spec.spring.spring.nominal_force());
+        let (now, then, at) = (digits(worst.surge), digits(run.surge), rpm(run.speed));
+        match change > ENOUGH * worst.surge && change > FELT * nominal {
+            true => off.push(format!("the most surge is {then} N, not {now} N, at {at}")),
+            false => settled = Some(format!("the most surge {then} N")),
+        }
+    }
+    let of = [
+        (SpeedPoint::is_aloft as fn(&SpeedPoint) -> bool, "the follower does not float"),
+        (SpeedPoint::meets, "windings do not meet"),
+    ];
+    for (holds, not) in of {
+        let there = lowest(map, holds).and_then(|first| finer.run_of(map, first));
+        if let Some(run) = there.filter(|run| !holds(run)) {
+            off.push(format!("{not} at {} yet", rpm(run.speed)));
+        }
+    }
+    let said = match (off.is_empty(), settled) {
+        (false, _) => Some(format!(
+            "Hangs on the masses: with {twice} per winding in place of {}, {}.",
+            map.masses_per_winding,
+            off.join("; ")
+        )),
+        (true, Some(settled)) => Some(format!(
+            "Twice the masses per winding, {}, make {settled}, and leave as it is what floats or meets first.",
+            finer.per_winding
+        )),
+        (true, None) => None,
+    };
+    match (said, untried) {
+        (None, None) => None,
+        (said, untried) => Some([said, untried].into_iter().flatten().collect::<Vec<_>>().join(" ")),
+    }
+}
+
+/// What of the spec is not asked here.
+fn aside(map: &SpeedMap) -> Option<String> {
+    let names: Vec<&str> = map.spec.sensors.iter().map(|sensor| sensor.name.as_str()).collect();
+    (!names.is_empty()).then(|| format!("Not judged here, but by analyze under conditions: {}.", names.join(", ")))
 }
 
 /// How near an end is to leaving its seat.

@@ -56,6 +56,16 @@ pub struct SpeedPoint {
 }
 
 impl SpeedPoint {
+    /// Whether the follower floats.
+    pub fn is_aloft(&self) -> bool {
+        self.floating.is_some_and(|floating| floating.floats > 0.0)
+    }
+
+    /// Whether windings meet, or a winding and its seat.
+    pub fn meets(&self) -> bool {
+        self.touches > 0.0
+    }
+
     /// The least push on seat 1 and seat 2 \[N\]: at zero an end is about to leave its seat.
     pub fn least_push(&self) -> [f64; 2] {
         // A sum with zero has no sign of zero.
@@ -174,7 +184,9 @@ fn floating(course: &Course, turns: &Turns) -> Floating {
     Floating {
         least_cam_force: extremes(&course.cam_force)[0].max(0.0),
         floats: Turns::each(floats().count()),
-        share: floats().map(|float| turns.share(float.time, float.back.unwrap_or(turns.until))).sum(),
+        share: floats()
+            .map(|float| turns.share(float.time, float.back.unwrap_or(turns.until)))
+            .fold(0.0, |sum, share| sum + share),
         fastest: floats().map(|float| float.closing_speed).fold(0.0, f64::max),
     }
 }

@@ -10,6 +10,7 @@
 mod answer;
 mod campbell;
 mod fatigue;
+mod finer;
 mod judged;
 mod kept;
 mod point;
@@ -20,6 +21,7 @@ pub(crate) use answer::SETTLED;
 pub use answer::answer;
 pub use campbell::{Campbell, Crossing, Line};
 pub use fatigue::Stress;
+pub use finer::Finer;
 pub use judged::{Floating, HARMONICS, SpeedPoint};
 pub use kept::Part;
 
@@ -93,6 +95,8 @@ pub struct SpeedMap {
     pub added: Vec<usize>,
     /// Masses for a winding of the chain.
     pub masses_per_winding: usize,
+    /// What twice as many say of the runs that the answer begins with.
+    pub finer: Finer,
 }
 
 /// What a part of a map has done.
@@ -166,7 +170,7 @@ impl SpeedMap {
     pub fn of(spec: Spec, range: Range, progress: &Progress<'_>) -> Result<Self, SpeedError> {
         let planned = Planned::of(spec, range)?;
         let points = planned.run(&planned.jobs, None, progress)?;
-        Ok(planned.with(points))
+        planned.with(points, None, progress)
     }
 
     /// The same, with points in a folder: those that are there are taken, the others are written there as they are made. They are the same bit by bit.
@@ -178,7 +182,7 @@ impl SpeedMap {
         let planned = Planned::of(spec, range)?;
         let kept = planned.open(folder)?;
         let points = planned.run(&planned.jobs, Some(&kept), progress)?;
-        Ok(planned.with(points))
+        planned.with(points, Some(&kept), progress)
     }
 
     /// Makes a part of the points into that folder, as one of several machines that share it.
@@ -234,6 +238,7 @@ impl Planned {
             return Err(lacks("speed takes an end 2 that is held or has a mass: no force on it is in the spec"));
         }
         spec.spring.look_up_surges(&spec.mount.ends);
+        finer::enough_masses(&mut spec)?;
         let campbell = Campbell::of(&spec, &cam, &range);
         let ways: Vec<Speeds> = (0..spec.mount.cases.len())
             .map(|way| Ok(Speeds::of(&range, &campbell, point::first_ratio(&spec, way)?)))
@@ -252,14 +257,26 @@ impl Planned {
         kept: Option<&Kept>,
         progress: &Progress<'_>,
     ) -> Result<Vec<SpeedPoint>, SpeedError> {
-        let asked = Asked { spec: &self.spec, cam: &self.cam, range: &self.range, waves: Waves::of(&self.cam) };
-        run_all(&asked, jobs, kept, progress)
+        run_all(&self.asked(&Waves::of(&self.cam)), jobs, kept, progress)
     }
 
-    fn with(self, points: Vec<SpeedPoint>) -> SpeedMap {
+    fn asked<'a>(&'a self, waves: &'a Waves) -> Asked<'a> {
+        Asked { spec: &self.spec, cam: &self.cam, range: &self.range, waves }
+    }
+
+    /// The map of all points, and how far its answer hangs on the masses.
+    fn with(
+        self,
+        points: Vec<SpeedPoint>,
+        kept: Option<&Kept>,
+        progress: &Progress<'_>,
+    ) -> Result<SpeedMap, SpeedError> {
+        let jobs = self.jobs.len();
+        let tell = |done, of| go_on(progress, kept, jobs + done, jobs + of);
+        let finer = Finer::of(&self.asked(&Waves::of(&self.cam)), &points, &self.campbell.crossings, tell)?;
         let Self { spec, cam, range, campbell, added, .. } = self;
         let masses_per_winding = spec.spring.spring.masses_per_winding();
-        SpeedMap { cam, range, points, campbell, added, masses_per_winding, spec }
+        Ok(SpeedMap { cam, range, points, campbell, added, masses_per_winding, finer, spec })
     }
 }
 
@@ -272,6 +289,15 @@ fn jobs(ways: &[Speeds]) -> Vec<(f64, usize)> {
     jobs
 }
 
+/// Tells how much is done, and whether that is all for now.
+fn go_on(progress: &Progress<'_>, kept: Option<&Kept>, done: usize, of: usize) -> Result<(), SpeedError> {
+    match (progress(done, of), kept) {
+        (true, _) => Ok(()),
+        (false, None) => Err(SpeedError::Interrupted),
+        (false, Some(kept)) => Err(SpeedError::Paused(kept.place())),
+    }
+}
+
 /// Runs them on all cores, but for those that are kept.
 fn run_all(
     asked: &Asked<'_>,
@@ -281,11 +307,7 @@ fn run_all(
 ) -> Result<Vec<SpeedPoint>, SpeedError> {
     let spec = asked.spec;
     let done = AtomicUsize::new(0);
-    let go_on = |done: usize| match (progress(done, jobs.len()), kept) {
-        (true, _) => Ok(()),
-        (false, None) => Err(SpeedError::Interrupted),
-        (false, Some(kept)) => Err(SpeedError::Paused(kept.place())),
-    };
+    let go_on = |done: usize| go_on(progress, kept, done, jobs.len());
     let one = |&(speed, way): &(f64, usize)| {
         go_on(done.load(Ordering::Relaxed))?;
         let there = kept.and_then(|kept| kept.find(speed, way)).cloned();

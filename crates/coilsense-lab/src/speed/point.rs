@@ -113,11 +113,12 @@ pub(super) fn of(asked: &Asked<'_>, speed: f64, way: usize) -> Result<SpeedPoint
 }
 
 /// What is the same at every speed.
+#[derive(Clone, Copy)]
 pub(super) struct Asked<'a> {
     pub spec: &'a Spec,
     pub cam: &'a CamSpec,
     pub range: &'a Range,
-    pub waves: Waves,
+    pub waves: &'a Waves,
 }
 
 /// The cam's lift over time about a lift \[m\], from where it is least.

@@ -11,7 +11,7 @@ mod together;
 
 pub use contacts::{Between, Contacts, GRAZES, MEET, Meeting};
 pub use helical::{EndLoads, Helical, Helices, Moved};
-pub use masses::{ENOUGH, Masses, enough_masses, mounted, prepare};
+pub use masses::{ENOUGH, ENOUGH_WITH_CONTACT, Masses, enough_masses, mounted, prepare};
 pub use seen::Seen;
 pub use simulation::{Coil, Meets, Method, Setup, Simulation, simulate};
 pub use together::{ADD_UP, together};

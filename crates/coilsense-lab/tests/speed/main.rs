@@ -178,6 +178,55 @@ fn a_heavier_follower_floats_at_a_lower_speed() {
 }
 
 #[test]
+fn what_hangs_on_the_masses_is_in_the_answer() {
+    let text = text("0.002", "follower_mass = \"80 g\"", "restitution = 0.0\nends = false", CAM);
+    // Off its cam a follower hits the spring: what that rings is another with more masses.
+    let wild = map(&text, 8000.0, 8000.0);
+    let words = answer(&wild).join("\n");
+    assert!(
+        words.contains("Hangs on the masses: with 2 masses per winding in place of 1, the most surge is "),
+        "{words}"
+    );
+    assert!(words.contains("; 1 mass per winding"), "{words}");
+    let (number, finer) = &wild.finer.runs[0];
+    assert!(
+        (finer.surge / wild.points[*number].surge - 1.0).abs() > 0.03,
+        "{} {}",
+        finer.surge,
+        wild.points[*number].surge
+    );
+    // That is the map of a spec that asks for two.
+    let fine = map(&text.replace("masses_per_winding = 1", "masses_per_winding = 2"), 8000.0, 8000.0);
+    assert_eq!(fine.points[*number], *finer);
+    // Far below, nothing floats or meets, and surge is that of a few modes.
+    let calm = map(&text, 1500.0, 1500.0);
+    let words = answer(&calm).join("\n");
+    assert!(words.contains("Twice the masses per winding, 2, make the most surge 4."), "{words}");
+    assert_eq!((calm.finer.per_winding, &calm.finer.untried), (2, &None));
+    // Windings that meet their seats, on a follower, take no more than one: that is said, not passed over.
+    let ends = map(&text.replace("ends = false", "ends = true"), 1500.0, 1500.0);
+    let words = answer(&ends).join("\n");
+    assert!(
+        words.contains("Not tried with twice the masses")
+            && words.contains("with ends = false in [contact] more can be"),
+        "{words}"
+    );
+    // Of a spec that asks for none there are as many as the first surge frequency takes; a resonance lies at it.
+    let spare = text.replace("masses_per_winding = 1\n", "");
+    assert_eq!(map(&spare, 1500.0, 1500.0).masses_per_winding, 2);
+    // Sensors are judged elsewhere.
+    assert!(
+        answer(&map(
+            &spare.replace("[cam]", "[[sensor]]\nname = \"cell\"\nkind = \"load-cell\"\n[cam]"),
+            1500.0,
+            1500.0
+        ))
+        .join("\n")
+        .contains("Not judged here, but by analyze under conditions: cell.")
+    );
+}
+
+#[test]
 fn what_is_no_cam_or_no_range_is_refused_in_a_line() {
     let refused = |text: &str| read(text).map(|_| ()).unwrap_err();
     for (cam, part) in [

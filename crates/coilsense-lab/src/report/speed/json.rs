@@ -17,6 +17,8 @@ pub struct SpeedOutcome<'a> {
     /// Turns of the camshaft for one of the engine.
     cam_ratio: f64,
     masses_per_winding: usize,
+    /// What more masses say of the runs that the answer begins with.
+    finer: FinerPart<'a>,
     nominal_force_n: f64,
     /// Lines that do not move with the speed.
     lines: Vec<LineRow<'a>>,
@@ -29,6 +31,17 @@ pub struct SpeedOutcome<'a> {
 
 impl Outcome for SpeedOutcome<'_> {
     const SCHEMA: &'static str = "coilsense/speed/1";
+}
+
+/// Runs with twice the masses: of the most surge, and the slowest in which the follower floats and windings meet. Where the map has a resonance, the
+/// speed is that of this chain's.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct FinerPart<'a> {
+    masses_per_winding: usize,
+    runs: Vec<RunRow<'a>>,
+    /// Why one was not run; null where all were.
+    untried: Option<&'a str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -135,6 +148,11 @@ pub fn speed_json(map: &SpeedMap) -> Result<String, serde_json::Error> {
         cam: &map.cam.words,
         cam_ratio: map.range.ratio,
         masses_per_winding: map.masses_per_winding,
+        finer: FinerPart {
+            masses_per_winding: map.finer.per_winding,
+            runs: map.finer.runs.iter().map(|(_, point)| RunRow::of(map, point)).collect(),
+            untried: map.finer.untried.as_deref(),
+        },
         nominal_force_n: map.spec.spring.spring.nominal_force(),
         lines: map
             .campbell
