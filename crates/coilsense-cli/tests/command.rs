@@ -116,8 +116,25 @@ fn the_springs_of_a_folder_are_used_and_said_to_be_others() {
     let output = coilsense(&["reproduce", "--springs", path(folder.path()), "--out", path(place.path())]);
     assert!(output.status.success(), "{}", text(&output.stderr));
     assert!(text(&output.stdout).contains("The springs are not those of Table I"));
+    assert!(!text(&output.stdout).contains("not used here"));
     let page = fs::read_to_string(place.path().join("report.html")).unwrap();
     assert!(page.contains("not those of the paper"));
+}
+
+#[test]
+fn what_the_tables_do_not_take_of_a_springs_file_is_said() {
+    let folder = springs(|text| text);
+    let file = folder.path().join("S_A.toml");
+    let more = "\n[mount]\nend2 = \"mass\"\nend_mass = \"2 kg\"\n";
+    fs::write(&file, fs::read_to_string(&file).unwrap().replace("\"chain\"", "\"helix\"") + more).unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let output = coilsense(&["reproduce", "--springs", path(folder.path()), "--out", path(place.path())]);
+    let said = text(&output.stdout);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(said.contains("S_A.toml: not used here: [mount], model = \"helix\"."), "{said}");
+    assert!(!said.contains("S_T.toml: not used here"), "{said}");
+    // Both are the paper's all the same.
+    assert!(!said.contains("The springs are not those of Table I"), "{said}");
 }
 
 #[test]

@@ -23,8 +23,8 @@ pub use figures::NamedFigure;
 pub use protocol::{PAPER_NOMINAL_FORCE_FACTOR, Protocol};
 pub use reason::{Reason, TOLERANCE_POINTS};
 
-use crate::published::{PublishedError, published_cells};
-use crate::spec::{SpecError, SpringSpec};
+use crate::published::{PublishedCell, PublishedError, published_cells};
+use crate::spec::{SpecError, SpringSpec, read_text};
 
 /// What can go wrong on the way to the paper's tables.
 #[derive(Debug, thiserror::Error)]
@@ -54,6 +54,8 @@ const MOST_WINDINGS: f64 = 1000.0;
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaperSprings {
     springs: [(&'static str, Spring); 2],
+    /// What the files say that the tables do not take.
+    unused: Vec<String>,
 }
 
 impl PaperSprings {
@@ -65,7 +67,7 @@ impl PaperSprings {
         let read = |file, text| SpringSpec::parse(file, text).map(|named| named.spring);
         let s_t = read("data/springs/S_T.toml", include_str!("../../data/springs/S_T.toml"))?;
         let s_a = read("data/springs/S_A.toml", include_str!("../../data/springs/S_A.toml"))?;
-        Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)] })
+        Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)], unused: Vec::new() })
     }
 
     /// `S_T.toml` and `S_A.toml` of a folder.
@@ -73,14 +75,16 @@ impl PaperSprings {
     /// # Errors
     /// [`ReproduceError::Spec`] for the first file that is missing or cannot be used.
     pub fn read(folder: &Path) -> Result<Self, ReproduceError> {
-        let s_t = Self::read_one(&folder.join("S_T.toml"), "S_A")?;
-        let s_a = Self::read_one(&folder.join("S_A.toml"), "S_T")?;
-        Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)] })
+        let (s_t, of_s_t) = Self::read_one(&folder.join("S_T.toml"), "S_A")?;
+        let (s_a, of_s_a) = Self::read_one(&folder.join("S_A.toml"), "S_T")?;
+        let unused = [of_s_t, of_s_a].into_iter().flatten().collect();
+        Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)], unused })
     }
 
-    /// One of the two, which must not be the other, and whose inductance must be one that a length can be read from.
-    fn read_one(file: &Path, other: &str) -> Result<Spring, SpecError> {
-        let SpringSpec { name, spring, .. } = SpringSpec::read(file)?;
+    /// One of the two, which must not be the other, and whose inductance must be one that a length can be read from; and what of the file is not used.
+    fn read_one(file: &Path, other: &str) -> Result<(Spring, Option<String>), SpecError> {
+        let text = read_text(file)?;
+        let SpringSpec { name, spring, .. } = SpringSpec::parse(&file.display().to_string(), &text)?;
         if name == other {
             let allowed = "another name: the file stands in the other spring's place";
             return Err(SpecError::unsuitable(file, "name", format!("{name:?}"), allowed));
@@ -92,7 +96,7 @@ impl PaperSprings {
                 return Err(SpecError::unsuitable(file, key, windings, allowed));
             }
         }
-        Ok(spring)
+        Ok((spring, unused(file, &text)))
     }
 
     /// S_T and its name.
@@ -104,6 +108,21 @@ impl PaperSprings {
     pub fn each(&self) -> impl Iterator<Item = (&'static str, &Spring)> {
         self.springs.iter().map(|(name, spring)| (*name, spring))
     }
+}
+
+/// What of a spring's file the tables do not take, which are those of ends that move as the paper says, of an undamped chain.
+fn unused(file: &Path, text: &str) -> Option<String> {
+    let document: toml::Table = text.parse().ok()?;
+    let mut left: Vec<String> = document.keys().filter(|key| *key != "spring").map(|key| format!("[{key}]")).collect();
+    let model = document.get("spring").and_then(|spring| spring.get("model")).and_then(toml::Value::as_str);
+    left.extend(model.filter(|model| *model != "chain").map(|model| format!("model = {model:?}")));
+    (!left.is_empty()).then(|| {
+        format!(
+            "{}: not used here: {}. The tables are those of the paper's undamped chain under the paper's conditions; `coilsense analyze` takes all of it.",
+            file.display(),
+            left.join(", ")
+        )
+    })
 }
 
 /// Everything the paper simulates, computed.
@@ -134,8 +153,14 @@ pub fn reproduce(springs: PaperSprings, protocols: &[Protocol]) -> Result<Reprod
     #[cfg(not(target_family = "wasm"))]
     let each = cases.into_par_iter();
     let mut cases: Vec<CaseResult> = each.map(Case::run).collect::<Result<_, _>>()?;
-    let springs_are_table_i = springs == PaperSprings::built_in()?;
-    let fill = |published| Cell::fill(published, &cases, protocols, springs_are_table_i);
+    let table_i = PaperSprings::built_in()?;
+    let springs_are_table_i = springs.springs == table_i.springs;
+    let is_table_i =
+        |name: &str| springs.each().zip(table_i.each()).all(|(here, there)| here.0 != name || here.1 == there.1);
+    let fill = |published: PublishedCell| {
+        let table_i = is_table_i(&published.spring);
+        Cell::fill(published, &cases, protocols, table_i)
+    };
     let cells = published_cells()?.into_iter().map(fill).collect();
     for result in &mut cases {
         result.case.protocols.retain(|protocol| protocols.contains(protocol));
@@ -153,8 +178,14 @@ impl Reproduction {
         candidates.clone().find(tables).or_else(|| candidates.next())
     }
 
-    /// What a reader must know before using a number: lengths outside of the operating range, windings that touch.
+    /// What a reader must know before using a number: what of the springs' files is not used, lengths outside of the operating range, windings that
+    /// touch.
     pub fn warnings(&self) -> Vec<String> {
-        self.cases.iter().flat_map(CaseResult::warnings).collect()
+        self.springs.unused.iter().cloned().chain(self.of_cases()).collect()
+    }
+
+    /// The same of the motions alone.
+    pub(crate) fn of_cases(&self) -> impl Iterator<Item = String> {
+        self.cases.iter().flat_map(CaseResult::warnings)
     }
 }

@@ -74,7 +74,7 @@ fn self_term(reproduction: &Reproduction) -> String {
 }
 
 fn clash(reproduction: &Reproduction) -> String {
-    let mut text = reproduction.warnings().join(" ");
+    let mut text = reproduction.of_cases().collect::<Vec<_>>().join(" ");
     for (name, _) in reproduction.springs.each() {
         let Some(stop) = reproduction.case(name, Condition::EndStopMin).filter(|stop| !stop.clash.happens()) else {
             continue;
