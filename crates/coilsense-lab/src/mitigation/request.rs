@@ -18,16 +18,25 @@ pub const OPTIONS: [Row; 7] = [RATE, NOISE, BANDWIDTH, STIFFNESS_TOLERANCE, MASS
 /// What is known of a log's positions.
 pub const OF_LOG: [Row; 4] = [LENGTH_AT_ZERO, CALIBRATION, RE_ZERO, END2];
 /// How the log is read, as by every other verb.
-pub const READING: [Row; 15] = [
+pub const READING: [Row; 24] = [
     of_log(log::COLUMN),
+    of_log(log::UNITS),
+    of_log(log::GAIN),
+    of_log(log::OFFSET),
+    of_log(log::NEGATE),
+    of_log(log::CONSTANT),
     of_log(log::MAPPING),
     of_log(log::PRESET),
+    of_log(log::DELIMITER),
+    of_log(log::DECIMAL),
     of_log(log::SAMPLE_RATE),
     of_log(log::DROP_INCOMPLETE),
     of_log(log::SORT),
     of_log(log::MERGE_REPEATED),
+    of_log(log::UNWRAP),
     of_log(log::FILL_GAPS),
     of_log(log::RESAMPLE),
+    of_log(log::REPAIR_UP_TO),
     of_log(log::FROM),
     of_log(log::TO),
     of_log(log::WITH),
