@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use coilsense_lab::analysis::{AnalysisError, Together, simulate};
+use coilsense_lab::analysis::{AnalysisError, Together, simulate, warnings_of_simulated};
 use coilsense_lab::report::verbs::ONE_FILE;
 use coilsense_lab::report::{SimulationOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
@@ -49,6 +49,14 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     } else {
         output.write(&format!("{stem}.{ending}"), |file| series::write(&runs, format, file))?;
     }
+    let warnings = match &together {
+        Some(together) => {
+            together.springs.iter().map(|strand| warnings_of_simulated(&strand.spec, &strand.cases)).collect()
+        }
+        None => warnings_of_simulated(&spec, &cases).map(|warnings| vec![warnings]),
+    };
+    let warnings: Vec<String> =
+        warnings.map(|each: Vec<_>| each.into_iter().flatten().map(|warning| warning.text).collect())?;
     watch.end();
     if watch.is_stopped() {
         return Err(AnalysisError::Interrupted.into());
@@ -59,9 +67,10 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     if let Some(left_out) = spec.spring.magnetisation_left_out() {
         terminal::warn(left_out);
     }
+    warnings.iter().for_each(terminal::warn);
     if given.holds(&JSON) {
         let (spec_file, runs) = (spec.file.as_str(), runs.len());
-        let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples })?;
+        let text = to_json(SimulationOutcome { spec_file, files: names, runs, samples, warnings })?;
         return Ok(terminal::answer(given, &text)?);
     }
     let plural = if files == 1 { "file" } else { "files" };

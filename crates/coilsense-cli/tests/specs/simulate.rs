@@ -37,6 +37,27 @@ fn several_runs_make_a_csv_each() {
 }
 
 #[test]
+fn windings_that_would_pass_through_one_another_are_told_of() {
+    let hit = "\n[mount]\nend2 = \"held\"\ndamping_ratio = 0.01\n[[condition]]\nkind = \"impact\"\nlength = \"230 mm\"\n\
+               duration = \"0.05 s\"\nsample_rate = \"10 kHz\"\nvelocity = ";
+    let warned = |velocity: &str| {
+        let (place, spec) = place(&format!("{hit}\"{velocity}\"\n"));
+        let out = place.path().join("out.csv");
+        let output = super::coilsense(&["simulate", path(&spec), "--out", path(&out)]);
+        assert!(output.status.success(), "{output:?}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        let json: Value =
+            serde_json::from_str(&done(&["simulate", path(&spec), "--out", path(&out), "--overwrite", "--json"]))
+                .unwrap();
+        let touch = |text: &str| text.contains("windings touch from t = ");
+        let warnings = json["warnings"].as_array().unwrap().iter().map(|warning| warning.as_str().unwrap());
+        (said.lines().filter(|line| touch(line)).count(), warnings.filter(|warning| touch(warning)).count())
+    };
+    assert_eq!(warned("25 m/s"), (1, 1), "the hand formula has 13.6 m/s");
+    assert_eq!(warned("1 m/s"), (0, 0));
+}
+
+#[test]
 fn a_single_run_makes_a_single_csv_of_numbers() {
     let (place, spec) = place(&QUICK.replace("[0, 0.01]", "0").replace(
         "name = \"shake\"\nkind = \"harmonic\"\nfrequency = \"0.5 f1\"\namplitude = \"1 %\"",

@@ -192,10 +192,13 @@ fn cause(verdict: &Verdict) -> String {
 /// From so many times the nominal oscillation on, that of the loudest spring says that the error cannot be told from the spec.
 const UNTOLD: f64 = 2.0;
 
+/// An error below this \[N\] is none.
+const LEAST_ERROR: f64 = 1e-12;
+
 /// Whether how far a sensor is off hangs on a frequency that the spec does not say well enough.
 pub(super) fn is_untold(verdict: &Verdict) -> bool {
     let worst = verdict.at_worst();
-    let by_surge = worst.over_specimens > 0.5 * worst.combined;
+    let by_surge = worst.over_specimens > LEAST_ERROR && worst.over_specimens > 0.5 * worst.combined;
     by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
 }
 
@@ -346,6 +349,7 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Lift, "an end that only pushes would have to pull"),
         (Subject::Doubt, "values of the spring do not fit together"),
+        (Subject::Instrument, "an instrument has no limit of error"),
         (Subject::Alias, "surge lines alias"),
         (Subject::Range, "a load cell is overloaded"),
         (Subject::Magnetisation, "the wire may be more magnetic than what is computed"),

@@ -14,6 +14,9 @@ pub(super) struct Curve {
     nominal: Moments,
 }
 
+/// Variance \[N²\] that stands for none, which has no logarithm.
+const NONE: f64 = 1e-300;
+
 /// Values with slopes, cubic in between, without overshooting.
 #[derive(Debug, Clone)]
 struct Smooth {
@@ -30,7 +33,7 @@ impl Curve {
         let nominal = samples.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
         let nominal = nominal.map_or(Moments { mean: 0.0, variance: 0.0 }, |(_, moments)| *moments);
         let means = of(&|moments| moments.mean);
-        let variances = of(&|moments| moments.variance.max(f64::MIN_POSITIVE).ln());
+        let variances = of(&|moments| moments.variance.max(NONE).ln());
         Self { means, variances, nominal, places }
     }
 
@@ -41,6 +44,12 @@ impl Curve {
 
     /// At a coordinate; beyond the samples as at the last of them.
     pub fn at(&self, place: f64) -> Moments {
+        let Moments { mean, variance } = self.smooth_at(place);
+        // What stands for none has none.
+        Moments { mean, variance: if variance > 2.0 * NONE { variance } else { 0.0 } }
+    }
+
+    fn smooth_at(&self, place: f64) -> Moments {
         let next = self.places.partition_point(|known| *known <= place);
         if next == 0 || next == self.places.len() {
             let last = next.saturating_sub(1);
@@ -63,7 +72,7 @@ impl Curve {
     }
 
     fn largest(&self) -> (f64, f64) {
-        let size = |index: usize| self.variances.values[index].exp() + self.means.values[index].powi(2);
+        let size = |index: usize| self.at(self.places[index]).square();
         let each = self.places.iter().enumerate().map(|(index, place)| (*place, size(index)));
         each.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, 0.0))
     }
@@ -122,5 +131,15 @@ mod tests {
             assert!((at.mean - true_value.mean).abs() < 1e-12);
         }
         assert_eq!(curve.loudest(), 0.0);
+    }
+
+    #[test]
+    fn no_error_stays_none() {
+        let none = Moments { mean: 0.0, variance: 0.0 };
+        let curve = Curve::new(vec![(-1.0, none), (0.0, none), (1.0, none)]);
+        for place in [-2.0, -1.0, -0.3, 0.0, 0.7, 1.0] {
+            assert_eq!(curve.at(place), none, "{place}");
+        }
+        assert_eq!(curve.peak(), 0.0);
     }
 }

@@ -59,7 +59,7 @@ pub use single::Single;
 pub use together::{Strand, Together};
 pub use under_way::{Concluded, Earlier, UnderWay};
 pub use verdict::{Assessment, GoalFilter, Verdict};
-pub use warnings::{Subject, Warning};
+pub use warnings::{Subject, Warning, of_simulated as warnings_of_simulated};
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

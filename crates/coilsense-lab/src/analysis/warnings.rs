@@ -44,6 +44,8 @@ pub enum Subject {
     Alias,
     /// A reading above full scale.
     Range,
+    /// An instrument of which nothing is told that could be wrong.
+    Instrument,
     /// A drift that is not known.
     Temperature,
     /// Torsional or lateral motion.
@@ -65,6 +67,7 @@ impl Subject {
             Self::Doubt => "doubt",
             Self::Alias => "alias",
             Self::Range => "range",
+            Self::Instrument => "instrument",
             Self::Temperature => "temperature",
             Self::Neighbour => "neighbour",
             Self::Magnetisation => "magnetisation",
@@ -82,12 +85,8 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     let magnetised = |text| Warning { subject: Subject::Magnetisation, text };
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        warnings.extend(clash(spec, &of_condition));
-        let met = met::of(spec, &of_condition);
-        warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
+        warnings.extend(of_motion(spec, &of_condition, sheet)?);
         warnings.extend(magnetisation::uneven(spec, &of_condition).map(magnetised));
-        warnings.extend(length(spec, &of_condition, sheet));
-        warnings.extend(lift(spec, &of_condition)?);
     }
     warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
@@ -100,6 +99,31 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     warnings.extend(temperature(spec, sensors));
     warnings.extend(magnetisation::drift(spec, sensors).map(|text| Warning { subject: Subject::Temperature, text }));
     warnings.extend(sheet.beyond_axial.iter().map(|text| Warning { subject: Subject::Neighbour, text: text.clone() }));
+    Ok(warnings)
+}
+
+/// Where a simulated motion is not what the spring would do: windings that touch, meet, lengths out of range, ends that would have to pull.
+///
+/// # Errors
+/// Those of the science.
+pub fn of_simulated(spec: &Spec, cases: &[Case]) -> Result<Vec<Warning>, Error> {
+    let sheet = DataSheet::of(spec)?;
+    let mut warnings = Vec::new();
+    for condition in 0..spec.conditions.len() {
+        let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
+        if !of_condition.is_empty() {
+            warnings.extend(of_motion(spec, &of_condition, &sheet)?);
+        }
+    }
+    Ok(warnings)
+}
+
+/// The same of the cases of one condition.
+fn of_motion(spec: &Spec, cases: &[&Case], sheet: &DataSheet) -> Result<Vec<Warning>, Error> {
+    let met = met::of(spec, cases).map(|text| Warning { subject: Subject::Contact, text });
+    let mut warnings: Vec<Warning> = clash(spec, cases).into_iter().chain(met).collect();
+    warnings.extend(length(spec, cases, sheet));
+    warnings.extend(lift(spec, cases)?);
     Ok(warnings)
 }
 
@@ -119,9 +143,15 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
     let too: Vec<&str> = touching.map(|case| spec.mount.cases[case.damping].label.as_str()).collect();
     let also = if too.is_empty() { String::new() } else { format!(" They touch at {} too.", too.join(", ")) };
     let until = if clear.is_empty() { String::new() } else { format!(" They stay clear at {}.", clear.join(", ")) };
+    let remedy = match spec.spring.may_have_contact() {
+        true => " A table [contact] in the spec lets them meet.",
+        false => {
+            " A table [contact] lets windings meet, but takes none that press on one another at rest, nor a helix."
+        }
+    };
     let text = format!(
         "{}, {}: windings touch from t = {contact:.3} s on; at t = {:.3} s they would overlap by {:.2} mm. The numbers after that \
-         lie beyond what this spring can do.{also}{until} A table [contact] in the spec lets them meet.",
+         lie beyond what this spring can do.{also}{until}{remedy}",
         spec.conditions[nearest.condition].name,
         spec.mount.cases[nearest.damping].label,
         nearest.clash.time,
@@ -229,7 +259,7 @@ fn faultless(sensor: &SensorSpec) -> Option<Warning> {
         + sensor.calibration_uncertainty;
     // Of a coil the calibration is doubted in any case.
     (told == 0.0 && sensor.quantity.kind() != "inductance").then(|| Warning {
-        subject: Subject::Doubt,
+        subject: Subject::Instrument,
         text: format!(
             "{}: no noise, resolution or limit of error is given, so only oscillation and spring count.",
             sensor.name

@@ -10,8 +10,8 @@ mod pack;
 use std::path::{Component, Path, PathBuf};
 
 pub use checks::{Check, State};
-pub use file::{FILE, Kind, TEMPLATE};
 use file::File;
+pub use file::{FILE, Kind, TEMPLATE};
 
 use crate::identification::Identified;
 use crate::message::Message;

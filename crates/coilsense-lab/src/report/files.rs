@@ -22,6 +22,8 @@ pub struct SimulationOutcome<'a> {
     pub runs: usize,
     /// Of all runs together.
     pub samples: usize,
+    /// Where what was simulated is not what the spring would do.
+    pub warnings: Vec<String>,
 }
 
 impl Outcome for SimulationOutcome<'_> {

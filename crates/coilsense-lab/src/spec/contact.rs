@@ -130,8 +130,7 @@ fn can_meet(section: &Section<'_>, spec: &SpringSpec) -> Result<(), SpecError> {
             "takes a spring without initial_tension: windings that press on one another at rest are not covered",
         );
     }
-    let (rest, solid) = (spec.spring.rest_length(), spec.solid_length());
-    if rest < solid * (1.0 + 1e-9) {
+    if spec.is_wound_close() {
         return refuse(
             "takes a spring whose windings are apart when it is unloaded: this one is solid at its rest_length",
         );

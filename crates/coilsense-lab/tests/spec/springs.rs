@@ -143,7 +143,7 @@ fn a_spring_by_geometry_that_cannot_be_is_refused() {
         ["a compression spring that is pulled", "\"104 mm\"\nmin_length = \"196 mm\"\nmax_length = \"264 mm\"\nwindings = 52\nwire_diameter = \"2 mm\"\ncoil_diameter = \"16 mm\"\nend_type = \"hooks\"", "\"264 mm\"\nmin_length = \"196 mm\"\nmax_length = \"264.1 mm\"\nwindings = 52\nwire_diameter = \"2 mm\"\ncoil_diameter = \"16 mm\"\nend_type = \"closed-ground\"",
             r#"S.toml:5: max_length = "264.1 mm": must be at most the rest_length of 264 mm: ends that are "closed-ground" cannot be pulled"#],
         ["an unknown material", r#""CuBe2""#, r#""cheese""#,
-            r#"S.toml:10: material = "cheese": no material of that name; there are steel EN 10270-1, steel EN 10270-2, stainless 1.4310, stainless 1.4568, stainless 1.4401, CuSn6, CuBe2, CuZn36, Inconel X-750, Ti-6Al-4V"#],
+            r#"S.toml:10: material = "cheese": no material of that name; there are steel EN 10270-1, steel EN 10270-2, stainless 1.4310, stainless 1.4568, stainless 1.4401, CuSn6, CuBe2, CuZn36, Inconel X-750, Ti-6Al-4V (music wire is steel EN 10270-1)"#],
         ["a material by number", r#""CuBe2""#, "2",
             "S.toml:10: material = 2: must be a text in quotes, on one line, of 1 to 200 characters"],
         ["a soft modulus", "windings = 52", "windings = 52\nshear_modulus = \"0 GPa\"",

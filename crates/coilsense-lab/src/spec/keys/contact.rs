@@ -13,7 +13,8 @@ pub(super) const CONTACT: Table = Table {
     repeats: false,
     meaning: told(
         "What windings do when they meet. Without this table they pass through one another, and a warning says from when on. With it the motion is \
-              followed from event to event from the first contact on; friction, rolling of wires and the loss inside a wire are left out. How windings \
+              followed from event to event from the first contact on, of a coil whose windings are apart at its length without force (no `initial_tension`, \
+              no `helix`); friction, rolling of wires and the loss inside a wire are left out. How windings \
               rebound nobody has measured: unless the table says so, every result is given for the least and the most that can be expected.",
     ),
     keys: &[
