@@ -12,6 +12,8 @@ use crate::{root, stubs};
 
 /// What a wheel may weigh \[bytes\].
 const LARGEST_WHEEL: u64 = 10_000_000;
+/// How wheels are packed, here and where they are released.
+const PACKED_HARDER: [&str; 2] = ["--compression-level", "9"];
 
 /// What the tests run with.
 pub const REQUIREMENTS: &str = "python/requirements-test.txt";
@@ -80,6 +82,7 @@ fn from(source: &Path, environment: &Environment) -> anyhow::Result<PathBuf> {
     }
     let mut build = environment.python();
     build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(place.path());
+    build.env("MATURIN_PEP517_ARGS", PACKED_HARDER.join(" "));
     if !succeeds(build.env("CARGO_TARGET_DIR", crate::target_folder()))? {
         bail!("the packed source cannot be built");
     }
@@ -91,6 +94,7 @@ fn build(environment: &Environment) -> anyhow::Result<PathBuf> {
     let folder = emptied()?;
     let mut build = environment.python();
     build.args(["-m", "maturin", "build", "--release", "--quiet", "--interpreter", "python3", "--out"]).arg(&folder);
+    build.args(PACKED_HARDER);
     if !succeeds(&mut build)? {
         bail!("the wheel cannot be built");
     }

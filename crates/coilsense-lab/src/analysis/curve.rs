@@ -44,20 +44,14 @@ impl Curve {
 
     /// At a coordinate; beyond the samples as at the last of them.
     pub fn at(&self, place: f64) -> Moments {
-        let Moments { mean, variance } = self.smooth_at(place);
-        // What stands for none has none.
-        Moments { mean, variance: if variance > 2.0 * NONE { variance } else { 0.0 } }
-    }
-
-    fn smooth_at(&self, place: f64) -> Moments {
         let next = self.places.partition_point(|known| *known <= place);
         if next == 0 || next == self.places.len() {
             let last = next.saturating_sub(1);
-            return Moments { mean: self.means.values[last], variance: self.variances.values[last].exp() };
+            return Moments { mean: self.means.values[last], variance: variance(self.variances.values[last]) };
         }
         let (before, width) = (next - 1, self.places[next] - self.places[next - 1]);
         let share = (place - self.places[before]) / width;
-        let variance = self.variances.between(before, width, share).exp();
+        let variance = variance(self.variances.between(before, width, share));
         Moments { mean: self.means.between(before, width, share), variance }
     }
 
@@ -72,10 +66,16 @@ impl Curve {
     }
 
     fn largest(&self) -> (f64, f64) {
-        let size = |index: usize| self.at(self.places[index]).square();
+        let size = |index: usize| variance(self.variances.values[index]) + self.means.values[index].powi(2);
         let each = self.places.iter().enumerate().map(|(index, place)| (*place, size(index)));
         each.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, 0.0))
     }
+}
+
+/// Of its logarithm; what stands for none is none.
+fn variance(logarithm: f64) -> f64 {
+    let variance = logarithm.exp();
+    if variance > 2.0 * NONE { variance } else { 0.0 }
 }
 
 impl Smooth {

@@ -85,8 +85,12 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     let magnetised = |text| Warning { subject: Subject::Magnetisation, text };
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        of_motion(spec, &of_condition, sheet, &mut warnings)?;
+        warnings.extend(clash(spec, &of_condition));
+        let met = met::of(spec, &of_condition);
+        warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
         warnings.extend(magnetisation::uneven(spec, &of_condition).map(magnetised));
+        warnings.extend(length(spec, &of_condition, sheet));
+        warnings.extend(lift(spec, &of_condition)?);
     }
     warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
@@ -111,21 +115,16 @@ pub fn of_simulated(spec: &Spec, cases: &[Case]) -> Result<Vec<Warning>, Error> 
     let mut warnings = Vec::new();
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        if !of_condition.is_empty() {
-            of_motion(spec, &of_condition, &sheet, &mut warnings)?;
+        if of_condition.is_empty() {
+            continue;
         }
+        warnings.extend(clash(spec, &of_condition));
+        let met = met::of(spec, &of_condition);
+        warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
+        warnings.extend(length(spec, &of_condition, &sheet));
+        warnings.extend(lift(spec, &of_condition)?);
     }
     Ok(warnings)
-}
-
-/// The same of the cases of one condition.
-fn of_motion(spec: &Spec, cases: &[&Case], sheet: &DataSheet, warnings: &mut Vec<Warning>) -> Result<(), Error> {
-    warnings.extend(clash(spec, cases));
-    let met = met::of(spec, cases);
-    warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
-    warnings.extend(length(spec, cases, sheet));
-    warnings.extend(lift(spec, cases)?);
-    Ok(())
 }
 
 /// Windings that touch, under the damping where they come nearest.
@@ -144,19 +143,18 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
     let too: Vec<&str> = touching.map(|case| spec.mount.cases[case.damping].label.as_str()).collect();
     let also = if too.is_empty() { String::new() } else { format!(" They touch at {} too.", too.join(", ")) };
     let until = if clear.is_empty() { String::new() } else { format!(" They stay clear at {}.", clear.join(", ")) };
-    // What a build takes; a page has it with the rest of contact, after its first load.
-    let remedy = match cfg!(feature = "contact") && spec.spring.may_have_contact() {
-        true => " A table [contact] in the spec lets them meet.",
-        false => "",
-    };
-    let text = format!(
+    let mut text = format!(
         "{}, {}: windings touch from t = {contact:.3} s on; at t = {:.3} s they would overlap by {:.2} mm. The numbers after that \
-         lie beyond what this spring can do.{also}{until}{remedy}",
+         lie beyond what this spring can do.{also}{until}",
         spec.conditions[nearest.condition].name,
         spec.mount.cases[nearest.damping].label,
         nearest.clash.time,
         -1e3 * spec.spring.gap(nearest.clash.smallest_pitch),
     );
+    // A page has it with the rest of contact, after its first load.
+    if cfg!(feature = "contact") && spec.spring.may_have_contact() {
+        text.push_str(" A table [contact] in the spec lets them meet.");
+    }
     Some(Warning { subject: Subject::Clash, text })
 }
 

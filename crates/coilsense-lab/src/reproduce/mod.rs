@@ -99,6 +99,16 @@ impl PaperSprings {
         Ok((spring, unused(file, &text)))
     }
 
+    /// Whether each of the two is the paper's.
+    fn are_table_i(&self) -> Result<[bool; 2], ReproduceError> {
+        // A page has no others.
+        if cfg!(target_family = "wasm") {
+            return Ok([true; 2]);
+        }
+        let table_i = Self::built_in()?;
+        Ok([0, 1].map(|number| self.springs[number].1 == table_i.springs[number].1))
+    }
+
     /// S_T and its name.
     pub fn first(&self) -> (&'static str, &Spring) {
         (self.springs[0].0, &self.springs[0].1)
@@ -153,12 +163,10 @@ pub fn reproduce(springs: PaperSprings, protocols: &[Protocol]) -> Result<Reprod
     #[cfg(not(target_family = "wasm"))]
     let each = cases.into_par_iter();
     let mut cases: Vec<CaseResult> = each.map(Case::run).collect::<Result<_, _>>()?;
-    let table_i = PaperSprings::built_in()?;
-    let springs_are_table_i = springs.springs == table_i.springs;
-    let is_table_i =
-        |name: &str| springs.each().zip(table_i.each()).all(|(here, there)| here.0 != name || here.1 == there.1);
+    let table_i = springs.are_table_i()?;
+    let springs_are_table_i = table_i == [true; 2];
     let fill = |published: PublishedCell| {
-        let table_i = is_table_i(&published.spring);
+        let table_i = table_i[usize::from(published.spring == "S_A")];
         Cell::fill(published, &cases, protocols, table_i)
     };
     let cells = published_cells()?.into_iter().map(fill).collect();
@@ -181,7 +189,9 @@ impl Reproduction {
     /// What a reader must know before using a number: what of the springs' files is not used, lengths outside of the operating range, windings that
     /// touch.
     pub fn warnings(&self) -> Vec<String> {
-        self.springs.unused.iter().cloned().chain(self.of_cases()).collect()
+        let mut warnings = self.springs.unused.clone();
+        warnings.extend(self.of_cases());
+        warnings
     }
 
     /// The same of the motions alone.

@@ -104,9 +104,11 @@ pub(super) fn material(name: &str) -> Result<MaterialParameters, String> {
     let all = material_rows().map_err(|error| error.to_string())?;
     let Some(found) = all.iter().find(|material| material.needed("name") == name) else {
         let names: Vec<&str> = all.iter().map(|material| material.needed("name")).collect();
-        // A page has no bytes for it.
-        let known_as = if cfg!(feature = "reference") { " (music wire is steel EN 10270-1)" } else { "" };
-        return Err(format!("no material of that name; there are {}{known_as}", names.join(", ")));
+        let mut wrong = format!("no material of that name; there are {}", names.join(", "));
+        if cfg!(feature = "reference") {
+            wrong.push_str(" (music wire is steel EN 10270-1)");
+        }
+        return Err(wrong);
     };
     let fault = |text: &str| damaged("data/materials.toml", format!("{name}: {text:?}")).to_string();
     let quantity = |key: &str, dimension: Dimension| {
