@@ -9,8 +9,7 @@ import { ink, look, type Look } from './looks';
 export const LARGER = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16 || 1;
 
 /** Words on a canvas of so many dots per pixel. */
-export const font = (size = 12, ratio = 1): string =>
-  `${size * LARGER * ratio}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif`;
+export const font = (size = 12, ratio = 1): string => `${size * LARGER * ratio}px system-ui, sans-serif`;
 
 /** An axis with the page's colours; `label` with its unit, `size` its width beside the plot [pixels of a desk]. */
 export function axis(label: string, size: number, more: Partial<uPlot.Axis> = {}): uPlot.Axis {

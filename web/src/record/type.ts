@@ -3,8 +3,7 @@
 // Next door: what they are about (`picture`, `plot`).
 
 /** In the units of a picture. */
-export const letters = (size: number, weight = 400): string =>
-  `${weight} ${size}px system-ui, -apple-system, "Segoe UI", Roboto, Arial, sans-serif`;
+export const letters = (size: number, weight = 400): string => `${weight} ${size}px system-ui, sans-serif`;
 
 export interface Style {
   size: number;
