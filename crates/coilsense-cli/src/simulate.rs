@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
-use coilsense_lab::analysis::{AnalysisError, Together, simulate, warnings_of_simulated};
+use coilsense_lab::analysis::{AnalysisError, Case, Together, simulate, warnings_of_simulated};
 use coilsense_lab::report::verbs::ONE_FILE;
 use coilsense_lab::report::{SimulationOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
@@ -49,14 +49,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     } else {
         output.write(&format!("{stem}.{ending}"), |file| series::write(&runs, format, file))?;
     }
-    let warnings = match &together {
-        Some(together) => {
-            together.springs.iter().map(|strand| warnings_of_simulated(&strand.spec, &strand.cases)).collect()
-        }
-        None => warnings_of_simulated(&spec, &cases).map(|warnings| vec![warnings]),
-    };
-    let warnings: Vec<String> =
-        warnings.map(|each: Vec<_>| each.into_iter().flatten().map(|warning| warning.text).collect())?;
+    let warnings = warnings(&spec, &cases, together.as_ref())?;
     watch.end();
     if watch.is_stopped() {
         return Err(AnalysisError::Interrupted.into());
@@ -64,9 +57,6 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let names = output.files().iter().map(|file| file.display().to_string()).collect();
     let files = output.commit()?;
     let samples: usize = runs.iter().map(Run::samples).sum();
-    if let Some(left_out) = spec.spring.magnetisation_left_out() {
-        terminal::warn(left_out);
-    }
     warnings.iter().for_each(terminal::warn);
     if given.holds(&JSON) {
         let (spec_file, runs) = (spec.file.as_str(), runs.len());
@@ -82,6 +72,20 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
         begun.elapsed().as_secs_f64()
     );
     Ok(terminal::say(&text)?)
+}
+
+/// What a reader of the series must know; of several springs, with each one's name.
+fn warnings(spec: &Spec, cases: &[Case], together: Option<&Together>) -> Result<Vec<String>, coilsense::Error> {
+    let mut all: Vec<String> = spec.spring.magnetisation_left_out().into_iter().collect();
+    let Some(together) = together else {
+        all.extend(warnings_of_simulated(spec, cases)?.into_iter().map(|warning| warning.text));
+        return Ok(all);
+    };
+    for strand in &together.springs {
+        let of_spring = warnings_of_simulated(&strand.spec, &strand.cases)?.into_iter();
+        all.extend(of_spring.map(|warning| format!("{}: {}", strand.spec.spring.name, warning.text)));
+    }
+    Ok(all)
 }
 
 /// Folder, stem and ending of a file's path.

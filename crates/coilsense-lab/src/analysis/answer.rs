@@ -192,13 +192,10 @@ fn cause(verdict: &Verdict) -> String {
 /// From so many times the nominal oscillation on, that of the loudest spring says that the error cannot be told from the spec.
 const UNTOLD: f64 = 2.0;
 
-/// An error below this \[N\] is none.
-const LEAST_ERROR: f64 = 1e-12;
-
 /// Whether how far a sensor is off hangs on a frequency that the spec does not say well enough.
 pub(super) fn is_untold(verdict: &Verdict) -> bool {
     let worst = verdict.at_worst();
-    let by_surge = worst.over_specimens > LEAST_ERROR && worst.over_specimens > 0.5 * worst.combined;
+    let by_surge = worst.over_specimens > 0.5 * worst.combined;
     by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
 }
 

@@ -12,7 +12,7 @@ use super::judge::Judge;
 use super::{magnetisation, met};
 use crate::data_sheet::DataSheet;
 use crate::quantity::digits;
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{SensorSpec, Spec, why_no_contact};
 
 /// Something that a reader must know.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,12 +85,8 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     let magnetised = |text| Warning { subject: Subject::Magnetisation, text };
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        warnings.extend(clash(spec, &of_condition));
-        let met = met::of(spec, &of_condition);
-        warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
+        of_motion(spec, &of_condition, sheet, &mut warnings)?;
         warnings.extend(magnetisation::uneven(spec, &of_condition).map(magnetised));
-        warnings.extend(length(spec, &of_condition, sheet));
-        warnings.extend(lift(spec, &of_condition)?);
     }
     warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
@@ -115,16 +111,19 @@ pub fn of_simulated(spec: &Spec, cases: &[Case]) -> Result<Vec<Warning>, Error> 
     let mut warnings = Vec::new();
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        if of_condition.is_empty() {
-            continue;
-        }
-        warnings.extend(clash(spec, &of_condition));
-        let met = met::of(spec, &of_condition);
-        warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
-        warnings.extend(length(spec, &of_condition, &sheet));
-        warnings.extend(lift(spec, &of_condition)?);
+        of_motion(spec, &of_condition, &sheet, &mut warnings)?;
     }
     Ok(warnings)
+}
+
+/// The same of the cases of one condition.
+fn of_motion(spec: &Spec, cases: &[&Case], sheet: &DataSheet, warnings: &mut Vec<Warning>) -> Result<(), Error> {
+    warnings.extend(clash(spec, cases));
+    let met = met::of(spec, cases);
+    warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
+    warnings.extend(length(spec, cases, sheet));
+    warnings.extend(lift(spec, cases)?);
+    Ok(())
 }
 
 /// Windings that touch, under the damping where they come nearest.
@@ -152,7 +151,7 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
         -1e3 * spec.spring.gap(nearest.clash.smallest_pitch),
     );
     // A page has it with the rest of contact, after its first load.
-    if cfg!(feature = "contact") && spec.spring.may_have_contact() {
+    if cfg!(feature = "contact") && why_no_contact(&spec.spring).is_none() {
         text.push_str(" A table [contact] in the spec lets them meet.");
     }
     Some(Warning { subject: Subject::Clash, text })

@@ -38,7 +38,7 @@ pub fn spec_file(identified: &Identified, coil: &Coil) -> Result<String, SpecFil
     let missing = |what: &str| SpecFileError(what.to_owned());
     if !line.both_positions {
         return Err(missing(
-            "only one end's position was recorded, so no length is known; where the other end is held, say where: --constant u2=\"150 mm\"",
+            "only one end's position was recorded, so no length is known; for an end that is held give its position, such as --constant u2=\"150 mm\"",
         ));
     }
     let first = found.first_frequency.ok_or_else(|| missing("no mode of the spring was found"))?;

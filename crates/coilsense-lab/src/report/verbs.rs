@@ -3,12 +3,15 @@
 //! Next door: the tables of those verbs that Python or the page ask, too (`recording::request`, `identification::request`,
 //! `calibration::request`, `mitigation::request`, `sweep::request`, `speed::request`), what a row says (`crate::request`), the page of the book (`reference`).
 
+mod folders;
 mod sweeps;
 
 use crate::request::{
     Allowed, CHECK, DATE, DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE, OVERWRITE_OUT, Row, SPEC, Takes, Verb, out,
 };
 use crate::{calibration, identification, mitigation, plant, recording, speed, sweep};
+pub use folders::{BEGIN, FOLDER, RECORD_FOLDER};
+use folders::{EXPERIMENT, RECORD};
 pub use sweeps::{DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_ROW, WHERE};
 use sweeps::{PARETO, SENSITIVITY, SWEEP, VARIED};
 
@@ -324,45 +327,6 @@ const MODELLED: Row = Row {
     ..SPEC
 };
 const EXPORTED_OVER: Row = Row { elsewhere: &[(Door::Python, "Plant.save")], ..OVERWRITE };
-/// Where the experiment lies.
-pub const FOLDER: Row = Row {
-    name: "folder",
-    takes: Takes::File("DIR"),
-    if_absent: IfAbsent::Refused,
-    meaning: "Folder with experiment.toml, which lists the logs: see book/src/guide/experiment.md",
-    by_place: true,
-    ..Row::PLAIN
-};
-const EXPERIMENT: [Row; 4] = [JSON, Row { if_absent: IfAbsent::Value("out/experiment"), ..FIGURES }, OVERWRITE, DATE];
-
-/// A record's folder.
-pub const RECORD_FOLDER: Row = Row {
-    meaning: "Folder with record.toml, which says who recorded what, and lists the logs: see book/src/guide/record.md",
-    ..FOLDER
-};
-/// Writes what is to be filled in.
-pub const BEGIN: Row = Row {
-    name: "begin",
-    meaning: "Write a record.toml to fill in into the folder",
-    conflicts: &["out", "check"],
-    ..Row::PLAIN
-};
-const RECORD: [Row; 6] = [
-    RECORD_FOLDER,
-    BEGIN,
-    Row {
-        takes: Takes::File("FILE"),
-        elsewhere: &[],
-        ..out(
-            "ZIP archive to send (FILE.zip), with every file as it is; refused while something is missing",
-            IfAbsent::Nothing,
-        )
-    },
-    JSON,
-    Row { meaning: "Exit with code 3 where something is missing or doubtful", elsewhere: &[], ..CHECK },
-    Row { elsewhere: &[], ..OVERWRITE_OUT },
-];
-
 /// Where the page is served.
 pub const PORT: Row = Row {
     name: "port",

@@ -166,8 +166,8 @@ pub fn reproduce(springs: PaperSprings, protocols: &[Protocol]) -> Result<Reprod
     let table_i = springs.are_table_i()?;
     let springs_are_table_i = table_i == [true; 2];
     let fill = |published: PublishedCell| {
-        let table_i = table_i[usize::from(published.spring == "S_A")];
-        Cell::fill(published, &cases, protocols, table_i)
+        let place = springs.each().position(|(name, _)| name == published.spring);
+        Cell::fill(published, &cases, protocols, place.is_some_and(|place| table_i[place]))
     };
     let cells = published_cells()?.into_iter().map(fill).collect();
     for result in &mut cases {

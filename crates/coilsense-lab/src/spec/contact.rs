@@ -60,7 +60,9 @@ impl ContactCase {
             let allowed = "takes \"off\" in this build; windings that meet are for the command";
             return Err(section.refuse("windings", allowed));
         }
-        can_meet(&section, spec)?;
+        if let Some(why) = why_not(spec) {
+            return Err(section.refuse("windings", why));
+        }
         let pushes_only = !spec.geometry.parameters().end_type.is_extension();
         let is_mass = matches!(far_end, FarEnd::Mass(_));
         let ends = section.optional_flag("ends")?;
@@ -119,23 +121,19 @@ fn refuse_follower(document: &Document<'_>, error: &coilsense::Error) -> SpecErr
     }
 }
 
-/// Whether windings of this spring can be followed when they meet.
-fn can_meet(section: &Section<'_>, spec: &SpringSpec) -> Result<(), SpecError> {
-    let refuse = |why: &str| Err(section.refuse("windings", why));
+/// Why windings of this spring cannot be followed when they meet; `None` where they can.
+pub(crate) fn why_not(spec: &SpringSpec) -> Option<&'static str> {
     if spec.model == Model::Helix {
-        return refuse("takes [spring] model = \"coil\" or \"chain\": the modes of a \"helix\" know no contact");
+        return Some("takes [spring] model = \"coil\" or \"chain\": the modes of a \"helix\" know no contact");
     }
     if spec.initial_tension > 0.0 {
-        return refuse(
+        return Some(
             "takes a spring without initial_tension: windings that press on one another at rest are not covered",
         );
     }
-    if spec.is_wound_close() {
-        return refuse(
-            "takes a spring whose windings are apart when it is unloaded: this one is solid at its rest_length",
-        );
-    }
-    Ok(())
+    let (rest, solid) = (spec.spring.rest_length(), spec.solid_length());
+    let closed = "takes a spring whose windings are apart when it is unloaded: this one is solid at its rest_length";
+    (rest < solid * (1.0 + 1e-9)).then_some(closed)
 }
 
 /// K_c, as given or by Hertz.

@@ -53,6 +53,7 @@ pub use catalogue::{
 pub use coilsense::sensors::Quantity;
 pub use condition::{ConditionSpec, KINDS as CONDITION_KINDS};
 pub use contact::ContactCase;
+pub(crate) use contact::why_not as why_no_contact;
 pub use control::ControlSpec;
 pub use document::SPEC_VERSION;
 pub use ends::EndsSpec;

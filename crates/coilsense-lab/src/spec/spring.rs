@@ -199,16 +199,6 @@ impl SpringSpec {
         }
     }
 
-    /// Whether windings lie on one another at the length without force.
-    pub(super) fn is_wound_close(&self) -> bool {
-        self.spring.rest_length() < self.solid_length() * (1.0 + 1e-9)
-    }
-
-    /// Whether a table `[contact]` takes it.
-    pub(crate) fn may_have_contact(&self) -> bool {
-        self.model != Model::Helix && self.initial_tension <= 0.0 && !self.is_wound_close()
-    }
-
     /// As [`super::Spec::needs_chain`]; `file` is the spec's.
     pub(crate) fn needs_chain(&self, file: &str, what: &str) -> Result<(), SpecError> {
         if self.dead_ends.is_some() {

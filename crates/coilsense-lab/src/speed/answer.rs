@@ -152,12 +152,13 @@ const ENOUGH: f64 = crate::study::ENOUGH_WITH_CONTACT;
 /// A change below this share of F_nom counts for nothing.
 const FELT: f64 = 0.005;
 
-/// What hangs on how many masses stand for a winding.
+/// Whether the figures have converged in the number of masses.
 fn finer(map: &SpeedMap) -> Option<String> {
     let finer = &map.finer;
-    let untried = finer.untried.as_ref().map(|why| {
-        format!("Not tried with twice the masses per winding at every speed that decides, so how far figures hang on their number is open: {why}.")
-    });
+    let untried = finer
+        .untried
+        .as_ref()
+        .map(|why| format!("Convergence in the number of masses is not checked at every decisive speed: {why}."));
     let worst = map.points.iter().max_by(|a, b| a.surge.total_cmp(&b.surge))?;
     let mut off = Vec::new();
     let mut settled = None;
@@ -166,8 +167,8 @@ fn finer(map: &SpeedMap) -> Option<String> {
         let (change, nominal) = ((run.surge - worst.surge).abs(), map.spec.spring.spring.nominal_force());
         let (now, then, at) = (digits(worst.surge), digits(run.surge), rpm(run.speed));
         match change > ENOUGH * worst.surge && change > FELT * nominal {
-            true => off.push(format!("the most surge is {then} N, not {now} N, at {at}")),
-            false => settled = Some(format!("the most surge {then} N")),
+            true => off.push(format!("the largest surge is {then} N, not {now} N, at {at}")),
+            false => settled = Some(format!("the largest surge is {then} N")),
         }
     }
     let of = [
@@ -182,13 +183,13 @@ fn finer(map: &SpeedMap) -> Option<String> {
     }
     let said = match (off.is_empty(), settled) {
         (false, _) => Some(format!(
-            "Hangs on the masses: with {twice} per winding in place of {}, {}.",
+            "Not converged: with {twice} per winding in place of {}, {}.",
             map.masses_per_winding,
             off.join("; ")
         )),
         (true, Some(settled)) => Some(format!(
-            "Twice the masses per winding, {}, make {settled}, and leave as it is what floats or meets first.",
-            finer.per_winding
+            "Converged: with {twice} per winding in place of {}, {settled}, and what floats or meets first is the same.",
+            map.masses_per_winding
         )),
         (true, None) => None,
     };
@@ -201,7 +202,8 @@ fn finer(map: &SpeedMap) -> Option<String> {
 /// What of the spec is not asked here.
 fn aside(map: &SpeedMap) -> Option<String> {
     let names: Vec<&str> = map.spec.sensors.iter().map(|sensor| sensor.name.as_str()).collect();
-    (!names.is_empty()).then(|| format!("Not judged here, but by analyze under conditions: {}.", names.join(", ")))
+    (!names.is_empty())
+        .then(|| format!("speed judges no sensors; analyze does, under conditions: {}.", names.join(", ")))
 }
 
 /// How near an end is to leaving its seat.

@@ -2,8 +2,8 @@
 //!
 //! Next door: the map (the parent), what is said of it (`answer`), masses under conditions (`crate::study::Masses`).
 
-use coilsense::Error;
 use coilsense::modes::ModalModel;
+use coilsense::{Error, FarEnd};
 
 use super::point::{self, Asked};
 use super::{SpeedMap, SpeedPoint};
@@ -19,7 +19,7 @@ const MOST_TRIED: usize = 8;
 const MOST_OF_SECTIONS: usize = 2;
 
 /// Why a spec with one mass for a winding is not run with two.
-const ONE_ON_A_SEAT: &str = "one is all that windings which meet their seats take on a follower or a mass; with ends = false in [contact] more can be";
+const ONE_ONLY: &str = "windings that meet their seats on a follower or a mass take one mass per winding; set ends = false in [contact] for more";
 
 /// What twice as many masses for a winding say.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,15 +39,34 @@ pub(super) fn enough_masses(spec: &mut Spec) -> Result<(), Error> {
         return Ok(());
     }
     let most = most(spec, MOST);
-    loop {
-        let now = spec.spring.spring.masses_per_winding();
-        let twice = spec.spring.spring.clone().with_masses_per_winding(2 * now)?;
-        let first = |spring| ModalModel::chain(spring, spec.mount.far_end()).frequencies()[0];
-        if 2 * now > most || (first(&twice) / first(&spec.spring.spring) - 1.0).abs() <= FIRST_ENOUGH {
-            return Ok(());
+    while 2 * spec.spring.spring.masses_per_winding() <= most {
+        let twice = doubled(spec)?;
+        if (first(&twice) / first(spec) - 1.0).abs() <= FIRST_ENOUGH {
+            break;
         }
-        spec.spring.spring = twice;
+        *spec = twice;
     }
+    Ok(())
+}
+
+/// With twice the masses for a winding.
+fn doubled(spec: &Spec) -> Result<Spec, Error> {
+    let mut twice = spec.clone();
+    let spring = &spec.spring.spring;
+    twice.spring.spring = spring.clone().with_masses_per_winding(2 * spring.masses_per_winding())?;
+    Ok(twice)
+}
+
+/// The first surge frequency of the chain \[rad/s\].
+fn first(spec: &Spec) -> f64 {
+    ModalModel::chain(&spec.spring.spring, spec.mount.far_end()).frequencies()[0]
+}
+
+/// Whether windings meet a seat on what stands at an end: there a chain has one mass for a winding.
+fn takes_one(spec: &Spec) -> bool {
+    let is_mass = matches!(spec.mount.far_end(), FarEnd::Mass(_));
+    let mut contacts = spec.mount.cases.iter().filter_map(|way| way.contact.as_ref()).map(|way| &way.contact);
+    contacts.any(|contact| contact.ends() && (is_mass || contact.follower().is_some()))
 }
 
 fn most(spec: &Spec, of_a_coil: usize) -> usize {
@@ -79,19 +98,15 @@ impl Finer {
     ) -> Result<Self, E> {
         let now = asked.spec.spring.spring.masses_per_winding();
         let mut finer = Self { per_winding: 2 * now, runs: Vec::new(), untried: None };
-        if now > most(asked.spec, MOST_TRIED) {
-            finer.untried = Some("that would take minutes".to_owned());
-            return Ok(finer);
-        }
-        let mut spec = asked.spec.clone();
-        match spec.spring.spring.clone().with_masses_per_winding(2 * now) {
-            Ok(spring) => spec.spring.spring = spring,
-            Err(error) => {
-                finer.untried = Some(error.to_string());
-                return Ok(finer);
-            }
-        }
-        let first = |spec: &Spec| ModalModel::chain(&spec.spring.spring, spec.mount.far_end()).frequencies()[0];
+        let twice = match doubled(asked.spec) {
+            _ if takes_one(asked.spec) => Err(ONE_ONLY.to_owned()),
+            _ if now > most(asked.spec, MOST_TRIED) => Err("that would take minutes".to_owned()),
+            twice => twice.map_err(|error| error.to_string()),
+        };
+        let spec = match twice {
+            Ok(spec) => spec,
+            Err(why) => return Ok(Self { untried: Some(why), ..finer }),
+        };
         let higher = first(&spec) / first(asked.spec);
         let is_resonance = |speed: f64| {
             crossings.iter().any(|crossing| (speed / crossing.speed - 1.0).abs() < (higher - 1.0).abs().max(1e-3))
@@ -104,7 +119,6 @@ impl Finer {
             match point::of(&Asked { spec: &spec, ..*asked }, speed, here.way) {
                 Ok(run) => finer.runs.push((*number, run)),
                 // What there is was run all the same.
-                Err(_) if now == 1 => finer.untried = Some(ONE_ON_A_SEAT.to_owned()),
                 Err(error) => finer.untried = Some(error.to_string()),
             }
         }

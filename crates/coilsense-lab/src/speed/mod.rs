@@ -119,6 +119,7 @@ struct Planned {
     added: Vec<usize>,
     /// Speed and way of each run.
     jobs: Vec<(f64, usize)>,
+    waves: Waves,
 }
 
 /// Most speeds of a map.
@@ -244,7 +245,7 @@ impl Planned {
             .map(|way| Ok(Speeds::of(&range, &campbell, point::first_ratio(&spec, way)?)))
             .collect::<Result<_, Error>>()?;
         let added = ways.iter().map(|speeds| speeds.added).collect();
-        Ok(Self { jobs: jobs(&ways), cam, range, campbell, added, spec })
+        Ok(Self { jobs: jobs(&ways), waves: Waves::of(&cam), cam, range, campbell, added, spec })
     }
 
     fn open(&self, folder: &Path) -> Result<Kept, SpeedError> {
@@ -257,11 +258,11 @@ impl Planned {
         kept: Option<&Kept>,
         progress: &Progress<'_>,
     ) -> Result<Vec<SpeedPoint>, SpeedError> {
-        run_all(&self.asked(&Waves::of(&self.cam)), jobs, kept, progress)
+        run_all(&self.asked(), jobs, kept, progress)
     }
 
-    fn asked<'a>(&'a self, waves: &'a Waves) -> Asked<'a> {
-        Asked { spec: &self.spec, cam: &self.cam, range: &self.range, waves }
+    fn asked(&self) -> Asked<'_> {
+        Asked { spec: &self.spec, cam: &self.cam, range: &self.range, waves: &self.waves }
     }
 
     /// The map of all points, and how far its answer hangs on the masses.
@@ -273,7 +274,7 @@ impl Planned {
     ) -> Result<SpeedMap, SpeedError> {
         let jobs = self.jobs.len();
         let tell = |done, of| go_on(progress, kept, jobs + done, jobs + of);
-        let finer = Finer::of(&self.asked(&Waves::of(&self.cam)), &points, &self.campbell.crossings, tell)?;
+        let finer = Finer::of(&self.asked(), &points, &self.campbell.crossings, tell)?;
         let Self { spec, cam, range, campbell, added, .. } = self;
         let masses_per_winding = spec.spring.spring.masses_per_winding();
         Ok(SpeedMap { cam, range, points, campbell, added, masses_per_winding, finer, spec })

@@ -178,15 +178,12 @@ fn a_heavier_follower_floats_at_a_lower_speed() {
 }
 
 #[test]
-fn what_hangs_on_the_masses_is_in_the_answer() {
+fn whether_figures_have_converged_in_the_masses_is_in_the_answer() {
     let text = text("0.002", "follower_mass = \"80 g\"", "restitution = 0.0\nends = false", CAM);
     // Off its cam a follower hits the spring: what that rings is another with more masses.
     let wild = map(&text, 8000.0, 8000.0);
     let words = answer(&wild).join("\n");
-    assert!(
-        words.contains("Hangs on the masses: with 2 masses per winding in place of 1, the most surge is "),
-        "{words}"
-    );
+    assert!(words.contains("Not converged: with 2 masses per winding in place of 1, the largest surge is "), "{words}");
     assert!(words.contains("; 1 mass per winding"), "{words}");
     let (number, finer) = &wild.finer.runs[0];
     assert!(
@@ -201,14 +198,15 @@ fn what_hangs_on_the_masses_is_in_the_answer() {
     // Far below, nothing floats or meets, and surge is that of a few modes.
     let calm = map(&text, 1500.0, 1500.0);
     let words = answer(&calm).join("\n");
-    assert!(words.contains("Twice the masses per winding, 2, make the most surge 4."), "{words}");
+    assert!(words.contains("Converged: with 2 masses per winding in place of 1, the largest surge is 4."), "{words}");
     assert_eq!((calm.finer.per_winding, &calm.finer.untried), (2, &None));
     // Windings that meet their seats, on a follower, take no more than one: that is said, not passed over.
     let ends = map(&text.replace("ends = false", "ends = true"), 1500.0, 1500.0);
     let words = answer(&ends).join("\n");
     assert!(
-        words.contains("Not tried with twice the masses")
-            && words.contains("with ends = false in [contact] more can be"),
+        words.contains("is not checked at every decisive speed: windings that meet their seats")
+            && words.contains("set ends = false in [contact] for more")
+            && ends.finer.runs.is_empty(),
         "{words}"
     );
     // Of a spec that asks for none there are as many as the first surge frequency takes; a resonance lies at it.
@@ -222,7 +220,7 @@ fn what_hangs_on_the_masses_is_in_the_answer() {
             1500.0
         ))
         .join("\n")
-        .contains("Not judged here, but by analyze under conditions: cell.")
+        .contains("speed judges no sensors; analyze does, under conditions: cell.")
     );
 }
 

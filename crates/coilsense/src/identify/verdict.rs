@@ -204,7 +204,9 @@ fn lines(count: usize) -> String {
 fn next(found: &Identification, answer: Answer) -> Vec<String> {
     let mut next = Vec::new();
     if let Some(channel) = found.turned {
-        next.push(format!("with the sign of {} put right, or turned when this is asked; if a force counts a push as positive, with that one turned", channel.name()));
+        next.push(format!("with the sign of {} corrected (here by the option turn), or that of a force that counts compression as positive",
+            channel.name()
+        ));
     }
     let rate = found.sampling.rate;
     // Where it is open what rings, its loudest line may be the first mode.
