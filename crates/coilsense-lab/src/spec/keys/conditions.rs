@@ -13,8 +13,8 @@ pub(super) const CONDITION: Table = Table {
     repeats: true,
     meaning: told("What is done to the spring; one table for each condition of use."),
     keys: &[
-        needed("kind", "\"impact\"", "`impact` (held ends stop dead while the windings still move; of an end 2 that is a mass or under a force only end 1 does, and end 2 goes on at its speed), `end-stop` (the spring is stopped at an end of its range), \
-               `harmonic`, `sweep` (linear in frequency), `step` (an exact jump, which no real drive makes: every mode is hit; a `ramp` is kinder), `ramp`, `pulse` (half a sine, which sets out and ends with a jump of velocity) or `recorded` (a file)"),
+        needed("kind", "\"impact\"", "`impact` (the ends stop dead while the windings still move; an end 2 that is a mass or under a force goes on at its speed), `end-stop` (the spring is stopped at an end of its range), \
+               `harmonic`, `sweep` (linear in frequency), `step` (an exact jump, which no real drive makes: every mode is hit; a `ramp` is kinder), `ramp`, `pulse` (half a sine; its velocity jumps where it begins and ends) or `recorded` (a file)"),
         optional("name", "\"heel strike\"", "what people call it; no two alike", "the kind"),
         optional("length", "\"mid\"", "mean length: a length, `min`, `mid`, `max`, or a share of the range (`\"25 %\"` from min to max)", "`mid`; of an end stop, `at`"),
         needed("at", "\"max\"", "which end of the range the spring is stopped at: `min` or `max`").of(&["end-stop"]),

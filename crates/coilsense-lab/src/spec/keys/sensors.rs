@@ -49,7 +49,7 @@ pub(super) const SENSOR: Table = Table {
             "limits of error, the same for every reading: native unit or a share of `range`",
             "none",
         ),
-        optional("accuracy_reading", "\"0.2 %\"", "limits of error, as a share of the reading: of a deflection that from the length without force, of a force or an inductance all of it", "none"),
+        optional("accuracy_reading", "\"0.2 %\"", "limits of error, as a share of the reading (of a deflection: of the change from the length without force)", "none"),
         optional(
             "calibration_uncertainty",
             "\"0.1 %\"",
