@@ -13,9 +13,9 @@ const MOST_BANDS: usize = 3;
 
 /// The answer, a sentence or two per line.
 pub fn answer(map: &SpeedMap) -> Vec<String> {
-    let mut lines = vec![floats(map), meets(map), surge(map)];
-    lines.extend(finer(map));
-    lines.extend([seats(map), fatigue(map), rebound(map)]);
+    // How far the largest figure can be trusted stands with it.
+    let surge = [surge(map), finer(map).unwrap_or_default()].join(" ").trim_end().to_owned();
+    let mut lines = vec![floats(map), meets(map), surge, seats(map), fatigue(map), rebound(map)];
     lines.extend(unsettled(map));
     lines.extend(given_up(map));
     lines.extend(refined(map));
@@ -66,7 +66,7 @@ fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool
     let (shown, more) = bands.split_at(bands.len().min(MOST_BANDS));
     // Between two speeds that were run it begins somewhere.
     let before = bands.first().and_then(|(from, _)| from.checked_sub(1));
-    let before = before.map_or_else(String::new, |before| format!(", not yet at {}", rpm(points[before].speed)));
+    let before = before.map_or_else(String::new, |before| format!(", and not up to {}", rpm(points[before].speed)));
     let shown: Vec<String> = shown.iter().map(words).collect();
     match more.last() {
         None => format!("{}{before}", shown.join(", ")),
