@@ -11,6 +11,7 @@
 mod beginning;
 mod channel_check;
 mod clipping;
+mod decaying;
 mod end_motion;
 mod explain;
 mod filtering;

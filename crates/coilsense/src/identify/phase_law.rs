@@ -29,6 +29,17 @@ impl Seat {
             Self::Free => FRAC_PI_2,
         }
     }
+
+    /// dφ/dθ, given dt/dθ and dx/dθ, too.
+    fn slope(self, [t, dt]: [f64; 2], [x, dx]: [f64; 2]) -> f64 {
+        // φ = atan(a/b).
+        let of = |a: f64, da: f64, b: f64, db: f64| (da * b - a * db) / (a * a + b * b);
+        match self {
+            Self::Rigid | Self::Free => 0.0,
+            Self::Gives(kappa, mu) => of(kappa * t, kappa * dt, 1.0 - mu * kappa * x * x, -2.0 * mu * kappa * x * dx),
+            Self::Mass(mu) => of(t, dt, -mu * x * x, -2.0 * mu * x * dx),
+        }
+    }
 }
 
 /// A cause of lines.
@@ -119,16 +130,14 @@ impl Support {
 pub(super) fn mode_of(windings: f64, seats: [Seat; 2], mode: usize) -> Option<Mode> {
     let wanted = mode as f64 * PI;
     let top = if windings.is_finite() { (windings - 1e-9) * PI } else { f64::INFINITY };
-    let at = |theta: f64| {
-        let (t, x) = if windings.is_finite() {
-            let (sine, cosine) = (0.5 * theta / windings).sin_cos();
-            (2.0 * windings * sine / cosine, 2.0 * windings * sine)
-        } else {
-            (theta, theta)
-        };
-        (t, x, seats.map(|seat| seat.phase(t, x)))
+    // [t, dt/dθ] and [x, dx/dθ].
+    let reach = |theta: f64| {
+        if !windings.is_finite() {
+            return ([theta, 1.0], [theta, 1.0]);
+        }
+        let (sine, cosine) = (0.5 * theta / windings).sin_cos();
+        ([2.0 * windings * sine / cosine, 1.0 / (cosine * cosine)], [2.0 * windings * sine, cosine])
     };
-    let excess = |theta: f64| theta + at(theta).2.iter().sum::<f64>() - wanted;
     let theta = if seats == [Seat::Rigid; 2] {
         // The highest mode of a chain whose N is a little off has its line all the same.
         if wanted > top + 0.3 * PI {
@@ -136,38 +145,49 @@ pub(super) fn mode_of(windings: f64, seats: [Seat; 2], mode: usize) -> Option<Mo
         }
         wanted
     } else {
+        let excess = |theta: f64| {
+            let (t, x) = reach(theta);
+            let phases: f64 = seats.iter().map(|seat| seat.phase(t[0], x[0])).sum();
+            let slopes: f64 = seats.iter().map(|seat| seat.slope(t, x)).sum();
+            (theta + phases - wanted, 1.0 + slopes)
+        };
         let loosest: f64 = seats.iter().map(|seat| if *seat == Seat::Rigid { 0.0 } else { PI }).sum();
-        let (mut low, mut high) = ((wanted - loosest).max(1e-9), wanted.min(top));
-        if high <= low || excess(high) < -1e-9 {
-            return None;
-        }
-        // Illinois: a bracket that regula falsi shrinks from both sides.
-        let (mut at_low, mut at_high, mut side) = (excess(low), excess(high), 0);
-        for step in 0..100 {
-            if high - low <= 1e-13 * high || at_high == 0.0 {
-                break;
-            }
-            let chord = high - at_high * (high - low) / (at_high - at_low);
-            let inside = chord > low && chord < high && step % 8 != 7;
-            let middle = if inside { chord } else { 0.5 * (low + high) };
-            let value = excess(middle);
-            if value.abs() < 1e-13 * wanted {
-                (low, high) = (middle, middle);
-            } else if value > 0.0 {
-                (high, at_high) = (middle, value);
-                at_low *= if side == 1 { 0.5 } else { 1.0 };
-                side = 1;
-            } else {
-                (low, at_low) = (middle, value);
-                at_high *= if side == -1 { 0.5 } else { 1.0 };
-                side = -1;
-            }
-        }
-        0.5 * (low + high)
+        root_of(excess, (wanted - loosest).max(1e-9), wanted.min(top), 1e-13 * wanted)?
     };
-    let (tangent, x, phases) = at(theta);
+    let ([tangent, _], [x, _]) = reach(theta);
+    let phases = seats.map(|seat| seat.phase(tangent, x));
     let one = if windings.is_finite() { 2.0 * windings * (FRAC_PI_2 / windings).sin() } else { PI };
     Some(Mode { multiple: x / one, phases, tangent })
+}
+
+/// The root of a growing function with its slope, between two bounds; none where the function is negative up to the upper one.
+///
+/// Newton's steps from above, halves of what is left of the bracket where one would leave it, and every eighth time.
+fn root_of(of: impl Fn(f64) -> (f64, f64), mut low: f64, mut high: f64, small: f64) -> Option<f64> {
+    let (mut value, mut slope) = of(high);
+    if high <= low || value < -1e-9 {
+        return None;
+    }
+    if value < small {
+        return Some(high);
+    }
+    let mut root = high;
+    for step in 1..100 {
+        let next = root - value / slope;
+        let inside = next > low && next < high && step % 8 != 0;
+        let next = if inside { next } else { 0.5 * (low + high) };
+        let moved = (next - root).abs();
+        root = next;
+        if moved <= 1e-14 * high || high - low <= 1e-13 * high {
+            break;
+        }
+        (value, slope) = of(root);
+        if value.abs() < small {
+            break;
+        }
+        *(if value > 0.0 { &mut high } else { &mut low }) = root;
+    }
+    Some(root)
 }
 
 /// f_j over f1 of a coil between seats that give.

@@ -11,8 +11,10 @@ pub(super) struct Block {
     /// Which series and which hit it is of.
     pub(super) series: usize,
     pub(super) hit: usize,
-    /// Angle of each line per sample \[rad\], shape `lines`.
+    /// Angle ω of each line per sample \[rad\], shape `lines`.
     pub(super) angles: Vec<f64>,
+    /// e^(−iω) of each, which every trial pole asks for.
+    pub(super) turns: Vec<Complex<f64>>,
     /// Transform of each line over the series' noise, shape `lines`.
     pub(super) values: Vec<Complex<f64>>,
     /// How many samples the stretch has.
@@ -108,14 +110,15 @@ fn bounded(pole: Complex<f64>) -> Complex<f64> {
     Complex::new(pole.re.clamp(-1.0, 1e-4), pole.im.clamp(1e-6, std::f64::consts::PI - 1e-6))
 }
 
-/// 1/(1 − z e^(−iω)) over the lines.
-pub(super) fn column(pole: Complex<f64>, angles: &[f64]) -> Vec<Complex<f64>> {
-    let term = |angle: &f64| {
-        let distance = -(pole - Complex::new(0.0, *angle)).exp() + 1.0;
+/// 1/(1 − z e^(−iω)) over the lines, of their e^(−iω).
+pub(super) fn column(pole: Complex<f64>, turns: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    let z = pole.exp();
+    let term = |turn: &Complex<f64>| {
+        let distance = 1.0 - z * turn;
         // A pole that meets a line would have no number there.
-        1.0 / if distance.norm() < 1e-12 { Complex::new(1e-12, 0.0) } else { distance }
+        1.0 / if distance.norm_sqr() < 1e-24 { Complex::new(1e-12, 0.0) } else { distance }
     };
-    angles.iter().map(term).collect()
+    turns.iter().map(term).collect()
 }
 
 fn prepare(block: &Block, fixed: &[Complex<f64>]) -> Prepared {
@@ -129,11 +132,10 @@ fn prepare(block: &Block, fixed: &[Complex<f64>]) -> Prepared {
         .collect();
     if low < half {
         for power in 1..=SLOW {
-            let slow = |angle: &f64| (-(Complex::new(0.0, -angle)).exp() + 1.0).powi(-(power as i32));
-            columns.push(angles.iter().map(slow).collect());
+            columns.push(block.turns.iter().map(|turn| (1.0 - turn).powi(-(power as i32))).collect());
         }
     }
-    columns.extend(fixed.iter().map(|pole| column(*pole, angles)));
+    columns.extend(fixed.iter().map(|pole| column(*pole, &block.turns)));
     let mut nuisance: Vec<Vec<Complex<f64>>> = Vec::new();
     for column in columns {
         let size = norm(&column);
@@ -165,7 +167,7 @@ impl State {
             let mut basis: Vec<Vec<Complex<f64>>> = Vec::with_capacity(count);
             let mut upper = DMatrix::<Complex<f64>>::zeros(count, count);
             for (index, pole) in poles.iter().enumerate() {
-                let mut vector = column(*pole, &block.angles);
+                let mut vector = column(*pole, &block.turns);
                 let size = norm(&vector);
                 remove(&mut vector, &prepared.nuisance);
                 for (row, unit) in basis.iter().enumerate() {
@@ -191,7 +193,7 @@ impl State {
                 .map(|(pole, weight)| {
                     // dφ/dλ = z e^(−iω) φ² = φ² − φ.
                     let mut slope: Vec<Complex<f64>> =
-                        column(*pole, &block.angles).iter().map(|x| (x * x - x) * weight).collect();
+                        column(*pole, &block.turns).iter().map(|x| (x * x - x) * weight).collect();
                     remove(&mut slope, &prepared.nuisance);
                     remove(&mut slope, &basis);
                     slope

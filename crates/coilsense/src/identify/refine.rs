@@ -253,9 +253,10 @@ impl<'a> Refiner<'a> {
             }
             for &index in series {
                 let Some(transform) = self.transform(index, self.hits[hit].after, length) else { continue };
-                let angles = (first..=last).map(|line| turn * line as f64).collect();
+                let angles: Vec<f64> = (first..=last).map(|line| turn * line as f64).collect();
+                let turns = angles.iter().map(|angle| Complex::cis(-angle)).collect();
                 let values = transform[first..=last].to_vec();
-                blocks.push(Block { series: index, hit, angles, values, length });
+                blocks.push(Block { series: index, hit, angles, turns, values, length });
             }
         }
         blocks

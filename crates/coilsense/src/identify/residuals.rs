@@ -47,7 +47,7 @@ pub(super) fn left_over(blocks: &[Block], found: &Fit, band: (f64, f64)) -> Opti
 /// How much of what is left one more pole would take.
 fn score(blocks: &[Block], found: &Fit, pole: Complex<f64>) -> f64 {
     let each = blocks.iter().zip(&found.residuals).map(|(block, residual)| {
-        let shape = column(pole, &block.angles);
+        let shape = column(pole, &block.turns);
         let part: Complex<f64> = shape.iter().zip(residual).map(|(a, b)| a.conj() * b).sum();
         part.norm_sqr() / shape.iter().map(Complex::norm_sqr).sum::<f64>()
     });

@@ -2,8 +2,9 @@
 //!
 //! Next door: the fit of all hits together (`refine`).
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
+use super::decaying::decaying_pairs;
 use super::hits::Hit;
 use super::line::Line;
 use super::ringing::{Part, Series};
@@ -53,12 +54,7 @@ pub(super) fn of(lines: &[Line], series: &[Series], hits: &[Hit], sampling: &Sam
         return None;
     }
     let measured = shown.flat(start..start + count);
-    let shape = |sample: usize, column: usize| {
-        let (decay, angular) = poles[column / 2];
-        let (sine, cosine) = (angular * sample as f64).sin_cos();
-        (-decay * sample as f64).exp() * if column.is_multiple_of(2) { cosine } else { sine }
-    };
-    let matrix = DMatrix::from_fn(count, columns, shape);
+    let matrix = decaying_pairs(&poles, count);
     let normal = matrix.tr_mul(&matrix);
     let right = matrix.tr_mul(&DVector::from_column_slice(&measured));
     let amplitudes = normal.cholesky()?.solve(&right);

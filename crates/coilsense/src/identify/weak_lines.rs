@@ -6,8 +6,9 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
+use super::decaying::decaying_pairs;
 use super::fitted::Fitted;
 use super::hits::Hit;
 use super::line::{Line, Meaning};
@@ -104,12 +105,7 @@ fn without<'a>(lines: &[Line], series: &[Series<'a>], hits: &[Hit], sampling: &S
     if columns == 0 || columns * longest > MOST_VALUES {
         return None;
     }
-    let shapes = DMatrix::from_fn(longest, columns, |sample, column| {
-        let (decay, angular) = poles[column / 2];
-        let (sine, cosine) = (angular * sample as f64).sin_cos();
-        (-decay * sample as f64).exp() * if column.is_multiple_of(2) { cosine } else { sine }
-    });
-    let shapes = Arc::new(shapes);
+    let shapes = Arc::new(decaying_pairs(&poles, longest));
     let mut taken: Vec<TakenOut> = series.iter().map(|_| TakenOut::of(&shapes)).collect();
     let mut factor = None;
     for &(start, length) in &stretches {
