@@ -68,7 +68,7 @@ pub fn report(browser: &Path) -> anyhow::Result<bool> {
     let place = tempfile::tempdir()?;
     let spec = root().join("examples/sea-ankle.toml");
     let out = place.path().join("report");
-    let mut analyze = Command::new(commands::executable()?);
+    let mut analyze = Command::new(commands::as_tested()?);
     analyze.arg("analyze").arg(&spec).arg("--out").arg(&out).stdout(Stdio::null());
     if !analyze.status()?.success() {
         bail!("coilsense analyze failed");

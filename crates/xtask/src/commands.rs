@@ -8,29 +8,29 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{cargo, root, target_folder};
+use crate::{built, cargo, root, target_folder};
 
 /// What an example with a cam is asked.
 pub const SPEED: [&str; 7] = ["speed", "--from", "1000rpm", "--to", "8000rpm", "--step", "1000rpm"];
 /// How README and book call the command from a checkout.
 const PREFIX: &str = "cargo run --release -- ";
 
-/// The release build of the command, as README says to make it.
-pub fn executable() -> anyhow::Result<PathBuf> {
-    built(&[])
-}
-
-/// The release build of the command with all that a release has but the page.
+/// The release build of the command with all that a release has but the page: for what measures.
 pub fn with_every_format() -> anyhow::Result<PathBuf> {
-    built(&["--features", "formats"])
-}
-
-fn built(features: &[&str]) -> anyhow::Result<PathBuf> {
-    let mut build = cargo(&["build", "--release", "--package", "coilsense-cli"]);
-    if !build.args(features).status()?.success() {
+    if !cargo(&["build", "--release", "--package", "coilsense-cli", "--features", "formats"]).status()?.success() {
         bail!("the release build failed");
     }
     Ok(target_folder().join("release/coilsense"))
+}
+
+/// The command with all that a release has, as its own tests have built it: for what asks only what it says. A plain build for release is that of
+/// the packed crates (`packed`).
+pub fn as_tested() -> anyhow::Result<PathBuf> {
+    // With any test of the command cargo builds the command, too.
+    if !cargo(&built::EVERY_TEST).args(["--test", "app", "--no-run"]).status()?.success() {
+        bail!("the command with every format cannot be built");
+    }
+    Ok(target_folder().join("debug/coilsense"))
 }
 
 /// Every example's spec.
@@ -88,7 +88,7 @@ pub fn documents() -> anyhow::Result<Vec<PathBuf>> {
 /// Types the commands of README and book, each page's in a folder of its own that has the examples; whether all of them succeed, no report holds
 /// numbers as a program writes them, and no page Rust that nothing compiles.
 pub fn readme() -> anyhow::Result<bool> {
-    let executable = executable()?;
+    let executable = as_tested()?;
     let doctests = std::fs::read_to_string(root().join("crates/coilsense/src/lib.rs"))?;
     let mut typed = 0;
     for page in documents()? {
@@ -120,7 +120,7 @@ pub fn readme() -> anyhow::Result<bool> {
 /// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig, `speed` on those of a cam, `placement` where there is a loop; whether all succeed and
 /// leave what they should.
 pub fn every_example() -> anyhow::Result<bool> {
-    let executable = executable()?;
+    let executable = as_tested()?;
     let place = tempfile::tempdir()?;
     for spec in examples()? {
         let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default().to_owned();

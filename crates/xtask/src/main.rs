@@ -95,8 +95,8 @@ fn cargo(arguments: &[&str]) -> std::process::Command {
     let mut command = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
     if strict() {
-        // Nobody builds the same checkout a second time there, and what is kept for that is gigabytes.
-        command.env("CARGO_INCREMENTAL", "0");
+        // Nobody builds the same checkout a second time there, nor sits there with a debugger: what is kept for them is gigabytes and minutes.
+        command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
     }
     command
 }

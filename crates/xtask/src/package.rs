@@ -37,7 +37,7 @@ pub fn steps() -> anyhow::Result<bool> {
     let wheel = from(&packed(&tests)?, &tests)?;
     install(&wheel, &tests)?;
     // What is written for simulators, they read; the command writes it.
-    let command = crate::commands::with_every_format()?;
+    let command = crate::commands::as_tested()?;
     let checks: [&[&str]; 5] = [
         // Two files at a time: most of them keep one core busy.
         &["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"],

@@ -61,8 +61,8 @@ pub fn tools() -> anyhow::Result<bool> {
     Ok(!wanted || npm(&["ci"])?)
 }
 
-/// Builds the page and tries it out; whether all of it is as it should be.
-pub fn check() -> anyhow::Result<bool> {
+/// Builds the page and tries it out, every preset, size and scheme where it may take long; whether all of it is as it should be.
+pub fn check(long: bool) -> anyhow::Result<bool> {
     if !build()? || !npm(&["run", "formatted"])? {
         return Ok(false);
     }
@@ -70,9 +70,12 @@ pub fn check() -> anyhow::Result<bool> {
     if !cargo(&built::EVERY_TEST).args(["--test", "app"]).status()?.success() {
         return Ok(false);
     }
-    let command = commands::with_every_format()?;
+    let command = commands::as_tested()?;
     let mut tests = in_web("npm", &["test"]);
     tests.env("COILSENSE_COMMAND", command);
+    if long {
+        tests.env("COILSENSE_LONG", "1");
+    }
     for browser in BROWSERS {
         let Some(found) = browser.find() else { bail!("no {}", browser.name) };
         tests.env(browser.variable, found);

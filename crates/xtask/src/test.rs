@@ -15,7 +15,7 @@ pub struct Arguments {
     /// Run only this part, by its name in the table; may be given several times
     #[arg(long, value_name = "PART")]
     only: Vec<String>,
-    /// Run the parts long and fuzz, too: the tests that take minutes, and ten minutes of each fuzzer
+    /// Run the parts long and fuzz, too: the tests that take minutes, and ten minutes of each fuzzer; and all of the page and of the vector paths
     #[arg(long)]
     long: bool,
 }
@@ -162,13 +162,14 @@ fn measured_runs(_: &Arguments) -> anyhow::Result<Outcome> {
 /// The tests that read measured runs, by package.
 const MEASURED: [(&str, &str); 2] = [("coilsense", "lab_data"), ("coilsense-cli", "calibrate")];
 
-/// The science once more for each path of vector instructions; `tests` has run it on the widest. A path that this processor lacks is
-/// refused by name, and so skipped.
-fn vector_paths(_: &Arguments) -> anyhow::Result<Outcome> {
+/// The science once more for each path of vector instructions; `tests` has run it on the widest, and held each path to the others. A path that
+/// this processor lacks is refused by name, and so skipped.
+fn vector_paths(arguments: &Arguments) -> anyhow::Result<Outcome> {
     let Some(tests) = built::executables()? else { return Ok(Outcome::Failed) };
-    let science: Vec<_> = tests.iter().filter(|test| test.package == "coilsense").collect();
-    if science.is_empty() {
-        bail!("coilsense has no test");
+    let is_asked = |test: &&built::Executable| arguments.long || KERNELS.contains(&test.name.as_str());
+    let science: Vec<_> = tests.iter().filter(|test| test.package == "coilsense").filter(is_asked).collect();
+    if let Some(lost) = KERNELS.iter().find(|name| science.iter().all(|test| test.name != **name)) {
+        bail!("coilsense has no test {lost}");
     }
     for path in ["scalar", "avx2"] {
         if path != "scalar" && !supports(path) {
@@ -187,6 +188,22 @@ fn vector_paths(_: &Arguments) -> anyhow::Result<Outcome> {
     }
     Ok(Outcome::Passed)
 }
+
+/// The tests of what the kernels themselves compute, for every run; the long proof repeats all of the science.
+const KERNELS: [&str; 12] = [
+    "coilsense",
+    "contact",
+    "engine",
+    "golden",
+    "inductance",
+    "inductance_series",
+    "live",
+    "modal_model",
+    "motion_against_integrator",
+    "mounts_against_integrator",
+    "permeable",
+    "sensors",
+];
 
 #[cfg(target_arch = "x86_64")]
 fn supports(path: &str) -> bool {
@@ -269,7 +286,7 @@ fn python(_: &Arguments) -> anyhow::Result<Outcome> {
 fn page(arguments: &Arguments) -> anyhow::Result<Outcome> {
     match page::missing_for_tests(strict() || arguments.install) {
         Some(missing) => Ok(Outcome::Missing(missing)),
-        None => passed(viewer::agrees()? && page::check()?),
+        None => passed(viewer::agrees()? && page::check(arguments.long)?),
     }
 }
 
@@ -308,11 +325,17 @@ mod tests {
     fn every_part_is_in_one_job_of_the_workflow() {
         let file = crate::root().join(".github/workflows/test.yml");
         let workflow = std::fs::read_to_string(&file).expect("the workflow");
+        let (each_time, weekly) = workflow.split_once("\n  long:\n").expect("the job long");
         for part in PARTS {
             let asked = [format!("--only {}", part.name), format!("--only \"{}\"", part.name)];
-            let words = workflow.replace(['\'', '\n', '}'], " ");
+            let job = if ASKED_FOR.contains(&part.name) { weekly } else { each_time };
+            let words = job.replace(['\'', '\n', '}'], " ");
             let times = asked.iter().map(|asked| words.matches(&format!("{asked} ")).count()).sum::<usize>();
             assert_eq!(times, 1, "{}", part.name);
         }
+        assert!(
+            weekly.contains("--long --only \"vector paths\" --only page "),
+            "what each run leaves to the long proof"
+        );
     }
 }
