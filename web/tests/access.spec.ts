@@ -1,5 +1,6 @@
 // For everyone: no violation that axe knows, nothing wider than the screen, still where motion is not wanted.
 import AxeBuilder from '@axe-core/playwright';
+import { typical } from './long';
 import { expect, exact, open, test, unfold } from './page';
 
 for (const colorScheme of ['light', 'dark'] as const) {
@@ -18,12 +19,12 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-for (const [width, height] of [
+for (const [width, height] of typical([
   [375, 812],
   [1280, 800],
   [2560, 1440],
   [3840, 2160],
-] as const) {
+] as const)) {
   test(`nothing is wider than ${width} pixels, nor cut off`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await open(page);

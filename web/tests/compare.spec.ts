@@ -4,6 +4,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { typical } from './long';
 import { expect, exact, facts, open, series, test } from './page';
 
 const keep = (page: Page) => page.getByRole('button', { name: 'Keep to compare' });
@@ -325,7 +326,7 @@ test('sensors that are ticked have their errors side by side, over the shown tim
   await expect(pair).toBeHidden();
 });
 
-for (const colorScheme of ['light', 'dark'] as const)
+for (const colorScheme of typical(['light', 'dark'] as const))
   test(`axe finds nothing beside a kept state, in ${colorScheme}, and nothing is wider than 375 pixels`, async ({
     page,
   }) => {

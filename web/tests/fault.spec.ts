@@ -3,6 +3,7 @@
 import { expect, test, type Page } from '@playwright/test';
 import { dropOn } from './drops';
 import { FILES, Host, type Fault } from './host';
+import { isLong } from './long';
 
 /** Nothing may be silent for longer [ms]. */
 const SILENT = 3000;
@@ -207,7 +208,6 @@ const retry = (page: Page) => page.getByRole('alert').getByRole('button', { name
 const FAULTS = ['cut', 'aborted', 'missing'] satisfies Fault[];
 const first = (file: string): Fault => (isLong ? 'cut' : (FAULTS[FILES.indexOf(file) % FAULTS.length] ?? 'cut'));
 const after = (_: string): Fault[] => (isLong ? ['aborted', 'missing'] : []);
-const isLong = Boolean(process.env['COILSENSE_LONG']);
 
 test('every file of the page is needed by one of these uses, or can be spared', () => {
   expect(FILES.length).toBeGreaterThan(20);

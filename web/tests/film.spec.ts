@@ -4,6 +4,7 @@ import AxeBuilder from '@axe-core/playwright';
 import type { Download, Page } from '@playwright/test';
 import type * as Gif from '../src/record/gif';
 import { gif, webm } from './films';
+import { typical } from './long';
 import { expect, open, test } from './page';
 
 const MOST = 20e6;
@@ -79,10 +80,10 @@ function keep(name: string, png: string): void {
   if (folder) writeFileSync(`${folder}/${name}.png`, Buffer.from(png, 'base64'));
 }
 
-for (const [colorScheme, hash, ground] of [
+for (const [colorScheme, hash, ground] of typical([
   ['light', '#S_T&@slow=0.05', [255, 255, 255]],
   ['dark', '#S_A&@condition=4&@slow=0.1', [20, 22, 26]],
-] as const)
+] as const))
   test(`WebM of ${hash} in ${colorScheme}: every picture at its time, and it moves`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await open(page, hash);
@@ -194,7 +195,7 @@ test('an encoder that is slow has the processor for itself: it is not asked agai
 });
 
 // An empty page, where these run before, is no place for an encoder in every browser.
-for (const [what, without] of [
+for (const [what, without] of typical([
   ['without VideoEncoder', () => Reflect.deleteProperty(window, 'VideoEncoder')],
   [
     'without a codec',
@@ -211,7 +212,7 @@ for (const [what, without] of [
         };
     },
   ],
-] as const)
+] as const))
   test(`a browser ${what} saves a GIF, and says so`, async ({ page }) => {
     await page.addInitScript(without);
     await open(page, '#S_T&@times=[0,0.01]&@slow=0.005');

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { GLOSSARY } from '../src/glossary/terms';
+import { typical } from './long';
 import { openModes } from './modes';
 import { expect, open, test } from './page';
 
@@ -96,7 +97,7 @@ test('every word of it is used on the page, and every mark of the page has its w
   expect(GLOSSARY.map(({ id }) => id).filter((id) => !near(id))).toEqual([]);
 });
 
-for (const colorScheme of ['light', 'dark'] as const)
+for (const colorScheme of typical(['light', 'dark'] as const))
   test(`opened at a word by mouse, with its unit and its links, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await open(page);
@@ -169,11 +170,11 @@ test('beside it is out of it, and the footer opens it at its beginning', async (
   await expect(dialog(page)).toBeHidden();
 });
 
-for (const [width, height] of [
+for (const [width, height] of typical([
   [320, 568],
   [375, 812],
   [640, 400],
-] as const)
+] as const))
   test(`by a finger on ${width} × ${height}: nothing is wider, and it scrolls`, async ({ browser }) => {
     const context = await browser.newContext({ viewport: { width, height }, hasTouch: true, isMobile: true });
     const page = await context.newPage();

@@ -1,5 +1,6 @@
 // The spring is hit by mouse, finger and keys: what is computed is that very hit, what is drawn first is of it, and what was no hit is none.
 import { after, begun, coil, flick, hand, ready, said, speedOfMiddle, undo, velocity } from './hits';
+import { typical } from './long';
 import { expect, exact, facts, open, series, test } from './page';
 
 test('a click hits as hard as what is shown says, from t = 0, and the wave runs', async ({ page }) => {
@@ -146,11 +147,11 @@ test('a pull stays within the lengths in use, and an end in the hand that Escape
   await expect(clock).not.toHaveText(at!);
 });
 
-for (const [hash, name] of [
+for (const [hash, name] of typical([
   ['#S_T&@condition=3', 'harmonic'],
   ['#valve', 'recorded'],
   ['#suspension', 'recorded, on a mass'],
-] as const)
+] as const))
   test(`a hit where what is shown is ${name} is a condition of its own, and the second one the same`, async ({
     page,
   }) => {

@@ -1,5 +1,6 @@
 // On every screen: nothing wider than it, no words cut off, no two things to press above each other. All tabs, and states with long words.
 import { type Page } from '@playwright/test';
+import { typical } from './long';
 import { expect, exact, open, test, unfold } from './page';
 
 /** A desk enlarged four times, as far as WCAG 1.4.10 goes, a phone upright and on its side, a desk enlarged twice, a tablet, a desk, a large one, a wall. */
@@ -104,13 +105,13 @@ test('the spring as it comes', async ({ page }) => {
   });
 });
 
-for (const hash of [
+for (const hash of typical([
   '#S_A&@condition=4',
   '#S_T&@kept="S_A"',
   '#valve',
   '#suspension',
   '#S_T&condition.0.velocity=8+m/s',
-])
+]))
   test(`${hash} with everything opened and every sensor drawn`, async ({ page }) => {
     await open(page, hash);
     const toDraw = page.locator('button.toggle[aria-pressed=false]');

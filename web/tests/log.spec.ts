@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { apart, drop, saved } from './jobs';
 import { folder, rigLogs, told, written } from './logs';
+import { typical } from './long';
 import { expect, test } from './page';
 
 test.beforeAll(rigLogs);
@@ -68,11 +69,11 @@ test('a curve of inductance over length is fitted as the command fits it', async
   expect(apart(here.inverse_length, there.inverse_length)).toBeLessThan(1e-9);
 });
 
-for (const [width, colorScheme] of [
+for (const [width, colorScheme] of typical([
   [375, 'dark'],
   [1280, 'light'],
   [2560, 'dark'],
-] as const) {
+] as const)) {
   test(`the tab fits ${width} pixels in ${colorScheme}, and axe finds nothing`, async ({ page }) => {
     await page.setViewportSize({ width, height: 900 });
     await page.emulateMedia({ colorScheme });
@@ -88,7 +89,7 @@ for (const [width, colorScheme] of [
   });
 }
 
-for (const colorScheme of ['light', 'dark'] as const) {
+for (const colorScheme of typical(['light', 'dark'] as const)) {
   test(`before any log, and with a wrong choice, axe finds nothing in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await page.goto('./#S_T&@tab="log"');

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import type { Ranking } from '../src/mitigate/ranking';
 import { apart, drop, example, folderOf, saved } from './jobs';
+import { typical } from './long';
 import { expect, test } from './page';
 
 const { folder, told } = folderOf('mitigate');
@@ -299,11 +300,11 @@ test('judging can be cancelled', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Judge', exact: true })).toBeEnabled();
 });
 
-for (const [width, colorScheme] of [
+for (const [width, colorScheme] of typical([
   [375, 'dark'],
   [1280, 'light'],
   [2560, 'dark'],
-] as const) {
+] as const)) {
   test(`the tab fits ${width} pixels in ${colorScheme}, and axe finds nothing`, async ({ page }) => {
     await page.setViewportSize({ width, height: 900 });
     await page.emulateMedia({ colorScheme });

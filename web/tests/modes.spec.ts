@@ -1,6 +1,7 @@
 // Every mode of the coil: lines against length, the wire in space, what they say, and what they say where there is nothing to draw.
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
+import { typical } from './long';
 import { openModes, settled } from './modes';
 import { exact, expect, open, test } from './page';
 
@@ -132,7 +133,7 @@ test('while what is typed cannot be computed, the last lines stay, in grey', asy
   await expect(first).not.toHaveText(before ?? '');
 });
 
-for (const colorScheme of ['light', 'dark'] as const)
+for (const colorScheme of typical(['light', 'dark'] as const))
   test(`axe finds nothing in the opened part, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await open(page, '#suspension&mount.ends_tilt=between');

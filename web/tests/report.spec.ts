@@ -3,6 +3,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { AxeBuilder } from '@axe-core/playwright';
 import { type Page } from '@playwright/test';
 import { reportOf, resultsOf } from './command';
+import { typical } from './long';
 import { expect, test } from './page';
 
 const REPORT = reportOf('sea-ankle');
@@ -24,7 +25,7 @@ const clock = (page: Page) => page.locator('.clock');
 const forces = (page: Page) => page.getByRole('group', { name: /^Forces, / });
 const row = (page: Page, name: string) => page.locator('.signals tbody tr', { hasText: name });
 
-for (const colorScheme of ['light', 'dark'] as const)
+for (const colorScheme of typical(['light', 'dark'] as const))
   for (const width of [390, 1280])
     test(`it is drawn from one file: ${colorScheme}, ${width} px`, async ({ page }) => {
       const asked: string[] = [];

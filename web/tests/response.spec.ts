@@ -3,6 +3,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { EXAMPLES } from './command';
+import { typical } from './long';
 import { exact, expect, facts, open, test } from './page';
 import { divided, exported, forcesOf, go, openResponse, phase, pointAt, settled, size } from './response';
 
@@ -20,7 +21,7 @@ const RATIOS: Record<keyof typeof EXAMPLES, [number, number | null]> = {
   valve: [1, 0.01],
   suspension: [0, null],
 };
-for (const preset of Object.keys(EXAMPLES) as (keyof typeof EXAMPLES)[])
+for (const preset of typical(Object.keys(EXAMPLES) as (keyof typeof EXAMPLES)[]))
   test(`sizes, phases and the limit of ${preset} are those of the command’s matrices`, async ({ page }) => {
     const [damping, ratio] = RATIOS[preset];
     const plant = exported(preset, ratio);
@@ -266,7 +267,7 @@ test('the coil stands still where motion is not wanted, and moves where it is as
   await part.getByRole('button', { name: 'Hold still' }).click();
 });
 
-for (const colorScheme of ['light', 'dark'] as const)
+for (const colorScheme of typical(['light', 'dark'] as const))
   test(`axe finds nothing in the opened part, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await open(page, '#S_T');

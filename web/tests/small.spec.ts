@@ -1,5 +1,6 @@
 // Small screens and fingers: what the first screen shows, how little it jumps while it loads, and what two fingers do to a plot.
 import type { CDPSession, Locator, Page } from '@playwright/test';
+import { typical } from './long';
 import { expect, open, test } from './page';
 
 /** Top and bottom of an element on the screen as it comes [CSS pixels]. */
@@ -32,7 +33,7 @@ test('a phone’s first screen has the spring, its first slider and the whole pl
   }
 });
 
-for (const preset of ['S_T', 'S_A', 'valve', 'suspension'])
+for (const preset of typical(['S_T', 'S_A', 'valve', 'suspension']))
   test(`${preset}, enlarged twice on a desk of 1280 × 800: the spring is on the first screen`, async ({ browser }) => {
     const context = await browser.newContext({ viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 });
     const page = await context.newPage();
@@ -47,7 +48,7 @@ for (const [width, height] of [
   [640, 400],
   [1280, 800],
 ] as const)
-  for (const preset of ['', '#S_A', '#suspension'])
+  for (const preset of typical(['', '#S_A', '#suspension']))
     test(`${width} × ${height} ${preset}: what is seen does not jump while the page loads`, async ({ page }) => {
       await page.setViewportSize({ width, height });
       await page.addInitScript(() => {

@@ -1,4 +1,5 @@
 // What is typed into fields: units and decimal signs as people write them, what is shown of it, and that changes of form keep the numbers.
+import { typical } from './long';
 import { expect, exact, facts, open, test } from './page';
 
 test('a decimal comma, a bare number and an imperial unit are taken, shown while typing, and stand there in full after that', async ({
@@ -145,7 +146,7 @@ test('given by wire and coil and back, the numbers are those that were typed; af
   await expect(page.getByLabel('Wire diameter d', { exact: true })).toHaveValue('1.9 mm');
 });
 
-for (const preset of ['S_T', 'S_A', 'valve', 'suspension'])
+for (const preset of typical(['S_T', 'S_A', 'valve', 'suspension']))
   test(`${preset}: end 2 is held, under a force, or on a mass, and each way comes back as it was`, async ({ page }) => {
     await open(page, `#${preset}`);
     const before = await facts(page);

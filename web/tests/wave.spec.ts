@@ -1,6 +1,7 @@
 // The strip has the wave where the engine has it, and the sound is the force at end 2.
 import AxeBuilder from '@axe-core/playwright';
 import { ready } from './hits';
+import { typical } from './long';
 import { expect, facts, open, test } from './page';
 
 test('the strip tells the way of the wave, goes with the player, and is read by pointer and keys', async ({ page }) => {
@@ -141,7 +142,7 @@ test('what end 2 feels is heard on request, softly, for three seconds at most', 
   await expect(wave).not.toContainText('loudest');
 });
 
-for (const colorScheme of ['light', 'dark'] as const)
+for (const colorScheme of typical(['light', 'dark'] as const))
   test(`axe finds nothing in spring and strip while they are used, in ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     await open(page);
