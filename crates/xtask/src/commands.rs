@@ -23,8 +23,7 @@ pub fn with_every_format() -> anyhow::Result<PathBuf> {
     Ok(target_folder().join("release/coilsense"))
 }
 
-/// The command with all that a release has, as its own tests have built it: for what asks only what it says. A plain build for release is that of
-/// the packed crates (`packed`).
+/// The command with all that a release has, as its own tests have built it: for what asks only what it says.
 pub fn as_tested() -> anyhow::Result<PathBuf> {
     // With any test of the command cargo builds the command, too.
     if !cargo(&built::EVERY_TEST).args(["--test", "app", "--no-run"]).status()?.success() {

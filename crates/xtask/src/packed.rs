@@ -1,4 +1,4 @@
-//! Whether the project can leave: its crates packed, unpacked into an empty folder, built there for release as README says, and asked the main question.
+//! Whether the project can leave: its crates packed, unpacked into an empty folder, built there with the features of a plain build, and asked the main question.
 //!
 //! Next door: the same of the Python package (`package`).
 
@@ -24,7 +24,7 @@ pub fn steps() -> anyhow::Result<bool> {
     let place = tempfile::tempdir()?;
     unpack(&crates, place.path())?;
     let built = target_folder().join("packed");
-    let mut build = lean(&["build", "--release", "--quiet", "--package", "coilsense-cli"]);
+    let mut build = lean(&["build", "--quiet", "--package", "coilsense-cli"]);
     build.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
     if !build.status()?.success() {
         return Ok(false);
@@ -34,13 +34,13 @@ pub fn steps() -> anyhow::Result<bool> {
     clean.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
     let mut test = lean(&["test", "--quiet", "--package", "coilsense", "--test", "golden", "--test", "trend"]);
     test.current_dir(place.path()).env("CARGO_TARGET_DIR", &built);
-    Ok(ask(&built.join("release/coilsense"), place.path())? && clean.status()?.success() && test.status()?.success())
+    Ok(ask(&built.join("debug/coilsense"), place.path())? && clean.status()?.success() && test.status()?.success())
 }
 
 /// Cargo for a build that is run once: nothing kept for the next one or for a debugger, which is most of its disk.
 fn lean(arguments: &[&str]) -> Command {
     let mut command = cargo(arguments);
-    command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
+    command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
     command
 }
 
