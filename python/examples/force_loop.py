@@ -38,8 +38,8 @@ def limit(force: str) -> float:
     """The gain at which it no longer does [m/s per N]."""
     low, high = 1e-6, 1e-6
     while is_stable(high, force):
-        low, high = high, 1.1 * high
-    while high / low > 1 + 1e-6:
+        low, high = high, 1.5 * high
+    while high / low > 1 + 1e-5:
         middle = (low * high) ** 0.5
         low, high = (middle, high) if is_stable(middle, force) else (low, middle)
     return high
