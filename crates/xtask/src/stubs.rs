@@ -42,7 +42,7 @@ fn generated(environment: &Environment, file: &Path) -> anyhow::Result<()> {
         std::fs::remove_dir_all(&folder)?;
     }
     let mut account = environment.python();
-    account.args(["-m", "maturin", "generate-stubs", "--profile", "release", "--quiet", "--interpreter", "python3"]);
+    account.args(["-m", "maturin", "generate-stubs", "--profile", "dev", "--quiet", "--interpreter", "python3"]);
     account.arg("--out").arg(&folder).current_dir(root().join(PROJECT));
     if !account.status().context("maturin cannot be started")?.success() {
         bail!("PyO3's account of the module cannot be had");
