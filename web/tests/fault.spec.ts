@@ -96,7 +96,7 @@ const USES: Record<string, { hash: string; use?: (page: Page) => Promise<void>; 
       hash: `#S_T&${STATE}&@tab="paper"`,
       ends: (page) => expect(page.locator('.paper[aria-busy=false]')).toBeVisible({ timeout: 20_000 }),
     },
-    valve: { hash: '#valve&spring.mass=33+g', ends: (page) => exact(page) },
+    valve: { hash: '#valve&spring.coil_diameter=24.9+mm', ends: (page) => exact(page) },
     suspension: { hash: '#suspension&spring.mass=2+kg', ends: (page) => exact(page) },
     meeting: {
       hash: '#S_A&contact.windings=hard&contact.restitution=0.5&spring.mass=66+g',
