@@ -95,10 +95,14 @@ fn cargo(arguments: &[&str]) -> std::process::Command {
     let mut command = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
     if strict() {
-        // Nobody builds the same checkout a second time there, nor sits there with a debugger: what is kept for them is gigabytes and minutes.
-        command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
+        for_once(&mut command);
     }
     command
+}
+
+/// Has cargo build what nobody builds a second time nor looks at with a debugger: what is kept for that is gigabytes and minutes.
+fn for_once(command: &mut std::process::Command) {
+    command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
 }
 
 /// With CI=true a part that cannot run is a failure.

@@ -8,7 +8,7 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 
-use crate::{cargo, root, target_folder};
+use crate::{cargo, for_once, root, target_folder};
 
 /// The spec that the built command is asked about: with sensors, a goal and tolerances.
 const QUESTION: &str = "examples/sea-ankle.toml";
@@ -37,10 +37,10 @@ pub fn steps() -> anyhow::Result<bool> {
     Ok(ask(&built.join("debug/coilsense"), place.path())? && clean.status()?.success() && test.status()?.success())
 }
 
-/// Cargo for a build that is run once: nothing kept for the next one or for a debugger, which is most of its disk.
+/// Cargo for a build that is run once.
 fn lean(arguments: &[&str]) -> Command {
     let mut command = cargo(arguments);
-    command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_PROFILE_TEST_DEBUG", "0");
+    for_once(&mut command);
     command
 }
 

@@ -212,6 +212,37 @@ mod tests {
     }
 
     #[test]
+    fn every_root_obeys_the_law_and_slopes_are_those_of_the_phases() {
+        let seats = [Seat::Gives(0.03, 0.0), Seat::Gives(0.1, 2.0), Seat::Mass(0.4), Seat::Free, Seat::Rigid];
+        for windings in [f64::INFINITY, 7.3, 40.0] {
+            let [t, x] = [f64::tan, f64::sin].map(|of| {
+                move |theta: f64| if windings.is_finite() { 2.0 * windings * of(0.5 * theta / windings) } else { theta }
+            });
+            for pair in seats.into_iter().flat_map(|one| seats.map(|other| [one, other])) {
+                for mode in 1..=5 {
+                    let Some(found) = mode_of(windings, pair, mode) else { continue };
+                    let theta = if windings.is_finite() {
+                        2.0 * windings * (found.tangent / (2.0 * windings)).atan()
+                    } else {
+                        found.tangent
+                    };
+                    let left = theta + pair.map(|seat| seat.phase(t(theta), x(theta))).iter().sum::<f64>();
+                    assert!((left - mode as f64 * PI).abs() < 1e-11, "{windings} {pair:?} mode {mode}: {left}");
+                }
+            }
+            for (seat, theta) in seats.into_iter().flat_map(|seat| [0.7, 2.9, 9.1].map(|theta| (seat, theta))) {
+                let quotient = |of: &dyn Fn(f64) -> f64| (of(theta + 1e-6) - of(theta - 1e-6)) / 2e-6;
+                let told = seat.slope([t(theta), quotient(&t)], [x(theta), quotient(&x)]);
+                let seen = quotient(&|theta| seat.phase(t(theta), x(theta)));
+                assert!(
+                    (told - seen).abs() < 1e-6 * (1.0 + seen.abs()),
+                    "{windings} {seat:?} at {theta}: {told}, {seen}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn a_seat_with_a_resonance_adds_one_mode() {
         let seats = [Seat::Rigid, Seat::Gives(1e-3, 4.0)];
         let multiples: Vec<f64> = (1..30).map(|mode| mode_of(f64::INFINITY, seats, mode).unwrap().multiple).collect();
