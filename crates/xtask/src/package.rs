@@ -34,7 +34,8 @@ pub fn missing() -> Option<String> {
 /// Packs the source, builds the wheel from that as pip would, installs it, and runs everything; whether all succeed.
 pub fn steps() -> anyhow::Result<bool> {
     let tests = python::environment("target/python", REQUIREMENTS)?;
-    let wheel = from(&packed(&tests)?, &tests)?;
+    let source = unpacked(&packed(&tests)?)?;
+    let wheel = from(source.path(), &tests)?;
     install(&wheel, &tests)?;
     // What is written for simulators, they read; the command writes it.
     let command = crate::commands::as_tested()?;
@@ -47,7 +48,7 @@ pub fn steps() -> anyhow::Result<bool> {
         &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
     ];
     Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments).env("COILSENSE_COMMAND", &command)))?
-        && stubs::agree(&tests)?
+        && stubs::agree(&tests, source.path())?
         && examples(&tests)?
         && readme(&wheel)?)
 }
@@ -72,16 +73,22 @@ fn install(wheel: &Path, environment: &Environment) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The wheel that pip builds from the packed source, unpacked elsewhere.
-fn from(source: &Path, environment: &Environment) -> anyhow::Result<PathBuf> {
-    let (folder, place) = (root().join("target/wheels"), tempfile::tempdir()?);
+/// A packed source, unpacked elsewhere.
+fn unpacked(source: &Path) -> anyhow::Result<tempfile::TempDir> {
+    let place = tempfile::tempdir()?;
     // With the date of today: packed files all have one old date, by which what was built of other files before would be taken for theirs.
     let mut unpack = Command::new("tar");
     if !succeeds(unpack.args(["xzmf"]).arg(source).args(["--strip-components", "1", "-C"]).arg(place.path()))? {
         bail!("the packed source cannot be unpacked");
     }
+    Ok(place)
+}
+
+/// The wheel that pip builds from a source.
+fn from(source: &Path, environment: &Environment) -> anyhow::Result<PathBuf> {
+    let folder = root().join("target/wheels");
     let mut build = environment.python();
-    build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(place.path());
+    build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(source);
     build.env("MATURIN_PEP517_ARGS", PACKED_HARDER.join(" "));
     if !succeeds(build.env("CARGO_TARGET_DIR", crate::target_folder()))? {
         bail!("the packed source cannot be built");

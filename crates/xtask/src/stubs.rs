@@ -17,16 +17,16 @@ const PROJECT: &str = "python/stubs";
 
 /// Writes the committed file.
 pub fn write() -> anyhow::Result<()> {
-    generated(&python::environment("target/python", REQUIREMENTS)?, &root().join(STUB))?;
+    generated(&python::environment("target/python", REQUIREMENTS)?, &root(), &root().join(STUB))?;
     println!("{STUB}");
     Ok(())
 }
 
-/// Whether the committed file is what would be written.
-pub fn agree(environment: &Environment) -> anyhow::Result<bool> {
+/// Whether the committed file is what would be written of a source that the wheel was just built of: what it is built of need not be built again.
+pub fn agree(environment: &Environment, source: &Path) -> anyhow::Result<bool> {
     let folder = tempfile::tempdir()?;
     let anew = folder.path().join("_coilsense.pyi");
-    generated(environment, &anew)?;
+    generated(environment, source, &anew)?;
     let same =
         std::fs::read(root().join(STUB)).with_context(|| format!("{STUB} cannot be read"))? == std::fs::read(anew)?;
     if !same {
@@ -35,15 +35,20 @@ pub fn agree(environment: &Environment) -> anyhow::Result<bool> {
     Ok(same)
 }
 
-/// Writes the types into a file.
-fn generated(environment: &Environment, file: &Path) -> anyhow::Result<()> {
+/// Writes the types of a source's module into a file.
+fn generated(environment: &Environment, source: &Path, file: &Path) -> anyhow::Result<()> {
     let folder = root().join("target/stubs");
     if folder.exists() {
         std::fs::remove_dir_all(&folder)?;
     }
+    let project = source.join(PROJECT);
+    std::fs::create_dir_all(&project)?;
+    if source != root() {
+        std::fs::copy(root().join(PROJECT).join("pyproject.toml"), project.join("pyproject.toml"))?;
+    }
     let mut account = environment.python();
-    account.args(["-m", "maturin", "generate-stubs", "--profile", "dev", "--quiet", "--interpreter", "python3"]);
-    account.arg("--out").arg(&folder).current_dir(root().join(PROJECT));
+    account.args(["-m", "maturin", "generate-stubs", "--release", "--quiet", "--interpreter", "python3"]);
+    account.arg("--out").arg(&folder).current_dir(project).env("CARGO_TARGET_DIR", crate::target_folder());
     if !account.status().context("maturin cannot be started")?.success() {
         bail!("PyO3's account of the module cannot be had");
     }

@@ -227,7 +227,9 @@ mod tests {
                         found.tangent
                     };
                     let left = theta + pair.map(|seat| seat.phase(t(theta), x(theta))).iter().sum::<f64>();
-                    assert!((left - mode as f64 * PI).abs() < 1e-11, "{windings} {pair:?} mode {mode}: {left}");
+                    // Two free masses move together at θ = 0, which is looked for from 1e-9 on.
+                    let off = if theta < 2e-9 { 1e-8 } else { 1e-11 };
+                    assert!((left - mode as f64 * PI).abs() < off, "{windings} {pair:?} mode {mode}: {left}");
                 }
             }
             for (seat, theta) in seats.into_iter().flat_map(|seat| [0.7, 2.9, 9.1].map(|theta| (seat, theta))) {
