@@ -205,9 +205,13 @@ test.afterAll(() => host.end());
 /** What tells of a fault, and tries again. */
 const retry = (page: Page) => page.getByRole('alert').getByRole('button', { name: 'Try again' }).first();
 
+/** Files that are tried: each of them in the long proof, else engines, workers, and every third of the others. */
+const TRIED = FILES.filter((file) => file !== 'index.html' && !isSpare(file)).filter(
+  (file, index) => isLong || index % 3 === 0 || /worker|\.wasm$/.test(file),
+);
 /** The faults of a file: each of them in the long proof, else one after another from file to file. */
 const FAULTS = ['cut', 'aborted', 'missing'] satisfies Fault[];
-const first = (file: string): Fault => (isLong ? 'cut' : (FAULTS[FILES.indexOf(file) % FAULTS.length] ?? 'cut'));
+const first = (file: string): Fault => (isLong ? 'cut' : (FAULTS[TRIED.indexOf(file) % FAULTS.length] ?? 'cut'));
 const after = (_: string): Fault[] => (isLong ? ['aborted', 'missing'] : []);
 
 test('every file of the page is needed by one of these uses, or can be spared', () => {
@@ -215,7 +219,7 @@ test('every file of the page is needed by one of these uses, or can be spared', 
   expect(FILES.filter((file) => !needs.has(file) && !isSpare(file))).toEqual([]);
 });
 
-for (const file of FILES.filter((file) => file !== 'index.html' && !isSpare(file)))
+for (const file of TRIED)
   test(`${file} cut short, aborted, missing`, async ({ page }) => {
     const { hash, use, ends } = USES[needs.get(file) ?? ''] ?? { hash: '', ends: exact };
     host.faults.set(file, first(file));

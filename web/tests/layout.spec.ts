@@ -127,7 +127,7 @@ test('a wrong value and its reason', async ({ page }) => {
   await onEveryScreen(page);
 });
 
-for (const tab of ['Log', 'Mitigate', 'Paper'])
+for (const tab of typical(['Log', 'Mitigate', 'Paper']))
   test(`the tab ${tab}`, async ({ page }) => {
     await open(page);
     await page.getByRole('tab', { name: tab }).click();

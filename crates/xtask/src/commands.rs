@@ -4,6 +4,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use anyhow::{Context, bail};
@@ -84,36 +85,57 @@ pub fn documents() -> anyhow::Result<Vec<PathBuf>> {
     Ok(pages)
 }
 
-/// Types the commands of README and book, each page's in a folder of its own that has the examples; whether all of them succeed, no report holds
-/// numbers as a program writes them, and no page Rust that nothing compiles.
+/// Types the commands of README and book, two pages at a time, each page's in a folder of its own that has the examples; whether all of them succeed,
+/// no report holds numbers as a program writes them, and no page Rust that nothing compiles.
 pub fn readme() -> anyhow::Result<bool> {
     let executable = as_tested()?;
     let doctests = std::fs::read_to_string(root().join("crates/coilsense/src/lib.rs"))?;
-    let mut typed = 0;
-    for page in documents()? {
-        let name = page.strip_prefix(root()).unwrap_or(&page).display().to_string();
-        let text = std::fs::read_to_string(&page).with_context(|| format!("{name} cannot be read"))?;
-        if text.contains("```rust") && !doctests.contains(&name) {
-            bail!("{name} holds Rust that no doctest compiles: include it in crates/coilsense/src/lib.rs");
+    let (pages, next) = (documents()?, AtomicUsize::new(0));
+    let some_pages = || -> anyhow::Result<Option<usize>> {
+        let mut typed = 0;
+        while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let Some(of_page) = type_page(&executable, page, &doctests)? else { return Ok(None) };
+            typed += of_page;
         }
-        let place = tempfile::tempdir()?;
-        copy_examples(&place.path().join("examples"))?;
-        for line in text.lines().filter_map(|line| line.strip_prefix(PREFIX)) {
-            // As a shell has it: quotes keep brackets from it.
-            let words =
-                line.split('#').next().unwrap_or_default().split_whitespace().map(|word| word.trim_matches('\''));
-            println!("{name}: coilsense {}", line.trim_end());
-            if !Command::new(&executable).args(words).current_dir(place.path()).status()?.success() {
-                return Ok(false);
-            }
-            typed += 1;
-        }
-        if !crate::reports::are_set(place.path())? {
-            bail!("{name}: a report has numbers as a program writes them");
-        }
+        Ok(Some(typed))
+    };
+    let halves = std::thread::scope(|scope| {
+        let other = scope.spawn(some_pages);
+        [some_pages(), other.join().unwrap_or_else(|_| Err(anyhow::anyhow!("the commands of a page were not run")))]
+    });
+    let [Some(one), Some(other)] = halves.into_iter().collect::<anyhow::Result<Vec<_>>>()?[..] else {
+        return Ok(false);
+    };
+    println!("{} commands of README and book", one + other);
+    Ok(one + other > 0)
+}
+
+/// Types the commands of a page; how many they were, or `None` where one has failed, of which it has told.
+fn type_page(executable: &Path, page: &Path, doctests: &str) -> anyhow::Result<Option<usize>> {
+    let name = page.strip_prefix(root()).unwrap_or(page).display().to_string();
+    let text = std::fs::read_to_string(page).with_context(|| format!("{name} cannot be read"))?;
+    if text.contains("```rust") && !doctests.contains(&name) {
+        bail!("{name} holds Rust that no doctest compiles: include it in crates/coilsense/src/lib.rs");
     }
-    println!("{typed} commands of README and book");
-    Ok(typed > 0)
+    let place = tempfile::tempdir()?;
+    copy_examples(&place.path().join("examples"))?;
+    let mut typed = 0;
+    for line in text.lines().filter_map(|line| line.strip_prefix(PREFIX)) {
+        // As a shell has it: quotes keep brackets from it.
+        let words = line.split('#').next().unwrap_or_default().split_whitespace().map(|word| word.trim_matches('\''));
+        let output = Command::new(executable).args(words).current_dir(place.path()).output()?;
+        let said = [&output.stdout, &output.stderr].map(|said| String::from_utf8_lossy(said));
+        // In one piece, beside what another page's commands say.
+        println!("{name}: coilsense {}\n{}{}", line.trim_end(), said[0], said[1]);
+        if !output.status.success() {
+            return Ok(None);
+        }
+        typed += 1;
+    }
+    if !crate::reports::are_set(place.path())? {
+        bail!("{name}: a report has numbers as a program writes them");
+    }
+    Ok(Some(typed))
 }
 
 /// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig, `speed` on those of a cam, `placement` where there is a loop; whether all succeed and

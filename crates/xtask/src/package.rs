@@ -39,18 +39,37 @@ pub fn steps() -> anyhow::Result<bool> {
     install(&wheel, &tests)?;
     // What is written for simulators, they read; the command writes it.
     let command = crate::commands::as_tested()?;
-    let checks: [&[&str]; 5] = [
-        // Two files at a time: most of them keep one core busy.
-        &["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"],
-        &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
-        &["-m", "pyright", "--pythonpath", "target/python/bin/python"],
-        &["-m", "pyright", "--verifytypes", "coilsense", "--ignoreexternal"],
-        &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
-    ];
-    Ok(every(&checks, |arguments| succeeds(tests.python().args(*arguments).env("COILSENSE_COMMAND", &command)))?
+    let run = |arguments: &&[&str]| succeeds(tests.python().args(*arguments).env("COILSENSE_COMMAND", &command));
+    // Two files at a time: most of them keep one core busy.
+    Ok(run(&["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"].as_slice())?
         && stubs::agree(&tests, source.path())?
-        && examples(&tests)?
-        && readme(&wheel)?)
+        && side_by_side(
+            || Ok(every(&PYRIGHT, run)? && readme(&wheel)?),
+            || Ok(every(&MYPY, run)? && examples(&tests)?),
+        )?)
+}
+
+/// Checks of types, of which each keeps one core busy.
+const PYRIGHT: [&[&str]; 2] = [
+    &["-m", "pyright", "--pythonpath", "target/python/bin/python"],
+    &["-m", "pyright", "--verifytypes", "coilsense", "--ignoreexternal"],
+];
+const MYPY: [&[&str]; 2] = [
+    &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
+    &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
+];
+
+/// Whether both succeed, run at the same time.
+fn side_by_side(
+    one: impl FnOnce() -> anyhow::Result<bool> + Send,
+    other: impl FnOnce() -> anyhow::Result<bool>,
+) -> anyhow::Result<bool> {
+    std::thread::scope(|scope| {
+        let one = scope.spawn(one);
+        let other = other();
+        let one = one.join().unwrap_or_else(|_| bail!("a check was not run to its end"));
+        Ok(one? && other?)
+    })
 }
 
 /// The tests' environment with the wheel of this source in it.

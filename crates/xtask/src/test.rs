@@ -71,7 +71,7 @@ const NOT_LONG: [&str; 2] = ["a_million_points", "measured_runs"];
 
 /// Runs every part, also after one has failed.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let strict = strict();
+    let (strict, start) = (strict(), Instant::now());
     let mut lines = Vec::new();
     let mut broken = Vec::new();
     let unknown = arguments.only.iter().find(|name| PARTS.iter().all(|part| part.name != name.as_str()));
@@ -79,7 +79,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bail!("--only {name}: must be one of {}", PARTS.map(|part| part.name).join(", "));
     }
     for part in PARTS.into_iter().filter(|part| arguments.want(part.name)) {
-        println!("== {}", part.name);
+        // A run that is cut off has told how far it was.
+        println!("== {}, {:.0} s after the start", part.name, start.elapsed().as_secs_f64());
         let begun = Instant::now();
         let outcome = (part.run)(arguments).with_context(|| format!("part {}", part.name))?;
         let seconds = begun.elapsed().as_secs_f64();

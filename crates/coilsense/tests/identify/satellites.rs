@@ -189,9 +189,9 @@ fn modes_keep_their_names_where_the_end_carries_a_mass_or_is_free() {
     }
 }
 
-#[test]
-fn a_coil_alone_or_behind_a_cell_has_no_satellites() {
-    for seed in 0..10 {
+/// So many coils, each alone and behind a load cell.
+fn nothing_is_named(coils: u64) {
+    for seed in 0..coils {
         let mut random = Pcg64::seed_from_u64(600 + seed);
         let (_, axial) = coil(&mut random);
         let alone = heard(axial, Vec::new(), &mut random);
@@ -202,6 +202,17 @@ fn a_coil_alone_or_behind_a_cell_has_no_satellites() {
             assert!(torsional(found).is_empty() && lateral_lines(found).is_empty(), "seed {seed}: {:?}", found.verdict);
         }
     }
+}
+
+#[test]
+fn a_coil_alone_or_behind_a_cell_has_no_satellites() {
+    nothing_is_named(5);
+}
+
+#[test]
+#[ignore = "twice as many; `cargo xtask test --long` runs it"]
+fn ten_coils_alone_or_behind_a_cell_have_no_satellites() {
+    nothing_is_named(10);
 }
 
 #[test]
@@ -292,16 +303,27 @@ fn with_satellites(seeds: std::ops::Range<u64>) -> Count {
     count
 }
 
-#[test]
-fn torsion_beside_the_modes_is_named_and_leaves_f1_alone() {
-    let other = std::thread::spawn(|| with_satellites(20..40));
-    for count in [with_satellites(0..20), other.join().unwrap()] {
+/// So many coils with torsion beside their modes, on two threads.
+fn torsion_is_named(coils: u64) {
+    let other = std::thread::spawn(move || with_satellites(coils / 2..coils));
+    for count in [with_satellites(0..coils / 2), other.join().unwrap()] {
         println!("{count:?}");
         assert_eq!(count.springs, count.logs, "satellites do not count against the verdict");
         assert!(10 * count.named >= 9 * count.logs, "{count:?}"); // 77 of 80 when written
         // A line is 0.6 % wide: nearer pairs of 0.2 % of a mode are one line to a fit.
         assert!(10 * count.pairs >= 8 * count.wide, "{count:?}");
     }
+}
+
+#[test]
+fn torsion_beside_the_modes_is_named_and_leaves_f1_alone() {
+    torsion_is_named(20);
+}
+
+#[test]
+#[ignore = "twice as many; `cargo xtask test --long` runs it"]
+fn torsion_beside_the_modes_of_forty_coils_is_named() {
+    torsion_is_named(40);
 }
 
 #[test]
