@@ -47,7 +47,7 @@ fn generated(environment: &Environment, source: &Path, file: &Path) -> anyhow::R
         std::fs::copy(root().join(PROJECT).join("pyproject.toml"), project.join("pyproject.toml"))?;
     }
     let mut account = environment.python();
-    account.args(["-m", "maturin", "generate-stubs", "--release", "--quiet", "--interpreter", "python3"]);
+    account.args(["-m", "maturin", "generate-stubs", "--profile", "release", "--quiet", "--interpreter", "python3"]);
     account.arg("--out").arg(&folder).current_dir(project).env("CARGO_TARGET_DIR", crate::target_folder());
     if !account.status().context("maturin cannot be started")?.success() {
         bail!("PyO3's account of the module cannot be had");
