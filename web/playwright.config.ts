@@ -72,7 +72,7 @@ const CHROMIUM: [why: string, Listed][] = [
   ['what is measured is written down of Chromium', { 'speed.spec.ts': 'all' }],
 ];
 
-/** What only the long proof runs: what goes wrong seldom, and what others of its file are near to. */
+/** What only the long proof runs: what goes wrong seldom, what takes long, and what others of its file are near to. */
 const LONG: Listed = {
   'access.spec.ts': ['nothing moves by itself'],
   'aside.spec.ts': ['nothing is said where nothing'],
@@ -145,6 +145,7 @@ const LONG: Listed = {
     'where motion is not wanted',
     'a hit where what is shown',
   ],
+  'lists.spec.ts': ['a sensor shows the kind'],
   'log-large.spec.ts': [
     '100 MB are identified',
     'Cancel while the engine',
@@ -161,6 +162,7 @@ const LONG: Listed = {
   ],
   'log-opens.spec.ts': ['runs in the layout', 'what is being typed', 'what the page and the command'],
   'log-options.spec.ts': ['a mapping file beside', 'delimiter and decimal', 'choices stay in the address'],
+  'log-trial.spec.ts': ['the page’s spring predicts'],
   'mitigate.spec.ts': [
     'the stated scenario is',
     'settings are the command’s',
@@ -183,6 +185,7 @@ const LONG: Listed = {
     'while what is typed',
     'nothing of it is wider',
   ],
+  'numbers.spec.ts': ['a preview is the exact'],
   'readers.spec.ts': ['a field that is left', 'the mark that is moved', 'dragging a slider', 'Mitigate: typing'],
   'recover.spec.ts': [
     'the worker that judges',
@@ -241,10 +244,7 @@ const LONG: Listed = {
     'what end 2 feels',
     'a force that is steady',
   ],
-  'log-trial.spec.ts': ['the page’s spring predicts'],
-  'numbers.spec.ts': ['a preview is the exact'],
   'why.spec.ts': ['the numbers are of the state'],
-  'lists.spec.ts': ['a sensor shows the kind'],
 };
 
 /** Patterns of listed tests; one that is in its file no more is an error, not a test that nobody runs. */

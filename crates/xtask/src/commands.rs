@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{built, cargo, root, target_folder};
+use crate::{built, cargo, root, side_by_side, target_folder};
 
 /// What an example with a cam is asked.
 pub const SPEED: [&str; 7] = ["speed", "--from", "1000rpm", "--to", "8000rpm", "--step", "1000rpm"];
@@ -90,28 +90,22 @@ pub fn documents() -> anyhow::Result<Vec<PathBuf>> {
 pub fn readme() -> anyhow::Result<bool> {
     let executable = as_tested()?;
     let doctests = std::fs::read_to_string(root().join("crates/coilsense/src/lib.rs"))?;
-    let (pages, next) = (documents()?, AtomicUsize::new(0));
-    let some_pages = || -> anyhow::Result<Option<usize>> {
-        let mut typed = 0;
+    let (pages, next, typed) = (documents()?, AtomicUsize::new(0), AtomicUsize::new(0));
+    let some_pages = || -> anyhow::Result<bool> {
         while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let Some(of_page) = type_page(&executable, page, &doctests)? else { return Ok(None) };
-            typed += of_page;
+            if !type_page(&executable, page, &doctests, &typed)? {
+                return Ok(false);
+            }
         }
-        Ok(Some(typed))
+        Ok(true)
     };
-    let halves = std::thread::scope(|scope| {
-        let other = scope.spawn(some_pages);
-        [some_pages(), other.join().unwrap_or_else(|_| Err(anyhow::anyhow!("the commands of a page were not run")))]
-    });
-    let [Some(one), Some(other)] = halves.into_iter().collect::<anyhow::Result<Vec<_>>>()?[..] else {
-        return Ok(false);
-    };
-    println!("{} commands of README and book", one + other);
-    Ok(one + other > 0)
+    let all = side_by_side(some_pages, some_pages)?;
+    println!("{} commands of README and book", typed.load(Ordering::Relaxed));
+    Ok(all && typed.into_inner() > 0)
 }
 
-/// Types the commands of a page; how many they were, or `None` where one has failed, of which it has told.
-fn type_page(executable: &Path, page: &Path, doctests: &str) -> anyhow::Result<Option<usize>> {
+/// Types the commands of a page and counts them; whether they succeed.
+fn type_page(executable: &Path, page: &Path, doctests: &str, typed: &AtomicUsize) -> anyhow::Result<bool> {
     let name = page.strip_prefix(root()).unwrap_or(page).display().to_string();
     let text = std::fs::read_to_string(page).with_context(|| format!("{name} cannot be read"))?;
     if text.contains("```rust") && !doctests.contains(&name) {
@@ -119,7 +113,6 @@ fn type_page(executable: &Path, page: &Path, doctests: &str) -> anyhow::Result<O
     }
     let place = tempfile::tempdir()?;
     copy_examples(&place.path().join("examples"))?;
-    let mut typed = 0;
     for line in text.lines().filter_map(|line| line.strip_prefix(PREFIX)) {
         // As a shell has it: quotes keep brackets from it.
         let words = line.split('#').next().unwrap_or_default().split_whitespace().map(|word| word.trim_matches('\''));
@@ -128,14 +121,14 @@ fn type_page(executable: &Path, page: &Path, doctests: &str) -> anyhow::Result<O
         // In one piece, beside what another page's commands say.
         println!("{name}: coilsense {}\n{}{}", line.trim_end(), said[0], said[1]);
         if !output.status.success() {
-            return Ok(None);
+            return Ok(false);
         }
-        typed += 1;
+        typed.fetch_add(1, Ordering::Relaxed);
     }
     if !crate::reports::are_set(place.path())? {
         bail!("{name}: a report has numbers as a program writes them");
     }
-    Ok(Some(typed))
+    Ok(true)
 }
 
 /// Runs `spring`, `simulate` and `analyze` on every example, `rig` on those of a rig, `speed` on those of a cam, `placement` where there is a loop; whether all succeed and

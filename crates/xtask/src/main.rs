@@ -115,6 +115,19 @@ fn target_folder() -> PathBuf {
     root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
+/// Whether both succeed, run at the same time.
+fn side_by_side(
+    one: impl FnOnce() -> anyhow::Result<bool> + Send,
+    other: impl FnOnce() -> anyhow::Result<bool>,
+) -> anyhow::Result<bool> {
+    std::thread::scope(|scope| {
+        let one = scope.spawn(one);
+        let other = other();
+        let one = one.join().unwrap_or_else(|_| anyhow::bail!("a check was not run to its end"));
+        Ok(one? && other?)
+    })
+}
+
 /// Prints a line and types it, without a question being answered; whether it succeeds.
 fn typed(line: &str) -> bool {
     println!("{line}");

@@ -8,7 +8,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 use crate::python::{self, Environment};
-use crate::{root, stubs};
+use crate::{root, side_by_side, stubs};
 
 /// What a wheel may weigh \[bytes\].
 const LARGEST_WHEEL: u64 = 10_000_000;
@@ -38,12 +38,12 @@ pub fn steps() -> anyhow::Result<bool> {
     let wheel = from(source.path(), &tests)?;
     install(&wheel, &tests)?;
     // What is written for simulators, they read; the command writes it.
-    let command = crate::commands::as_tested()?;
-    let run = |arguments: &&[&str]| succeeds(tests.python().args(*arguments).env("COILSENSE_COMMAND", &command));
     let mut pytest = tests.python();
-    pytest.args(["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"]).env("COILSENSE_COMMAND", &command);
+    pytest.env("COILSENSE_COMMAND", crate::commands::as_tested()?);
     // Two files at a time: most of them keep one core busy, and threads of NumPy's that spin until the other one is free take eight times as long.
-    Ok(succeeds(pytest.env("OPENBLAS_NUM_THREADS", "1"))?
+    pytest.args(["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"]).env("OPENBLAS_NUM_THREADS", "1");
+    let run = |arguments: &&[&str]| succeeds(tests.python().args(*arguments));
+    Ok(succeeds(&mut pytest)?
         && stubs::agree(&tests, source.path())?
         && side_by_side(
             || Ok(every(&PYRIGHT, run)? && readme(&wheel)?),
@@ -60,19 +60,6 @@ const MYPY: [&[&str]; 2] = [
     &["-m", "mypy", "python/coilsense", "python/tests", "python/examples", "python/stubs"],
     &["-m", "mypy.stubtest", "coilsense", "--mypy-config-file", "pyproject.toml"],
 ];
-
-/// Whether both succeed, run at the same time.
-fn side_by_side(
-    one: impl FnOnce() -> anyhow::Result<bool> + Send,
-    other: impl FnOnce() -> anyhow::Result<bool>,
-) -> anyhow::Result<bool> {
-    std::thread::scope(|scope| {
-        let one = scope.spawn(one);
-        let other = other();
-        let one = one.join().unwrap_or_else(|_| bail!("a check was not run to its end"));
-        Ok(one? && other?)
-    })
-}
 
 /// The tests' environment with the wheel of this source in it.
 pub fn installed() -> anyhow::Result<Environment> {

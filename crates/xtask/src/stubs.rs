@@ -24,6 +24,10 @@ pub fn write() -> anyhow::Result<()> {
 
 /// Whether the committed file is what would be written of a source that the wheel was just built of: what it is built of need not be built again.
 pub fn agree(environment: &Environment, source: &Path) -> anyhow::Result<bool> {
+    // A packed source has no need of what asks for the account.
+    std::fs::create_dir_all(source.join(PROJECT))?;
+    let project = Path::new(PROJECT).join("pyproject.toml");
+    std::fs::copy(root().join(&project), source.join(&project))?;
     let folder = tempfile::tempdir()?;
     let anew = folder.path().join("_coilsense.pyi");
     generated(environment, source, &anew)?;
@@ -41,14 +45,9 @@ fn generated(environment: &Environment, source: &Path, file: &Path) -> anyhow::R
     if folder.exists() {
         std::fs::remove_dir_all(&folder)?;
     }
-    let project = source.join(PROJECT);
-    std::fs::create_dir_all(&project)?;
-    if source != root() {
-        std::fs::copy(root().join(PROJECT).join("pyproject.toml"), project.join("pyproject.toml"))?;
-    }
     let mut account = environment.python();
     account.args(["-m", "maturin", "generate-stubs", "--profile", "release", "--quiet", "--interpreter", "python3"]);
-    account.arg("--out").arg(&folder).current_dir(project).env("CARGO_TARGET_DIR", crate::target_folder());
+    account.arg("--out").arg(&folder).current_dir(source.join(PROJECT)).env("CARGO_TARGET_DIR", crate::target_folder());
     if !account.status().context("maturin cannot be started")?.success() {
         bail!("PyO3's account of the module cannot be had");
     }
