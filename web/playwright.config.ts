@@ -268,6 +268,8 @@ const PORT = Number(process.env['COILSENSE_PORT'] ?? 4187);
 const isAll = process.env['COILSENSE_FIREFOX'] === 'all';
 
 const chromium = {
+  // What moves without end keeps half a core busy; tests of what moves ask for it (`moving`), and in the long proof all of it does.
+  contextOptions: { reducedMotion: isLong ? ('no-preference' as const) : ('reduce' as const) },
   launchOptions: { executablePath: process.env['COILSENSE_CHROMIUM'] ?? '/usr/bin/chromium', args: ['--no-sandbox'] },
 };
 

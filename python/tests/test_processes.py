@@ -22,7 +22,9 @@ import numpy, samples, sweeps
 import coilsense
 
 HELD = 'end2 = "held"'
-TEXT = coilsense.Spec.template("S_T").replace(HELD, HELD + "\\ndamping_ratio = 0.005", 1)
+WHOLE = coilsense.Spec.template("S_T").replace(HELD, HELD + "\\ndamping_ratio = 0.005", 1)
+# Two of its conditions are several runs at a time, and are run again and again here.
+TEXT = "[[condition]]".join(WHOLE.split("[[condition]]")[:3]) + WHOLE[WHOLE.index("[[sensor]]"):]
 SPEC = coilsense.Spec.parse(TEXT)
 LOOP = coilsense.Spec.parse(TEXT + '\\n[control]\\ndrive = "velocity"\\nsample_time = "0.4 ms"\\n')
 RIG = coilsense.Spec.parse(TEXT + '\\n[rig]\\nfrequencies = 3\\nduration = "4 s"\\nreadings = 10\\nhits = 1\\n')

@@ -5,7 +5,9 @@ import AxeBuilder from '@axe-core/playwright';
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { typical } from './long';
-import { expect, exact, facts, open, series, test } from './page';
+import { exact, expect, facts, MOVING, open, series, test } from './page';
+
+test.use(MOVING);
 
 const keep = (page: Page) => page.getByRole('button', { name: 'Keep to compare' });
 const bar = (page: Page) => page.getByRole('group', { name: 'Kept to compare' });

@@ -5,7 +5,9 @@ import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { command, results, type Results } from './command';
 import { isLong, typical } from './long';
-import { exact, expect, facts, open, series, test } from './page';
+import { exact, expect, facts, MOVING, open, series, test } from './page';
+
+test.use(MOVING);
 
 /** The valve spring wound so that the cam's 8th harmonic meets its surge: its windings meet, as the example's own words say. */
 const MEETS = '#valve&spring.coil_diameter=24.65+mm&contact.windings=hard&@condition=1';

@@ -5,7 +5,9 @@ import type { Download, Page } from '@playwright/test';
 import type * as Gif from '../src/record/gif';
 import { gif, webm } from './films';
 import { typical } from './long';
-import { expect, open, test } from './page';
+import { expect, MOVING, open, test } from './page';
+
+test.use(MOVING);
 
 const MOST = 20e6;
 const bytes = async (download: Download): Promise<Buffer> => readFileSync(await download.path());

@@ -1,7 +1,9 @@
 // What somebody sees who has never seen the page: the headline is what the curves show, each thing has one name, and each card says what it is of.
 import type { Page } from '@playwright/test';
 import { ready } from './hits';
-import { expect, facts, open, series, test } from './page';
+import { expect, facts, MOVING, open, series, test } from './page';
+
+test.use(MOVING);
 
 /** How far the ends are apart at most, and by how much k × stretch changes, over the shown times [N]. */
 async function seen(page: Page): Promise<{ apart: number; swing: number }> {

@@ -1,7 +1,9 @@
 // The spring is hit by mouse, finger and keys: what is computed is that very hit, what is drawn first is of it, and what was no hit is none.
 import { after, begun, coil, flick, hand, ready, said, speedOfMiddle, undo, velocity } from './hits';
 import { typical } from './long';
-import { expect, exact, facts, open, series, test } from './page';
+import { exact, expect, facts, MOVING, open, series, test } from './page';
+
+test.use(MOVING);
 
 test('a click hits as hard as what is shown says, from t = 0, and the wave runs', async ({ page }) => {
   await open(page, '#S_T&condition.0.velocity=0.4+m/s');

@@ -32,6 +32,9 @@ export const test = base.extend<{ watched: string[] }>({
   ],
 });
 
+/** For `test.use` where what moves by itself is looked at: else it stands still, but in the long proof. */
+export const MOVING = { contextOptions: { reducedMotion: 'no-preference' } } as const;
+
 declare global {
   interface Window {
     coilsense: {

@@ -2,7 +2,9 @@
 // points or drags, and while the larger engine works.
 import { expect, type Page } from '@playwright/test';
 import { openModes } from './modes';
-import { exact, open, test } from './page';
+import { exact, MOVING, open, test } from './page';
+
+test.use(MOVING);
 
 interface Heard {
   at: number;

@@ -1,7 +1,9 @@
 // Small screens and fingers: what the first screen shows, how little it jumps while it loads, and what two fingers do to a plot.
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import { typical } from './long';
-import { expect, open, test } from './page';
+import { expect, MOVING, open, test } from './page';
+
+test.use(MOVING);
 
 /** Top and bottom of an element on the screen as it comes [CSS pixels]. */
 const reach = async (found: Locator): Promise<[number, number]> => {

@@ -1,7 +1,7 @@
 // What a person does on the page: drag, type, undo, share, make mistakes, use the keyboard only.
 import { test as base } from '@playwright/test';
 import { openModes } from './modes';
-import { expect, exact, facts, open, series, test } from './page';
+import { expect, exact, facts, MOVING, open, series, test } from './page';
 
 const hitSlider = 'How hard it is hit, slider';
 
@@ -36,6 +36,7 @@ test('a curve is hidden by keyboard, and the focus stays where it was', async ({
 test('what a sensor reads is drawn where it is asked for, told at the mark, and waits for exact values', async ({
   page,
 }) => {
+  await page.emulateMedia(MOVING.contextOptions);
   await open(page);
   const row = page.locator('tr[data-force="load cell, load side"] button');
   const key = page.locator('.keys > span', { hasText: 'load cell, load side' });
@@ -244,6 +245,7 @@ test('windings that touch are said, marked and drawn', async ({ page }) => {
 });
 
 test('zoom by buttons and keys, and the mark by arrows', async ({ page }) => {
+  await page.emulateMedia(MOVING.contextOptions);
   await open(page);
   await page.getByRole('button', { name: 'Pause' }).click();
   await page.getByRole('button', { name: /\(all\)$/ }).click();
@@ -259,6 +261,7 @@ test('zoom by buttons and keys, and the mark by arrows', async ({ page }) => {
 });
 
 test('all of it by keyboard: every control is reached in order', async ({ page }) => {
+  await page.emulateMedia(MOVING.contextOptions);
   await open(page);
   const met: string[] = [];
   for (let press = 0; press < 120; press++) {

@@ -2,7 +2,9 @@
 import AxeBuilder from '@axe-core/playwright';
 import { ready } from './hits';
 import { typical } from './long';
-import { expect, facts, open, test } from './page';
+import { expect, facts, MOVING, open, test } from './page';
+
+test.use(MOVING);
 
 test('the strip tells the way of the wave, goes with the player, and is read by pointer and keys', async ({ page }) => {
   await open(page);

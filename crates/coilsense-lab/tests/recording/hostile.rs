@@ -1,10 +1,14 @@
 //! What is wrong with a log, said in one line that names file, line and column; and bytes that nobody meant as a log.
 
-use std::path::Path;
+use std::fs::File;
+use std::io::{Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use coilsense_lab::recording::{Cleaning, Mapping, Points, Recording, Table};
 use proptest::prelude::*;
+use rayon::prelude::*;
+use tempfile::TempDir;
 
 use super::fixtures::{mapping, read_with};
 
@@ -303,27 +307,44 @@ fn good() -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// Reads a file with each of its bytes wrong by turns.
-fn with_each_byte_wrong(which: usize, good: &[u8]) {
-    let place = tempfile::tempdir().expect("a temporary folder");
-    let path = place.path().join("run");
-    for (index, wrong) in (0..good.len()).flat_map(|index| [(index, 0x80), (index, 0x0f)]) {
-        let mut bytes = good.to_vec();
-        bytes[index] ^= wrong;
-        std::fs::write(&path, bytes).expect("written");
-        if let Err(error) = Recording::read(&path, &Mapping::default(), &Cleaning::default()) {
-            assert!(!error.to_string().contains('\n'), "file {which}, byte {index}: {error}");
-        }
+/// A good file of which one byte at a time is made wrong, in its place: a file that is written anew each time waits for the disk.
+struct Spoilt {
+    path: PathBuf,
+    file: File,
+    _place: TempDir,
+}
+
+impl Spoilt {
+    fn new(good: &[u8]) -> Self {
+        let place = tempfile::tempdir().expect("a temporary folder");
+        let path = place.path().join("run");
+        std::fs::write(&path, good).expect("written");
+        let file = File::options().write(true).open(&path).expect("opened");
+        Self { path, file, _place: place }
+    }
+
+    fn set(&mut self, index: usize, byte: u8) {
+        self.file.seek(SeekFrom::Start(index as u64)).expect("a place in the file");
+        self.file.write_all(&[byte]).expect("written");
     }
 }
 
 #[test]
 fn any_one_byte_of_a_binary_file_may_be_wrong() {
-    std::thread::scope(|scope| {
-        for (which, good) in good().into_iter().enumerate().skip(2) {
-            scope.spawn(move || with_each_byte_wrong(which, &good));
-        }
-    });
+    for (which, good) in good().into_iter().enumerate().skip(2) {
+        (0..good.len()).into_par_iter().for_each_init(
+            || Spoilt::new(&good),
+            |spoilt, index| {
+                for wrong in [0x80, 0x0f] {
+                    spoilt.set(index, good[index] ^ wrong);
+                    if let Err(error) = Recording::read(&spoilt.path, &Mapping::default(), &Cleaning::default()) {
+                        assert!(!error.to_string().contains('\n'), "file {which}, byte {index}: {error}");
+                    }
+                }
+                spoilt.set(index, good[index]);
+            },
+        );
+    }
 }
 
 /// How many of each kind; PROPTEST_CASES says more.
