@@ -23,8 +23,14 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     let best = &placement.candidates[placement.best];
     let (name, words) = (best.channel.name(), place(best.channel));
     let reach = match (best.robust_crossover(), best.stable_crossover()) {
-        (0.0, _) => "yet it is not stable with these gains".to_owned(),
-        (robust, stable) => format!("{}, {}", upto("a sensitivity of at most 2", robust), upto("stability", stable)),
+        (_, 0.0) => "yet it is not stable with these gains".to_owned(),
+        (0.0, stable) => {
+            format!("yet at no gain is its sensitivity at most 2 at every damping; {}", upto("stability", 0.0, stable))
+        }
+        (robust, stable) => {
+            let robust = upto("a sensitivity of at most 2", best.robust_from(), robust);
+            format!("{robust}, {}", upto("stability", 0.0, stable))
+        }
     };
     let mut lines = vec![format!("Feed back {name} ({words}): {reach}.")];
     lines.extend(ringing_line(placement, best));
@@ -36,7 +42,8 @@ pub fn answer(placement: &Placement) -> Vec<String> {
             .map(|other| other_line(placement, other)),
     );
     lines.extend(placement.estimates.iter().map(|estimate| {
-        let reach = (upto("sensitivity 2", estimate.robust_crossover), upto("stable", estimate.stable_crossover));
+        let robust = upto("sensitivity 2", estimate.robust_from, estimate.robust_crossover);
+        let reach = (robust, upto("stable", 0.0, estimate.stable_crossover));
         format!("{}, with k and m off by up to {:.0} %: {}, {}.", estimate.name, 100.0 * TOLERANCE, reach.0, reach.1)
     }));
     lines.push(set_line(placement, best));
@@ -71,11 +78,14 @@ fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
     })
 }
 
-fn upto(what: &str, hertz: f64) -> String {
-    if hertz.is_finite() {
-        format!("{what} up to a crossover of {} Hz", digits(hertz))
-    } else {
-        format!("{what} at any gain")
+/// What holds between two crossovers \[Hz\]: from the slowest loop on where the first is zero.
+fn upto(what: &str, from: f64, hertz: f64) -> String {
+    match (from, hertz) {
+        (_, 0.0) => format!("{what} at no gain"),
+        (0.0, hertz) if hertz.is_infinite() => format!("{what} at any gain"),
+        (0.0, hertz) => format!("{what} up to a crossover of {} Hz", digits(hertz)),
+        (from, hertz) if hertz.is_infinite() => format!("{what} from a crossover of {} Hz on", digits(from)),
+        (from, hertz) => format!("{what} from a crossover of {} Hz to {} Hz", digits(from), digits(hertz)),
     }
 }
 
@@ -93,7 +103,8 @@ fn other_line(placement: &Placement, other: &Candidate) -> String {
     let place = weakest.filter(|_| stable.is_finite()).map_or(String::new(), |(judged, damping)| {
         format!(", where it rings at {} Hz with {}", digits(judged.oscillates_at), damping.label)
     });
-    format!("{name} ({words}): {}, {}{place}.", upto("sensitivity 2", other.robust_crossover()), upto("stable", stable))
+    let robust = upto("sensitivity 2", other.robust_from(), other.robust_crossover());
+    format!("{name} ({words}): {robust}, {}{place}.", upto("stable", 0.0, stable))
 }
 
 fn set_line(placement: &Placement, best: &Candidate) -> String {

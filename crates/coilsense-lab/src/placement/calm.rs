@@ -69,15 +69,20 @@ pub(super) fn watched(force_loop: &ForceLoop) -> Result<Vec<f64>, Error> {
 
 /// How fast the loop on a force may be.
 pub(super) struct Calm {
-    /// The largest crossover up to `most` at which both ends stay within [`MOST_PEAK`] at every damping \[Hz\]; zero without one.
+    /// The largest crossover in the range at which both ends stay within [`MOST_PEAK`] at every damping \[Hz\]; zero without one.
     pub crossover: f64,
-    /// What rings at `most`, where they do not stay within it there.
+    /// What rings at the fastest, where they do not stay within it there.
     pub rings: Option<Peak>,
 }
 
-/// Lowers the gain of the loop with a crossover of `most` \[Hz\] until neither end rings.
-pub(super) fn calm(unit: &UnitLoops<'_>, dampings: &[DampingCase], channel: Channel, most: f64) -> Result<Calm, Error> {
-    if most == 0.0 {
+/// Lowers the gain of a loop within a range of crossovers \[Hz\], from the fastest on, until neither end rings.
+pub(super) fn calm(
+    unit: &UnitLoops<'_>,
+    dampings: &[DampingCase],
+    channel: Channel,
+    [slowest, most]: [f64; 2],
+) -> Result<Calm, Error> {
+    if most <= slowest {
         return Ok(Calm { crossover: 0.0, rings: None });
     }
     let fastest = unit.gain_for(&dampings[0], most)?;
@@ -92,11 +97,12 @@ pub(super) fn calm(unit: &UnitLoops<'_>, dampings: &[DampingCase], channel: Chan
         }
         Ok::<Option<Peak>, Error>(loudest.filter(|peak| peak.over_static > MOST_PEAK))
     };
+    let least = if slowest > 0.0 { unit.gain_for(&dampings[0], slowest)? / fastest } else { LEAST };
     let Some(rings) = loudest(1.0)? else { return Ok(Calm { crossover: most, rings: None }) };
     let (mut low, mut high) = (STEP, 1.0);
     while loudest(low)?.is_some() {
         (low, high) = (STEP * low, low);
-        if low < LEAST {
+        if low < least {
             return Ok(Calm { crossover: 0.0, rings: Some(rings) });
         }
     }

@@ -19,8 +19,10 @@ pub struct Estimated {
     pub name: &'static str,
     /// The largest crossover at which it is stable on every spring of the box \[Hz\], of the loop with the nominal spring without mass.
     pub stable_crossover: f64,
-    /// The same with a sensitivity of at most 2.
+    /// The same with a sensitivity of at most 2; zero without one.
     pub robust_crossover: f64,
+    /// From which crossover on \[Hz\]; zero where it is so in the slowest loop, too.
+    pub robust_from: f64,
     /// What makes it of F_i and the ends' positions.
     pub estimator: Estimator,
 }
@@ -60,7 +62,7 @@ fn judged(
     name: &'static str,
     estimator: &Estimator,
 ) -> Result<Estimated, Error> {
-    let (mut stable, mut robust) = (f64::INFINITY, f64::INFINITY);
+    let (mut stable, mut robust, mut from) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
     for damping in dampings {
         let nominal = unit.force_loop(damping, Channel::InputForce, gain)?;
         for corner in ToleranceBox::new(TOLERANCE, TOLERANCE)?.corners() {
@@ -71,6 +73,7 @@ fn judged(
             let margins = SampledLoop::new(&changed, step)?.behind(estimator.clone())?.margins()?;
             stable = stable.min(margins.gain_limit);
             robust = robust.min(margins.robust_gain);
+            from = from.max(margins.robust_from);
         }
     }
     let nominal = unit.force_loop(&dampings[0], Channel::InputForce, gain)?;
@@ -79,10 +82,14 @@ fn judged(
         factor if factor.is_infinite() => Ok(f64::INFINITY),
         factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
     };
+    if from >= robust {
+        (from, robust) = (0.0, 0.0);
+    }
     Ok(Estimated {
         name,
         stable_crossover: crossover(stable)?,
         robust_crossover: crossover(robust)?,
+        robust_from: crossover(from)?,
         estimator: estimator.clone(),
     })
 }

@@ -18,8 +18,10 @@ pub struct Assessment {
     pub limit: f64,
     /// The crossover that the loop would have at that gain with a spring without mass \[Hz\].
     pub stable_crossover: f64,
-    /// The same for a sensitivity of at most 2.
+    /// The same for a sensitivity of at most 2; zero where it is larger at every gain.
     pub robust_crossover: f64,
+    /// From which crossover on the sensitivity is at most 2 \[Hz\]; zero where it is in the slowest loop, too.
+    pub robust_from: f64,
     /// Where the loop oscillates at its limit \[Hz\]; zero without one.
     pub oscillates_at: f64,
     /// The loop as it is set.
@@ -44,6 +46,7 @@ impl Assessment {
             limit: shape * margins.gain_limit,
             stable_crossover: crossover(margins.gain_limit)?,
             robust_crossover: crossover(margins.robust_gain)?,
+            robust_from: crossover(margins.robust_from)?,
             oscillates_at: margins.critical_frequency / TAU,
             margins,
             peaks: None,

@@ -105,7 +105,7 @@ impl Placement {
             let mut candidate =
                 Candidate { channel, judged: judged.collect::<Result<_, Error>>()?, calm_crossover: 0.0, rings: None };
             let most = candidate.robust_crossover().min(unit.most());
-            let calm = calm::calm(&unit, &dampings, channel, most)?;
+            let calm = calm::calm(&unit, &dampings, channel, [candidate.robust_from(), most])?;
             candidate.calm_crossover = calm.crossover;
             candidate.rings = calm.rings.map(|peak| (most, peak));
             Ok(candidate)
@@ -153,9 +153,20 @@ impl Candidate {
         self.judged.iter().map(|judged| judged.stable_crossover).fold(f64::INFINITY, f64::min)
     }
 
-    /// The same with a sensitivity of at most 2.
+    /// The same with a sensitivity of at most 2; zero without one.
     pub fn robust_crossover(&self) -> f64 {
-        self.judged.iter().map(|judged| judged.robust_crossover).fold(f64::INFINITY, f64::min)
+        self.robust()[1]
+    }
+
+    /// The crossover from which on its sensitivity is at most 2 at every damping \[Hz\]; zero where it is in the slowest loop, too.
+    pub fn robust_from(&self) -> f64 {
+        self.robust()[0]
+    }
+
+    fn robust(&self) -> [f64; 2] {
+        let from = self.judged.iter().map(|judged| judged.robust_from).fold(0.0, f64::max);
+        let up_to = self.judged.iter().map(|judged| judged.robust_crossover).fold(f64::INFINITY, f64::min);
+        if from < up_to { [from, up_to] } else { [0.0; 2] }
     }
 
     /// Whether it is stable as it is set, at every damping.
@@ -168,8 +179,13 @@ impl Candidate {
 /// meter that is quick enough. Where a crossover is `wanted` \[Hz\], one with which nothing rings there, else a sensible one, else a stable one.
 fn best(candidates: &[Candidate], wanted: Option<f64>) -> usize {
     let reaches = |candidate: &Candidate| {
-        let limits = [candidate.calm_crossover, candidate.robust_crossover(), candidate.stable_crossover()];
-        limits.into_iter().filter(|limit| wanted.is_some_and(|wanted| *limit >= wanted)).count()
+        let from = candidate.robust_from();
+        let limits = [
+            (from, candidate.calm_crossover),
+            (from, candidate.robust_crossover()),
+            (0.0, candidate.stable_crossover()),
+        ];
+        limits.into_iter().filter(|(from, to)| wanted.is_some_and(|wanted| (*from..=*to).contains(&wanted))).count()
     };
     let mut indices: Vec<usize> = (0..candidates.len()).collect();
     indices.sort_by(|a, b| {

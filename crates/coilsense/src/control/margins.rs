@@ -25,12 +25,17 @@ pub struct Margins {
     pub delay: f64,
     /// Least distance of L from −1 \[1\]: the inverse of the largest sensitivity.
     pub modulus: f64,
-    /// The factor on all gains at which that distance is still 1/2 (a sensitivity of 2) \[1\].
+    /// The factor on all gains up to which that distance is at least 1/2 (a sensitivity of 2) \[1\]; zero without one.
     pub robust_gain: f64,
+    /// The factor from which on, up to [`Self::robust_gain`], that distance is kept \[1\]; zero where it is from the smallest on. Two
+    /// integrators, as a PI controller on a drive of velocity has them, are the less damped the slower the loop is.
+    pub robust_from: f64,
 }
 
 /// The distance from −1 that [`Margins::robust_gain`] keeps.
 const ROBUST: f64 = 0.5;
+/// What L may grow by from point to point of a trace: nearer factors are neighbours', with nothing in between.
+const NEIGHBOURS: f64 = 1.5;
 
 impl Margins {
     /// Reads a trace; `response` is asked again where it crosses the real axis.
@@ -51,6 +56,7 @@ impl Margins {
         let phase = falls.iter().map(|point| margin(point.response)).fold(f64::INFINITY, f64::min);
         // A delay turns L clockwise: from its own phase down to −π.
         let late = |response: Complex64| (response.arg() + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU);
+        let [robust_from, robust_gain] = robust_gains(trace, gain_limit);
         let delay =
             falls.iter().map(|point| late(point.response) / point.angular_frequency).fold(f64::INFINITY, f64::min);
         Ok(Self {
@@ -61,24 +67,35 @@ impl Margins {
             phase,
             delay,
             modulus: trace.distance(1.0),
-            robust_gain: robust_gain(trace, gain_limit),
+            robust_gain,
+            robust_from,
         })
     }
 }
 
-/// Largest gain below `limit` that keeps its distance, by bisection of its logarithm; without a limit up to 1e12.
-fn robust_gain(trace: &Trace, limit: f64) -> f64 {
-    if limit == 0.0 {
-        return 0.0;
+/// From which factor on all gains on and up to which the distance is kept at every smaller or, where slow loops do not keep it, every larger one: up to the
+/// first at which it is not. Beyond its ends the trace is taken to go on in the direction that it has there.
+fn robust_gains(trace: &Trace, limit: f64) -> [f64; 2] {
+    let points = trace.points();
+    let mut all: Vec<[f64; 2]> = points.iter().filter_map(|point| lost(point.response)).collect();
+    all.extend(points.first().and_then(|slowest| lost(slowest.response)).map(|[_, to]| [0.0, to]));
+    all.extend(points.last().and_then(|fastest| lost(fastest.response)).map(|[from, _]| [from, f64::INFINITY]));
+    all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut kept_from = 0.0;
+    for [from, to] in all {
+        if from > NEIGHBOURS * kept_from {
+            let up_to = limit.min(from);
+            return if kept_from < up_to { [kept_from, up_to] } else { [0.0; 2] };
+        }
+        kept_from = to.max(kept_from);
     }
-    let mut high = limit.min(1e12);
-    if trace.distance(high) >= ROBUST && limit.is_infinite() {
-        return f64::INFINITY;
-    }
-    let mut low = 1e-9 * high;
-    for _ in 0..60 {
-        let middle = (low * high).sqrt();
-        if (trace.distance(middle)) >= ROBUST { low = middle } else { high = middle }
-    }
-    low
+    if kept_from < limit { [kept_from, limit] } else { [0.0; 2] }
+}
+
+/// The factors on all gains between which a response is nearer to −1 than [`ROBUST`], where there are any: the roots of |1 + g L| in g.
+fn lost(response: Complex64) -> Option<[f64; 2]> {
+    let size = response.norm();
+    let towards = -response.re / size;
+    let room = towards * towards - (1.0 - ROBUST * ROBUST);
+    (towards > 0.0 && room > 0.0).then(|| [-1.0, 1.0].map(|side| (towards + side * room.sqrt()) / size))
 }

@@ -5,7 +5,7 @@
 use minijinja::{Value, context};
 
 use super::text::significant;
-use super::{bounded, figures};
+use super::{bounded, figures, robust};
 use crate::placement::{BESIDE, LoopRun, Placement, answer, drive_words};
 use crate::quantity::digits;
 use crate::report::ReportError;
@@ -29,7 +29,7 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
             estimates => placement.estimates.iter().map(|estimate| context! {
                 name => estimate.name,
                 stable_to => bounded(estimate.stable_crossover, digits),
-                robust_to => bounded(estimate.robust_crossover, digits),
+                robust_to => robust([estimate.robust_from, estimate.robust_crossover], digits),
             }).collect::<Vec<_>>(),
             shown => &placement.dampings[placement.shown()].label,
             crossover => digits(placement.crossover),
@@ -78,7 +78,7 @@ fn rows(placement: &Placement) -> Vec<Value> {
                 name,
                 damping => &damping.label,
                 stable_to => bounded(judged.stable_crossover, digits),
-                robust_to => bounded(judged.robust_crossover, digits),
+                robust_to => robust([judged.robust_from, judged.robust_crossover], digits),
                 rings => when(judged.oscillates_at > 0.0, digits(judged.oscillates_at)),
                 is_stable => margins.stable,
                 phase => when(margins.stable && margins.phase.is_finite(), format!("{:.0}", margins.phase.to_degrees())),

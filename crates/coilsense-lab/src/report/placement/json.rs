@@ -44,6 +44,8 @@ struct EstimateRow {
     name: &'static str,
     stable_crossover_hz: Option<f64>,
     robust_crossover_hz: Option<f64>,
+    /// From which crossover on; zero where it is so in the slowest loop, too.
+    robust_from_hz: f64,
 }
 
 /// A loop over time: a step of 1 % of F_nom at the set gain, and whether its limit holds, at the damping at which it has the least to spare.
@@ -80,6 +82,8 @@ struct CandidateRow<'a> {
     stable_crossover_hz: Option<f64>,
     /// With a sensitivity of at most 2.
     robust_crossover_hz: Option<f64>,
+    /// From which crossover on the sensitivity is at most 2; zero where it is in the slowest loop, too.
+    robust_from_hz: f64,
     /// At which neither end rings besides.
     calm_crossover_hz: f64,
     stable_as_set: bool,
@@ -94,6 +98,8 @@ struct DampingRow<'a> {
     gain_limit: Option<f64>,
     stable_crossover_hz: Option<f64>,
     robust_crossover_hz: Option<f64>,
+    /// From which crossover on; zero where it is so in the slowest loop, too.
+    robust_from_hz: f64,
     /// At its limit; zero without one.
     oscillates_at_hz: f64,
     as_set: AsSetPart<'a>,
@@ -145,6 +151,7 @@ impl EstimateRow {
             name: estimate.name,
             stable_crossover_hz: finite(estimate.stable_crossover),
             robust_crossover_hz: finite(estimate.robust_crossover),
+            robust_from_hz: estimate.robust_from,
         }
     }
 }
@@ -175,6 +182,7 @@ impl<'a> CandidateRow<'a> {
             force: candidate.channel.name(),
             stable_crossover_hz: finite(candidate.stable_crossover()),
             robust_crossover_hz: finite(candidate.robust_crossover()),
+            robust_from_hz: candidate.robust_from(),
             calm_crossover_hz: candidate.calm_crossover,
             stable_as_set: candidate.is_stable(),
             dampings: judged.map(|(judged, damping)| DampingRow::of(judged, damping)).collect(),
@@ -191,6 +199,7 @@ impl<'a> DampingRow<'a> {
             gain_limit: finite(judged.limit),
             stable_crossover_hz: finite(judged.stable_crossover),
             robust_crossover_hz: finite(judged.robust_crossover),
+            robust_from_hz: judged.robust_from,
             oscillates_at_hz: judged.oscillates_at,
             as_set: AsSetPart {
                 stable: margins.stable,

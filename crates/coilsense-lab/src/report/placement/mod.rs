@@ -28,3 +28,13 @@ pub fn add_placement(placement: &Placement, date: &str, output: &mut Output) -> 
 fn bounded(value: f64, text: impl Fn(f64) -> String) -> String {
     if value.is_finite() { text(value) } else { "any".to_owned() }
 }
+
+/// Crossovers at which the sensitivity is at most 2: the last alone where it is so in the slowest loop, too.
+fn robust([from, to]: [f64; 2], text: impl Fn(f64) -> String) -> String {
+    match (from, to) {
+        (_, 0.0) => "none".to_owned(),
+        (0.0, to) => bounded(to, text),
+        (from, to) if to.is_infinite() => format!("from {}", text(from)),
+        (from, to) => format!("{} to {}", text(from), text(to)),
+    }
+}

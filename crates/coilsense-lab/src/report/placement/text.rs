@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use anstyle::Style;
 
-use super::bounded;
+use super::{bounded, robust};
 use crate::placement::{Assessment, MOST_PEAK, Placement, answer};
 use crate::quantity::digits;
 
@@ -42,7 +42,7 @@ pub fn placement_text(placement: &Placement) -> String {
                 candidate.channel.name(),
                 damping.label,
                 bounded(judged.stable_crossover, digits),
-                bounded(judged.robust_crossover, digits),
+                robust([judged.robust_from, judged.robust_crossover], digits),
                 if judged.oscillates_at > 0.0 { digits(judged.oscillates_at) } else { "–".to_owned() },
                 if margins.stable { "stable" } else { "unstable" },
                 if margins.stable && margins.phase.is_finite() {
