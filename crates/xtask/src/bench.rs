@@ -36,6 +36,9 @@ pub struct Arguments {
     /// End with an error where a goal that was measured is missed
     #[arg(long, conflicts_with_all = ["logs", "sweep", "python", "dask"])]
     check: bool,
+    /// Keep what is measured in book/measured, and write the tables of README and book that are made of it
+    #[arg(long, conflicts_with_all = ["ours", "logs", "python", "dask", "million"])]
+    keep: bool,
 }
 
 /// How often the whole command is run; the median counts.
@@ -54,7 +57,7 @@ pub struct Measurement {
 }
 
 /// One row of `target/bench.json`.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 pub struct Row {
     pub job: String,
     pub system: String,
@@ -72,7 +75,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         return crate::logs::run();
     }
     if arguments.sweep {
-        return crate::sweep::run(arguments.million);
+        return crate::sweep::run(arguments.million, arguments.keep);
     }
     if arguments.python {
         return crate::from_python::calls();
@@ -100,6 +103,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     std::fs::write(&path, serde_json::to_string_pretty(&rows)? + "\n")
         .with_context(|| format!("{} cannot be written", path.display()))?;
     println!("\n{} rows in target/bench.json", rows.len());
+    if arguments.keep {
+        crate::tables::keep(crate::tables::BENCH, &rows)?;
+    }
     if arguments.check && !all_met {
         bail!("a goal is missed");
     }
@@ -142,10 +148,14 @@ pub fn measure(name: &str, mut command: Command) -> anyhow::Result<Vec<Measureme
     lines.map(|line| serde_json::from_str(line).with_context(|| format!("not a measurement: {line}"))).collect()
 }
 
-/// Whole commands: `coilsense reproduce`, and `coilsense analyze` on every example, `coilsense rig` on those of a rig.
+/// Whole commands: `coilsense reproduce`, `coilsense identify`, and `coilsense analyze` on every example, `rig` on those of a rig, `speed` on those of a cam,
+/// `simulate` on those of several springs.
 fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
     let executable = commands::with_every_format()?;
-    let mut all = vec![whole(&executable, "reproduce", &["reproduce"])?];
+    let (log, _log) = crate::logs::a_minute()?;
+    let log = log.display().to_string();
+    let mut all =
+        vec![whole(&executable, "reproduce", &["reproduce"])?, whole(&executable, IDENTIFY, &["identify", &log])?];
     for spec in commands::examples()? {
         let name = spec.file_stem().and_then(std::ffi::OsStr::to_str).unwrap_or_default();
         let path = spec.display().to_string();
@@ -155,16 +165,25 @@ fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
             all.push(whole(&executable, &format!("speed {name}"), &arguments)?);
             continue;
         }
-        let (job, command) = if commands::is_rig(&spec)? { ("rig ", "rig") } else { (ANALYZE, "analyze") };
+        let (job, command) = match (commands::is_rig(&spec)?, commands::has_several_springs(&spec)?) {
+            (true, _) => ("rig ", "rig"),
+            (_, true) => ("simulate ", SIMULATE),
+            _ => (ANALYZE, "analyze"),
+        };
         all.push(whole(&executable, &format!("{job}{name}"), &[command, &path])?);
     }
     Ok(all)
 }
 
+/// The job of a log of a minute and 150 000 rows.
+pub const IDENTIFY: &str = "identify minute";
 /// The job of an example's analysis begins so.
 pub const ANALYZE: &str = "analyze ";
 
-/// Median time of a command that writes a folder.
+/// The command that writes one file.
+const SIMULATE: &str = "simulate";
+
+/// Median time of a command that writes a folder or a file.
 fn whole(executable: &Path, job: &str, arguments: &[&str]) -> anyhow::Result<Measurement> {
     eprintln!("== measuring coilsense {job}");
     let mut times = (0..RUNS).map(|_| once(executable, arguments)).collect::<anyhow::Result<Vec<f64>>>()?;
@@ -183,7 +202,8 @@ fn whole(executable: &Path, job: &str, arguments: &[&str]) -> anyhow::Result<Mea
 fn once(executable: &Path, arguments: &[&str]) -> anyhow::Result<f64> {
     let place = tempfile::tempdir()?;
     let mut command = Command::new(executable);
-    command.args(arguments).arg("--out").arg(place.path().join("out")).stdout(Stdio::null());
+    let out = if arguments.first() == Some(&SIMULATE) { "out.parquet" } else { "out" };
+    command.args(arguments).arg("--out").arg(place.path().join(out)).stdout(Stdio::null());
     let begun = Instant::now();
     let status = command.status().context("the release build of coilsense cannot be started")?;
     let elapsed = begun.elapsed();

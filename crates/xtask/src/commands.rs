@@ -59,7 +59,7 @@ pub fn is_cam(spec: &Path) -> anyhow::Result<bool> {
 }
 
 /// Whether a spec has several springs, which `simulate` takes and `analyze` does not.
-fn has_several_springs(spec: &Path) -> anyhow::Result<bool> {
+pub fn has_several_springs(spec: &Path) -> anyhow::Result<bool> {
     Ok(std::fs::read_to_string(spec)?.lines().any(|line| line == "[[spring]]"))
 }
 

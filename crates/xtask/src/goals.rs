@@ -50,15 +50,28 @@ const fn goal(
 /// Largest error over the peak that coilsense may have on the jobs of S_T.
 const LARGEST_ERROR: f64 = 1e-12;
 
+/// How a goal was reached.
+pub struct Judged {
+    pub met: bool,
+    /// What was measured, and the goal.
+    pub what: String,
+}
+
 /// Prints each goal as met or missed; whether all that were measured are met.
 #[must_use]
 pub fn print(rows: &[Row]) -> bool {
-    let mut all = true;
-    let mut judge = |met: bool, what: &str| {
-        println!("  {}  {what}", if met { "met   " } else { "MISSED" });
-        all &= met;
-    };
     println!("\ngoals");
+    let judged = judged(rows);
+    for goal in &judged {
+        println!("  {}  {}", if goal.met { "met   " } else { "MISSED" }, goal.what);
+    }
+    judged.iter().all(|goal| goal.met)
+}
+
+/// Each goal that was measured.
+pub fn judged(rows: &[Row]) -> Vec<Judged> {
+    let mut all = Vec::new();
+    let mut judge = |met: bool, what: &str| all.push(Judged { met, what: what.to_owned() });
     for goal in &GOALS {
         let of_goal = |row: &&Row| (&*row.job, &*row.system, &*row.setting) == (goal.job, goal.system, goal.setting);
         let Some(ratio) = rows.iter().find(of_goal).and_then(|row| row.ratio) else {

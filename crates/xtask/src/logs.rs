@@ -105,6 +105,12 @@ fn told(job: &str, log: &Path, (seconds, memory): (f64, f64), met: bool) -> anyh
     Ok(())
 }
 
+/// A log of a minute, and the folder that it is in for as long as that is kept.
+pub fn a_minute() -> anyhow::Result<(PathBuf, tempfile::TempDir)> {
+    let place = tempfile::tempdir()?;
+    Ok((made(place.path(), "minute.csv", |rows, _| rows == MINUTE)?, place))
+}
+
 /// A log of five channels that ring, of which each number has the digits that an instrument gives.
 fn made(place: &Path, name: &str, enough: impl Fn(u64, u64) -> bool) -> anyhow::Result<PathBuf> {
     let path = place.join(name);

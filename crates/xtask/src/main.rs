@@ -22,6 +22,7 @@ mod reports;
 mod robot;
 mod stubs;
 mod sweep;
+mod tables;
 mod test;
 mod toolchain;
 mod viewer;
@@ -54,6 +55,8 @@ enum Chore {
     Viewer,
     /// Write the types of the Python module, from what PyO3 tells of it
     Stubs,
+    /// Write the tables of README and book that are made of measurements
+    Tables,
 }
 
 fn main() -> ExitCode {
@@ -65,6 +68,7 @@ fn main() -> ExitCode {
         Chore::Notices => page::tools().and_then(|_| notices::of_page()),
         Chore::Viewer => viewer::write(),
         Chore::Stubs => stubs::write(),
+        Chore::Tables => tables::write(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

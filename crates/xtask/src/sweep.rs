@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, bail};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use crate::{commands, root};
 
@@ -47,10 +47,20 @@ struct Summary {
     peak_memory_kb: Option<u64>,
 }
 
-/// Measures and prints.
-pub fn run(million: bool) -> anyhow::Result<()> {
+/// Designs a second with some columns.
+#[derive(Serialize, Deserialize)]
+pub struct Designs {
+    pub columns: String,
+    pub one_core: f64,
+    pub two_cores: f64,
+    pub wanted: f64,
+}
+
+/// Measures and prints; keeps it where that is asked for.
+pub fn run(million: bool, keep: bool) -> anyhow::Result<()> {
     let executable = commands::with_every_format()?;
     println!("{:22} {:>7} {:>5} {:>12} {:>9}  goal", "designs", "rows", "cores", "designs/s", "peak MB");
+    let mut rows = Vec::new();
     for case in CASES {
         let best = |jobs: u64| -> anyhow::Result<Summary> {
             let runs = (0..RUNS).map(|_| once(&executable, &case, case.rows, jobs));
@@ -62,6 +72,15 @@ pub fn run(million: bool) -> anyhow::Result<()> {
         let two = best(2)?;
         let gain = two.designs_per_second / one.designs_per_second;
         show(case.name, 2, &two, &format!("{gain:.2} times, {WANTED_GAIN} wanted: {}", met(gain >= WANTED_GAIN)));
+        rows.push(Designs {
+            columns: case.name.to_owned(),
+            one_core: one.designs_per_second,
+            two_cores: two.designs_per_second,
+            wanted: case.wanted,
+        });
+    }
+    if keep {
+        crate::tables::keep(crate::tables::DESIGNS, &rows)?;
     }
     if million {
         let all = once(&executable, &CASES[0], 1_000_000, 2)?;
