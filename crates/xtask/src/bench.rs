@@ -175,6 +175,8 @@ fn whole_commands() -> anyhow::Result<Vec<Measurement>> {
     Ok(all)
 }
 
+/// How whole commands are told from parts of them.
+pub const WHOLE: &str = "whole command";
 /// The job of a log of a minute and 150 000 rows.
 pub const IDENTIFY: &str = "identify minute";
 /// The job of an example's analysis begins so.
@@ -191,7 +193,7 @@ fn whole(executable: &Path, job: &str, arguments: &[&str]) -> anyhow::Result<Mea
     Ok(Measurement {
         job: job.to_owned(),
         system: "coilsense".to_owned(),
-        setting: format!("whole command, {} threads", std::thread::available_parallelism()?),
+        setting: format!("{WHOLE}, {} threads", std::thread::available_parallelism()?),
         median_ms: Some(times[times.len() / 2]),
         max_rel_error: None,
         note: format!("{RUNS} runs; all figures and files"),

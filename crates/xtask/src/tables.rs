@@ -1,5 +1,6 @@
 //! Tables of README and book that are made of measurements: `cargo xtask bench --keep` and `--sweep --keep` leave their rows in `book/measured`, with the day, the
-//! machine and the compiler, and write the tables; a test holds each table to its record, so that no figure is typed.
+//! machine and the compiler, and write the tables; a test holds each table to its record, so that none of
+//! their figures is typed.
 //!
 //! Next door: the measurements (`bench`, `sweep`), what they are judged by (`goals`).
 
@@ -9,7 +10,7 @@ use std::process::Command;
 use anyhow::{Context, bail};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
-use crate::bench::{ANALYZE, IDENTIFY, Row};
+use crate::bench::{ANALYZE, IDENTIFY, Row, WHOLE};
 use crate::sweep::Designs;
 use crate::{goals, root};
 
@@ -61,8 +62,8 @@ fn pages() -> anyhow::Result<Vec<(&'static str, String)>> {
     let accuracy = [
         ("peers", peers(&bench)),
         ("contact", contact(&bench)),
-        ("helix", of_ours(&bench, |job| job == "helix")),
-        ("commands", of_ours(&bench, |job| job.contains(' ') || job == "reproduce")),
+        ("helix", of_ours(&bench, |row| row.job == "helix")),
+        ("commands", of_ours(&bench, |row| row.setting.starts_with(WHOLE))),
         ("goals", judged(&bench)),
         ("designs", designed(&designs)),
     ];
@@ -76,7 +77,7 @@ const ACCURACY: &str = "book/src/accuracy.md";
 fn with(page: &'static str, tables: &[(&str, String)]) -> anyhow::Result<(&'static str, String)> {
     let mut text = std::fs::read_to_string(root().join(page)).with_context(|| format!("{page} cannot be read"))?;
     for (name, table) in tables {
-        let (begin, end) = (format!("<!-- made: {name} -->\n\n"), format!("\n<!-- end: {name} -->\n"));
+        let (begin, end) = (format!("<!-- made: {name} -->\n"), format!("\n<!-- end: {name} -->\n"));
         let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
         let Some((before, after)) = parts else { bail!("{page} has no place for the table {name}") };
         text = format!("{before}{begin}{table}{end}{after}");
@@ -146,8 +147,8 @@ fn contact(bench: &Record<Row>) -> String {
 }
 
 /// Jobs of ours alone.
-fn of_ours(bench: &Record<Row>, is_asked: impl Fn(&str) -> bool) -> String {
-    let rows = bench.rows.iter().filter(|row| row.system == "coilsense" && is_asked(&row.job));
+fn of_ours(bench: &Record<Row>, is_asked: impl Fn(&Row) -> bool) -> String {
+    let rows = bench.rows.iter().filter(|row| row.system == "coilsense" && is_asked(row));
     let time = |row: &Row| row.median_ms.map_or_else(|| "–".to_owned(), |median| format!("{} ms", three(median)));
     let rows = rows.map(|row| vec![row.job.clone(), row.setting.clone(), time(row)]);
     table(&["job", "what", "time"], rows) + &place(bench)
@@ -157,7 +158,7 @@ fn of_ours(bench: &Record<Row>, is_asked: impl Fn(&str) -> bool) -> String {
 fn judged(bench: &Record<Row>) -> String {
     let rows = goals::judged(&bench.rows);
     let rows = rows.into_iter().map(|goal| vec![goal.what, if goal.met { "met" } else { "**missed**" }.to_owned()]);
-    table(&["measured, and the goal", ""], rows) + &place(bench)
+    table(&["measured, and the goal", "result"], rows) + &place(bench)
 }
 
 /// Designs a second.
