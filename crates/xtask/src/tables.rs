@@ -125,25 +125,30 @@ fn peers(bench: &Record<Row>) -> String {
         std::iter::once("S_T, 1 s at 10 kHz, both end forces").chain(JOBS.map(|(_, name)| name)).collect();
     let rows = who.into_iter().map(|one| {
         let cells = JOBS.map(|(job, _)| found(one, job).map_or_else(|| "–".to_owned(), cell));
-        std::iter::once(format!("{}, {}", one.0, one.1)).chain(cells).collect()
+        std::iter::once(named(one.0, one.1)).chain(cells).collect()
     });
     table(&head, rows) + &place(bench)
 }
 
-/// Time, error over the peak, and time over ours; or why there is none.
+/// A system and how it is set, with units as people write them.
+fn named(system: &str, setting: &str) -> String {
+    format!("{system}, {setting}").replace(" us", " µs")
+}
+
+/// Time, error over the peak, and time over ours, each on a line that does not break; or why there is none.
 fn cell(row: &Row) -> String {
     let Some(median) = row.median_ms else { return row.note.clone() };
-    let error = row.max_rel_error.map(|error| format!("{error:.0e}"));
+    let error = row.max_rel_error.map(|error| format!("{error:.0e}").replace('-', "\u{2011}"));
     let ratio = row.ratio.map(|ratio| format!("{}×", three(ratio)));
-    let parts = [Some(format!("{} ms", three(median))), error, ratio];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(" · ")
+    let parts = [Some(format!("{}\u{a0}ms", three(median))), error, ratio];
+    parts.into_iter().flatten().collect::<Vec<_>>().join("<br>")
 }
 
 /// Springs whose windings meet, beside MuJoCo's contact.
 fn contact(bench: &Record<Row>) -> String {
     let rows = bench.rows.iter().filter(|row| ["valve", "valve-48", "contact"].contains(&row.job.as_str()));
-    let rows = rows.map(|row| vec![row.job.clone(), format!("{}, {}", row.system, row.setting), cell(row)]);
-    table(&["job", "by", "time · error of rms(F_o − F_i) · time over ours"], rows) + &place(bench)
+    let rows = rows.map(|row| vec![row.job.clone(), named(&row.system, &row.setting), cell(row)]);
+    table(&["job", "by", "time, error of rms(F_o − F_i), time over ours"], rows) + &place(bench)
 }
 
 /// Jobs of ours alone.
