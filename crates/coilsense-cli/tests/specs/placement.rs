@@ -331,4 +331,12 @@ fn a_loop_that_is_damped_only_if_it_is_fast_is_never_praised_up_to_a_crossover()
     // At half of it the sensitivity is larger, as the loop that is set there shows.
     let slower = json(&tables(&format!("crossover = \"{} Hz\"\n", 0.5 * from)));
     assert!(modulus(&by_name(&slower, best)) < 0.45);
+    // With samples and a lag an end rings at every crossover of that range; slower loops, which may be quiet, are not denied.
+    let ringing = json(
+        "[control]\ndrive = \"velocity\"\ndrive_bandwidth = \"40 Hz\"\ncontroller = \"PI\"\nintegral_time = \"50 ms\"\nsample_time = \"1 ms\"\ndelay = \"1 ms\"\n",
+    );
+    let best = by_name(&ringing, ringing["feed_back"].as_str().unwrap());
+    assert!(best["robust_from_hz"].as_f64().unwrap() > 2.0 && best["calm_crossover_hz"] == 0.0);
+    let answer = ringing["answer"].to_string();
+    assert!(answer.contains("no slower loop with a sensitivity of at most 2 keeps both ends within"), "{answer}");
 }

@@ -63,9 +63,12 @@ fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
     let (force, size, at) = (rings.force.name(), digits(rings.over_static), digits(rings.at));
     let fastest = format!("a crossover of {} Hz", digits(fastest));
     let limit = format!("{MOST_PEAK} times their static response");
+    // Where slow loops are the less damped ones, both ends may be quiet in one that is not robust.
+    let slower =
+        if best.robust_from() > 0.0 { "no slower loop with a sensitivity of at most 2" } else { "no slower loop" };
     Some(match (best.calm_crossover, placement.control.crossover) {
         (0.0, _) => format!(
-            "Yet at {fastest} {force} peaks at {size} times its static response at {at} Hz; no slower loop keeps both ends within {limit}."
+            "Yet at {fastest} {force} peaks at {size} times its static response at {at} Hz; {slower} keeps both ends within {limit}."
         ),
         (calm, None) => format!(
             "Take a crossover of {} Hz: up to there both ends stay within {limit}; at {fastest} {force} peaks at {size} times at {at} Hz.",

@@ -40,7 +40,7 @@ pub(super) const CONTROL: Table = Table {
             "crossover",
             "\"5 Hz\"",
             "the crossover wanted, with a spring without mass",
-            "the fastest with a sensitivity of at most 2 and no end force above 3 times its static response",
+            "the fastest with a sensitivity of at most 2 and no end force above 3 times its static response; where there is none, the fastest with that sensitivity",
         ),
         optional("delay", "\"1 ms\"", "from force to command; with a sample time a whole number of them", "none"),
         optional("sample_time", "\"0.5 ms\"", "of a controller that holds its command in between", "continuous"),
