@@ -9,7 +9,7 @@ use anyhow::{Context, bail};
 
 use crate::browser::{Browser, CHROMIUM, FIREFOX};
 use crate::toolchain::{Build, Target};
-use crate::{built, cargo, commands, notices, root, side_by_side, target_folder, typed};
+use crate::{built, cargo, commands, notices, root, target_folder, typed};
 
 /// A browser; every one of the last years works on two numbers at a time.
 const TARGET: Target = Target {
@@ -47,8 +47,8 @@ pub fn missing_for_tests(may_install: bool) -> Option<String> {
 
 /// Builds `web/dist` from source; whether that succeeds.
 pub fn build() -> anyhow::Result<bool> {
-    // Each is linked as one piece, on one core.
-    Ok(side_by_side(|| engine("engine", &[]), || engine("workshop", &["--features", "workshop"]))?
+    Ok(engine("engine", &[])?
+        && engine("workshop", &["--features", "workshop"])?
         && tools()?
         && notices::of_page().map(|()| true)?
         && npm(&["run", "types"])?
@@ -83,9 +83,9 @@ pub fn check(long: bool) -> anyhow::Result<bool> {
     Ok(tests.status().context("cannot start npm")?.success())
 }
 
-/// An engine as wasm, and the JavaScript beside it, in `web/src/<name>`; in a folder of its own, for cargo builds one thing at a time in each.
+/// An engine as wasm, and the JavaScript beside it, in `web/src/<name>`.
 fn engine(name: &str, features: &[&str]) -> anyhow::Result<bool> {
-    let Build { command: mut compile, made } = TARGET.build(&format!("web-{name}"))?;
+    let Build { command: mut compile, made } = TARGET.build("web")?;
     compile.args(["--package", "coilsense-web", "--profile", "web"]).args(features);
     if !compile.status()?.success() {
         return Ok(false);
