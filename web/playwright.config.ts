@@ -268,10 +268,10 @@ const PORT = Number(process.env['COILSENSE_PORT'] ?? 4187);
 const isAll = process.env['COILSENSE_FIREFOX'] === 'all';
 
 const chromium = {
-  // What moves without end keeps half a core busy; tests of what moves ask for it (`moving`), and in the long proof all of it does.
-  contextOptions: { reducedMotion: isLong ? ('no-preference' as const) : ('reduce' as const) },
   launchOptions: { executablePath: process.env['COILSENSE_CHROMIUM'] ?? '/usr/bin/chromium', args: ['--no-sandbox'] },
 };
+/** What moves without end keeps half a core busy; tests of what moves ask for it (`MOVING`), and in the long proof all of it does. */
+const still = { contextOptions: { reducedMotion: isLong ? ('no-preference' as const) : ('reduce' as const) } };
 
 const seldom = isLong ? [] : patterns(LONG);
 
@@ -281,7 +281,7 @@ export default defineConfig({
   globalSetup: './tests/command.ts',
   workers: 2,
   projects: [
-    { name: 'most', testIgnore: ALONE, grepInvert: seldom, use: chromium },
+    { name: 'most', testIgnore: ALONE, grepInvert: seldom, use: { ...chromium, ...still } },
     { name: 'alone', testMatch: ALONE, grepInvert: seldom, workers: 1, use: chromium },
     {
       name: 'firefox',
