@@ -160,14 +160,16 @@ def plant_plot(plant: Plant, ax: matplotlib.axes.Axes | None) -> matplotlib.axes
 
 
 def placement_plot(placement: Placement, ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
-    """Crossovers up to which each force may be fed back: stable, and with a sensitivity of at most 2."""
+    """Crossovers at which each force may be fed back: stable, and with a sensitivity of at most 2."""
     axes = new_axes(ax)
     limits = placement.limits
     finite = [value for pair in limits.values() for value in pair if math.isfinite(value)]
+    finite += placement.robust_from.values()
     edge = 1.2 * max(finite, default=1.0)
-    for place, pair in enumerate(limits.values()):
-        for value, colour, height in zip(pair, (BLUE, RED), (0.7, 0.35), strict=True):
-            axes.barh(place, min(value, edge), height, color=colour)
+    for place, (name, pair) in enumerate(limits.items()):
+        begins = (0.0, placement.robust_from[name])
+        for value, begin, colour, height in zip(pair, begins, (BLUE, RED), (0.7, 0.35), strict=True):
+            axes.barh(place, max(min(value, edge) - begin, 0.0), height, left=begin, color=colour)
             if not math.isfinite(value):
                 axes.annotate("no limit", (edge, place), ha="right", va="center", color="white", fontsize=8)
     axes.set_yticks(range(len(limits)), list(limits))

@@ -71,7 +71,7 @@ def mitigation_html(mitigation: Mitigation) -> str:
 def limits_frame(placement: Placement) -> pandas.DataFrame:
     """One row per force or estimate."""
     rows = [
-        {"force": name, "stable_crossover": stable, "robust_crossover": robust}
+        {"force": name, "stable_crossover": stable, "robust_from": placement.robust_from[name], "robust_crossover": robust}
         for name, (stable, robust) in placement.limits.items()
     ]
     return frame(rows, "force")
@@ -79,8 +79,12 @@ def limits_frame(placement: Placement) -> pandas.DataFrame:
 
 def placement_html(placement: Placement) -> str:
     """The answer, and the limits."""
-    rows = [(name, f"{stable:.4g}", f"{robust:.4g}") for name, (stable, robust) in placement.limits.items()]
-    return paragraphs(placement.answer) + table("Limits", rows, ("fed back", "stable up to [Hz]", "sensitivity 2 up to [Hz]"))
+    rows = [
+        (name, f"{stable:.4g}", f"{placement.robust_from[name]:.4g}", f"{robust:.4g}")
+        for name, (stable, robust) in placement.limits.items()
+    ]
+    head = ("fed back", "stable up to [Hz]", "sensitivity 2 from [Hz]", "up to [Hz]")
+    return paragraphs(placement.answer) + table("Limits", rows, head)
 
 
 # speed

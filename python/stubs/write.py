@@ -81,6 +81,7 @@ TOLD: dict[str, str] = {
     "Placement.limits": "dict[str, tuple[float, float]]",
     "Placement.margins": "dict[str, list[dict[str, Any]]]",
     "Placement.over_time": "dict[str, dict[str, Any]]",
+    "Placement.robust_from": "dict[str, float]",
     "Recording.rows": "dict[str, int]",
     "Remedy.settings": "dict[str, Any] | None",
     "Sensitivity.first_order": "dict[str, dict[str, tuple[float, float, float]]]",

@@ -119,6 +119,21 @@ def test_a_placement_says_what_to_feed_back(tmp_path: pathlib.Path) -> None:
         coilsense.placement(SPEC)
 
 
+def test_two_integrators_are_robust_from_a_crossover_on_and_every_view_says_so() -> None:
+    control = '\n[control]\ndrive = "velocity"\ncontroller = "PI"\nintegral_time = "0.1 s"\n'
+    placed = coilsense.placement(TEMPLATE + control)
+    # 0.088/T_I for F_x with end 2 held: |1 + L| of a (x + 1)/x² is at least 1/2 from a = 2 − √3 on.
+    square = (2 - 3**0.5) ** 2
+    expected = ((square + (square * square + 4 * square) ** 0.5) / 2) ** 0.5 / (0.1 * 2 * numpy.pi)
+    assert placed.robust_from["F_x"] == pytest.approx(expected, rel=0.02)
+    assert placed.robust_from == {row["force"]: row["robust_from_hz"] for row in placed.to_dict()["candidates"]}
+    assert placed.to_pandas()["robust_from"]["F_x"] == placed.robust_from["F_x"]
+    assert f"{placed.robust_from['F_x']:.4g}" in placed._repr_html_()
+    # The second bar of a force is that of its sensitivity.
+    bars = placed.plot().patches
+    assert bars[2 * list(placed.limits).index("F_x") + 1].get_x() == placed.robust_from["F_x"]
+
+
 def test_every_loop_of_a_placement_is_run_over_time() -> None:
     placed = coilsense.placement(LOOP)
     runs = placed.over_time

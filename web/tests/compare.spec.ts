@@ -5,9 +5,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { typical } from './long';
-import { exact, expect, facts, MOVING, open, series, test } from './page';
-
-test.use(MOVING);
+import { expect, exact, facts, open, series, test } from './page';
 
 const keep = (page: Page) => page.getByRole('button', { name: 'Keep to compare' });
 const bar = (page: Page) => page.getByRole('group', { name: 'Kept to compare' });

@@ -3,9 +3,7 @@
 // the same files; sizes are held as they are.
 import { cpus, loadavg } from 'node:os';
 import { openModes } from './modes';
-import { expect, MOVING, open, test } from './page';
-
-test.use(MOVING);
+import { expect, open, test } from './page';
 
 /** Times a bare redraw of the force plot that a move of the slider may take, at the median. Measured: 10 with nine busy processes on two cores. */
 const MOST_REDRAWS = 20;

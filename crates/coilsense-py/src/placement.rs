@@ -68,7 +68,8 @@ study_result! {
 
 #[pymethods]
 impl PyPlacement {
-    /// The limits of each force and, behind estimators, of each estimate: (stable, robust) crossover [Hz] by name.
+    /// The limits of each force and, behind estimators, of each estimate: (stable, robust) crossover [Hz] by name, up to which it is stable and
+    /// its sensitivity at most 2; zero where it is at none, and see ``robust_from``.
     #[getter]
     fn limits<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
@@ -77,6 +78,19 @@ impl PyPlacement {
         }
         for estimate in &self.0.estimates {
             dict.set_item(estimate.name, (estimate.stable_crossover, estimate.robust_crossover))?;
+        }
+        Ok(dict)
+    }
+
+    /// The crossover [Hz] from which on the sensitivity is at most 2, by name as in ``limits``; zero where it is in the slowest loop, too.
+    #[getter]
+    fn robust_from<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for force in &self.0.candidates {
+            dict.set_item(force.channel.name(), force.robust_from())?;
+        }
+        for estimate in &self.0.estimates {
+            dict.set_item(estimate.name, estimate.robust_from)?;
         }
         Ok(dict)
     }

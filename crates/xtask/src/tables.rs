@@ -1,6 +1,5 @@
-//! Tables of README and book that are made of measurements: `cargo xtask bench --keep` and `--sweep --keep` leave their rows in `book/measured`, with the day, the
-//! machine and the compiler, and write the tables; a test holds each table to its record, so that none of
-//! their figures is typed.
+//! Tables of README and book that are made of measurements: `cargo xtask bench --keep` and `--sweep --keep` leave their rows in `book/measured`, with
+//! the day, the machine and the compiler, and write the tables; a test holds each table to its record, so that none of their figures is typed.
 //!
 //! Next door: the measurements (`bench`, `sweep`), what they are judged by (`goals`).
 
@@ -61,7 +60,8 @@ fn pages() -> anyhow::Result<Vec<(&'static str, String)>> {
     let (bench, designs) = (record::<Row>(BENCH)?, record::<Designs>(DESIGNS)?);
     let accuracy = [
         ("peers", peers(&bench)),
-        ("contact", contact(&bench)),
+        ("inductance", beside(&bench, &["inductance", "mutual"], "error")),
+        ("contact", beside(&bench, &["valve", "valve-48", "contact"], "error of rms(F_o − F_i)")),
         ("helix", of_ours(&bench, |row| row.job == "helix")),
         ("commands", of_ours(&bench, |row| row.setting.starts_with(WHOLE))),
         ("goals", judged(&bench)),
@@ -144,11 +144,11 @@ fn cell(row: &Row) -> String {
     parts.into_iter().flatten().collect::<Vec<_>>().join("<br>")
 }
 
-/// Springs whose windings meet, beside MuJoCo's contact.
-fn contact(bench: &Record<Row>) -> String {
-    let rows = bench.rows.iter().filter(|row| ["valve", "valve-48", "contact"].contains(&row.job.as_str()));
+/// Some jobs, by whoever was measured on them.
+fn beside(bench: &Record<Row>, jobs: &[&str], error: &str) -> String {
+    let rows = bench.rows.iter().filter(|row| jobs.contains(&row.job.as_str()));
     let rows = rows.map(|row| vec![row.job.clone(), named(&row.system, &row.setting), cell(row)]);
-    table(&["job", "by", "time, error of rms(F_o − F_i), time over ours"], rows) + &place(bench)
+    table(&["job", "by", &format!("time, {error}, time over ours")], rows) + &place(bench)
 }
 
 /// Jobs of ours alone.

@@ -16,6 +16,11 @@ fn json(tables: &str) -> serde_json::Value {
     serde_json::from_str(&done(&["placement", path(&spec), "--json"])).expect("JSON")
 }
 
+/// What a result says of a force.
+fn candidate<'a>(result: &'a serde_json::Value, name: &str) -> &'a serde_json::Value {
+    result["candidates"].as_array().unwrap().iter().find(|candidate| candidate["force"] == name).unwrap()
+}
+
 #[test]
 fn the_placement_rule_is_what_the_command_answers() {
     let result = json(CONTINUOUS);
@@ -25,10 +30,7 @@ fn the_placement_rule_is_what_the_command_answers() {
         &|_| unreachable!(),
     );
     let surge = ChainModes::of(&spring.unwrap().spring.spring).frequencies()[0] / std::f64::consts::TAU;
-    let force = |name: &str| {
-        let candidates = result["candidates"].as_array().unwrap();
-        candidates.iter().find(|candidate| candidate["force"] == name).unwrap().clone()
-    };
+    let force = |name: &str| candidate(&result, name);
     // ζ f_1, to the 0.5 % that the higher modes may add.
     for (index, ratio) in [0.005, 0.02].into_iter().enumerate() {
         let limit = force("F_o")["dampings"][index]["stable_crossover_hz"].as_f64().unwrap();
@@ -240,10 +242,7 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
         std::fs::write(&spec, tables).unwrap();
         serde_json::from_str(&done(&["placement", path(&spec), "--json"])).expect("JSON")
     };
-    let best = |result: &serde_json::Value| {
-        let candidates = result["candidates"].as_array().unwrap().clone();
-        candidates.into_iter().find(|force| force["force"] == result["feed_back"]).unwrap()
-    };
+    let best = |result: &serde_json::Value| candidate(result, result["feed_back"].as_str().unwrap()).clone();
     // Of an ideal drive a loop on F_i has a sensitivity of at most 2 at any gain; F_o, which nobody watches, rings.
     let ideal = STIFF.replace("drive_bandwidth = \"80 Hz\"\n", "");
     let result = judge(&ideal);
@@ -279,16 +278,12 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
     for force in lagging["candidates"].as_array().unwrap() {
         assert!(force["robust_crossover_hz"].is_f64(), "{}", force["force"]);
     }
-    let at_the_drive = |result: &serde_json::Value| {
-        let candidates = result["candidates"].as_array().unwrap().clone();
-        candidates.into_iter().find(|force| force["force"] == "F_i").unwrap()
-    };
     let modulus = |force: &serde_json::Value| force["dampings"][0]["as_set"]["modulus_margin"].as_f64().unwrap();
-    let (set, force) = (lagging["crossover_hz"].as_f64().unwrap(), at_the_drive(&lagging));
+    let (set, force) = (lagging["crossover_hz"].as_f64().unwrap(), candidate(&lagging, "F_i"));
     assert_eq!(lagging["feed_back"], "F_i");
-    assert!(modulus(&force) > 0.495 && set >= 0.99 * force["robust_crossover_hz"].as_f64().unwrap(), "{set} Hz");
+    assert!(modulus(force) > 0.495 && set >= 0.99 * force["robust_crossover_hz"].as_f64().unwrap(), "{set} Hz");
     let faster = judge(&format!("{STIFF}crossover = \"{} Hz\"\n", 2.0 * set));
-    assert!(modulus(&at_the_drive(&faster)) < 0.49);
+    assert!(modulus(candidate(&faster, "F_i")) < 0.49);
 }
 
 #[test]
@@ -296,8 +291,7 @@ fn a_crossover_that_is_wanted_is_left_to_a_force_that_reaches_it() {
     // With the band of dampings F_i is calm to the highest crossover of all four, yet in samples stable to 0.7 Hz only.
     let result =
         json("[control]\ndrive = \"velocity\"\ncrossover = \"2 Hz\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\n");
-    let candidates = result["candidates"].as_array().unwrap();
-    let best = candidates.iter().find(|force| force["force"] == result["feed_back"]).unwrap();
+    let best = candidate(&result, result["feed_back"].as_str().unwrap());
     assert_eq!((result["feed_back"].as_str(), &best["stable_as_set"]), (Some("F_x"), &serde_json::Value::Bool(true)));
 }
 
@@ -306,10 +300,6 @@ fn a_loop_that_is_damped_only_if_it_is_fast_is_never_praised_up_to_a_crossover()
     let tables =
         |more: &str| format!("[control]\ndrive = \"velocity\"\ncontroller = \"PI\"\nintegral_time = \"0.1 s\"\n{more}");
     let result = json(&tables(""));
-    let by_name = |result: &serde_json::Value, name: &str| {
-        let candidates = result["candidates"].as_array().unwrap().clone();
-        candidates.into_iter().find(|force| force["force"] == name).unwrap()
-    };
     let modulus = |force: &serde_json::Value| {
         let dampings = force["dampings"].as_array().unwrap();
         dampings
@@ -319,23 +309,23 @@ fn a_loop_that_is_damped_only_if_it_is_fast_is_never_praised_up_to_a_crossover()
     };
     let best = result["feed_back"].as_str().unwrap();
     let (from, set) =
-        (by_name(&result, best)["robust_from_hz"].as_f64().unwrap(), result["crossover_hz"].as_f64().unwrap());
+        (candidate(&result, best)["robust_from_hz"].as_f64().unwrap(), result["crossover_hz"].as_f64().unwrap());
     // |L| = 1 at x² = (a² + √(a⁴ + 4a²))/2 with a = 2 − √3, x = ω T.
     let square = (2.0 - 3.0_f64.sqrt()).powi(2);
     let expected = ((square + (square * square + 4.0 * square).sqrt()) / 2.0).sqrt() / (0.1 * std::f64::consts::TAU);
     assert!((from / expected - 1.0).abs() < 0.02, "{from} Hz, {expected} Hz");
     assert!(set >= 0.999 * from, "{set} Hz is advised, {from} Hz is the least");
-    assert!(modulus(&by_name(&result, best)) > 0.49);
+    assert!(modulus(candidate(&result, best)) > 0.49);
     let answer = result["answer"].to_string();
     assert!(answer.contains("a sensitivity of at most 2 from a crossover of 0.8"), "{answer}");
     // At half of it the sensitivity is larger, as the loop that is set there shows.
     let slower = json(&tables(&format!("crossover = \"{} Hz\"\n", 0.5 * from)));
-    assert!(modulus(&by_name(&slower, best)) < 0.45);
+    assert!(modulus(candidate(&slower, best)) < 0.45);
     // With samples and a lag an end rings at every crossover of that range; slower loops, which may be quiet, are not denied.
     let ringing = json(
         "[control]\ndrive = \"velocity\"\ndrive_bandwidth = \"40 Hz\"\ncontroller = \"PI\"\nintegral_time = \"50 ms\"\nsample_time = \"1 ms\"\ndelay = \"1 ms\"\n",
     );
-    let best = by_name(&ringing, ringing["feed_back"].as_str().unwrap());
+    let best = candidate(&ringing, ringing["feed_back"].as_str().unwrap());
     assert!(best["robust_from_hz"].as_f64().unwrap() > 2.0 && best["calm_crossover_hz"] == 0.0);
     let answer = ringing["answer"].to_string();
     assert!(answer.contains("no slower loop with a sensitivity of at most 2 keeps both ends within"), "{answer}");

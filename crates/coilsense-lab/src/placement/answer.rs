@@ -25,7 +25,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     let reach = match (best.robust_crossover(), best.stable_crossover()) {
         (_, 0.0) => "yet it is not stable with these gains".to_owned(),
         (0.0, stable) => {
-            format!("yet at no gain is its sensitivity at most 2 at every damping; {}", upto("stability", 0.0, stable))
+            format!("yet at every gain its sensitivity is above 2 at some damping; {}", upto("stability", 0.0, stable))
         }
         (robust, stable) => {
             let robust = upto("a sensitivity of at most 2", best.robust_from(), robust);

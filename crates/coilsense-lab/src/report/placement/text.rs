@@ -60,7 +60,8 @@ pub fn placement_text(placement: &Placement) -> String {
     let _ = writeln!(
         text,
         "stable to, sens. 2, ends quiet: the largest crossover, that of the loop with a spring without mass, up to which the loop is stable, \
-         its sensitivity |1/(1 + L)| at most 2, and both ends' forces at every damping within {:.0} times their static response. rings at: where \
+         its sensitivity |1/(1 + L)| at most 2, and both ends' forces at every damping within {:.0} times their static response; of two numbers, from \
+         the one to the other. rings at: where \
          the loop oscillates at the limit of stability. phase: the phase margin; peak: largest force over its static response, both at the \
          crossover as set, {} Hz (a proportional gain of {} {unit} per N).",
         MOST_PEAK,
