@@ -318,6 +318,10 @@ fn a_loop_that_is_damped_only_if_it_is_fast_is_never_praised_up_to_a_crossover()
     assert!(modulus(candidate(&result, best)) > 0.49);
     let answer = result["answer"].to_string();
     assert!(answer.contains("a sensitivity of at most 2 from a crossover of 0.8"), "{answer}");
+    assert!(
+        answer.contains("F_o (load cell at the far end): at no gain a sensitivity of at most 2, stable up to"),
+        "{answer}"
+    );
     // At half of it the sensitivity is larger, as the loop that is set there shows.
     let slower = json(&tables(&format!("crossover = \"{} Hz\"\n", 0.5 * from)));
     assert!(modulus(candidate(&slower, best)) < 0.45);

@@ -42,7 +42,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
             .map(|other| other_line(placement, other)),
     );
     lines.extend(placement.estimates.iter().map(|estimate| {
-        let robust = upto("sensitivity 2", estimate.robust_from, estimate.robust_crossover);
+        let robust = shortly(estimate.robust_from, estimate.robust_crossover);
         let reach = (robust, upto("stable", 0.0, estimate.stable_crossover));
         format!("{}, with k and m off by up to {:.0} %: {}, {}.", estimate.name, 100.0 * TOLERANCE, reach.0, reach.1)
     }));
@@ -84,12 +84,17 @@ fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
 /// What holds between two crossovers \[Hz\]: from the slowest loop on where the first is zero.
 fn upto(what: &str, from: f64, hertz: f64) -> String {
     match (from, hertz) {
-        (_, 0.0) => format!("{what} at no gain"),
+        (_, 0.0) => format!("at no gain {what}"),
         (0.0, hertz) if hertz.is_infinite() => format!("{what} at any gain"),
         (0.0, hertz) => format!("{what} up to a crossover of {} Hz", digits(hertz)),
         (from, hertz) if hertz.is_infinite() => format!("{what} from a crossover of {} Hz on", digits(from)),
         (from, hertz) => format!("{what} from a crossover of {} Hz to {} Hz", digits(from), digits(hertz)),
     }
+}
+
+/// At which crossovers the sensitivity is at most 2, of a force that is not the one to feed back.
+fn shortly(from: f64, to: f64) -> String {
+    upto(if to == 0.0 { "a sensitivity of at most 2" } else { "sensitivity 2" }, from, to)
 }
 
 fn other_line(placement: &Placement, other: &Candidate) -> String {
@@ -106,7 +111,7 @@ fn other_line(placement: &Placement, other: &Candidate) -> String {
     let place = weakest.filter(|_| stable.is_finite()).map_or(String::new(), |(judged, damping)| {
         format!(", where it rings at {} Hz with {}", digits(judged.oscillates_at), damping.label)
     });
-    let robust = upto("sensitivity 2", other.robust_from(), other.robust_crossover());
+    let robust = shortly(other.robust_from(), other.robust_crossover());
     format!("{name} ({words}): {robust}, {}{place}.", upto("stable", 0.0, stable))
 }
 
