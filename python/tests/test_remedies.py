@@ -8,6 +8,7 @@ import time
 
 import numpy
 import pytest
+from matplotlib.patches import Rectangle
 from samples import SPRING, hit_log
 
 import coilsense
@@ -130,8 +131,8 @@ def test_two_integrators_are_robust_from_a_crossover_on_and_every_view_says_so()
     assert placed.to_pandas()["robust_from"]["F_x"] == placed.robust_from["F_x"]
     assert f"{placed.robust_from['F_x']:.4g}" in placed._repr_html_()
     # The second bar of a force is that of its sensitivity.
-    bars = placed.plot().patches
-    assert bars[2 * list(placed.limits).index("F_x") + 1].get_x() == placed.robust_from["F_x"]
+    bar = placed.plot().patches[2 * list(placed.limits).index("F_x") + 1]
+    assert isinstance(bar, Rectangle) and bar.get_x() == placed.robust_from["F_x"]
 
 
 def test_every_loop_of_a_placement_is_run_over_time() -> None:
