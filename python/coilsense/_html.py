@@ -47,7 +47,7 @@ def spring(shown: Spring) -> str:
         ("surge frequency f1", number(shown.surge_frequency, 1.0, "Hz")),
         ("transit time τ", number(shown.transit_time, 1e3, "ms")),
         ("nominal force F_nom", number(shown.nominal_force, 1.0, "N")),
-        ("wave impedance √(km)", number(shown.wave_impedance, 1.0, "N s/m")),
+        ("wave impedance", number(shown.wave_impedance, 1.0, "N s/m")),
     ]
     return table("Spring", rows)
 

@@ -17,6 +17,12 @@ fn init_writes_a_spec_that_the_other_commands_take() {
         assert!(said.contains("next: coilsense analyze"), "{said}");
         assert_eq!(fs::read_to_string(&file).unwrap(), printed, "the file is what the terminal gets");
         assert!(done(&["spring", path(&file)]).contains("F_nom"));
+        // What is commented out there does as it says.
+        assert!(refused(&["placement", path(&file)]).contains("the table [control] is missing; it says"));
+        let with_loop = printed.replace("# [control]", "[control]").replace("\n# drive", "\ndrive");
+        let with_loop = with_loop.replace("\n# sample_time", "\nsample_time").replace("\n# delay", "\ndelay");
+        fs::write(&file, with_loop).unwrap();
+        assert!(done(&["placement", path(&file)]).starts_with("Feed back F_"));
     }
     assert_eq!(names(place.path()), ["own.toml", "s_a.toml", "s_t.toml"]);
 }

@@ -287,6 +287,44 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
 }
 
 #[test]
+fn forces_that_are_as_fast_within_one_per_cent_are_named_together_and_the_first_is_fed_back() {
+    let place = tempfile::tempdir().unwrap();
+    let (mut ties, mut alone) = (0, 0);
+    for more in [
+        "",
+        "load_mass = \"2 kg\"\n",
+        "sample_time = \"1 ms\"\n",
+        "controller = \"PI\"\nintegral_time = \"1 s\"\n",
+        "delay = \"2 ms\"\n",
+    ] {
+        for drive in ["drive_bandwidth = \"80 Hz\"\n", "drive_bandwidth = \"2 Hz\"\n", ""] {
+            let spec = place.path().join("spec.toml");
+            std::fs::write(&spec, format!("{}{more}", STIFF.replace("drive_bandwidth = \"80 Hz\"\n", drive))).unwrap();
+            let result: serde_json::Value = serde_json::from_str(&done(&["placement", path(&spec), "--json"])).unwrap();
+            let speeds = |force: &serde_json::Value| {
+                let calm = force["calm_crossover_hz"].as_f64().unwrap();
+                [calm, force["robust_crossover_hz"].as_f64().unwrap_or(f64::INFINITY)]
+            };
+            let best = candidate(&result, result["feed_back"].as_str().unwrap());
+            let answer = lines(&result);
+            let named = answer.lines().find(|line| line.starts_with("As fast, within 1 %: ")).unwrap_or_default();
+            for force in result["candidates"].as_array().unwrap().iter().filter(|force| force["force"] != best["force"])
+            {
+                let name = force["force"].as_str().unwrap();
+                let pairs: Vec<(f64, f64)> = speeds(force).into_iter().zip(speeds(best)).collect();
+                let near = pairs.iter().all(|(one, other)| one == other || (one / other - 1.0).abs() < 0.0095);
+                let far = pairs.iter().any(|(one, other)| one != other && (one / other - 1.0).abs() > 0.0105);
+                assert!(near || far, "{more}{drive}{name}: the test is to be clear of the limit: {pairs:?}");
+                assert_eq!(named.contains(name), near, "{more}{drive}{name}: {pairs:?}\n{answer}");
+                ties += usize::from(near);
+                alone += usize::from(far);
+            }
+        }
+    }
+    assert!(ties > 0 && alone > 0, "{ties} ties, {alone} others");
+}
+
+#[test]
 fn a_crossover_that_is_wanted_is_left_to_a_force_that_reaches_it() {
     // With the band of dampings F_i is calm to the highest crossover of all four, yet in samples stable to 0.7 Hz only.
     let result =

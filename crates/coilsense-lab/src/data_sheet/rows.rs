@@ -225,6 +225,11 @@ fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
         _ => (surges().fold(f64::INFINITY, f64::min), surges().fold(0.0, f64::max)),
     };
     let bar = spec.dead_ends.is_none().then_some(0.5 * (spring.stiffness() / spec.mass).sqrt());
+    // Of a coil as a helix the mass that reaches f1 is larger than that of its windings.
+    let impedance = match spring.sections() {
+        None => "k τ, wave impedance: force per m/s of impact",
+        Some(_) => "√(km), wave impedance: force per m/s of impact",
+    };
     vec![
         Row::new(
             "surge_frequency_hz",
@@ -251,14 +256,8 @@ fn of_wave(spec: &SpringSpec, modes_at: &[ModesAt]) -> Vec<Row> {
             1.0,
             "Hz",
         ),
-        Row::new("transit_time_s", "τ = √(m/k), once through the coil", spring.transit_time(), 1e3, "ms"),
-        Row::new(
-            "wave_impedance_n_s_per_m",
-            "√(km), wave impedance: force per m/s of impact",
-            spring.wave_impedance(),
-            1.0,
-            "N s/m",
-        ),
+        Row::new("transit_time_s", "τ = 1/(2 f1), once through the coil", spring.transit_time(), 1e3, "ms"),
+        Row::new("wave_impedance_n_s_per_m", impedance, spring.wave_impedance(), 1.0, "N s/m"),
         Row::new(
             "impact_force_share_per_m_per_s",
             "the same as a share of F_nom, per m/s",

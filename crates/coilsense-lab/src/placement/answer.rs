@@ -4,7 +4,7 @@
 
 use coilsense::Channel;
 
-use super::{Candidate, MOST_PEAK, Peak, Placement, TOLERANCE, told};
+use super::{Candidate, MOST_PEAK, Peak, Placement, TIE, TOLERANCE, told};
 use crate::quantity::digits;
 
 /// What stands behind a force's name.
@@ -33,6 +33,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
         }
     };
     let mut lines = vec![format!("Feed back {name} ({words}): {reach}.")];
+    lines.extend(tie_line(placement));
     lines.extend(ringing_line(placement, best));
     lines.extend(
         placement
@@ -55,6 +56,16 @@ pub fn answer(placement: &Placement) -> Vec<String> {
         lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
     }
     lines
+}
+
+/// Which forces could be fed back just as well.
+fn tie_line(placement: &Placement) -> Option<String> {
+    let named = |&index: &usize| {
+        let channel = placement.candidates[index].channel;
+        format!("{} ({})", channel.name(), place(channel))
+    };
+    let names: Vec<String> = placement.ties.iter().map(named).collect();
+    (!names.is_empty()).then(|| format!("As fast, within {:.0} %: {}.", 100.0 * TIE, names.join(", ")))
 }
 
 /// What rings at the fastest loop, and how much slower it must be.

@@ -70,6 +70,8 @@ pub struct Placement {
     pub estimates: Vec<Estimated>,
     /// The one with the fastest loop of a sensitivity of at most 2 at every damping in which neither end rings; where all ring, without that.
     pub best: usize,
+    /// Those that are as fast within [`TIE`].
+    pub ties: Vec<usize>,
     /// The crossover of the loop as it is set, with a spring without mass \[Hz\].
     pub crossover: f64,
     /// The proportional gain that makes it so (command unit per N).
@@ -87,7 +89,8 @@ impl Placement {
         spec.needs_chain("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
         spec.needs_no_contact("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
         let Some(control) = spec.control else {
-            return Err(PlacementError::Spec(format!("{}: the table [control] is missing", spec.file)));
+            let text = "the table [control] is missing; it says how the spring is driven, at least: drive = \"velocity\", or drive = \"force\" and motor_mass";
+            return Err(PlacementError::Spec(format!("{}: {text}", spec.file)));
         };
         let is_damped = |case: &&DampingCase| case.ratio.is_none_or(|ratio| ratio > 0.0);
         let dampings: Vec<DampingCase> = spec.mount.cases.iter().filter(is_damped).cloned().collect();
@@ -111,7 +114,8 @@ impl Placement {
             Ok(candidate)
         };
         let mut candidates = Channel::FORCES.map(judge).into_iter().collect::<Result<Vec<_>, _>>().map_err(science)?;
-        let best = best(&candidates, control.crossover);
+        let leading = leading(&candidates, control.crossover);
+        let best = leading[0];
         let crossover = control.crossover.unwrap_or(match candidates[best].calm_crossover {
             0.0 => candidates[best].robust_crossover().min(unit.most()),
             calm => calm,
@@ -125,7 +129,20 @@ impl Placement {
         let estimates = estimated::all(&unit, &dampings, gain).map_err(science)?;
         let runs = over_time::runs(&unit, &dampings, &candidates, &estimates, gain).map_err(science)?;
         let undamped_left_out = dampings.len() < spec.mount.cases.len();
-        Ok(Self { control, dampings, undamped_left_out, candidates, estimates, best, crossover, gain, runs, spec })
+        let ties = leading[1..].to_vec();
+        Ok(Self {
+            control,
+            dampings,
+            undamped_left_out,
+            candidates,
+            estimates,
+            best,
+            ties,
+            crossover,
+            gain,
+            runs,
+            spec,
+        })
     }
 
     /// The run of the force that is to be fed back.
@@ -175,9 +192,12 @@ impl Candidate {
     }
 }
 
-/// The fastest in which neither end rings; of equals the fastest, then the one that comes first but for F_L, which needs a calibration and a
+/// Crossovers this near each other count as one \[1\]: no spring and no controller is known better.
+pub(super) const TIE: f64 = 0.01;
+
+/// The fastest in which neither end rings, of equals the fastest at all: each that is within [`TIE`] of them, F_L last, which needs a calibration and a
 /// meter that is quick enough. Where a crossover is `wanted` \[Hz\], one with which nothing rings there, else a sensible one, else a stable one.
-fn best(candidates: &[Candidate], wanted: Option<f64>) -> usize {
+fn leading(candidates: &[Candidate], wanted: Option<f64>) -> Vec<usize> {
     let reaches = |candidate: &Candidate| {
         let from = candidate.robust_from();
         let limits = [
@@ -185,14 +205,15 @@ fn best(candidates: &[Candidate], wanted: Option<f64>) -> usize {
             (from, candidate.robust_crossover()),
             (0.0, candidate.stable_crossover()),
         ];
-        limits.into_iter().filter(|(from, to)| wanted.is_some_and(|wanted| (*from..=*to).contains(&wanted))).count()
+        let within = |(from, to): &(f64, f64)| wanted.is_some_and(|wanted| (*from..=*to).contains(&wanted));
+        limits.iter().filter(|limit| within(limit)).count() as f64
     };
-    let mut indices: Vec<usize> = (0..candidates.len()).collect();
-    indices.sort_by(|a, b| {
-        let (one, other) = (&candidates[*a], &candidates[*b]);
-        let reach = reaches(other).cmp(&reaches(one));
-        let calm = other.calm_crossover.total_cmp(&one.calm_crossover);
-        reach.then(calm).then(other.robust_crossover().total_cmp(&one.robust_crossover())).then(a.cmp(b))
-    });
-    indices.first().copied().unwrap_or(0)
+    let measures: [&dyn Fn(&Candidate) -> f64; 3] =
+        [&reaches, &|candidate| candidate.calm_crossover, &Candidate::robust_crossover];
+    let mut left: Vec<usize> = (0..candidates.len()).collect();
+    for measure in measures {
+        let most = left.iter().map(|&index| measure(&candidates[index])).fold(0.0, f64::max);
+        left.retain(|&index| measure(&candidates[index]) >= (1.0 - TIE) * most);
+    }
+    left
 }

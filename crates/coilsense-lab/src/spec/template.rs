@@ -119,6 +119,13 @@ accuracy_reading = "0.05 %"
 [goal]
 error = "1 %"               # of F_nom, as standard uncertainty
 bandwidth = "20 Hz"         # up to where the force is wanted
+
+# Which force may be fed back, and how fast? Take the first # of each line below away, then: coilsense placement
+# [control]
+# drive = "velocity"          # a motor behind a velocity loop; or "force" with motor_mass
+# drive_bandwidth = "60 Hz"   # of that loop; without this line it follows at once
+# sample_time = "1 ms"        # of the controller; without this line it is continuous
+# delay = "1 ms"              # from a reading to the command that follows from it
 "#;
 
 /// A commented spec with a spring of the paper (`S_T`, `S_A`), or with one by geometry.

@@ -11,6 +11,9 @@ const MULTIPLES: usize = 20;
 /// How near a force is to following motion statically: |k X/F − 1|.
 const FOLLOWS: f64 = 0.15;
 
+/// How near a line that does not decay is to a mode's place to be taken for it, too \[1\], relative.
+const AT_MODE: f64 = 2e-3;
+
 /// Names the lines: steady ones by mains and motion, those that decay by the coil's modes and `aliases` of them. `static_part` is k X/F of each
 /// line, where known.
 pub(super) fn name(
@@ -34,6 +37,13 @@ pub(super) fn name(
         let off = if off.abs() < 0.005 { "0.00".to_owned() } else { format!("{off:+.2}") };
         lines[index].meaning = Meaning::Mode(mode);
         lines[index].reason = format!("mode {mode}: {expected:.2} Hz expected, {off} % off");
+    }
+    for line in lines.iter_mut().filter(|line| !line.decays && line.meaning == Meaning::Unknown) {
+        if let Some((mode, expected)) = coil.nearest(line.frequency.value, AT_MODE) {
+            line.reason = format!(
+                "no decay is heard, yet mode {mode} is expected at {expected:.2} Hz: it is too weak after the hits, or driven"
+            );
+        }
     }
     for &(index, mode, expected) in aliases {
         if lines[index].decays {

@@ -98,6 +98,7 @@ fn a_line_as_strong_as_the_mode_beside_it_is_another_springs_and_no_torsion() {
 
 #[test]
 fn hum_beside_the_first_mode_does_not_decay_and_is_no_torsion() {
+    let mut heard = 0;
     for seed in 0..4 {
         let mut random = Pcg64::seed_from_u64(300 + seed);
         let (first, axial) = coil(&mut random);
@@ -112,8 +113,13 @@ fn hum_beside_the_first_mode_does_not_decay_and_is_no_torsion() {
             let found = of(&signals);
             assert!(torsional(&found).is_empty(), "seed {seed}: {:?}", found.verdict);
             assert!((found.first_frequency.unwrap().value / first - 1.0).abs() < 1e-3);
+            for line in found.lines.iter().filter(|line| (line.frequency.value / (1.12 * first) - 1.0).abs() < 1e-3) {
+                assert!(line.reason.starts_with("steady"), "seed {seed}: {line:?}");
+                heard += 1;
+            }
         }
     }
+    assert!(heard >= 4, "{heard}");
 }
 
 /// One force alone.

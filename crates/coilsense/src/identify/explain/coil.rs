@@ -29,6 +29,8 @@ const ELSEWHERE: f64 = 0.01;
 const MODEL: f64 = 5e-5;
 /// How far f1 may be off where none of what rings is explained \[1\], relative; else less, by the root of that share.
 const DISTURBED: f64 = 5e-3;
+/// Modes of a continuous coil that are thought of.
+const MODES: usize = 100;
 /// Evidence beyond chance that a second coil among the other lines needs \[nats\].
 const SECOND: f64 = 12.0;
 
@@ -77,6 +79,15 @@ impl Coil {
             self.moved = self.moved.max(0.5);
             self.range = (self.range.0.min(other), self.range.1.max(other));
         }
+    }
+
+    /// The mode whose place \[Hz\] is within a relative distance of a frequency \[Hz\].
+    pub(in crate::identify) fn nearest(&self, frequency: f64, within: f64) -> Option<(usize, f64)> {
+        let most = if self.windings.is_finite() { self.windings as usize } else { MODES };
+        let places = (1..=most).map(|mode| (mode, self.first * self.mode_series.multiple(mode, self.windings)));
+        places
+            .min_by(|a, b| (a.1 - frequency).abs().total_cmp(&(b.1 - frequency).abs()))
+            .filter(|(_, place)| (place - frequency).abs() <= within * frequency)
     }
 
     /// f1's range with what the rest of the ringing may do to it.
