@@ -98,10 +98,15 @@ fn root() -> PathBuf {
 fn cargo(arguments: &[&str]) -> std::process::Command {
     let mut command = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
-    if strict() {
-        for_once(&mut command);
-    }
+    as_cargo(&mut command);
     command
+}
+
+/// Has a program that calls cargo build what cargo itself would build here.
+fn as_cargo(command: &mut std::process::Command) {
+    if strict() {
+        for_once(command);
+    }
 }
 
 /// Has cargo build what nobody builds a second time nor looks at with a debugger: what is kept for that is gigabytes and minutes.

@@ -8,10 +8,10 @@ use std::process::Command;
 use anyhow::{Context, bail};
 
 use crate::python::{self, Environment};
-use crate::{root, side_by_side, stubs};
+use crate::{as_cargo, root, side_by_side, stubs};
 
-/// What a wheel may weigh \[bytes\].
-const LARGEST_WHEEL: u64 = 10_000_000;
+/// What a wheel that is released may weigh \[MB\].
+const LARGEST_WHEEL: f64 = 10.0;
 /// How wheels are packed, here and where they are released.
 const PACKED_HARDER: [&str; 2] = ["--compression-level", "9"];
 
@@ -31,12 +31,31 @@ pub fn missing() -> Option<String> {
     Some("no Python 3.11 or later with venv; install it with: apt-get install python3 python3-venv".to_owned())
 }
 
-/// Packs the source, builds the wheel from that as pip would, installs it, and runs everything; whether all succeed.
-pub fn steps() -> anyhow::Result<bool> {
+/// How a wheel is compiled.
+#[derive(Clone, Copy)]
+pub enum Built {
+    /// As pip does it for whoever installs it: optimised, which takes minutes; its size is held to [`LARGEST_WHEEL`].
+    AsReleased,
+    /// As the tests are: what they were built of is not built again.
+    AsTested,
+}
+
+impl Built {
+    /// The cargo profile.
+    pub fn profile(self) -> &'static str {
+        match self {
+            Self::AsReleased => "release",
+            Self::AsTested => "dev",
+        }
+    }
+}
+
+/// Packs the source, builds the wheel from that through pip, installs it, and runs everything; whether all succeed.
+pub fn steps(built: Built) -> anyhow::Result<bool> {
     let tests = python::environment("target/python", REQUIREMENTS)?;
     let source = unpacked(&packed(&tests)?)?;
-    let wheel = from(source.path(), &tests)?;
-    install(&wheel, &tests)?;
+    let wheel = from(source.path(), &tests, built)?;
+    install(&wheel, &tests, built)?;
     // What is written for simulators, they read; the command writes it.
     let mut pytest = tests.python();
     pytest.env("COILSENSE_COMMAND", crate::commands::as_tested()?);
@@ -44,7 +63,7 @@ pub fn steps() -> anyhow::Result<bool> {
     pytest.args(["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile"]).env("OPENBLAS_NUM_THREADS", "1");
     let run = |arguments: &&[&str]| succeeds(tests.python().args(*arguments));
     Ok(succeeds(&mut pytest)?
-        && stubs::agree(&tests, source.path())?
+        && stubs::agree(&tests, source.path(), built)?
         && side_by_side(
             || Ok(every(&PYRIGHT, run)? && readme(&wheel)?),
             || Ok(every(&MYPY, run)? && examples(&tests)?),
@@ -64,15 +83,18 @@ const MYPY: [&[&str]; 2] = [
 /// The tests' environment with the wheel of this source in it.
 pub fn installed() -> anyhow::Result<Environment> {
     let environment = python::environment("target/python", REQUIREMENTS)?;
-    install(&build(&environment)?, &environment)?;
+    install(&build(&environment)?, &environment, Built::AsReleased)?;
     Ok(environment)
 }
 
-/// Installs a wheel that is no larger than it may be.
-fn install(wheel: &Path, environment: &Environment) -> anyhow::Result<()> {
-    let size = wheel.metadata()?.len();
-    println!("{}: {:.1} MB (at most {:.0})", name(wheel), 1e-6 * size as f64, 1e-6 * LARGEST_WHEEL as f64);
-    if size > LARGEST_WHEEL {
+/// Installs a wheel; one that is released is no larger than it may be.
+fn install(wheel: &Path, environment: &Environment, built: Built) -> anyhow::Result<()> {
+    let megabytes = 1e-6 * wheel.metadata()?.len() as f64;
+    match built {
+        Built::AsTested => println!("{}: {megabytes:.1} MB, compiled as the tests are", name(wheel)),
+        Built::AsReleased => println!("{}: {megabytes:.1} MB (at most {LARGEST_WHEEL:.0})", name(wheel)),
+    }
+    if matches!(built, Built::AsReleased) && megabytes > LARGEST_WHEEL {
         bail!("the wheel is too large");
     }
     if !succeeds(environment.pip().args(["--force-reinstall", "--no-deps"]).arg(wheel))? {
@@ -93,11 +115,13 @@ fn unpacked(source: &Path) -> anyhow::Result<tempfile::TempDir> {
 }
 
 /// The wheel that pip builds from a source.
-fn from(source: &Path, environment: &Environment) -> anyhow::Result<PathBuf> {
+fn from(source: &Path, environment: &Environment, built: Built) -> anyhow::Result<PathBuf> {
     let folder = root().join("target/wheels");
     let mut build = environment.python();
     build.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).arg(&folder).arg(source);
-    build.env("MATURIN_PEP517_ARGS", PACKED_HARDER.join(" "));
+    let profile = ["--profile", built.profile()];
+    build.env("MATURIN_PEP517_ARGS", [profile, PACKED_HARDER].concat().join(" "));
+    as_cargo(&mut build);
     if !succeeds(build.env("CARGO_TARGET_DIR", crate::target_folder()))? {
         bail!("the packed source cannot be built");
     }

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 
-use crate::package::REQUIREMENTS;
+use crate::package::{Built, REQUIREMENTS};
 use crate::python::{self, Environment};
-use crate::root;
+use crate::{as_cargo, root};
 
 /// The file that is committed.
 const STUB: &str = "python/coilsense/_coilsense.pyi";
@@ -17,20 +17,21 @@ const PROJECT: &str = "python/stubs";
 
 /// Writes the committed file.
 pub fn write() -> anyhow::Result<()> {
-    generated(&python::environment("target/python", REQUIREMENTS)?, &root(), &root().join(STUB))?;
+    let environment = python::environment("target/python", REQUIREMENTS)?;
+    generated(&environment, &root(), Built::AsReleased, &root().join(STUB))?;
     println!("{STUB}");
     Ok(())
 }
 
 /// Whether the committed file is what would be written of a source that the wheel was just built of: what it is built of need not be built again.
-pub fn agree(environment: &Environment, source: &Path) -> anyhow::Result<bool> {
+pub fn agree(environment: &Environment, source: &Path, built: Built) -> anyhow::Result<bool> {
     // A packed source has no need of what asks for the account.
     std::fs::create_dir_all(source.join(PROJECT))?;
     let project = Path::new(PROJECT).join("pyproject.toml");
     std::fs::copy(root().join(&project), source.join(&project))?;
     let folder = tempfile::tempdir()?;
     let anew = folder.path().join("_coilsense.pyi");
-    generated(environment, source, &anew)?;
+    generated(environment, source, built, &anew)?;
     let same =
         std::fs::read(root().join(STUB)).with_context(|| format!("{STUB} cannot be read"))? == std::fs::read(anew)?;
     if !same {
@@ -40,13 +41,23 @@ pub fn agree(environment: &Environment, source: &Path) -> anyhow::Result<bool> {
 }
 
 /// Writes the types of a source's module into a file.
-fn generated(environment: &Environment, source: &Path, file: &Path) -> anyhow::Result<()> {
+fn generated(environment: &Environment, source: &Path, built: Built, file: &Path) -> anyhow::Result<()> {
     let folder = root().join("target/stubs");
     if folder.exists() {
         std::fs::remove_dir_all(&folder)?;
     }
     let mut account = environment.python();
-    account.args(["-m", "maturin", "generate-stubs", "--profile", "release", "--quiet", "--interpreter", "python3"]);
+    account.args([
+        "-m",
+        "maturin",
+        "generate-stubs",
+        "--profile",
+        built.profile(),
+        "--quiet",
+        "--interpreter",
+        "python3",
+    ]);
+    as_cargo(&mut account);
     account.arg("--out").arg(&folder).current_dir(source.join(PROJECT)).env("CARGO_TARGET_DIR", crate::target_folder());
     if !account.status().context("maturin cannot be started")?.success() {
         bail!("PyO3's account of the module cannot be had");

@@ -15,7 +15,7 @@ pub struct Arguments {
     /// Run only this part, by its name in the table; may be given several times
     #[arg(long, value_name = "PART")]
     only: Vec<String>,
-    /// Run the parts long and fuzz, too: the tests that take minutes, and ten minutes of each fuzzer; and all that the parts fewer formats, vector paths and page leave to it
+    /// Run the parts long and fuzz, too: the tests that take minutes, and ten minutes of each fuzzer; and all that the parts fewer formats, vector paths, Python and page leave to it
     #[arg(long)]
     long: bool,
 }
@@ -263,11 +263,12 @@ fn report_page(arguments: &Arguments) -> anyhow::Result<Outcome> {
     passed(browser::report(&found)?)
 }
 
-/// The Python package in an environment of its own.
-fn python(_: &Arguments) -> anyhow::Result<Outcome> {
+/// The Python package in an environment of its own; in the long proof compiled as it is released.
+fn python(arguments: &Arguments) -> anyhow::Result<Outcome> {
+    let built = if arguments.long { package::Built::AsReleased } else { package::Built::AsTested };
     match package::missing() {
         Some(missing) => Ok(Outcome::Missing(missing)),
-        None => passed(package::steps()?),
+        None => passed(package::steps(built)?),
     }
 }
 
@@ -323,7 +324,9 @@ mod tests {
             assert_eq!(times, 1, "{}", part.name);
         }
         assert!(
-            weekly.replace('\n', " ").contains("--long --only \"fewer formats\" --only \"vector paths\" --only page "),
+            weekly
+                .replace('\n', " ")
+                .contains("--long --only \"fewer formats\" --only \"vector paths\" --only Python --only page "),
             "what each run leaves to the long proof"
         );
     }
