@@ -79,7 +79,8 @@ fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
         if best.robust_from() > 0.0 { "no slower loop with a sensitivity of at most 2" } else { "no slower loop" };
     Some(match (best.calm_crossover, placement.control.crossover) {
         (0.0, _) => format!(
-            "Yet at {fastest} {force} peaks at {size} times its static response at {at} Hz; {slower} keeps both ends within {limit}."
+            "Yet at {fastest} {force} peaks at {size} times its static response at {at} Hz; {slower} keeps both ends within {limit}. \
+             A reference without content there does not excite that, what disturbs the loop does; more damping of the spring or the load lowers it."
         ),
         (calm, None) => format!(
             "Take a crossover of {} Hz: up to there both ends stay within {limit}; at {fastest} {force} peaks at {size} times at {at} Hz.",

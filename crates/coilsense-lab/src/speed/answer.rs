@@ -15,7 +15,8 @@ const MOST_BANDS: usize = 3;
 pub fn answer(map: &SpeedMap) -> Vec<String> {
     // How far the largest figure can be trusted stands with it.
     let surge = [surge(map), finer(map).unwrap_or_default()].join(" ").trim_end().to_owned();
-    let mut lines = vec![floats(map), meets(map), surge, seats(map), fatigue(map), rebound(map)];
+    let mut lines: Vec<String> = pressed_through(map).into_iter().collect();
+    lines.extend([floats(map), meets(map), surge, seats(map), fatigue(map), rebound(map)]);
     lines.extend(unsettled(map));
     lines.extend(given_up(map));
     lines.extend(refined(map));
@@ -70,7 +71,10 @@ fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool
     let shown: Vec<String> = shown.iter().map(words).collect();
     match more.last() {
         None => format!("{}{before}", shown.join(", ")),
-        Some(end) => format!("{}, in {} more bands, the last {}{before}", shown.join(", "), more.len(), words(end)),
+        Some(end) => {
+            let many = if more.len() == 1 { "band" } else { "bands" };
+            format!("{}, in {} more {many}, the last {}{before}", shown.join(", "), more.len(), words(end))
+        }
     }
 }
 
@@ -111,7 +115,8 @@ fn floats(map: &SpeedMap) -> String {
 
 fn meets(map: &SpeedMap) -> String {
     let Some(first) = lowest(map, SpeedPoint::meets) else {
-        return format!("Windings stay clear of each other and of their seats {}.", run(map));
+        let seats = if has_seats(map) { " and of their seats" } else { "" };
+        return format!("Windings stay clear of each other{seats} {}.", run(map));
     };
     let most = map.points.iter().max_by(|a, b| a.fastest.total_cmp(&b.fastest));
     let most = most.map_or_else(String::new, |point| {
@@ -131,11 +136,16 @@ fn surge(map: &SpeedMap) -> String {
         .crossings
         .iter()
         .min_by(|a, b| (a.speed - worst.speed).abs().total_cmp(&(b.speed - worst.speed).abs()));
-    let by = nearest
-        .filter(|crossing| (crossing.speed / worst.speed - 1.0).abs() < 0.02)
-        .map_or_else(String::new, |crossing| {
-            format!(", where harmonic {} of the cam has the first surge frequency", crossing.harmonic)
-        });
+    let by = nearest.filter(|crossing| (crossing.speed / worst.speed - 1.0).abs() < 0.02).map_or_else(
+        String::new,
+        |crossing| {
+            let place = match (rpm(crossing.speed), rpm(worst.speed)) {
+                (there, here) if there == here => "where".to_owned(),
+                (there, _) => format!("beside {there}, where"),
+            };
+            format!(", {place} harmonic {} of the cam has the first surge frequency", crossing.harmonic)
+        },
+    );
     format!(
         "Surge carries an end force {} N ({:.0} % of F_nom) from the static one at {}{by} ({}); F_i and F_o then differ by {} N rms.",
         digits(worst.surge),
@@ -144,6 +154,39 @@ fn surge(map: &SpeedMap) -> String {
         label(map, worst),
         digits(worst.apart)
     )
+}
+
+/// Whether end turns meet their seats in every way that is run; where windings do not meet, neither do they.
+fn has_seats(map: &SpeedMap) -> bool {
+    map.spec.mount.cases.iter().all(|way| way.contact.as_ref().is_none_or(|way| way.contact.ends()))
+}
+
+/// The force at which all windings lie on each other \[N\], and by what share a push may be above it \[1\]: blows of windings on each other are beside that.
+fn solid_force(map: &SpeedMap) -> f64 {
+    let spring = &map.spec.spring.spring;
+    spring.stiffness() * (spring.rest_length() - map.spec.spring.solid_length())
+}
+
+const ABOVE: f64 = 0.02;
+
+/// Pushes that no spring has: beyond the force at which it is solid, where end turns are pressed through seats that are not there.
+fn pressed_through(map: &SpeedMap) -> Option<String> {
+    let solid = solid_force(map);
+    let push = |point: &SpeedPoint| -point.input[0].min(point.output[0]);
+    let is_beyond = |point: &SpeedPoint| push(point) > (1.0 + ABOVE) * solid;
+    if has_seats(map) || map.spec.spring.spring.sections().is_some() {
+        return None;
+    }
+    let first = lowest(map, is_beyond)?;
+    let worst = map.points.iter().max_by(|a, b| push(a).total_cmp(&push(b)))?;
+    Some(format!(
+        "Not to be trusted {}: an end pushes there with up to {} N (at {}), more than the {} N at which the spring is solid. End turns pass through their \
+         seats, which are left out (with a follower [contact] `ends` takes masses_per_winding = 1).",
+        spans(map, first, is_beyond),
+        digits(push(worst)),
+        rpm(worst.speed),
+        digits(solid)
+    ))
 }
 
 /// Change of the most surge by twice the masses below which they are enough, as `analyze` has it where windings meet.

@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use coilsense::excitation::Content;
+use coilsense::excitation::{Content, EndInput};
 use coilsense::modes::ModalModel;
 use coilsense::plant::{ModalPlant, Order};
 use coilsense::{Channel, End, Error, FarEnd};
@@ -124,6 +124,54 @@ pub(super) fn over_frequency(spec: &Spec) -> Option<OverFrequency> {
     })
 }
 
+/// From which share of the goal's bandwidth on a sine shows what the ends do at it \[1\].
+const NEAR: f64 = 0.25;
+
+/// Where the force is wanted and no condition moves: what the figures of the sensors do not contain; `None` where they do, or where the ends agree within
+/// the goal.
+pub(super) fn unmoved(spec: &Spec) -> Option<String> {
+    let (error, bandwidth) = (spec.goal.error?, spec.goal.bandwidth?);
+    let moves = |input: &EndInput| match input {
+        EndInput::Harmonics(sines) => sines.iter().any(|sine| (NEAR * bandwidth..=bandwidth).contains(&sine.frequency)),
+        EndInput::Chirp { .. } | EndInput::HalfSine { .. } | EndInput::Sampled(_) => true,
+        EndInput::Held | EndInput::Step { .. } | EndInput::Ramp { .. } => false,
+    };
+    let is_moved = spec
+        .conditions
+        .iter()
+        .any(|each| [End::One, End::Two].map(|end| moves(each.excitation.input(end))).contains(&true));
+    if is_moved {
+        return None;
+    }
+    let input = driven(spec);
+    let responses: Vec<Response> =
+        (0..spec.mount.cases.len()).map(|damping| Response::of(spec, damping, input)).collect::<Option<_>>()?;
+    let mut up_to: Vec<f64> = frequencies(spec).into_iter().filter(|hertz| *hertz < bandwidth).collect();
+    up_to.push(bandwidth);
+    let largest = |force: usize| -> Result<f64, Error> {
+        let each = responses.iter().map(|response| response.errors(force, &up_to)).collect::<Result<Vec<_>, _>>()?;
+        Ok(each.into_iter().flatten().fold(0.0, f64::max))
+    };
+    let others: Vec<usize> = (0..FORCES.len()).filter(|force| *force != responses[0].reference).collect();
+    let off: Vec<f64> = others.iter().map(|&force| largest(force)).collect::<Result<_, _>>().ok()?;
+    let goal = error / spec.spring.spring.nominal_force();
+    if off.iter().all(|off| *off <= goal) {
+        return None;
+    }
+    let each = others
+        .iter()
+        .zip(&off)
+        .map(|(&force, off)| format!("{} by up to {} %", FORCES[force].name(), digits(100.0 * off)));
+    Some(format!(
+        "No condition moves the spring by a sine from {} to {} Hz, where the force is wanted, too: in a swing there {} of it is off {}, which no figure \
+         contains. Add a harmonic condition at the bandwidth of the goal.",
+        digits(NEAR * bandwidth),
+        digits(bandwidth),
+        each.collect::<Vec<_>>().join(" and "),
+        FORCES[responses[0].reference].name(),
+    ))
+}
+
 /// A force at the first damping, and over all of them where there are several.
 fn part(responses: &[Response], force: usize, frequencies: &[f64]) -> Result<(Curve, Option<Band>), Error> {
     let of = |response: &Response| {
@@ -224,6 +272,34 @@ mod tests {
         }
         assert_eq!(shown.figure.panels[0].curves.len(), 2);
         assert_eq!(shown.figure.panels[0].bands.len(), 2);
+    }
+
+    /// S_T by the template, whose goal reaches to 20 Hz and whose sines are at 27 and 54 Hz.
+    fn template(tables: impl Fn(&str) -> String) -> Spec {
+        Spec::parse("template", &tables(&crate::spec::template(Some("S_T")).unwrap()), &|_| unreachable!()).unwrap()
+    }
+
+    #[test]
+    fn a_goal_up_to_where_no_condition_moves_says_what_its_figures_leave_out() {
+        let spec = template(str::to_owned);
+        let said = unmoved(&spec).unwrap();
+        // F_i = k ωτ cot ωτ, F_o = k ωτ / sin ωτ at 20 Hz.
+        let z = TAU * 20.0 * spec.spring.spring.transit_time();
+        for off in [1.0 - z / z.tan(), z / z.sin() - 1.0] {
+            assert!(said.contains(&format!("by up to {:.1}", 100.0 * off)), "{off}: {said}");
+        }
+        assert!(said.contains("from 5.00 to 20.0 Hz") && said.contains("off F_x"), "{said}");
+        // Where one moves there, where everything counts, where nothing is asked, or the ends agree within the goal, there is nothing to say.
+        let moved = template(|text| text.replace("frequency = \"0.5 f1\"", "frequency = \"15 Hz\""));
+        assert_eq!(unmoved(&moved), None);
+        let still = template(|text| text.replace("frequency = \"0.5 f1\"", "frequency = \"4 Hz\""));
+        assert!(unmoved(&still).is_some());
+        let everywhere = template(|text| text.replace("bandwidth = \"20 Hz\" ", "# "));
+        assert_eq!((everywhere.goal.bandwidth, unmoved(&everywhere)), (None, None));
+        let slow = template(|text| text.replace("bandwidth = \"20 Hz\" ", "bandwidth = \"2 Hz\" "));
+        assert_eq!(unmoved(&slow), None, "0.5 % at 2 Hz");
+        // A recorded road moves at many frequencies.
+        assert_eq!(unmoved(&example("car-suspension.toml")), None);
     }
 
     #[test]

@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::figures;
 use super::frequency::over_frequency;
-use super::text::analysis_warnings;
+use super::text::{analysis_warnings, answered};
 use super::viewer_data::viewer_json;
-use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet};
+use crate::analysis::{Analysis, Fix, Verdict, changes_that_meet};
 use crate::helix::{ModeLine, ModesAt, UnderEnds};
 use crate::quantity::{digits, plainly};
 use crate::report::ReportError;
@@ -31,7 +31,7 @@ pub(super) fn page(analysis: &Analysis, date: &str) -> Result<String, ReportErro
             spring => &spec.spring.name,
             file => file_name(&spec.file),
             text => &spec.text,
-            answer => answer(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
+            answer => answered(analysis).iter().map(|line| unbroken(line)).collect::<Vec<_>>(),
             goal => goal(analysis),
             changes => changes(analysis),
             warnings => analysis_warnings(analysis),

@@ -6,6 +6,7 @@ use std::fmt::Write;
 
 use anstyle::{AnsiColor, Style};
 
+use super::frequency::unmoved;
 use crate::analysis::{Analysis, Fix, Verdict, answer, changes_that_meet, several};
 use crate::quantity::digits;
 use crate::spec::SensorSpec;
@@ -18,7 +19,7 @@ const BAD: Style = AnsiColor::Red.on_default();
 pub fn analysis_text(analysis: &Analysis) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
-    for (index, line) in answer(analysis).into_iter().enumerate() {
+    for (index, line) in answered(analysis).into_iter().enumerate() {
         let _ = if index == 0 { writeln!(text, "{BOLD}{line}{BOLD:#}") } else { writeln!(text, "{line}") };
     }
     let nominal = analysis.spec.spring.spring.nominal_force();
@@ -56,6 +57,15 @@ pub fn analysis_text(analysis: &Analysis) -> String {
     text
 }
 
+/// The answer, which denies no warning that only the report gives.
+pub(super) fn answered(analysis: &Analysis) -> Vec<String> {
+    let mut lines = answer(analysis);
+    if unmoved(&analysis.spec).is_some() {
+        lines.iter_mut().filter(|line| *line == "No warnings.").for_each(|line| "See the warning.".clone_into(line));
+    }
+    lines
+}
+
 /// What a reader must know before using the numbers, a line each; what holds for several sensors alike is said once.
 pub fn analysis_warnings(analysis: &Analysis) -> Vec<String> {
     let mut lines: Vec<(Vec<&str>, &str)> = Vec::new();
@@ -72,7 +82,7 @@ pub fn analysis_warnings(analysis: &Analysis) -> Vec<String> {
         true => said.to_owned(),
         false => format!("{}: {said}", several(&names)),
     };
-    lines.into_iter().map(line).collect()
+    unmoved(&analysis.spec).into_iter().chain(lines.into_iter().map(line)).collect()
 }
 
 /// What would make the sensors meet the goal that miss it, as a table; nothing where none misses it.
