@@ -36,7 +36,7 @@ pub fn missing() -> Option<String> {
 pub enum Built {
     /// As pip does it for whoever installs it: optimised, which takes minutes; its size is held to [`LARGEST_WHEEL`].
     AsReleased,
-    /// As the tests are: what they were built of is not built again.
+    /// As the tests are, which takes two thirds of that: what is slow to optimise and spends no time in tests stays as it is.
     AsTested,
 }
 
@@ -46,6 +46,15 @@ impl Built {
         match self {
             Self::AsReleased => "release",
             Self::AsTested => "dev",
+        }
+    }
+
+    /// The folder that it is built into. Cargo gives crates of an unpacked source the names of the workspace's own: in one folder with the tests each
+    /// would have the other's compiled anew.
+    pub fn folder(self) -> PathBuf {
+        match self {
+            Self::AsReleased => crate::target_folder(),
+            Self::AsTested => crate::target_folder().join("wheel"),
         }
     }
 }
@@ -122,7 +131,7 @@ fn from(source: &Path, environment: &Environment, built: Built) -> anyhow::Resul
     let profile = ["--profile", built.profile()];
     build.env("MATURIN_PEP517_ARGS", [profile, PACKED_HARDER].concat().join(" "));
     as_cargo(&mut build);
-    if !succeeds(build.env("CARGO_TARGET_DIR", crate::target_folder()))? {
+    if !succeeds(build.env("CARGO_TARGET_DIR", built.folder()))? {
         bail!("the packed source cannot be built");
     }
     files(&folder, "whl")?.pop().context("pip left no wheel")

@@ -58,7 +58,7 @@ fn generated(environment: &Environment, source: &Path, built: Built, file: &Path
         "python3",
     ]);
     as_cargo(&mut account);
-    account.arg("--out").arg(&folder).current_dir(source.join(PROJECT)).env("CARGO_TARGET_DIR", crate::target_folder());
+    account.arg("--out").arg(&folder).current_dir(source.join(PROJECT)).env("CARGO_TARGET_DIR", built.folder());
     if !account.status().context("maturin cannot be started")?.success() {
         bail!("PyO3's account of the module cannot be had");
     }
