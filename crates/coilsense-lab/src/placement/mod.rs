@@ -70,7 +70,7 @@ pub struct Placement {
     pub estimates: Vec<Estimated>,
     /// The one with the fastest loop of a sensitivity of at most 2 at every damping in which neither end rings; where all ring, without that.
     pub best: usize,
-    /// Those that are as fast within [`TIE`].
+    /// Those that are as fast within 1 %.
     pub ties: Vec<usize>,
     /// The crossover of the loop as it is set, with a spring without mass \[Hz\].
     pub crossover: f64,
