@@ -158,17 +158,15 @@ pub(super) fn unmoved(spec: &Spec) -> Option<String> {
     if off.iter().all(|off| *off <= goal) {
         return None;
     }
-    let each = others
-        .iter()
-        .zip(&off)
-        .map(|(&force, off)| format!("{} by up to {} %", FORCES[force].name(), digits(100.0 * off)));
+    let reference = FORCES[responses[0].reference].name();
+    let each = others.iter().zip(&off).map(|(&force, off)| {
+        format!("{} is off {reference} by up to {} % of its swing", FORCES[force].name(), digits(100.0 * off))
+    });
+    let (from, to) = (digits(NEAR * bandwidth), digits(bandwidth));
     Some(format!(
-        "No condition moves the spring by a sine from {} to {} Hz, where the force is wanted, too: in a swing there {} of it is off {}, which no figure \
-         contains. Add a harmonic condition at the bandwidth of the goal.",
-        digits(NEAR * bandwidth),
-        digits(bandwidth),
-        each.collect::<Vec<_>>().join(" and "),
-        FORCES[responses[0].reference].name(),
+        "No condition moves the spring by a sine from {from} to {to} Hz, although the force is wanted up to there. Moved so, {}; no figure contains that. Add \
+         a harmonic condition at {to} Hz.",
+        each.collect::<Vec<_>>().join(" and ")
     ))
 }
 
