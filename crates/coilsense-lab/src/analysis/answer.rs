@@ -179,13 +179,19 @@ fn missed(analysis: &Analysis, verdict: &Verdict) -> String {
     )
 }
 
+/// Why a mean error is there, where that is it.
+const BENDS: &str = " since the coil's force is no straight line";
+
 /// What the uncertainty of the worst case is mostly made of: a mean error, or the largest line of the budget.
 fn cause(verdict: &Verdict) -> String {
     let budget = &verdict.budget.budget;
     let largest = budget.contributions().iter().max_by(|a, b| a.contribution.total_cmp(&b.contribution));
     match largest {
         Some(line) if line.contribution >= budget.bias().abs() => line.name.to_string(),
-        _ => format!("a mean error of {} N", digits(budget.bias()).replace('-', "−")),
+        _ => {
+            let why = if (budget.bias() - verdict.budget.bend).abs() < 0.5 * budget.bias().abs() { BENDS } else { "" };
+            format!("a mean error of {} N{why}", digits(budget.bias()).replace('-', "−"))
+        }
     }
 }
 

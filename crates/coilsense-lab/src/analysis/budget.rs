@@ -33,6 +33,8 @@ pub struct SensorBudget {
     pub agreement: Agreement,
     /// Force at which it is made up \[N\].
     pub force: f64,
+    /// What of the bias is due to a coil whose force is no straight line \[N\].
+    pub bend: f64,
 }
 
 impl SensorBudget {
@@ -81,8 +83,10 @@ pub(super) struct Model<'a> {
     pub errors: Vec<f64>,
     /// The same over the springs that the tolerances allow.
     pub spread: Spread,
-    /// What of that is the straight line in place of the static curve \[N\]; nothing where the model's force is one.
-    pub straight: Moments,
+    /// What the straight line in place of the coil's static curve makes of it \[N\], as far as it counts; empty where it makes nothing.
+    pub straight: Vec<f64>,
+    /// Whether errors and spread hold that already: those of a helix that moves do, those of a chain do not.
+    pub bends: bool,
     /// What a length by inductance may be off because magnetic windings that move are known to second order, standard deviation \[m\].
     pub uneven: f64,
 }
@@ -113,10 +117,25 @@ impl Model<'_> {
         lines.map(|(_, line)| line.contribution * line.contribution).sum()
     }
 
+    /// What the straight line adds to the errors.
+    pub fn beside(&self) -> Moments {
+        if self.bends { Moments::default() } else { Moments::of(&self.straight) }
+    }
+
+    /// Rms error of the nominal spring's motion \[N\].
+    pub fn nominal(&self) -> f64 {
+        if self.bends || self.straight.is_empty() {
+            return self.spread.nominal.square().sqrt();
+        }
+        let each: Vec<f64> = self.errors.iter().zip(&self.straight).map(|(error, straight)| error + straight).collect();
+        Moments::of(&each).square().sqrt()
+    }
+
     /// Two errors with the mean and the spread of all of them: what a budget needs.
     fn oscillation(&self) -> Distribution {
-        let varies = self.spread.deviation.powi(2) - self.straight.variance;
-        two_of(Moments { mean: self.spread.mean - self.straight.mean, variance: varies.max(0.0) })
+        let straight = if self.bends { Moments::of(&self.straight) } else { Moments::default() };
+        let varies = self.spread.deviation.powi(2) - straight.variance;
+        two_of(Moments { mean: self.spread.mean - straight.mean, variance: varies.max(0.0) })
     }
 
     /// The budget with its Monte Carlo.
@@ -125,9 +144,12 @@ impl Model<'_> {
         let budget = self.budget()?;
         let values = Distribution::Empirical(self.spread.values(&self.errors, DRAWN));
         let Inputs { places, mut inputs } = self.inputs(values);
-        // These values hold what the chain and the straight line add.
-        inputs.iter_mut().filter(|input| input.name == CHAIN || input.name == STRAIGHT).for_each(|input| {
-            input.distribution = Distribution::Normal { standard: 0.0 };
+        // These values hold what the chain adds, and of a helix what the straight line does.
+        inputs.iter_mut().for_each(|input| match input.name.as_ref() {
+            CHAIN => input.distribution = Distribution::Normal { standard: 0.0 },
+            STRAIGHT if self.bends => input.distribution = Distribution::Normal { standard: 0.0 },
+            STRAIGHT => input.distribution = Distribution::Empirical(self.straight.clone()),
+            _ => {}
         });
         let monte_carlo = MonteCarlo::run(|values| self.force(&places, values), &inputs, asked.trials, asked.seed)?;
         Ok(SensorBudget {
@@ -138,6 +160,7 @@ impl Model<'_> {
             mean: monte_carlo.mean(),
             standard: monte_carlo.standard(),
             force: self.measurement.instrument.force(self.measurement.reading),
+            bend: Moments::of(&self.straight).mean,
             budget,
         })
     }
@@ -156,6 +179,7 @@ impl Model<'_> {
         }
         let mut chance = Pcg64::seed_from_u64(self.spec.uncertainty.seed);
         let mut values = still;
+        let beside = self.beside();
         let each = specimens.each.iter().zip(&self.spread.each).map(|(specimen, moments)| {
             for ((value, place), input) in values.iter_mut().zip(&places).zip(&inputs) {
                 *value = match place {
@@ -171,7 +195,8 @@ impl Model<'_> {
                 };
             }
             let steady = self.force(&places, &values) - unmoved;
-            (moments.variance + (moments.mean + steady).powi(2) + scatter).sqrt()
+            let (mean, variance) = (moments.mean + beside.mean, moments.variance + beside.variance);
+            (variance + (mean + steady).powi(2) + scatter).sqrt()
         });
         each.collect()
     }
@@ -184,10 +209,10 @@ impl Model<'_> {
     fn inputs(&self, oscillation: Distribution) -> Inputs {
         let oscillation = Cause { place: Place::Force, name: OSCILLATION, distribution: oscillation };
         let chain = Cause::normal(Place::Force, CHAIN, self.spread.chain);
-        let straight = (self.straight != Moments::default()).then(|| Cause {
+        let straight = (!self.straight.is_empty()).then(|| Cause {
             place: Place::Force,
             name: STRAIGHT,
-            distribution: two_of(self.straight),
+            distribution: two_of(Moments::of(&self.straight)),
         });
         let uneven = Cause::normal(Place::Length, UNEVEN, self.uneven);
         let others = self.measurement.causes();

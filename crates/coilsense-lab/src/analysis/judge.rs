@@ -17,7 +17,10 @@ use super::spread::Spread;
 use super::trial_run::Request;
 use super::verdict::{Assessment, GoalFilter, Verdict};
 use crate::spec::{SensorSpec, Spec, SpringInductance};
-use crate::study::Helices;
+use crate::study::{Bent, Helices};
+
+/// Share of the force in the spring below which it does not count that it bends.
+const STRAIGHT_ENOUGH: f64 = 1e-9;
 
 /// Share of a length over which L counts as straight.
 const ABOUT: f64 = 1e-4;
@@ -116,14 +119,14 @@ impl Judge<'_> {
             // Of the further springs that a resonance takes, the oscillation alone is known.
             worst = each.iter().fold(model.spread.loudest, |worst, error| worst.max(*error));
         }
-        let oscillation = model.spread.nominal.square().sqrt();
+        let instrument = instrument_only.sqrt();
         Ok(Assessment {
-            oscillation,
+            oscillation: model.spread.nominal.square().sqrt(),
             over_specimens: model.spread.rms(),
             loudest: model.spread.loudest,
             combined: with_bias(&budget),
-            nominal: oscillation.hypot(instrument_only.sqrt()),
-            raw: raw.hypot(instrument_only.sqrt()),
+            nominal: model.nominal().hypot(instrument),
+            raw: raw.hypot(model.beside().square().sqrt()).hypot(instrument),
             inside,
             worst,
         })
@@ -178,16 +181,36 @@ impl Judge<'_> {
         Ok(Counted { errors, raw })
     }
 
-    /// What a sensor of length errs by because it takes the static curve of a helix for the spring's straight line.
-    fn straight(&self, instrument: &Instrument, scene: Scene<'_>) -> Result<Moments, Error> {
-        if self.helices.is_empty() || instrument.slope().is_none() {
-            return Ok(Moments::default());
+    /// What a sensor of length errs by because it takes the spring's force for a straight line, where that of the coil bends \[N\]; empty for
+    /// other sensors, and where the coil is no helix.
+    fn straight(&self, instrument: &Instrument, scene: Scene<'_>) -> Result<Vec<f64>, Error> {
+        if instrument.slope().is_none() {
+            return Ok(Vec::new());
         }
         let spring = &self.spec.spring.spring;
-        let [u1, u2, curve] = [Channel::U1, Channel::U2, Channel::DeflectionForce].map(|of| scene.signals.channel(of));
-        let each = u1?.iter().zip(u2?).zip(curve?).map(|((u1, u2), curve)| spring.static_force(u2 - u1) - curve);
-        let errors: Vec<f64> = each.collect();
-        Ok(Moments::of(&band::within(&errors, scene.signals.time(), scene.judged, self.spec.goal.bandwidth)?))
+        let [u1, u2] = [Channel::U1, Channel::U2].map(|of| scene.signals.channel(of));
+        let lengths: Vec<f64> = u1?.iter().zip(u2?).map(|(u1, u2)| u2 - u1).collect();
+        let within = |curve: &[f64]| {
+            let each = lengths.iter().zip(curve).map(|(length, curve)| spring.static_force(*length) - curve);
+            band::within(&each.collect::<Vec<_>>(), scene.signals.time(), scene.judged, self.spec.goal.bandwidth)
+        };
+        if !self.helices.is_empty() {
+            return within(scene.signals.channel(Channel::DeflectionForce)?);
+        }
+        let (one, other) = self.spec.mount.ends.ways();
+        let other = other.filter(|other| other.turning() != one.turning());
+        let force = lengths.iter().map(|length| spring.static_force(*length).abs()).fold(0.0, f64::max);
+        let mut largest = (STRAIGHT_ENOUGH * force, Vec::new());
+        for way in [Some(one), other].into_iter().flatten() {
+            let forces = Bent::of(&self.spec.spring, way.turning())
+                .and_then(|bent| lengths.iter().map(|length| bent.force(*length)).collect::<Result<Vec<f64>, _>>());
+            let Ok(forces) = forces else { continue };
+            let errors = within(&forces)?;
+            if rms(&errors) > largest.0 {
+                largest = (rms(&errors), errors);
+            }
+        }
+        Ok(largest.1)
     }
 
     fn model_of<'m>(
@@ -220,10 +243,10 @@ impl Judge<'_> {
             noise: instrument.readout().noise_within(bandwidth, rate),
             warming: self.spec.uncertainty.temperature_change,
         };
-        let straight = self.straight(instrument, scene)?;
+        let (straight, bends) = (self.straight(instrument, scene)?, !self.helices.is_empty());
         let by_coil = sensor.quantity.of_kind().watches(Channel::Inductance);
         let uneven = if by_coil { self.length_of(scene.condition, scene.inductance_doubt) } else { 0.0 };
-        Ok(Model { spec: self.spec, measurement, errors, spread, straight, uneven })
+        Ok(Model { spec: self.spec, measurement, errors, spread, straight, bends, uneven })
     }
 
     /// The low-pass that a goal with a bandwidth needs where errors of every frequency exceed it.

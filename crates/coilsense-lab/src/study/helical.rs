@@ -4,14 +4,12 @@
 
 use std::sync::Arc;
 
-use coilsense::helix::{Helix, ReactionSeries, Rod, StaticCurve, StiffnessAt, Surge, Turning};
+use coilsense::helix::{Helix, ReactionSeries, Surge};
 use coilsense::{Channel, Error, Excitation, Motion, Mount, Signals};
 
+use super::bent::Bent;
 use crate::helix::Held;
 use crate::spec::{Model, Spec, SpringSpec};
-
-/// How far the lengths of a simulation may lie from one another and still be one.
-const ONE_LENGTH: f64 = 1e-9;
 
 /// Whether helices move in this build: known when it is compiled, so that one without the feature does not carry what moves them.
 const MOVES: Result<(), Error> = if cfg!(feature = "moving-helix") {
@@ -30,13 +28,9 @@ const MOVES: Result<(), Error> = if cfg!(feature = "moving-helix") {
 #[derive(Debug, Clone)]
 pub struct Helical {
     surge: Surge,
-    rod: Rod,
-    turning: Turning,
-    /// What the spring is longer than its active windings span \[m\].
-    dead_length: f64,
-    /// What the spring's force is more than the helix's \[N\]: of a spring by values, what makes the curve touch its straight line in the
-    /// middle of its range.
-    more: f64,
+    bent: Bent,
+    /// Length about which it moves \[m\].
+    length: f64,
     /// Angle between the spring's axis and that of a load cell \[rad\].
     misalignment: f64,
 }
@@ -71,19 +65,10 @@ impl Helical {
     /// without the feature `moving-helix`.
     pub fn new(spring: &SpringSpec, way: &Held, misalignment: f64, length: f64) -> Result<Self, Error> {
         MOVES?;
-        let (rod, dead_length) = (spring.rod()?, -spring.geometry.active_span(0.0));
-        let helix = Helix::new(&rod, length - dead_length, way.turning())?;
-        let middle = spring.spring.mid_length();
-        let more = match spring.stiffness_at {
-            StiffnessAt::Range => {
-                let force = Helix::new(&rod, middle - dead_length, way.turning())?.force();
-                spring.spring.static_force(middle) - force
-            }
-            // The wire's rest length is that at which its own force, initial tension included, is none.
-            StiffnessAt::Flat => 0.0,
-        };
+        let bent = Bent::of(spring, way.turning())?;
+        let helix = Helix::new(&spring.rod()?, spring.geometry.active_span(length), way.turning())?;
         let surge = Surge::new(&spring.spring, &spring.geometry, &helix, way.ends())?;
-        Ok(Self { surge, rod, turning: way.turning(), dead_length, more, misalignment })
+        Ok(Self { surge, bent, length, misalignment })
     }
 
     /// Its modes.
@@ -119,22 +104,11 @@ impl Helical {
 
     /// What the static force is more than the straight line of the motion \[N\], at each sample.
     fn bend(&self, stiffness: f64, signals: &Signals) -> Result<Vec<f64>, Error> {
-        let lengths: Vec<f64> =
-            signals.channel(Channel::U1)?.iter().zip(signals.channel(Channel::U2)?).map(|(u1, u2)| u2 - u1).collect();
         let helix = self.surge.helix();
-        let about = helix.span() + self.dead_length;
-        let apart = |length: &f64| (length - about).abs();
-        let far = lengths.iter().map(apart).fold(0.0, f64::max);
-        if far < ONE_LENGTH * about {
-            return Ok(vec![stiffness * self.more; lengths.len()]);
-        }
-        let (low, high) = lengths.iter().fold((about, about), |(low, high), l| (low.min(*l), high.max(*l)));
-        let curve = StaticCurve::new(&self.rod, self.turning, (low - self.dead_length, high - self.dead_length))?;
-        let at = |length: &f64| {
-            let straight = helix.force() + helix.stiffness() * (length - about);
-            stiffness * (curve.force(length - self.dead_length) - straight + self.more)
-        };
-        Ok(lengths.iter().map(at).collect())
+        let straight = |length: f64| helix.force() + helix.stiffness() * (length - self.length);
+        let ends = signals.channel(Channel::U1)?.iter().zip(signals.channel(Channel::U2)?);
+        let bend = |(u1, u2): (&f64, &f64)| Ok(stiffness * (self.bent.force(u2 - u1)? - straight(u2 - u1)));
+        ends.map(bend).collect()
     }
 
     /// What load cells read: the axial force, and of the side force what their tilt shows, in the direction in which it is largest.

@@ -2,6 +2,7 @@
 //!
 //! Next door: what is made of it (`analysis`, `sweep`, `reproduce`), the motion itself (`coilsense::motion`).
 
+mod bent;
 mod contacts;
 mod helical;
 mod masses;
@@ -9,6 +10,7 @@ mod seen;
 mod simulation;
 mod together;
 
+pub use bent::Bent;
 pub use contacts::{Between, Contacts, GRAZES, MEET, Meeting};
 pub use helical::{EndLoads, Helical, Helices, Moved};
 pub use masses::{ENOUGH, ENOUGH_WITH_CONTACT, Masses, enough_masses, mounted, prepare};

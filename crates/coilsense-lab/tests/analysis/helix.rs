@@ -98,11 +98,11 @@ fn the_car_answers_with_helix_and_coil_beside_each_other() {
     let road = |_: &str| Ok(include_str!("../../../../examples/road-c-20mps.csv").to_owned());
     let analysis = Analysis::run(Spec::parse("car.toml", &text, &road).unwrap(), &|_, _| true).unwrap();
     let coil = analysis.as_chain.clone().unwrap();
-    // A weaker line at the wheel, the same at the body; ride height by a straight line misses the bend of the static curve.
+    // A weaker line at the wheel, the same at the body; ride height by a straight line misses the bend of the static curve by either.
     for (name, helix, chain) in [
         ("load cell under the top mount", 12.13, 12.21),
         ("load cell in the lower seat", 41.5, 46.6),
-        ("ride-height sensor", 113.5, 87.6),
+        ("ride-height sensor", 101.9, 102.6),
     ] {
         let verdict = verdict(&analysis, name);
         let (own, beside) = (verdict.combined(), coil[verdict.sensor]);
@@ -174,9 +174,12 @@ fn the_static_force_is_the_helixs_and_a_straight_line_is_a_line_of_the_budget() 
     assert!(spread > 1e-3 && (straight / spread - 1.0).abs() < 0.02, "{straight} {spread}");
     assert!(laser.combined() >= rms(&bent));
     assert_eq!(line(cell, "the force as a straight line"), 0.0);
-    // A chain's force is a straight line.
+    // A chain moves along a straight line, and the coil that it stands for does not.
     let chain = run(&s_t("coil", HELD, &format!("{sensors}{slow}")));
-    assert_eq!(line(verdict(&chain, "laser"), "the force as a straight line"), 0.0);
+    let of_chain = line(verdict(&chain, "laser"), "the force as a straight line");
+    // Ends that are held add a slope of 0.04 % to the helix that moves.
+    assert!((of_chain - straight).abs() < 4e-4 * 760.0 * 0.021, "{of_chain} {straight}");
+    assert!(of_chain > 0.01, "{of_chain}");
 }
 
 #[test]

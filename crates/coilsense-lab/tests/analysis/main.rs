@@ -6,6 +6,7 @@
 //! | readings of perfect and filtering sensors | the channels themselves, the detuning of the modes (`readings`) |
 //! | lines of a budget | their closed forms; the Monte Carlo (`budget`) |
 //! | what would fix a sensor | the same change written into the spec (`fixes`) |
+//! | a coil whose force is no straight line | an inextensible wire in closed form, the helix that moves (`bent`) |
 //! | a helix that moves | the chain of a long flat spring, its static curve, its own reactions (`helix`) |
 //! | windings that meet | two other programs, themselves without contact (`contact`) |
 //! | magnetic wire | its windings solved about another pitch (`magnetisation`) |
@@ -14,6 +15,7 @@
 //! | the whole run | itself on other threads, and when stopped (`runs`), case by case with what is known (`under_way`) |
 
 mod band;
+mod bent;
 mod budget;
 mod contact;
 mod data_sheet;

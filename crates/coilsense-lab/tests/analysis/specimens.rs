@@ -77,10 +77,10 @@ fn damping_is_never_averaged() {
 
 #[test]
 fn a_rate_without_a_tolerance_is_said_to_be_taken_as_exact_and_what_five_percent_make_of_it() {
-    // 4.5 × 28 × 90 mm, landing at 0.4 m/s: a bought spring.
+    // 4.5 × 28 × 90 mm, landing at 0.4 m/s: a bought spring, whose rate somebody measured in use.
     let spring = |tolerance: &str| {
         format!(
-            "[spring]\nname = \"bought\"\nrest_length = \"90 mm\"\nmin_length = \"50 mm\"\nmax_length = \"80 mm\"\nwindings = 8\n\
+            "[spring]\nname = \"bought\"\nstiffness_at = \"range\"\nrest_length = \"90 mm\"\nmin_length = \"50 mm\"\nmax_length = \"80 mm\"\nwindings = 8\n\
              wire_diameter = \"4.5 mm\"\ncoil_diameter = \"28 mm\"\nend_type = \"closed-ground\"\n{tolerance}\n[mount]\ndamping_ratio = 0.005\n\
              [uncertainty]\ntrials = 1000\n[[condition]]\nname = \"landing\"\nkind = \"impact\"\nvelocity = \"-0.4 m/s\"\n\
              window = [\"0.2 s\", \"1 s\"]\n[[sensor]]\nkind = \"deflection\"\nname = \"encoders\"\naccuracy_full_scale = \"0.1 %\"\n\
