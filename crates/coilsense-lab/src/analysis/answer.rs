@@ -2,6 +2,7 @@
 //!
 //! Next door: the whole report (`report`).
 
+use super::budget::OSCILLATION;
 use super::verdict::Verdict;
 use super::{Analysis, Fix, Subject};
 use crate::quantity::{digits, plainly};
@@ -187,7 +188,10 @@ fn cause(verdict: &Verdict) -> String {
     let budget = &verdict.budget.budget;
     let largest = budget.contributions().iter().max_by(|a, b| a.contribution.total_cmp(&b.contribution));
     match largest {
-        Some(line) if line.contribution >= budget.bias().abs() => line.name.to_string(),
+        Some(line) if line.contribution >= budget.bias().abs() => match line.name.as_ref() {
+            OSCILLATION if verdict.by_readout => "its own lag".to_owned(),
+            name => name.to_owned(),
+        },
         _ => {
             let why = if (budget.bias() - verdict.budget.bend).abs() < 0.5 * budget.bias().abs() { BENDS } else { "" };
             format!("a mean error of {} N{why}", digits(budget.bias()).replace('-', "−"))

@@ -55,8 +55,18 @@ impl Judge<'_> {
             lag: readout.lag(wanted.unwrap_or(0.0)) + filter.map_or(0.0, |filter| filter.lag),
             filter,
             too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
+            by_readout: self.by_readout(index, sensor, &self.cases[worst])?,
             fixes: Vec::new(),
         })
+    }
+
+    /// Whether most of what a sensor sees wrong of the motion in a case would be gone if it told at once what it watches.
+    fn by_readout(&self, index: usize, sensor: &SensorSpec, case: &Case) -> Result<bool, Error> {
+        let instrument = self.instrument(sensor, case.condition)?;
+        let scene = case.scene(sensor, &self.spec.goal);
+        let at_once = instrument.forces(&instrument.quantity(scene.seen)?);
+        let seen = |forces: &[f64]| Ok(rms(&self.counted(scene, forces)?.errors));
+        Ok(seen(&at_once)? < 0.5 * seen(&case.readings[index].steady)?)
     }
 
     /// The combined uncertainty of the worst case \[N\], and whether every case meets the goal.

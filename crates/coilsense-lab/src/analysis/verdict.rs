@@ -26,6 +26,8 @@ pub struct Verdict {
     pub filter: Option<GoalFilter>,
     /// Whether the sensor does not reach the wanted bandwidth.
     pub too_slow: bool,
+    /// Whether most of the oscillation in the worst case is what its own delay, averaging and filter make of the motion.
+    pub by_readout: bool,
     /// Single changes with which it meets the goal, the quickest first.
     pub fixes: Vec<Fix>,
 }

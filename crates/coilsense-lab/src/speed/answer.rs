@@ -254,7 +254,7 @@ fn seats(map: &SpeedMap) -> String {
     let least = |point: &SpeedPoint| point.least_push().into_iter().fold(f64::INFINITY, f64::min);
     let Some(worst) = map.points.iter().min_by(|a, b| least(a).total_cmp(&least(b))) else { return String::new() };
     let at = format!("{} ({})", rpm(worst.speed), label(map, worst));
-    let lifts = |point: &SpeedPoint| point.lifts > 0.0;
+    let lifts = |point: &SpeedPoint| point.lifts.is_some_and(|lifts| lifts > 0.0);
     match lowest(map, lifts) {
         Some(first) => format!("An end leaves its seat {} ({}).", spans(map, first, lifts), label(map, first)),
         None if least(worst) < 0.0 => {

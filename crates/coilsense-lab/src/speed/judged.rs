@@ -38,10 +38,10 @@ pub struct SpeedPoint {
     pub closed: f64,
     /// The largest closing speed \[m/s\].
     pub fastest: f64,
-    /// The largest blow on a seat \[N s\].
-    pub blow: f64,
-    /// How often an end leaves its seat in a turn.
-    pub lifts: f64,
+    /// The largest blow on a seat \[N s\]; `None` where end turns have no seats to meet.
+    pub blow: Option<f64>,
+    /// How often an end leaves its seat in a turn; `None` where ends stay where they are.
+    pub lifts: Option<f64>,
     /// How the follower floats; `None` without one.
     pub floating: Option<Floating>,
     /// Shear stress where the wire is worst off; `None` where nothing could be followed.
@@ -121,6 +121,8 @@ pub(super) fn judged(spec: &Spec, way: usize, speed: f64, course: &Course, turns
     let base = usize::from(!course.cam_force.is_empty());
     let last = base + spring.chain_masses();
     let at_seat = |points: [usize; 2]| points[0] == base || points[1] > last;
+    let blows = || touches().filter(|touch| at_seat(touch.points)).map(|touch| touch.impulse);
+    let contact = spec.mount.cases[way].contact.as_ref().map(|way| &way.contact);
     SpeedPoint {
         speed,
         way,
@@ -132,8 +134,10 @@ pub(super) fn judged(spec: &Spec, way: usize, speed: f64, course: &Course, turns
         touches: Turns::each(touches().count()),
         closed: closed(&course.touches, turns),
         fastest: touches().map(|touch| touch.closing_speed).fold(0.0, f64::max),
-        blow: touches().filter(|touch| at_seat(touch.points)).map(|touch| touch.impulse).fold(0.0, f64::max),
-        lifts: Turns::each(course.lifts.iter().filter(|lift| is_seen(lift.time)).count()),
+        blow: contact.is_some_and(|contact| contact.ends()).then(|| blows().fold(0.0, f64::max)),
+        lifts: contact
+            .is_some_and(|contact| contact.lifts())
+            .then(|| Turns::each(course.lifts.iter().filter(|lift| is_seen(lift.time)).count())),
         floating: (!course.cam_force.is_empty()).then(|| floating(course, turns)),
         stress: Stress::worst(&spec.spring, spec.strength.as_ref(), &course.tensions),
         unsettled: unsettled(course, turns.in_a_turn) / spring.nominal_force(),

@@ -84,3 +84,32 @@ fn who_misses_is_told_why() {
     let lines = answer(&undamped(S_T, &format!("{ramp}{late}{strict}")));
     assert!(lines[1].contains("mostly a mean error of −0.480 N;"), "{lines:?}");
 }
+
+#[test]
+fn what_a_sensor_owes_to_its_own_lag_is_not_laid_on_the_spring() {
+    let strict = "[goal]\nerror = \"0.1 %\"\n";
+    let why = |frequency: &str, sensor: &str, goal: &str| {
+        let moved = format!(
+            "[[condition]]\nkind = \"harmonic\"\nfrequency = \"{frequency}\"\namplitude = \"2 mm\"\nstart = \"massless\"\nduration = \"1 s\"\n"
+        );
+        answer(&undamped(S_T, &format!("{moved}[[sensor]]\nname = \"it\"\n{sensor}{goal}")))[1].clone()
+    };
+    let late = "kind = \"deflection\"\ndelay = \"20 ms\"\n";
+    let slow = "kind = \"deflection\"\naveraging = \"20 ms\"\n";
+    let filtered = "kind = \"deflection\"\nbandwidth = \"10 Hz\"\n";
+    for sensor in [late, slow, filtered] {
+        assert!(why("4 Hz", sensor, strict).contains("mostly its own lag"), "{}", why("4 Hz", sensor, strict));
+    }
+    // A load cell beside a spring that rings; one that is hardly late; a length for the force at an end; and one that is late beside more ringing.
+    let of_end = "[goal]\nerror = \"0.1 %\"\nforce = \"F_o\"\n";
+    let cell = "kind = \"load-cell\"\nend = 2\n";
+    for (sensor, goal) in [
+        (cell.to_owned(), strict),
+        (format!("{cell}delay = \"0.1 ms\"\n"), strict),
+        ("kind = \"deflection\"\n".to_owned(), of_end),
+        ("kind = \"deflection\"\ndelay = \"0.1 ms\"\n".to_owned(), of_end),
+    ] {
+        let words = why("50 Hz", &sensor, goal);
+        assert!(words.contains("mostly oscillation"), "{sensor}: {words}");
+    }
+}

@@ -1,5 +1,6 @@
 //! End turns whose seats are left out.
 
+use coilsense_lab::report::speed_columns;
 use coilsense_lab::speed::{SpeedMap, answer};
 
 use super::{CAM, map, text};
@@ -21,6 +22,13 @@ fn pushes_that_no_spring_has_are_not_to_be_trusted_and_said_first() {
     let seated = map(&text, 7500.0, 8000.0);
     assert!(push(&seated) <= 1.02 * solid, "{} N, solid at {solid} N", push(&seated));
     let slow = map(&without_seats, 1500.0, 2000.0);
+    // What was not looked at is no zero: not in a table, nor in JSON.
+    for (map, looked) in [(&fast, false), (&seated, true), (&slow, false)] {
+        assert!(map.points.iter().all(|point| point.blow.is_some() == looked), "{looked}");
+        let blows = &speed_columns(map, 0).into_iter().find(|(key, _)| *key == "blow_on_seat_n_s").unwrap().1;
+        assert!(!blows.is_empty() && blows.iter().all(|blow| blow.is_nan() != looked), "{blows:?}");
+    }
+    assert!(seated.points.iter().any(|point| point.blow > Some(0.0)));
     for calm in [&seated, &slow] {
         assert!(!answer(calm).join("\n").contains("Not to be trusted"), "{:?}", answer(calm));
     }

@@ -79,8 +79,10 @@ struct RunRow<'a> {
     /// Of the two points that touch longest.
     share_of_time_closed: f64,
     closing_speed_m_per_s: f64,
-    blow_on_seat_n_s: f64,
-    lift_offs_per_turn: f64,
+    /// Null where end turns have no seats to meet.
+    blow_on_seat_n_s: Option<f64>,
+    /// Null where ends stay on their seats, whatever the force.
+    lift_offs_per_turn: Option<f64>,
     /// Null without a follower.
     floats_per_turn: Option<f64>,
     floating_share: Option<f64>,
