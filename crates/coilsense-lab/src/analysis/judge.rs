@@ -8,7 +8,7 @@ use coilsense::sensors::{Instrument, MAX_ORDER, Measurement, Readout, Site};
 use coilsense::{Channel, Error};
 
 use super::band;
-use super::budget::{Model, OSCILLATION, STRAIGHT, SensorBudget, doubt, with_bias};
+use super::budget::{Model, OSCILLATION, SensorBudget, doubt, with_bias};
 use super::case::{Case, Scene};
 use super::moments::Moments;
 use super::response::Responses;
@@ -118,7 +118,8 @@ impl Judge<'_> {
         Counted { errors, raw }: Counted,
         over: Option<Over<'_>>,
     ) -> Result<Assessment, Error> {
-        let model = self.model_of(sensor, instrument, scene, errors, over)?;
+        let straight = self.straight(instrument, scene)?;
+        let model = self.model_of(sensor, instrument, scene, Errors { errors, straight }, over)?;
         let budget = model.budget()?;
         let instrument_only = model.of_instrument(&budget);
         let (mut inside, mut worst) = (None, f64::NAN);
@@ -158,8 +159,9 @@ impl Judge<'_> {
 
     /// Variance of everything but the oscillation \[N²\].
     pub fn beside(&self, sensor: &SensorSpec, instrument: &Instrument, scene: Scene<'_>) -> Result<f64, Error> {
-        let budget = self.model_of(sensor, instrument, scene, vec![0.0], None)?.budget()?;
-        let each = budget.contributions().iter().filter(|line| line.name != OSCILLATION && line.name != STRAIGHT);
+        let still = Errors { errors: vec![0.0], straight: Vec::new() };
+        let budget = self.model_of(sensor, instrument, scene, still, None)?.budget()?;
+        let each = budget.contributions().iter().filter(|line| line.name != OSCILLATION);
         Ok(each.map(|line| line.contribution * line.contribution).sum())
     }
 
@@ -197,15 +199,21 @@ impl Judge<'_> {
         if instrument.slope().is_none() {
             return Ok(Vec::new());
         }
-        let spring = &self.spec.spring.spring;
-        let [u1, u2] = [Channel::U1, Channel::U2].map(|of| scene.signals.channel(of));
+        let (spring, bandwidth) = (&self.spec.spring.spring, self.spec.goal.bandwidth);
+        // Without a bandwidth no other sample counts.
+        let needed = if bandwidth.is_some() { 0..scene.signals.time().len() } else { scene.judged.clone() };
+        let [u1, u2] = [Channel::U1, Channel::U2].map(|of| Ok(&scene.signals.channel(of)?[needed.clone()]));
         let lengths: Vec<f64> = u1?.iter().zip(u2?).map(|(u1, u2)| u2 - u1).collect();
         let within = |curve: &[f64]| {
-            let each = lengths.iter().zip(curve).map(|(length, curve)| spring.static_force(*length) - curve);
-            band::within(&each.collect::<Vec<_>>(), scene.signals.time(), scene.judged, self.spec.goal.bandwidth)
+            let each: Vec<f64> =
+                lengths.iter().zip(curve).map(|(length, curve)| spring.static_force(*length) - curve).collect();
+            if bandwidth.is_none() {
+                return Ok(each);
+            }
+            band::within(&each, scene.signals.time(), scene.judged, bandwidth)
         };
         if !self.helices.is_empty() {
-            return within(scene.signals.channel(Channel::DeflectionForce)?);
+            return within(&scene.signals.channel(Channel::DeflectionForce)?[needed]);
         }
         let (one, other) = self.spec.mount.ends.ways();
         let other = other.filter(|other| other.turning() != one.turning());
@@ -228,7 +236,7 @@ impl Judge<'_> {
         sensor: &'m SensorSpec,
         instrument: &'m Instrument,
         scene: Scene<'_>,
-        errors: Vec<f64>,
+        Errors { errors, straight }: Errors,
         over: Option<Over<'_>>,
     ) -> Result<Model<'m>, Error> {
         let truth = scene.signals.channel(self.spec.goal.force)?;
@@ -253,7 +261,7 @@ impl Judge<'_> {
             noise: instrument.readout().noise_within(bandwidth, rate),
             warming: self.spec.uncertainty.temperature_change,
         };
-        let (straight, bends) = (self.straight(instrument, scene)?, !self.helices.is_empty());
+        let bends = !self.helices.is_empty();
         let by_coil = sensor.quantity.of_kind().watches(Channel::Inductance);
         let uneven = if by_coil { self.length_of(scene.condition, scene.inductance_doubt) } else { 0.0 };
         Ok(Model { spec: self.spec, measurement, errors, spread, straight, bends, uneven })
@@ -289,6 +297,14 @@ pub(super) struct Counted {
     pub raw: f64,
 }
 
+/// Errors of a sensor over the judged samples, as far as they count.
+struct Errors {
+    /// With the motion \[N\].
+    errors: Vec<f64>,
+    /// Of the straight line in place of the coil's static curve \[N\]; empty where there are none, or none are asked for.
+    straight: Vec<f64>,
+}
+
 /// How a sensor's error changes from spring to spring in a case.
 #[derive(Clone, Copy)]
 pub(super) struct Over<'a> {
@@ -310,6 +326,8 @@ struct SensorModel<'a> {
 impl SensorModel<'_> {
     fn with_monte_carlo(&self) -> Result<SensorBudget, Error> {
         let Counted { errors, .. } = self.judge.counted(self.scene, self.steady)?;
+        let straight = self.judge.straight(&self.instrument, self.scene)?;
+        let errors = Errors { errors, straight };
         self.judge.model_of(self.sensor, &self.instrument, self.scene, errors, Some(self.over))?.with_monte_carlo()
     }
 }
