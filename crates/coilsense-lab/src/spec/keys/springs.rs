@@ -84,7 +84,7 @@ pub(super) const SPRING: Table = Table {
             "total_windings",
             "54",
             "with those that end 1 and end 2 rest on",
-            "`windings` and what `end_type` adds",
+            "`windings` and what `end_type` adds: 2 if closed, 1 if open and ground",
         )
         .of(GEOMETRY),
         optional(
@@ -248,7 +248,8 @@ pub(super) const MOUNT: Table = Table {
     name: "mount",
     repeats: false,
     meaning: told(
-        "What end 2 is tied to, and what damps the windings. End 1 always has a prescribed position. Without any damping key every result is \
+        "What end 2 is tied to, and what damps the windings. End 1 always has a prescribed position, but for a \
+              `follower_mass`. Without any damping key every result is \
               given for ζ = 0 (the paper's case), 0.001, 0.005 and 0.02: no measured range of ζ for coil springs is known.",
     ),
     keys: &[
