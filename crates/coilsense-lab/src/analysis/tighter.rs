@@ -2,12 +2,13 @@
 //!
 //! Next door: changes of place and of dynamics, and the trial of all of them (`fix`).
 
+use coilsense::helix::StiffnessAt;
 use coilsense::sensors::cause;
 
 use super::change::{Change, written};
 use super::verdict::Verdict;
 use crate::quantity::Dimension;
-use crate::spec::{SensorSpec, Spec};
+use crate::spec::{Model, SensorSpec, Spec};
 
 /// A limit of error that must shrink to less than this share of itself is another instrument.
 const LEAST_SHARE: f64 = 0.05;
@@ -16,13 +17,21 @@ const LEAST_SHARE: f64 = 0.05;
 pub(super) fn all(spec: &Spec, sensor: &SensorSpec, verdict: &Verdict, goal: f64) -> Vec<Change> {
     let lines = verdict.budget.budget.contributions().iter();
     let change = |name: &str, contribution: f64| {
+        let others = verdict.combined().powi(2) - contribution.powi(2);
         // What the other lines and the mean error leave of the goal.
-        let room = goal * goal - (verdict.combined().powi(2) - contribution.powi(2));
-        let share = room.max(0.0).sqrt() / contribution;
-        if !(LEAST_SHARE..1.0).contains(&share) {
-            return None;
+        let share_beside = |others: f64| {
+            let share = (goal * goal - others).max(0.0).sqrt() / contribution;
+            Some(share).filter(|share| (LEAST_SHARE..1.0).contains(share))
+        };
+        if let Some(share) = share_beside(others) {
+            return of_sensor(name, sensor, share).or_else(|| of_spring(name, spec, sensor, share));
         }
-        of_sensor(name, sensor, share).or_else(|| of_spring(name, spec, sensor, share))
+        // A rate that is measured in use takes the flat coil's bend with it.
+        let is_flat = spec.spring.stiffness_at == StiffnessAt::Flat && spec.spring.model != Model::Helix;
+        let (bias, bend) = (verdict.budget.budget.bias(), verdict.budget.bend);
+        let measured = others - bias.powi(2) + (bias - bend).powi(2);
+        let share = share_beside(measured).filter(|_| is_flat && name == cause::STIFFNESS)?;
+        measured_in_use(spec, sensor, share)
     };
     lines.filter_map(|line| change(line.name.as_ref(), line.contribution)).collect()
 }
@@ -63,6 +72,16 @@ fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
         _ => return None,
     };
     Some(Change { words, sensor, spec: None })
+}
+
+/// A spring whose rate and force are known from the middle of its range, and that much better.
+fn measured_in_use(spec: &Spec, sensor: &SensorSpec, share: f64) -> Option<Change> {
+    let mut spec = spec.clone();
+    let mut tolerance = spec.spring.stiffness_tolerance();
+    let words = format!("k measured in the middle of the range, within ±{}", percent(&mut tolerance, share)?);
+    spec.spring.tolerances.stiffness = Some(tolerance);
+    spec.spring.stiffness_at = StiffnessAt::Range;
+    Some(Change { words, sensor: sensor.clone(), spec: Some(spec) })
 }
 
 /// A spring that is known better: the limit behind a line of the budget, times `share`.
