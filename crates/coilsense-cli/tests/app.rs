@@ -186,9 +186,18 @@ mod served {
         assert_eq!(rest(&idle[0]), "");
         #[cfg(target_os = "linux")]
         {
-            let status = std::fs::read_to_string(format!("/proc/{}/status", served.child.id())).expect("its status");
-            let threads = status.lines().find_map(|line| line.strip_prefix("Threads:")).expect("a line");
-            assert!(threads.trim().parse::<u32>().expect("a number") < 100, "{threads}");
+            let threads = || {
+                let status =
+                    std::fs::read_to_string(format!("/proc/{}/status", served.child.id())).expect("its status");
+                let threads = status.lines().find_map(|line| line.strip_prefix("Threads:")).expect("a line");
+                threads.trim().parse::<u32>().expect("a number")
+            };
+            // Those whose connections are ended go as soon as a busy machine lets them.
+            let begun = Instant::now();
+            while threads() >= 100 && begun.elapsed() < Duration::from_secs(10) {
+                std::thread::sleep(Duration::from_millis(20));
+            }
+            assert!(threads() < 100, "{}", threads());
         }
     }
 
