@@ -328,6 +328,15 @@ test('a finger scrolls the page up and down, hits by a tap, and the strip is not
   await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(before + 50);
   expect(await begun(page)).toBe(0);
   await expect(undo(page)).toBeDisabled();
+  // A scroll goes on for a moment, and where the coil is then is where it is hit.
+  let last = NaN;
+  const rests = async () => {
+    const at = await page.evaluate(() => scrollY);
+    const same = at === last;
+    last = at;
+    return same;
+  };
+  await expect.poll(rests).toBe(true);
   const now = await coil(page);
   await touch('touchStart', [[now.x - 60, now.y]]);
   for (let step = 1; step <= 8; step++) await touch('touchMove', [[now.x - 60 + 12 * step, now.y]]);
