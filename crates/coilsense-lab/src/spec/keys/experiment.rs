@@ -66,7 +66,8 @@ const INVERSE_LENGTH: Table = Table {
     name: "inverse_length",
     repeats: false,
     meaning: told(
-        "The curve 1/l = αL + β by which L becomes a length, as `coilsense calibrate` prints it. Without it, it is fitted to the calibration run, \
+        "The curve 1/l = αL + β by which L becomes a length, as `coilsense calibrate` prints it; the figures are an example of a \
+              measured coil with its leads, not of S_T in the model. Without it, it is fitted to the calibration run, \
               through the first preload run.",
     ),
     keys: &[needed("alpha", "2.1573e6", "α in 1/(H m)"), needed("beta", "-0.2056", "β in 1/m")],
