@@ -130,7 +130,7 @@ export const SENSORS: readonly Term[] = [
     id: 'worst',
     names: ['nominal [N]', 'worst [N]', 'inside'],
     words:
-      'Of springs within tolerance: nominal is the error of the one as drawn, worst that of the worst one, inside the share of them that meet the goal where fewest do.',
+      'Of springs within tolerance: nominal is the error of the one as drawn, worst that of the worst one, inside the share of them that meet the goal in the least favourable case.',
     unit: 'N, %',
     book: COMPARED,
   },

@@ -150,7 +150,7 @@ function ranking(outcome: Outcome): HTMLElement {
     make(
       'p',
       { class: 'facts' },
-      'u: combined standard uncertainty in the worst case, rms over the springs within tolerance; nominal, worst: error of the nominal and of the worst spring; inside: share of the springs that meet the goal where fewest do.',
+      'u: combined standard uncertainty in the worst case, rms over the springs within tolerance; nominal, worst: error of the nominal and of the worst spring; inside: share of the springs that meet the goal in the least favourable case.',
     ),
   );
   return table;

@@ -3,7 +3,6 @@
 //! Next door: lines of the budget that would have to shrink (`tighter`), how a sensor is judged (`verdict`).
 
 use coilsense::Error;
-use coilsense::helix::StiffnessAt;
 use coilsense::sensors::ReadoutParameters;
 
 use super::change::{Change, Fix, written};
@@ -24,7 +23,6 @@ pub(super) fn of(judge: &Judge<'_>, sensor: &SensorSpec, verdict: &Verdict) -> R
     let fewer = Springs::of(judge.spec, &judge.spec.spring.tolerances, MANY);
     let mut fixes = Vec::new();
     let changes = candidates(judge, sensor).into_iter().chain(tighter::all(judge.spec, sensor, verdict, goal));
-    let changes = changes.chain(measured_in_use(judge, sensor));
     for Change { words, sensor, spec } in changes {
         let springs = spec.as_ref().map(|spec| Springs::of(spec, &spec.spring.tolerances, MANY));
         let springs = springs.as_ref().unwrap_or(&fewer);
@@ -69,17 +67,6 @@ fn candidates(judge: &Judge<'_>, sensor: &SensorSpec) -> Vec<Change> {
         add("no dead time", Some((0.0, String::new())), &|r, delay| r.delay = delay);
     }
     changes
-}
-
-/// A straight line that is the force's in the middle of the range, in place of that of the flat coil. A helix moves by the curve of its own.
-fn measured_in_use(judge: &Judge<'_>, sensor: &SensorSpec) -> Option<Change> {
-    let mut spec = judge.spec.clone();
-    if !judge.helices.is_empty() || spec.spring.stiffness_at == StiffnessAt::Range {
-        return None;
-    }
-    spec.spring.stiffness_at = StiffnessAt::Range;
-    let words = "k and F measured in the middle of the range".to_owned();
-    Some(Change { words, sensor: sensor.clone(), spec: Some(spec) })
 }
 
 /// Another place of the same instrument.

@@ -16,6 +16,9 @@ const LEAST_SHARE: f64 = 0.05;
 /// For each line of the worst case's budget that alone stands between the sensor and the goal \[N\], the change that makes it fit.
 pub(super) fn all(spec: &Spec, sensor: &SensorSpec, verdict: &Verdict, goal: f64) -> Vec<Change> {
     let lines = verdict.budget.budget.contributions().iter();
+    // A helix moves by a curve of its own.
+    let is_flat = spec.spring.stiffness_at == StiffnessAt::Flat && spec.spring.model != Model::Helix;
+    let is_bent_flat = is_flat && verdict.budget.bend != 0.0;
     let change = |name: &str, contribution: f64| {
         let others = verdict.combined().powi(2) - contribution.powi(2);
         // What the other lines and the mean error leave of the goal.
@@ -27,13 +30,14 @@ pub(super) fn all(spec: &Spec, sensor: &SensorSpec, verdict: &Verdict, goal: f64
             return of_sensor(name, sensor, share).or_else(|| of_spring(name, spec, sensor, share));
         }
         // A rate that is measured in use takes the flat coil's bend with it.
-        let is_flat = spec.spring.stiffness_at == StiffnessAt::Flat && spec.spring.model != Model::Helix;
         let (bias, bend) = (verdict.budget.budget.bias(), verdict.budget.bend);
-        let measured = others - bias.powi(2) + (bias - bend).powi(2);
-        let share = share_beside(measured).filter(|_| is_flat && name == cause::STIFFNESS)?;
-        measured_in_use(spec, sensor, share)
+        let share = share_beside(others - bias.powi(2) + (bias - bend).powi(2));
+        let share = share.filter(|_| is_bent_flat && name == cause::STIFFNESS)?;
+        measured_in_use(spec, sensor, Some(share))
     };
-    lines.filter_map(|line| change(line.name.as_ref(), line.contribution)).collect()
+    let mut changes: Vec<Change> = lines.filter_map(|line| change(line.name.as_ref(), line.contribution)).collect();
+    changes.extend(is_bent_flat.then(|| measured_in_use(spec, sensor, None)).flatten());
+    changes
 }
 
 /// A better instrument: the limit behind a line of the budget, times `share`.
@@ -74,12 +78,15 @@ fn of_sensor(line: &str, sensor: &SensorSpec, share: f64) -> Option<Change> {
     Some(Change { words, sensor, spec: None })
 }
 
-/// A spring whose rate and force are known from the middle of its range, and that much better.
-fn measured_in_use(spec: &Spec, sensor: &SensorSpec, share: f64) -> Option<Change> {
+/// A spring whose rate and force are known from the middle of its range, in place of the flat coil's; where `share` is given, that much better.
+fn measured_in_use(spec: &Spec, sensor: &SensorSpec, share: Option<f64>) -> Option<Change> {
     let mut spec = spec.clone();
-    let mut tolerance = spec.spring.stiffness_tolerance();
-    let words = format!("k measured in the middle of the range, within ±{}", percent(&mut tolerance, share)?);
-    spec.spring.tolerances.stiffness = Some(tolerance);
+    let mut words = "k and F measured in the middle of the range".to_owned();
+    if let Some(share) = share {
+        let mut tolerance = spec.spring.stiffness_tolerance();
+        words = format!("{words}, k within ±{}", percent(&mut tolerance, share)?);
+        spec.spring.tolerances.stiffness = Some(tolerance);
+    }
     spec.spring.stiffness_at = StiffnessAt::Range;
     Some(Change { words, sensor: sensor.clone(), spec: Some(spec) })
 }

@@ -13,8 +13,8 @@ use crate::spec::SpringSpec;
 /// straight line k (l − l0) in the middle of the range; of a flat coil's k, a = 1 and b = 0. The wire's own shear would make a flat coil softer by
 /// 0.5 (d/D)², which in a curved wire is more than made up for: the formula k = G d⁴/(8 D³ n) is the better one, so the shear is left out.
 ///
-/// Accuracy: against the helix with shear and extension brought to the same slope, 1 % of what is bent; a curved wire is stiffer than the formula by
-///           3/16 (d/D)², 0.3 % for D = 8 d.
+/// Accuracy: 1 % of the bend against the helix with shear and extension, both brought to one slope (`tests/analysis/bent`). A curved wire is stiffer than
+///           the formula by 3/16 (d/D)², 0.3 % for D = 8 d (Ancker and Goodier, quoted from memory); that is left out.
 #[derive(Debug, Clone, Copy)]
 pub struct Bent {
     rod: Rod,

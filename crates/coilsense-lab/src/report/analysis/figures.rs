@@ -58,7 +58,7 @@ pub(super) fn budget(analysis: &Analysis, verdict: &Verdict) -> Figure {
     let mut lines: Vec<(String, f64)> =
         budget.contributions().iter().map(|line| (line.name.to_string(), line.contribution)).collect();
     let bend = verdict.budget.bend;
-    lines.push(("mean of the force as a straight line".to_owned(), bend.abs()));
+    lines.push(("bias of the straight line, uncorrected".to_owned(), bend.abs()));
     lines.push(("bias of the oscillation, uncorrected".to_owned(), (budget.bias() - bend).abs()));
     lines.retain(|(_, newton)| *newton > 1e-9 * nominal);
     lines.sort_by(|a, b| b.1.total_cmp(&a.1));

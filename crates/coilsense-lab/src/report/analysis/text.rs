@@ -50,7 +50,7 @@ pub fn analysis_text(analysis: &Analysis) -> String {
     let _ = writeln!(
         text,
         "u: combined standard uncertainty in the worst case, rms over the springs within tolerance, which is compared with the goal; nominal, \
-         worst: the error of the nominal and of the worst spring; inside: share of the springs that meet the goal where fewest do; F_nom = {} N",
+         worst: the error of the nominal and of the worst spring; inside: share of the springs that meet the goal in the least favourable case; F_nom = {} N",
         digits(nominal)
     );
     text += &changes(analysis, widest);
