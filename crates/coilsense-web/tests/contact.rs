@@ -11,7 +11,7 @@ const CAM: &str = include_str!("../../../examples/cam-6000rpm.csv");
 
 /// The valve spring as a mass for each winding, wound so that the cam's 8th harmonic meets its surge, with a table `[contact]` of these keys.
 fn valve(contact: &str) -> String {
-    let text = VALVE.replace("\"25 mm\"", "\"24.65 mm\"").replace("[mount]", "masses_per_winding = 1\n\n[mount]");
+    let text = VALVE.replace("\"25 mm\"", "\"24.75 mm\"").replace("[mount]", "masses_per_winding = 1\n\n[mount]");
     format!("{text}\n[contact]\n{contact}\n")
 }
 

@@ -85,10 +85,10 @@ fn the_valve_spring_answers_with_helix_and_coil_beside_each_other() {
     let cam = |_: &str| Ok(include_str!("../../../../examples/cam-6000rpm.csv").to_owned());
     let analysis = Analysis::run(Spec::parse("valve.toml", &text, &cam).unwrap(), &|_, _| true).unwrap();
     let cell = verdict(&analysis, "load cell under the spring");
-    // Lines of 86 and 63 % of a bar's, and torsion between them: 13 % less than the chain's.
+    // Lines of 86 and 63 % of a bar's, and torsion between them: about as much as the chain's over the springs, a quarter less on the nominal one.
     let coil = analysis.as_chain.as_ref().unwrap()[cell.sensor];
-    assert!((cell.combined() - 106.0).abs() < 1.0 && (coil - 122.0).abs() < 1.0, "{} {coil}", cell.combined());
-    assert!(answer(&analysis).iter().any(|line| line.contains("load cell under the spring 122 N")));
+    assert!((cell.combined() - 126.9).abs() < 1.0 && (coil - 129.2).abs() < 1.0, "{} {coil}", cell.combined());
+    assert!(answer(&analysis).iter().any(|line| line.contains("load cell under the spring 129 N")));
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn the_car_answers_with_helix_and_coil_beside_each_other() {
     // A weaker line at the wheel, the same at the body; ride height by a straight line misses the bend of the static curve by either.
     for (name, helix, chain) in [
         ("load cell under the top mount", 12.13, 12.21),
-        ("load cell in the lower seat", 41.5, 46.6),
+        ("load cell in the lower seat", 41.2, 46.0),
         ("ride-height sensor", 101.9, 102.6),
     ] {
         let verdict = verdict(&analysis, name);

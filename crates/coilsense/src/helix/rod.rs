@@ -155,6 +155,25 @@ impl Rod {
         p.shear_modulus * p.wire_diameter.powi(4) / (64.0 * p.coil_radius.powi(3) * p.windings)
     }
 
+    /// What shear adds to the compliance of the flat coil, per its twist's: GJ/(κGA R_0²).
+    ///
+    /// Source:   a force F along the axis twists the flat coil's wire by the couple F R_0 and shears it by F.
+    pub(super) fn flat_shear(&self) -> f64 {
+        if self.is_thin() {
+            return 0.0;
+        }
+        0.125 * (self.parameters.wire_diameter / self.parameters.coil_radius).powi(2) / self.shear_factor()
+    }
+
+    /// κ: the part of a round section that carries shear.
+    ///
+    /// Source:   `[Hutchinson2001]`.
+    pub(super) fn shear_factor(&self) -> f64 {
+        let ratio = self.parameters.youngs_modulus / (2.0 * self.parameters.shear_modulus);
+        let poisson = ratio - 1.0;
+        6.0 * ratio * ratio / (7.0 + 12.0 * poisson + 4.0 * poisson * poisson)
+    }
+
     /// Whether shear, extension and rotary inertia are left out.
     pub(super) fn is_thin(&self) -> bool {
         self.thin

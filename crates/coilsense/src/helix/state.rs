@@ -215,8 +215,6 @@ impl Equations {
         let unit = p.coil_radius.min(rod.wire_length());
         let slender = if rod.is_thin() { 0.0 } else { (0.25 * p.wire_diameter / unit).powi(2) };
         let ratio = p.youngs_modulus / (2.0 * p.shear_modulus);
-        let poisson = ratio - 1.0;
-        let kappa = 6.0 * ratio * ratio / (7.0 + 12.0 * poisson + 4.0 * poisson * poisson);
         let wire = rod.wire_length() / unit;
         let turn = p.hand.sign() * TAU * p.windings / wire;
         let angle = (p.rest_span / unit).atan2(turn * p.coil_radius / unit * wire);
@@ -226,7 +224,7 @@ impl Equations {
             bending: rod.bending(),
             torsion: 1.0 / ratio,
             extension: slender,
-            shear: slender * 2.0 * ratio / kappa,
+            shear: slender * 2.0 * ratio / rod.shear_factor(),
             inertia: slender,
             wire,
             angle,

@@ -1,7 +1,9 @@
 //! The springs of the figures, their constants scaled to flat-coil stiffness and mass.
 
+use std::f64::consts::{PI, TAU};
+
 use coilsense::geometry::{EndType, Geometry, GeometryParameters, Material, MaterialParameters};
-use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, RodParameters, StiffnessAt, Turning};
+use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, RodParameters, Turning};
 use coilsense::{Spring, SpringParameters, paper};
 
 /// Moduli and density of spring steel, as `data/materials.toml` of the lab has them.
@@ -112,10 +114,28 @@ pub fn standard_parameters() -> RodParameters {
     }
 }
 
-/// A case at a length of the spring, scaled flat, brought there with its ends held.
-pub fn helix((spring, geometry): &Case, length: f64) -> Helix {
-    let rod = Rod::of_spring(spring, geometry, StiffnessAt::Flat, Hand::Right).unwrap();
-    Helix::new(&rod, geometry.active_span(length), Turning::Held).unwrap()
+/// The wire of a case as the programs of the figures have it: the formulas of the flat coil, which know no shear, brought to the spring's k and m.
+pub fn wire((spring, geometry): &Case) -> Rod {
+    let material = geometry.material();
+    let (d, radius, windings) = (spring.wire_diameter(), spring.coil_radius(), spring.windings());
+    let stiffness = material.shear_modulus() * d.powi(4) / (64.0 * radius.powi(3) * windings);
+    let mass = material.density() * 0.25 * PI * d.powi(2) * TAU * radius * windings;
+    Rod::new(RodParameters {
+        wire_diameter: d,
+        coil_radius: radius,
+        windings,
+        rest_span: geometry.active_span(spring.rest_length()),
+        youngs_modulus: spring.stiffness() / stiffness * material.youngs_modulus(),
+        shear_modulus: spring.stiffness() / stiffness * material.shear_modulus(),
+        density: spring.mass() / mass * material.density(),
+        hand: Hand::Right,
+    })
+    .unwrap()
+}
+
+/// [`wire`] at a length of the spring, brought there with its ends held.
+pub fn helix(case: &Case, length: f64) -> Helix {
+    Helix::new(&wire(case), case.1.active_span(length), Turning::Held).unwrap()
 }
 
 pub fn frequencies(helix: &Helix, ends: Ends, count: usize) -> Vec<f64> {

@@ -2,14 +2,10 @@
 
 use coilsense::End;
 use coilsense::geometry::Geometry;
-use coilsense::helix::{Ends, Hand, Helix, Modes, Rod, StiffnessAt, Turning};
+use coilsense::helix::{Ends, Helix, Modes, Turning};
 use coilsense::neighbours::Column;
 
-use crate::cases::{Case, car, knee, relative, s_a, s_t, valve};
-
-fn flat(case: &Case) -> Rod {
-    Rod::of_spring(&case.0, &case.1, StiffnessAt::Flat, Hand::Right).unwrap()
-}
+use crate::cases::{Case, car, knee, relative, s_a, s_t, valve, wire};
 
 fn span(geometry: &Geometry, length: f64) -> f64 {
     geometry.active_span(length)
@@ -28,7 +24,7 @@ fn the_column_has_the_figures_of_another_program() {
         (knee(), 0.105, 81.07, 69.40),
     ];
     for (case, length, clamped, pinned) in rows {
-        let rod = flat(&case);
+        let rod = wire(&case);
         let span = span(&case.1, length);
         let force = Helix::new(&rod, span, Turning::Held).unwrap().force();
         let column = Column::new(&rod, span, force).unwrap();
@@ -45,7 +41,7 @@ fn the_column_is_near_the_helix_where_windings_are_many() {
     for (case, length, within) in
         [(s_t(), 0.230, 5e-4), (knee(), 0.105, 1.5e-3), (s_a(), 0.102, 5e-3), (valve(), 0.043, 0.05)]
     {
-        let rod = flat(&case);
+        let rod = wire(&case);
         let helix = Helix::new(&rod, span(&case.1, length), Turning::Held).unwrap();
         let column = Column::new(&rod, helix.span(), helix.force()).unwrap();
         let lateral = |ends: Ends| {
@@ -64,7 +60,7 @@ fn the_column_is_near_the_helix_where_windings_are_many() {
 
 #[test]
 fn a_column_buckles_where_the_formula_says_and_ends_that_are_held_carry_more() {
-    let rod = flat(&car());
+    let rod = wire(&car());
     let of = |force: f64| Column::new(&rod, 0.2, -force).unwrap();
     // The push at which each ceases to swing, by halving.
     let limit = |swings: &dyn Fn(&Column) -> bool| {

@@ -6,15 +6,14 @@ use coilsense::helix::{
     Ends, Hand, Helix, Kind, Modes, Rod, RodParameters, StiffnessAt, Turning, buckling_length, inextensible,
 };
 
-use crate::cases::{Case, frequencies, helix, relative, s_a, s_t, standard_parameters, valve};
+use crate::cases::{Case, frequencies, helix, relative, s_a, s_t, standard_parameters, valve, wire};
 
 #[test]
 fn a_thin_wire_follows_the_closed_form() {
     for (case, lengths) in
         [(s_t(), [0.150, 0.196, 0.264]), (s_a(), [0.082, 0.102, 0.300]), (valve(), [0.038, 0.043, 0.060])]
     {
-        let (spring, geometry) = &case;
-        let rod = Rod::of_spring(spring, geometry, StiffnessAt::Flat, Hand::Right).unwrap().thin();
+        let (rod, geometry) = (wire(&case).thin(), &case.1);
         for (length, turning) in
             lengths.into_iter().flat_map(|length| [(length, Turning::Held), (length, Turning::Free)])
         {
@@ -34,9 +33,9 @@ fn a_thin_wire_follows_the_closed_form() {
 
 #[test]
 fn a_stretched_spring_grows_stiffer_and_a_compressed_one_softer() {
-    let ratio = |(spring, geometry): &Case, length: f64| {
-        let rod = Rod::of_spring(spring, geometry, StiffnessAt::Flat, Hand::Right).unwrap();
-        inextensible::stiffness(&rod, geometry.active_span(length), Turning::Held).unwrap() / rod.flat_stiffness()
+    let ratio = |case: &Case, length: f64| {
+        let rod = wire(case);
+        inextensible::stiffness(&rod, case.1.active_span(length), Turning::Held).unwrap() / rod.flat_stiffness()
     };
     // Printed to 1e-4; valve: spans 30, 35, 40 mm.
     for (case, length, printed) in [
@@ -159,7 +158,19 @@ fn stiffness_and_mass_are_what_was_given() {
         // One factor, rounded.
         assert!(relative(helix.stiffness(), spring.stiffness()) < 1e-12 && relative(rod.mass(), spring.mass()) < 1e-14);
         let flat = Rod::of_spring(&spring, &geometry, StiffnessAt::Flat, Hand::Right).unwrap();
-        assert!(relative(flat.flat_stiffness(), spring.stiffness()) < 1e-14);
         assert!(relative(flat.mass() * flat.pitch_angle().cos(), spring.mass()) < 1e-14);
+        // Rolled flat, the solved rod with its shear has the k of the formula; the square of the pitch, 1e-8, is left. By the formula alone it would
+        // be softer by 0.55 (d/2R)² or so: 0.9 % for S_T, 1 % for the valve spring, 1.4 % for S_A.
+        let rolled = |rod: &Rod| {
+            let p = rod.parameters();
+            let span = 1e-4 * TAU * p.windings * p.coil_radius;
+            Helix::new(&Rod::new(RodParameters { rest_span: span, ..*p }).unwrap(), span, Turning::Held)
+                .unwrap()
+                .stiffness()
+        };
+        assert!(relative(rolled(&flat), spring.stiffness()) < 3e-8);
+        let shear = spring.stiffness() / rolled(&wire(&(spring.clone(), geometry))) - 1.0;
+        let index = 2.0 * spring.coil_radius() / spring.wire_diameter();
+        assert!((0.54..0.57).contains(&(shear * index * index)), "{}", shear * index * index);
     }
 }
