@@ -24,6 +24,8 @@ pub struct Chain {
     far_end: FarEnd,
     /// Whether the first lump is a follower, which end 0 pushes as a cam and which end 1 of the spring stands on.
     has_follower: bool,
+    /// The follower, where more than one class of points meets it.
+    shared: Option<usize>,
 }
 
 /// Two points that can meet. Pairs are in the order in which each begins where the one before it ends, as far as they do.
@@ -93,18 +95,18 @@ impl Chain {
             beyond,
             far_end,
             has_follower: false,
+            shared: None,
         }
     }
 
     /// The same with a mass at end 1 \[kg\] that a cam pushes and cannot pull: point 0 is the cam, point 1 the follower, on which the spring stands.
     ///
     /// # Errors
-    /// [`Error::Value`] for a mass that is not above zero, and for a follower that seats of more than one class of points would press on.
+    /// [`Error::Value`] for a mass that is not above zero, and for a second follower.
     pub fn on_follower(mut self, mass: f64) -> Result<Self, Error> {
         above_zero("follower_mass", mass, "kg")?;
-        let seats = self.pairs.iter().filter(|pair| pair.first == 0).count();
-        let allowed = "at most one: a follower takes one mass per winding where windings meet their seats";
-        check(seats <= 1 && !self.has_follower, "points that meet end 1", seats as f64, "", allowed)?;
+        check(!self.has_follower, "followers", 2.0, "", "at most one")?;
+        self.shared = (self.pairs.iter().filter(|pair| pair.first == 0).count() > 1).then_some(1);
         for pair in &mut self.pairs {
             (pair.first, pair.second) = (pair.first + 1, pair.second + 1);
         }
@@ -293,6 +295,11 @@ impl Chain {
     /// The pair of cam and follower.
     pub(super) fn cam(&self) -> Option<usize> {
         self.has_follower.then_some(0)
+    }
+
+    /// The one point that gives way and is in more than two pairs.
+    pub(super) fn shared(&self) -> Option<usize> {
+        self.shared
     }
 
     /// Points of the chain, both ends among them.

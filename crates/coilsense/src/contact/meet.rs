@@ -1,12 +1,13 @@
 //! What happens at once: points that meet give each other impulses, and some of what touches is let go.
 //!
-//! Next door: when it happens (`follow`), which of the pairs push (`tridiagonal`).
+//! Next door: when it happens (`follow`), which of the pairs push (`complementarity`).
 
+use super::bonds::{Bonds, meet};
 use super::book::Book;
 use super::chain::Chain;
+use super::complementarity::pushes;
 use super::law::Law;
 use super::series::{Now, Series, System};
-use super::tridiagonal::{Runs, meet, pushes};
 
 /// Two points have met when they are this much nearer than where they touch \[m\]; the moment is then that of touching itself.
 pub(super) const MARGIN: f64 = 1e-13;
@@ -146,7 +147,7 @@ pub(super) fn settle(
             }
         }
     }
-    now.bonds = Runs::new(system.chain, &now.closed).ok_or(Solid)?;
+    now.bonds = Bonds::new(system.chain, &now.closed).ok_or(Solid)?;
     Ok(())
 }
 
@@ -161,30 +162,42 @@ pub(super) fn go_along(chain: &Chain, now: &mut Now) {
 }
 
 fn even_out_groups(chain: &Chain, now: &mut Now, at_ends_only: bool) {
-    let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
-    let mut begin = 0;
-    while begin < pairs.len() {
-        if !now.closed[begin] {
-            begin += 1;
-            continue;
-        }
-        let mut end = begin;
-        while now.closed.get(end + 1) == Some(&true) && meet(pairs, end) {
-            end += 1;
-        }
-        let points = || std::iter::once(pairs[begin].first).chain(pairs[begin..=end].iter().map(|pair| pair.second));
+    let inverse = chain.inverse_masses();
+    for points in groups(chain, &now.closed) {
         let (mut momentum, mut mass) = (0.0, 0.0);
-        for point in points().filter(|point| inverse[*point] > 0.0) {
+        for &point in points.iter().filter(|point| inverse[**point] > 0.0) {
             momentum += now.speeds[point] / inverse[point];
             mass += 1.0 / inverse[point];
         }
-        let held = points().find(|point| inverse[*point] == 0.0);
+        let held = points.iter().find(|point| inverse[**point] == 0.0);
         if at_ends_only && held.is_none() {
-            begin = end + 1;
             continue;
         }
-        let speed = held.map_or(momentum / mass, |point| now.speeds[point]);
-        points().for_each(|point| now.speeds[point] = speed);
-        begin = end + 1;
+        let speed = held.map_or(momentum / mass, |point| now.speeds[*point]);
+        points.into_iter().for_each(|point| now.speeds[point] = speed);
     }
+}
+
+/// Points that closed pairs hold together, each once.
+fn groups(chain: &Chain, closed: &[bool]) -> Vec<Vec<usize>> {
+    let pairs = chain.pairs();
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for number in (0..pairs.len()).filter(|number| closed[*number]) {
+        let follows = number > 0 && closed[number - 1] && meet(pairs, number - 1);
+        match groups.last_mut().filter(|_| follows) {
+            Some(group) => group.push(pairs[number].second),
+            None => groups.push(vec![pairs[number].first, pairs[number].second]),
+        }
+    }
+    if let Some(shared) = chain.shared() {
+        let (of_it, mut others): (Vec<_>, Vec<_>) = groups.into_iter().partition(|group| group.contains(&shared));
+        let mut together = of_it.concat();
+        together.sort_unstable();
+        together.dedup();
+        if !together.is_empty() {
+            others.push(together);
+        }
+        return others;
+    }
+    groups
 }

@@ -19,9 +19,11 @@
 
 mod at_rest;
 mod begin;
+mod bonds;
 mod book;
 mod chain;
 mod coefficients;
+mod complementarity;
 mod course;
 mod damper;
 mod drive;
@@ -37,7 +39,6 @@ mod run;
 mod series;
 mod start;
 mod touching;
-mod tridiagonal;
 
 pub use chain::{Chain, Pair};
 pub use course::{Balance, Course, Float, GivenUp, Lift, Touch};

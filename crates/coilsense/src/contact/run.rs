@@ -2,7 +2,9 @@
 //!
 //! Next door: what happens between steps (`events`, `knots`), one step (`series`), energy and touches (`book`).
 
+use super::bonds::Bonds;
 use super::book::{Book, end_forces};
+use super::complementarity::pushes;
 use super::course::{Course, GivenUp};
 use super::drive::Drive;
 use super::law::Contact;
@@ -10,7 +12,6 @@ use super::meet::MARGIN;
 use super::polynomial::{ORDER, Polynomial, side_by_side, value, values};
 use super::series::{Now, Series, System};
 use super::start::{Start, Watch};
-use super::tridiagonal::{Runs, pushes};
 use crate::error::{Error, check};
 use crate::mount::FarEnd;
 
@@ -61,7 +62,7 @@ impl<'a> Run<'a> {
             places: with_ends(&start.places),
             speeds: with_ends(&start.speeds),
             closed: vec![false; pairs],
-            bonds: Runs::default(),
+            bonds: Bonds::default(),
             attached: [true; 2],
         };
         let mut knots: Vec<f64> =

@@ -2,12 +2,12 @@
 //!
 //! Next door: how the ends move (`drive`), where a series falls through zero (`polynomial`), what happens then (`follow`).
 
+use super::bonds::Bonds;
 use super::chain::Chain;
 use super::coefficients::Coefficients;
 use super::damper::Damper;
 use super::drive::Drive;
 use super::polynomial::{ORDER, Polynomial};
-use super::tridiagonal::Runs;
 
 /// What is the same throughout a run.
 pub(super) struct System<'a> {
@@ -64,7 +64,7 @@ pub(super) struct Now {
     /// Pairs that are held together, or that push elastically.
     pub closed: Vec<bool>,
     /// The same, factorized, where they are hard.
-    pub bonds: Runs,
+    pub bonds: Bonds,
     /// Whether the first and the last segment hang on their ends.
     pub attached: [bool; 2],
 }

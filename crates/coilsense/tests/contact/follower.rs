@@ -1,6 +1,6 @@
 //! A follower that a cam pushes and cannot pull: it flies where it would have to be, and comes down again.
 
-use coilsense::contact::{Contact, Touching};
+use coilsense::contact::{Chain, Contact, Touching};
 use coilsense::excitation::{self, EndInput, Excitation};
 use coilsense::{Channel, Damping, FarEnd, Motion, Mount, Spring, SpringParameters};
 
@@ -83,7 +83,8 @@ fn no_cam_pulls_and_no_follower_falls_through_it() {
             let mount = Mount::new(far_end, damping.clone()).unwrap();
             let motion = Motion::mounted(&spring(masses), &mount, &excitation).unwrap();
             for contact in [hard(), Contact::hard(0.5).unwrap().at_pitch(PITCH).unwrap().with_lift_off(true)] {
-                let contact = contact.with_ends(masses == 1).with_follower(0.3).unwrap();
+                let seats = masses == 1 || far_end == FarEnd::Position;
+                let contact = contact.with_ends(seats).with_follower(0.3).unwrap();
                 let times = grid(0.02, 2000);
                 let touching = Touching::of(&motion, &contact, &times, true).unwrap();
                 let course = touching.course.as_ref().unwrap();
@@ -106,8 +107,15 @@ fn what_no_follower_can_be_is_refused() {
     assert!(hard().with_follower(0.0).is_err());
     let error = Contact::elastic(1e9, 1.0).unwrap().with_follower(0.1).unwrap_err().to_string();
     assert!(error.contains("take hard ones"), "{error}");
-    let motion = Motion::new(&spring(4), &sine(1e-3, 60.0)).unwrap();
+    // End turns on a follower may be of any number of masses; on a mass at end 2 of one.
     let contact = hard().with_ends(true).with_follower(0.1).unwrap();
+    assert!(
+        Touching::of(&Motion::new(&spring(4), &sine(1e-3, 60.0)).unwrap(), &contact, &grid(0.1, 100), false).is_ok()
+    );
+    let mount = Mount::new(FarEnd::Mass(0.2), Damping::None).unwrap();
+    let motion = Motion::mounted(&spring(4), &mount, &sine(1e-3, 60.0)).unwrap();
     let error = Touching::of(&motion, &contact, &grid(0.1, 100), false).unwrap_err().to_string();
-    assert!(error.contains("one mass per winding"), "{error}");
+    assert!(error.contains("end 2 is a mass"), "{error}");
+    let chain = Chain::of(&spring(4), FarEnd::Position, PITCH, true).unwrap().on_follower(0.1).unwrap();
+    assert!(chain.on_follower(0.1).unwrap_err().to_string().contains("at most one"));
 }

@@ -4,6 +4,7 @@ mod follower;
 mod laws;
 mod random;
 mod reference;
+mod seats;
 mod stepping;
 mod steps;
 mod uneven;

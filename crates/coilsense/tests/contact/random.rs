@@ -162,7 +162,7 @@ fn uses() -> impl Strategy<Value = Use> {
             is_elastic,
             ends: ends && (masses == 1 || far_end != 2),
             lifts,
-            follower: follower.filter(|_| !is_elastic && (masses == 1 || !ends)),
+            follower: follower.filter(|_| !is_elastic),
         },
     )
 }

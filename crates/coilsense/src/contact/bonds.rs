@@ -1,0 +1,172 @@
+//! W over the pairs that push, factorized: what each takes when all of them hold.
+//!
+//! Next door: which of the pairs push (`complementarity`), the motion that asks for it order by order (`series`).
+
+use super::chain::{Chain, Pair};
+
+/// Of W, rounding leaves this much \[1\] of a pivot of a stack that cannot give way.
+const SOLID: f64 = 1e-12;
+
+/// Where several stacks are solid behind one point, or a stack and its cam, each gives way by this much \[1\] of what the point itself does: none
+/// knows how they share what they carry, so they share it evenly.
+const GIVES: f64 = 1e-9;
+
+/// Whether a pair shares a point with the next one.
+pub(super) fn meet(pairs: &[Pair], pair: usize) -> bool {
+    pairs.get(pair + 1).is_some_and(|next| next.first == pairs[pair].second)
+}
+
+/// W over the pairs that push, factorized.
+///
+/// A push in a pair opens it by Λ (1/m_1 + 1/m_2) and closes those that share a point with it. A point is in no more than two pairs, so that W is
+/// tridiagonal; but for one that several classes of points meet, a follower of mass M: then W = T + a aᵀ/M, T with the follower immovable, a −1 for its
+/// seats and 1 for its cam. Every run of T is eliminated towards the follower, which leaves one equation for its own acceleration.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bonds {
+    /// Of the pairs that push, in the order of elimination: number, pivot, and the entry that couples it to the one before (zero where none pushes
+    /// there).
+    rows: Vec<(usize, f64, f64)>,
+    shared: Option<Shared>,
+}
+
+/// What the runs share that end on one point.
+#[derive(Debug, Clone, Default)]
+struct Shared {
+    /// 1/M of that point \[1/kg\].
+    inverse: f64,
+    /// The last row of each run, and its sign in a.
+    ends: Vec<(usize, f64)>,
+    /// The row of the one that takes the point along: its cam, or a stack that is solid behind it.
+    rigid: Option<usize>,
+}
+
+impl Bonds {
+    /// Of a set of pairs; `None` where a stack is solid between two ends that do not give way.
+    pub fn new(chain: &Chain, pushing: &[bool]) -> Option<Self> {
+        match chain.shared() {
+            None => Self::of_runs(chain, pushing),
+            Some(point) => Self::towards(chain, pushing, point),
+        }
+    }
+
+    fn of_runs(chain: &Chain, pushing: &[bool]) -> Option<Self> {
+        let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
+        let mut rows: Vec<(usize, f64, f64)> = Vec::new();
+        for (number, pair) in pairs.iter().enumerate().filter(|(number, _)| pushing[*number]) {
+            let whole = inverse[pair.first] + inverse[pair.second];
+            let before = rows.last().filter(|(before, ..)| before + 1 == number && meet(pairs, *before));
+            let (pivot, coupling) = match before {
+                Some((_, pivot, _)) => {
+                    (whole - inverse[pair.first] * inverse[pair.first] / pivot, -inverse[pair.first])
+                }
+                None => (whole, 0.0),
+            };
+            if pivot <= SOLID * whole {
+                return None;
+            }
+            rows.push((number, pivot, coupling));
+        }
+        Some(Self { rows, shared: None })
+    }
+
+    /// Runs are eliminated from end 2 on, so that each ends at the point that they share.
+    fn towards(chain: &Chain, pushing: &[bool], point: usize) -> Option<Self> {
+        let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
+        let but_shared = |at: usize| if at == point { 0.0 } else { inverse[at] };
+        let mut rows: Vec<(usize, f64, f64)> = Vec::new();
+        let mut shared = Shared { inverse: inverse[point], ends: Vec::new(), rigid: None };
+        let mut rigid = Vec::new();
+        for (number, pair) in pairs.iter().enumerate().rev().filter(|(number, _)| pushing[*number]) {
+            let whole = but_shared(pair.first) + but_shared(pair.second);
+            let after = rows.last().filter(|(after, ..)| number + 1 == *after && meet(pairs, number));
+            let coupling = after.map_or(0.0, |_| -but_shared(pair.second));
+            let pivot = after.map_or(
+                whole,
+                |(_, pivot, _)| {
+                    if coupling == 0.0 { whole } else { whole - coupling * coupling / pivot }
+                },
+            );
+            let is_end = pair.first == point || pair.second == point;
+            let is_rigid = pivot <= SOLID * whole;
+            if is_rigid && !is_end {
+                return None;
+            }
+            if is_end {
+                rigid.extend(is_rigid.then_some(rows.len()));
+                shared.ends.push((rows.len(), if pair.first == point { -1.0 } else { 1.0 }));
+            }
+            rows.push((number, pivot, coupling));
+        }
+        match rigid[..] {
+            [] => {}
+            [one] => shared.rigid = Some(one),
+            _ => rigid.into_iter().for_each(|row| rows[row].1 = GIVES * shared.inverse),
+        }
+        Some(Self { rows, shared: Some(shared) })
+    }
+
+    /// Whether none pushes.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Λ from −q, in place, shape `pairs`.
+    pub fn solve(&self, amounts: &mut [f64]) {
+        for index in 1..self.rows.len() {
+            let ((before, pivot, _), (number, _, coupling)) = (self.rows[index - 1], self.rows[index]);
+            if coupling != 0.0 {
+                amounts[number] -= coupling / pivot * amounts[before];
+            }
+        }
+        let mut ends = self.shared.iter().flat_map(|shared| shared.ends.iter().rev().map(|(end, _)| *end)).peekable();
+        if let Some(shared) = &self.shared {
+            shared.solve(&self.rows, amounts);
+        }
+        for index in (0..self.rows.len()).rev() {
+            if ends.next_if_eq(&index).is_some() {
+                continue;
+            }
+            let (number, pivot, _) = self.rows[index];
+            let after = match self.rows.get(index + 1) {
+                Some((after, _, coupling)) => coupling * amounts[*after],
+                None => 0.0,
+            };
+            amounts[number] = (amounts[number] - after) / pivot;
+        }
+    }
+
+    /// Numbers of the pairs.
+    pub fn numbers(&self) -> impl Iterator<Item = usize> {
+        self.rows.iter().map(|row| row.0)
+    }
+}
+
+impl Shared {
+    /// Λ of the last row of each run, from what elimination has left of −q.
+    ///
+    /// p_c Λ_c + a_c ÿ = r_c over the runs, with the acceleration of the shared point M ÿ = Σ a_c Λ_c.
+    fn solve(&self, rows: &[(usize, f64, f64)], amounts: &mut [f64]) {
+        let of = |(row, sign): (usize, f64)| (rows[row].0, rows[row].1, sign);
+        let rigid = self.ends.iter().find(|(row, _)| Some(*row) == self.rigid).copied();
+        let others = || self.ends.iter().filter(|end| Some(end.0) != self.rigid).map(|end| of(*end));
+        let goes_along = match rigid {
+            Some((row, sign)) => sign * amounts[rows[row].0],
+            None => {
+                let (mut pushed, mut held) = (0.0, 1.0);
+                for (number, pivot, sign) in others() {
+                    pushed += self.inverse * sign * amounts[number] / pivot;
+                    held += self.inverse / pivot;
+                }
+                pushed / held
+            }
+        };
+        let mut left = goes_along / self.inverse;
+        for (number, pivot, sign) in others() {
+            amounts[number] = (amounts[number] - sign * goes_along) / pivot;
+            left -= sign * amounts[number];
+        }
+        if let Some((row, sign)) = rigid {
+            amounts[rows[row].0] = sign * left;
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! End turns that lie down on a follower which flies, several masses to a winding: against small steps (Moreau's scheme, Gauss and Seidel's iteration), a
+//! formulation that shares no code with the first. It converges to the events at first order.
+
+use coilsense::contact::{Contact, Course, Touching};
+use coilsense::{EndInput, Excitation, Motion, excitation};
+
+use super::laws::{PITCH, spring};
+
+const FOLLOWER: f64 = 0.3;
+const AMPLITUDE: f64 = 4.5e-3;
+const ANGULAR: f64 = std::f64::consts::TAU * 150.0;
+const UNTIL: f64 = 0.02;
+const SAMPLES: usize = 200;
+/// So many times as often forces are looked at, which are summed up.
+const OFTEN: usize = 50;
+/// Of the unloaded spring, and with end 1 in the middle of its motion \[m\].
+const LENGTHS: [f64; 2] = [0.057, 0.040];
+
+fn exact(per_winding: usize) -> Course {
+    exact_with(per_winding, true)
+}
+
+fn exact_with(per_winding: usize, seats: bool) -> Course {
+    let input = EndInput::harmonic(AMPLITUDE, ANGULAR / std::f64::consts::TAU, 0.0);
+    let excitation = Excitation::new(LENGTHS[1], input, EndInput::Held, excitation::Start::Massless).unwrap();
+    let motion = Motion::new(&spring(per_winding), &excitation).unwrap();
+    let contact = Contact::default().at_pitch(PITCH).unwrap().with_ends(seats).with_follower(FOLLOWER).unwrap();
+    let times: Vec<f64> =
+        (0..=SAMPLES * OFTEN).map(|sample| UNTIL * sample as f64 / (SAMPLES * OFTEN) as f64).collect();
+    Touching::followed(&motion, &contact, &times).unwrap()
+}
+
+/// Where the follower is at the same times, and what impulse end 2 has given by then \[m, N s\].
+fn stepped(per_winding: usize, step: f64) -> Vec<[f64; 2]> {
+    let spring = spring(per_winding);
+    let (windings, lumps) = (spring.whole_windings(), spring.chain_masses());
+    let (mass, stiffness) = (spring.mass() / lumps as f64, spring.stiffness() * lumps as f64);
+    // Points: cam, follower, lumps, end 2.
+    let last = lumps + 2;
+    let inverse = |point: usize| match point {
+        0 => 0.0,
+        1 => 1.0 / FOLLOWER,
+        point if point == last => 0.0,
+        _ => 1.0 / mass,
+    };
+    let segment = |lump: usize| if lump == 0 || lump == lumps { 2.0 * stiffness } else { stiffness };
+    let slack = LENGTHS[0] / windings as f64 - PITCH;
+    let turn = |lumps_between: f64| slack * lumps_between / per_winding as f64;
+    let mut pairs = vec![(0, 1, 0.0)];
+    for lump in 1..=lumps {
+        if lump <= per_winding {
+            pairs.push((1, lump + 1, turn(lump as f64 - 0.5)));
+        }
+        if lump + per_winding <= lumps {
+            pairs.push((lump + 1, lump + 1 + per_winding, slack));
+        } else {
+            pairs.push((lump + 1, last, turn(lumps as f64 - lump as f64 + 0.5)));
+        }
+    }
+    let pressed = LENGTHS[1] - LENGTHS[0];
+    let cam = |time: f64| AMPLITUDE * (ANGULAR * time).sin();
+    let mut x = vec![0.0; last + 1];
+    x[last] = pressed;
+    (0..lumps).for_each(|lump| x[lump + 2] = pressed * (lump as f64 + 0.5) / lumps as f64);
+    let mut v = vec![0.0; last + 1];
+    // Massless: every point as fast as its share of the end.
+    v[1] = AMPLITUDE * ANGULAR;
+    (0..lumps).for_each(|lump| v[lump + 2] = v[1] * (1.0 - (lump as f64 + 0.5) / lumps as f64));
+    let every = (UNTIL / SAMPLES as f64 / step).round() as usize;
+    let (mut given, mut told) = (0.0, Vec::new());
+    for count in 0..=SAMPLES * every {
+        let time = count as f64 * step;
+        if count % every == 0 {
+            told.push([x[1], given]);
+        }
+        v[0] = (cam(time + step) - cam(time)) / step;
+        for lump in 0..=lumps {
+            let pull = segment(lump) * (x[lump + 2] - x[lump + 1]) * step;
+            v[lump + 1] += pull * inverse(lump + 1);
+            v[lump + 2] -= pull * inverse(lump + 2);
+            if lump == lumps {
+                given += pull;
+            }
+        }
+        let near: Vec<_> = pairs
+            .iter()
+            .filter(|(first, second, gap)| {
+                let gap = x[*second] - x[*first] + gap;
+                gap + 20.0 * step * (v[*second] - v[*first]).min(0.0) < 2e-6
+            })
+            .collect();
+        let mut impulses = vec![0.0; near.len()];
+        for _ in 0..if near.is_empty() { 0 } else { 300 } {
+            for (impulse, &&(first, second, gap)) in impulses.iter_mut().zip(&near) {
+                // What lets the pair at most touch at the end of the step.
+                let speed = v[second] - v[first] + (x[second] - x[first] + gap).max(0.0) / step;
+                let more = (*impulse - speed / (inverse(first) + inverse(second))).max(0.0) - *impulse;
+                *impulse += more;
+                v[first] -= more * inverse(first);
+                v[second] += more * inverse(second);
+            }
+        }
+        for (impulse, (_, second, _)) in impulses.iter().zip(&near) {
+            if *second == last {
+                given -= impulse;
+            }
+        }
+        x.iter_mut().zip(&v).for_each(|(x, v)| *x += step * v);
+    }
+    told
+}
+
+#[test]
+fn end_turns_lie_down_on_a_flying_follower_as_small_steps_say() {
+    for per_winding in [2, 3] {
+        let exact = exact(per_winding);
+        assert!(exact.given_up.is_none() && exact.floats.len() > 2, "{:?} {:?}", exact.given_up, exact.floats);
+        let seats = exact.touches.iter().filter(|touch| touch.points[0] == 1);
+        let classes: std::collections::BTreeSet<usize> = seats.map(|touch| touch.points[1]).collect();
+        // Every point of the first turn comes to lie on the follower.
+        assert_eq!(classes.len(), per_winding, "{classes:?}");
+        assert!(exact.balance.open().abs() < 1e-9 * exact.balance.moved, "{:?}", exact.balance);
+        // What end 2 has been given: its force over time, and what its seat was struck with.
+        let last = 6 * per_winding + 2;
+        let mut given = vec![0.0];
+        for sample in 0..SAMPLES {
+            let [from, to] = [sample, sample + 1].map(|sample| UNTIL * sample as f64 / SAMPLES as f64);
+            let forces = &exact.output[sample * OFTEN..=(sample + 1) * OFTEN];
+            let even =
+                forces.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).sum::<f64>() * (to - from) / OFTEN as f64;
+            let struck = exact.touches.iter().filter(|touch| touch.points[1] == last && touch.impulse > 0.0);
+            let struck: f64 =
+                struck.filter(|touch| touch.time > from && touch.time <= to).map(|touch| touch.impulse).sum();
+            given.push(given[sample] + even - struck);
+        }
+        let apart = |step: f64| {
+            let stepped = stepped(per_winding, step);
+            let each = stepped.iter().zip(exact.end1.iter().step_by(OFTEN)).zip(&given);
+            let squares =
+                each.map(|((stepped, end1), given)| [(stepped[0] - end1).powi(2), (stepped[1] - given).powi(2)]);
+            let sum = squares.fold([0.0; 2], |sum, each| [sum[0] + each[0], sum[1] + each[1]]);
+            sum.map(|sum| (sum / SAMPLES as f64).sqrt())
+        };
+        let apart = [2e-6, 1e-6, 5e-7, 2.5e-7, 1.25e-7].map(apart);
+        // Of a lift of 4.5 mm and 11 N s.
+        let [first, last] = [apart[0], apart[4]];
+        assert!(last[0] < 5e-7 && last[1] < 1.5e-4, "{apart:?}");
+        for quantity in 0..2 {
+            let order = (first[quantity] / last[quantity]).ln() / 16.0_f64.ln();
+            assert!((0.7..1.3).contains(&order), "{apart:?}: of order {order}");
+        }
+        // Without seats it goes elsewhere.
+        let without = exact_with(per_winding, false);
+        let each = without.end1.iter().zip(&exact.end1).map(|(without, with)| (without - with).abs());
+        assert!(each.fold(0.0, f64::max) > 1e-4);
+    }
+}
