@@ -71,12 +71,7 @@ impl ContactCase {
                 "with an end mass takes [spring] masses_per_winding = 1: more than one point would lie on the mass";
             return Err(section.refuse("ends", why));
         }
-        if ends == Some(true) && follower.is_some() && spec.masses_per_winding != Some(1) {
-            let why = "with a follower takes [spring] masses_per_winding = 1: more than one point would lie on it";
-            return Err(section.refuse("ends", why));
-        }
-        let stands = is_mass || follower.is_some();
-        let ends = ends.unwrap_or(pushes_only && (!stands || spec.masses_per_winding == Some(1)));
+        let ends = ends.unwrap_or(pushes_only && (!is_mass || spec.masses_per_winding == Some(1)));
         let lifts = section.optional_flag("lift_off")?.unwrap_or(pushes_only);
         let of = |label: String, contact: Result<Contact, coilsense::Error>, is_assumed: bool| {
             let contact = contact

@@ -181,7 +181,7 @@ fn pressed_through(map: &SpeedMap) -> Option<String> {
     let worst = map.points.iter().max_by(|a, b| push(a).total_cmp(&push(b)))?;
     Some(format!(
         "Not to be trusted where an end pushes with more than {} N, the force at which the spring is solid. It does so {}, with up to {} N at {}: end turns pass \
-         through their seats, which are left out (with a follower, [contact] `ends` takes masses_per_winding = 1).",
+         through their seats, which are left out ([contact] ends = false).",
         digits(solid),
         spans(map, first, is_beyond),
         digits(push(worst)),

@@ -19,7 +19,8 @@ const MOST_TRIED: usize = 8;
 const MOST_OF_SECTIONS: usize = 2;
 
 /// Why a spec with one mass for a winding is not run with two.
-const ONE_ONLY: &str = "windings that meet their seats on a follower or a mass take one mass per winding; set ends = false in [contact] for more";
+const ONE_ONLY: &str =
+    "windings that meet their seat on a mass take one mass per winding; set ends = false in [contact] for more";
 
 /// What twice as many masses for a winding say.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +67,7 @@ fn first(spec: &Spec) -> f64 {
 fn takes_one(spec: &Spec) -> bool {
     let is_mass = matches!(spec.mount.far_end(), FarEnd::Mass(_));
     let mut contacts = spec.mount.cases.iter().filter_map(|way| way.contact.as_ref()).map(|way| &way.contact);
-    contacts.any(|contact| contact.ends() && (is_mass || contact.follower().is_some()))
+    is_mass && contacts.any(coilsense::contact::Contact::ends)
 }
 
 fn most(spec: &Spec, of_a_coil: usize) -> usize {

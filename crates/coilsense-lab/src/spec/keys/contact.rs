@@ -50,8 +50,7 @@ pub(super) const CONTACT: Table = Table {
             "ends",
             "true",
             "whether the end windings meet their seats, on which they roll over their first turn",
-            "`true` for ends that only push (`open`, `closed`, ground); `false` for hooks, and where end 2 is a mass or end 1 a follower, which take it with \
-               `masses_per_winding = 1` only",
+            "`true` for ends that only push (`open`, `closed`, ground); `false` for hooks, and where end 2 is a mass, which takes it with `masses_per_winding = 1` only",
         )
         .of(MEETS),
         optional(
