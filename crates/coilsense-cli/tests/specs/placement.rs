@@ -293,7 +293,7 @@ fn forces_that_are_as_fast_within_one_per_cent_are_named_together_and_the_first_
     for more in [
         "",
         "load_mass = \"2 kg\"\n",
-        "sample_time = \"1 ms\"\n",
+        "sample_time = \"0.8 ms\"\n",
         "controller = \"PI\"\nintegral_time = \"1 s\"\n",
         "delay = \"2 ms\"\n",
     ] {

@@ -201,11 +201,16 @@ fn whether_figures_have_converged_in_the_masses_is_in_the_answer() {
     let words = answer(&calm).join("\n");
     assert!(words.contains("Converged: with 2 masses per winding in place of 1, the largest surge is 4."), "{words}");
     assert_eq!((calm.finer.per_winding, &calm.finer.untried), (2, &None));
-    // Windings that meet their seats, on a follower, take no more than one: that is said, not passed over.
+    // With seats on the follower it converges, too.
     let ends = map(&text.replace("ends = false", "ends = true"), 1500.0, 1500.0);
+    assert!(answer(&ends).join("\n").contains("Converged: with 2 masses per winding in place of 1"));
+    assert_eq!((ends.finer.per_winding, &ends.finer.untried), (2, &None));
+    // Windings that meet their seat on a mass take no more than one: that is said, not passed over.
+    let on_mass = text.replace("end2 = \"held\"", "end2 = \"mass\"\nend_mass = \"2 kg\"");
+    let ends = map(&on_mass.replace("ends = false", "ends = true"), 1500.0, 1500.0);
     let words = answer(&ends).join("\n");
     assert!(
-        words.contains("is not checked at every decisive speed: windings that meet their seats")
+        words.contains("is not checked at every decisive speed: windings that meet their seat")
             && words.contains("set ends = false in [contact] for more")
             && ends.finer.runs.is_empty(),
         "{words}"
