@@ -94,6 +94,11 @@ impl Book {
         }
     }
 
+    /// Meeting takes this much at once, wherever.
+    pub fn lost(&mut self, energy: f64) {
+        self.balance.lost += energy;
+    }
+
     /// The ends put in this much at once.
     pub fn put_in(&mut self, work: f64) {
         self.balance.work += work;

@@ -12,7 +12,8 @@ use super::series::{Now, Series, System};
 /// Two points have met when they are this much nearer than where they touch \[m\]; the moment is then that of touching itself.
 pub(super) const MARGIN: f64 = 1e-13;
 
-/// Slower than this \[m/s\] nothing bounces: the distance by which a contact is found sets a smallest bounce of 1e-4 m/s.
+/// Slower than this \[m/s\] nothing bounces: the distance by which a contact is found sets a smallest bounce of 1e-4 m/s. Nor does what lies on a shared point
+/// part from it that slowly when others strike that: end turns would take turns without end to throw one another off a follower, ever more slowly.
 const STICKS: f64 = 2e-3;
 
 /// Slower than this share \[1\] of the fastest, what is held does not part at a blow: rounding alone is so fast.
@@ -112,12 +113,19 @@ fn strike(
     }
     let slow = ROUNDING * before.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
     for number in (0..opening.len()).filter(|number| may[*number]) {
-        let is_held = now.closed[number] && found.opening[number] <= slow;
+        let is_shared = chain.shared().is_some_and(|shared| {
+            let pair = chain.pairs()[number];
+            pair.first == shared || pair.second == shared
+        });
+        let parts_from = if is_shared { slow.max(STICKS) } else { slow };
+        let is_held = now.closed[number] && found.opening[number] <= parts_from;
         let stays = if found.pushing[number] { !bouncing[number] } else { is_held };
         book.parted_unless(stays, number, now.time);
         now.closed[number] = stays;
     }
-    even_out(chain, now);
+    let [lost, work] = even_out(chain, now);
+    book.lost(lost);
+    book.put_in(work);
     Ok(())
 }
 
@@ -151,9 +159,10 @@ pub(super) fn settle(
     Ok(())
 }
 
-/// Points that are held together have one speed to the last digit: that of their common momentum, or of the end that they lie on.
-fn even_out(chain: &Chain, now: &mut Now) {
-    even_out_groups(chain, now, false);
+/// Points that are held together have one speed to the last digit: that of their common momentum, or of the end that they lie on. Energy that goes, and
+/// work of the ends \[J\].
+fn even_out(chain: &Chain, now: &mut Now) -> [f64; 2] {
+    even_out_groups(chain, now, false)
 }
 
 /// The same of what lies on an end alone: it goes on as fast as that.
@@ -161,21 +170,30 @@ pub(super) fn go_along(chain: &Chain, now: &mut Now) {
     even_out_groups(chain, now, true);
 }
 
-fn even_out_groups(chain: &Chain, now: &mut Now, at_ends_only: bool) {
+fn even_out_groups(chain: &Chain, now: &mut Now, at_ends_only: bool) -> [f64; 2] {
     let inverse = chain.inverse_masses();
+    let [mut lost, mut work] = [0.0; 2];
     for points in groups(chain, &now.closed) {
         let (mut momentum, mut mass) = (0.0, 0.0);
         for &point in points.iter().filter(|point| inverse[**point] > 0.0) {
             momentum += now.speeds[point] / inverse[point];
             mass += 1.0 / inverse[point];
         }
-        let held = points.iter().find(|point| inverse[**point] == 0.0);
+        let held = points.iter().find(|point| inverse[**point] == 0.0).copied();
         if at_ends_only && held.is_none() {
             continue;
         }
-        let speed = held.map_or(momentum / mass, |point| now.speeds[*point]);
-        points.into_iter().for_each(|point| now.speeds[point] = speed);
+        let speed = held.map_or(momentum / mass, |point| now.speeds[point]);
+        for point in points {
+            if inverse[point] > 0.0 {
+                let faster = speed - now.speeds[point];
+                lost += 0.5 * faster * faster / inverse[point];
+                work += if held.is_some() { faster * speed / inverse[point] } else { 0.0 };
+            }
+            now.speeds[point] = speed;
+        }
     }
+    [lost, work]
 }
 
 /// Points that closed pairs hold together, each once.

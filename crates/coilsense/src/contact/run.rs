@@ -130,9 +130,8 @@ impl<'a> Run<'a> {
         }
         let until = self.times.last().copied().unwrap_or(self.now.time);
         if let Some(cam) = self.system.chain.cam().filter(|cam| self.gap(*cam) <= MARGIN) {
-            // It stands on the cam, unless it would have to be pulled.
+            // It stands on the cam, unless it would have to be pulled there by what stands on it.
             self.now.closed[cam] = true;
-            self.let_go(None)?;
         }
         self.hold_what_rests()?;
         let touches = |run: &mut Self, number: usize| !run.now.closed[number] && run.gap(number) <= MARGIN;
@@ -193,7 +192,7 @@ impl<'a> Run<'a> {
         let rests: Vec<bool> =
             (0..self.rest.len()).map(|number| self.now.closed[number] || self.begins_closed(number)).collect();
         if rests == self.now.closed {
-            return Ok(());
+            return if rests.contains(&true) { self.let_go(None) } else { Ok(()) };
         }
         let pushing = if self.system.elastic.is_some() {
             rests

@@ -1,8 +1,9 @@
 //! End turns that lie down on a follower which flies, several masses to a winding: against small steps (Moreau's scheme, Gauss and Seidel's iteration), a
 //! formulation that shares no code with the first. It converges to the events at first order.
 
-use coilsense::contact::{Contact, Course, Touching};
-use coilsense::{EndInput, Excitation, Motion, excitation};
+use coilsense::contact::{Contact, Course, Path, Touching};
+use coilsense::sections::{Section, Sections};
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, excitation};
 
 use super::laws::{PITCH, spring};
 
@@ -153,5 +154,83 @@ fn end_turns_lie_down_on_a_flying_follower_as_small_steps_say() {
         let without = exact_with(per_winding, false);
         let each = without.end1.iter().zip(&exact.end1).map(|(without, with)| (without - with).abs());
         assert!(each.fold(0.0, f64::max) > 1e-4);
+    }
+}
+
+/// A coil whose end turns lie closed on their seats, and the one next to each rises from it.
+fn progressive(per_winding: usize) -> Spring {
+    let section = |windings: f64, pitch: [f64; 2]| Section {
+        windings,
+        pitch,
+        coil_diameter: [25e-3; 2],
+        wire_diameter: 4e-3,
+        telescopes: false,
+    };
+    let all = [
+        section(1.0, [4e-3; 2]),
+        section(1.5, [4e-3, 8e-3]),
+        section(4.0, [8e-3; 2]),
+        section(1.0, [8e-3, 4e-3]),
+        section(1.0, [4e-3; 2]),
+    ];
+    let coil = Sections::new(all.to_vec(), 81.5e9, 7850.0).unwrap();
+    let span = coil.span();
+    Spring::of_sections(coil, 0.0, (0.5 * span, span)).unwrap().with_masses_per_winding(per_winding).unwrap()
+}
+
+/// So many turns of a cam that lifts by 8 mm over 130 degrees, 3-4-5-6, at an engine's speed \[rpm\]; how long they last \[s\].
+fn turns(count: usize, rpm: f64) -> (Path, f64) {
+    let period = 120.0 / rpm;
+    let lobe = period * 130.0 / 360.0;
+    let (mut knots, mut pieces) = (vec![0.0], Vec::new());
+    for turn in 0..count {
+        let begin = (turn as f64 + 0.3) * period;
+        knots.extend([begin, begin + lobe]);
+        let mut lift = vec![0.0; 7];
+        for (power, c) in [(3, 1.0), (4, -3.0), (5, 3.0), (6, -1.0)] {
+            lift[power] = 8e-3 * 64.0 * c / lobe.powi(power as i32);
+        }
+        pieces.extend([vec![0.0], lift]);
+    }
+    (Path::new(knots, pieces).unwrap(), count as f64 * period)
+}
+
+#[test]
+fn on_a_follower_that_stays_on_its_cam_windings_do_what_they_do_on_the_cam() {
+    for (spring, length, rpm, restitution) in
+        [(progressive(4), 0.046, 5000.0, 0.0), (progressive(2), 0.046, 5000.0, 0.5), (spring(4), 0.0391, 6000.0, 0.5)]
+    {
+        let excitation = Excitation::new(length, EndInput::Held, EndInput::Held, excitation::Start::Rest).unwrap();
+        let mount = Mount::new(FarEnd::Position, Damping::Modal(0.01)).unwrap();
+        let motion = Motion::mounted(&spring, &mount, &excitation).unwrap();
+        let (path, until) = turns(3, rpm);
+        let times: Vec<f64> = (0..=3000).map(|sample| f64::from(sample) * until / 3e3).collect();
+        let contact = Contact::hard(restitution).unwrap().at_pitch(PITCH).unwrap();
+        let contact = contact.with_ends(true).with_lift_off(true);
+        let run = |contact: Contact| Touching::driven(&motion, &contact, path.clone(), &times).unwrap();
+        let (cam, follower) = (run(contact), run(contact.with_follower(0.02).unwrap()));
+        assert!(cam.given_up.is_none() && follower.given_up.is_none() && follower.floats.is_empty());
+        assert!(cam.events > 2 && cam.events == follower.events, "{} {}", cam.events, follower.events);
+        for (on_cam, on_follower) in [(&cam.input, &follower.input), (&cam.output, &follower.output)] {
+            let apart = on_cam.iter().zip(on_follower).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(apart < 1e-4, "{apart} N");
+        }
+    }
+}
+
+#[test]
+fn end_turns_do_not_throw_one_another_off_a_follower_without_end() {
+    for (rpm, restitution) in [(7000.0, 0.0), (7119.0, 0.5)] {
+        let excitation = Excitation::new(0.046, EndInput::Held, EndInput::Held, excitation::Start::Rest).unwrap();
+        let mount = Mount::new(FarEnd::Position, Damping::Modal(0.01)).unwrap();
+        let motion = Motion::mounted(&progressive(4), &mount, &excitation).unwrap();
+        let (path, until) = turns(12, rpm);
+        let times: Vec<f64> = (0..=10_000).map(|sample| f64::from(sample) * until / 1e4).collect();
+        let contact = Contact::hard(restitution).unwrap().with_ends(true).with_lift_off(true);
+        let contact = contact.with_follower(0.08).unwrap().with_most_events(20_000);
+        let course = Touching::driven(&motion, &contact, path, &times).unwrap();
+        // It flies each turn, and end turns meet on it while it does: one that sticks throws off the others, and they it, ever more slowly.
+        assert!(course.given_up.is_none() && course.floats.len() >= 12, "{:?} {}", course.given_up, course.events);
+        assert!(course.cam_force.iter().all(|force| *force > -1e-5) && course.deepest > -1e-10, "{}", course.deepest);
     }
 }
