@@ -135,8 +135,8 @@ impl PySpec {
     ///
     /// Parameters
     /// ----------
-    /// spring : {"S_T", "S_A"}, optional
-    ///     A spring of the paper; without it, one by wire, coil and material.
+    /// spring : {"S_T", "S_A", "pressed"}, optional
+    ///     A spring of the paper, or one by wire, coil and material that is pressed; without it, one that is pulled.
     ///
     /// Returns
     /// -------

@@ -9,7 +9,9 @@ use super::{QUICK, done, names, path, place, refused};
 #[test]
 fn init_writes_a_spec_that_the_other_commands_take() {
     let place = tempfile::tempdir().unwrap();
-    for (name, from) in [("own.toml", None), ("s_t.toml", Some("S_T")), ("s_a.toml", Some("S_A"))] {
+    for (name, from) in
+        [("own.toml", None), ("pressed.toml", Some("pressed")), ("s_t.toml", Some("S_T")), ("s_a.toml", Some("S_A"))]
+    {
         let arguments = from.map_or(vec!["init"], |from| vec!["init", "--from", from]);
         let printed = done(&arguments);
         let file = place.path().join(name);
@@ -24,7 +26,7 @@ fn init_writes_a_spec_that_the_other_commands_take() {
         fs::write(&file, with_loop).unwrap();
         assert!(done(&["placement", path(&file)]).starts_with("Feed back F_"));
     }
-    assert_eq!(names(place.path()), ["own.toml", "s_a.toml", "s_t.toml"]);
+    assert_eq!(names(place.path()), ["own.toml", "pressed.toml", "s_a.toml", "s_t.toml"]);
 }
 
 #[test]
@@ -42,7 +44,7 @@ fn init_keeps_what_is_there_and_knows_its_springs() {
     );
     assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
     let message = refused(&["init", "--from", "S_X"]);
-    assert_eq!(message, "error: --from S_X: no spring of that name; there are S_T, S_A\n");
+    assert_eq!(message, "error: --from S_X: no spring of that name; there are S_T, S_A, pressed\n");
     let inside = file.join("spec.toml");
     assert!(refused(&["init", "--out", path(&inside)]).contains(path(&file)));
     assert!(refused(&["init", "--out", "/proc/spec.toml"]).contains("/proc"));

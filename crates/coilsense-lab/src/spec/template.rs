@@ -4,9 +4,42 @@
 
 use super::SpecError;
 
-/// Springs of the paper.
-const SPRINGS: [(&str, &str); 2] =
-    [("S_T", include_str!("../../data/springs/S_T.toml")), ("S_A", include_str!("../../data/springs/S_A.toml"))];
+/// Springs of the paper, and one that is pressed.
+const SPRINGS: [(&str, &str); 3] = [
+    ("S_T", include_str!("../../data/springs/S_T.toml")),
+    ("S_A", include_str!("../../data/springs/S_A.toml")),
+    ("pressed", PRESSED),
+];
+
+/// A spring by geometry that is pressed, as a beginning of one's own.
+const PRESSED: &str = r#"# A spec of coilsense. Every key is described in book/src/guide/spec.md. Change what differs, delete what you do not need, then run
+#   coilsense spring FILE       the spring's data sheet
+#   coilsense analyze FILE --out DIR
+
+[spring]
+name = "my spring"
+rest_length = "60 mm"       # length without force
+min_length = "36 mm"        # range in use; solid at 24 mm
+max_length = "52 mm"        # or from a preload F: rest_length less F/k, k of the data sheet
+windings = 6                # active ones; with end turns that lie flat the coil has two more, or give total_windings
+wire_diameter = "3 mm"
+coil_diameter = "22 mm"     # mean diameter, wire centre to wire centre
+end_type = "closed-ground"  # closed-ground, closed, open-ground, open
+material = "steel EN 10270-1" # or shear_modulus = "81.5 GPa", density = "7850 kg/m3", …
+wire_diameter_tolerance = "1 %" # as a maker gives them; with all four the rate is known within 5.4 %. Or, of a rate that was measured
+coil_diameter_tolerance = "1 %" # in use: stiffness_tolerance = "0.5 %" and stiffness_at = "range" in their place
+windings_tolerance = "0.5 %"
+shear_modulus_tolerance = "2 %"
+# Known stiffness and mass? Then give, in place of wire_diameter, coil_diameter and material:
+# stiffness = "12.9 kN/m"
+# mass = "23 g"
+# coil_radius = "11 mm"
+# wire_radius = "1.5 mm"
+
+# What windings do when they meet, and ends that can only push: without this table they pass through one another, and a warning says so.
+# [contact]
+# windings = "hard"
+"#;
 
 /// A spring by geometry, as a beginning of one's own.
 const OWN: &str = r#"# A spec of coilsense. Every key is described in book/src/guide/spec.md. Change what differs, delete what you do not need, then run
