@@ -36,12 +36,12 @@ struct Shared {
     inverse: f64,
     /// The last row of each run, and its sign in a.
     ends: Vec<(usize, f64)>,
-    /// The row of the one that takes the point along: its cam, or a stack that is solid behind it.
-    rigid: Option<usize>,
+    /// Of `ends`, those that take the point along: its cam, or a stack that is solid behind it. One does so exactly, of several each gives.
+    rigid: Vec<usize>,
 }
 
 impl Bonds {
-    /// Of a set of pairs; `None` where a stack is solid between two ends that do not give way.
+    /// Of a set of pairs; `None` where a stack is solid between two ends that do not give way, which no run to a shared point is.
     pub fn new(chain: &Chain, pushing: &[bool]) -> Option<Self> {
         match chain.shared() {
             None => Self::of_runs(chain, pushing),
@@ -74,8 +74,7 @@ impl Bonds {
         let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
         let but_shared = |at: usize| if at == point { 0.0 } else { inverse[at] };
         let mut rows: Vec<(usize, f64, f64)> = Vec::new();
-        let mut shared = Shared { inverse: inverse[point], ends: Vec::new(), rigid: None };
-        let mut rigid = Vec::new();
+        let mut shared = Shared { inverse: inverse[point], ..Shared::default() };
         for (number, pair) in pairs.iter().enumerate().rev().filter(|(number, _)| pushing[*number]) {
             let whole = but_shared(pair.first) + but_shared(pair.second);
             let after = rows.last().filter(|(after, ..)| number + 1 == *after && meet(pairs, number));
@@ -92,17 +91,20 @@ impl Bonds {
                 return None;
             }
             if is_end {
-                rigid.extend(is_rigid.then_some(rows.len()));
+                shared.rigid.extend(is_rigid.then_some(shared.ends.len()));
                 shared.ends.push((rows.len(), if pair.first == point { -1.0 } else { 1.0 }));
             }
             rows.push((number, pivot, coupling));
         }
-        match rigid[..] {
-            [] => {}
-            [one] => shared.rigid = Some(one),
-            _ => rigid.into_iter().for_each(|row| rows[row].1 = GIVES * shared.inverse),
+        if shared.rigid.len() > 1 {
+            shared.rigid.iter().for_each(|end| rows[shared.ends[*end].0].1 = GIVES * shared.inverse);
         }
         Some(Self { rows, shared: Some(shared) })
+    }
+
+    /// By how much what holds opens all the same, per push \[1/kg\]: above zero where several are solid side by side.
+    pub fn gives(&self) -> f64 {
+        self.shared.as_ref().filter(|shared| shared.rigid.len() > 1).map_or(0.0, |shared| GIVES * shared.inverse)
     }
 
     /// Whether none pushes.
@@ -146,11 +148,11 @@ impl Shared {
     ///
     /// p_c Λ_c + a_c ÿ = r_c over the runs, with the acceleration of the shared point M ÿ = Σ a_c Λ_c.
     fn solve(&self, rows: &[(usize, f64, f64)], amounts: &mut [f64]) {
-        let of = |(row, sign): (usize, f64)| (rows[row].0, rows[row].1, sign);
-        let rigid = self.ends.iter().find(|(row, _)| Some(*row) == self.rigid).copied();
-        let others = || self.ends.iter().filter(|end| Some(end.0) != self.rigid).map(|end| of(*end));
-        let goes_along = match rigid {
-            Some((row, sign)) => sign * amounts[rows[row].0],
+        let of = |end: usize| (rows[self.ends[end].0].0, rows[self.ends[end].0].1, self.ends[end].1);
+        let exact = if let [one] = self.rigid[..] { Some(one) } else { None };
+        let others = || (0..self.ends.len()).filter(|end| Some(*end) != exact).map(of);
+        let goes_along = match exact.map(of) {
+            Some((number, _, sign)) => sign * amounts[number],
             None => {
                 let (mut pushed, mut held) = (0.0, 1.0);
                 for (number, pivot, sign) in others() {
@@ -165,8 +167,10 @@ impl Shared {
             amounts[number] = (amounts[number] - sign * goes_along) / pivot;
             left -= sign * amounts[number];
         }
-        if let Some((row, sign)) = rigid {
-            amounts[rows[row].0] = sign * left;
+        // Of one that is rigid all that is left; of several, which have theirs, what rounding has left of it.
+        for (number, _, sign) in self.rigid.iter().map(|end| of(*end)) {
+            let has = if exact.is_some() { 0.0 } else { amounts[number] };
+            amounts[number] = has + sign * left / self.rigid.len() as f64;
         }
     }
 }

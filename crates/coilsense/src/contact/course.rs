@@ -56,7 +56,7 @@ pub struct Touch {
     /// The largest force between them at a sample, a meeting or a parting \[N\]. Of hard windings without the meeting itself; of those that give way it grows with
     /// the root of their stiffness.
     pub peak: f64,
-    /// Energy that went there \[J\].
+    /// Energy that went there \[J\]; what is lost where end turns settle on a follower, some 1e-9 J each time, is in the balance alone.
     pub lost: f64,
 }
 

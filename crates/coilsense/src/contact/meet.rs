@@ -113,10 +113,7 @@ fn strike(
     }
     let slow = ROUNDING * before.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
     for number in (0..opening.len()).filter(|number| may[*number]) {
-        let is_shared = chain.shared().is_some_and(|shared| {
-            let pair = chain.pairs()[number];
-            pair.first == shared || pair.second == shared
-        });
+        let is_shared = !meeting.is_empty() && chain.shared() == Some(chain.pairs()[number].first);
         let parts_from = if is_shared { slow.max(STICKS) } else { slow };
         let is_held = now.closed[number] && found.opening[number] <= parts_from;
         let stays = if found.pushing[number] { !bouncing[number] } else { is_held };

@@ -129,7 +129,7 @@ impl<'a> Run<'a> {
             self.lift_at_once();
         }
         let until = self.times.last().copied().unwrap_or(self.now.time);
-        if let Some(cam) = self.system.chain.cam().filter(|cam| self.gap(*cam) <= MARGIN) {
+        if let Some(cam) = self.system.chain.cam().filter(|cam| self.begins_closed(*cam)) {
             // It stands on the cam, unless it would have to be pulled there by what stands on it.
             self.now.closed[cam] = true;
         }

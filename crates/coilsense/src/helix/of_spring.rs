@@ -28,7 +28,7 @@ impl Rod {
     ///
     /// Source:   F is proportional to E and G together at every length, so that one factor brings its slope to k.
     /// Valid:    springs whose k and m are of the active windings.
-    /// Accuracy: the slope at mid range, or that of the flat coil, is k to 1e-12 (`tests/helix`). A curved wire is stiffer than the formula of
+    /// Accuracy: the slope at mid range is k to 1e-12, that of the flat coil but for rounding (`tests/helix`). A curved wire is stiffer than the formula of
     ///           the flat coil by 3/16 (d/2R)², 0.3 % for D = 8 d (Ancker and Goodier, quoted from memory).
     ///
     /// # Errors

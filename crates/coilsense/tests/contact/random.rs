@@ -246,6 +246,8 @@ fn spring_holds(case: Use) -> Result<(), TestCaseError> {
     prop_assert_eq!(windings.samples(), touching.signals.time().len());
     prop_assert!(course.cam_force.iter().all(|force| *force > -1e-3), "{:?}", course.cam_force);
     if !case.is_elastic {
+        // Seats, a follower and its cam among them.
+        prop_assert!(course.deepest > -1e-11, "{:e}", course.deepest);
         let first = touching.first_contact().unwrap_or(f64::INFINITY);
         let from = times.partition_point(|time| *time < first);
         for sample in from..windings.samples() {

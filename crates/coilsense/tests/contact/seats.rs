@@ -1,9 +1,9 @@
 //! End turns that lie down on a follower which flies, several masses to a winding: against small steps (Moreau's scheme, Gauss and Seidel's iteration), a
 //! formulation that shares no code with the first. It converges to the events at first order.
 
-use coilsense::contact::{Contact, Course, Path, Touching};
+use coilsense::contact::{Chain, Contact, Course, Drive, Path, Start, Touching, follow};
 use coilsense::sections::{Section, Sections};
-use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, excitation};
+use coilsense::{Damping, EndInput, Excitation, FarEnd, Motion, Mount, Spring, SpringParameters, excitation};
 
 use super::laws::{PITCH, spring};
 
@@ -232,5 +232,51 @@ fn end_turns_do_not_throw_one_another_off_a_follower_without_end() {
         // It flies each turn, and end turns meet on it while it does: one that sticks throws off the others, and they it, ever more slowly.
         assert!(course.given_up.is_none() && course.floats.len() >= 12, "{:?} {}", course.given_up, course.events);
         assert!(course.cam_force.iter().all(|force| *force > -1e-5) && course.deepest > -1e-10, "{}", course.deepest);
+    }
+}
+
+#[test]
+fn a_cam_of_chords_pulls_a_follower_no_more_for_the_end_turns_on_it() {
+    // Up with 100 m/s², then back with 200: 300 N s² of inertia where the spring pushes with 24 N, so that the follower flies from the middle on. Each knot
+    // takes 1 mm/s from the cam, less than what sticks.
+    let lift = |time: f64| {
+        let after = (time - 0.006).max(0.0);
+        50.0 * time.min(0.006).powi(2) + 0.6 * after * f64::from(u8::from(after > 0.0)) - 100.0 * after * after
+    };
+    for per_winding in [1, 4] {
+        let parameters = SpringParameters { stiffness: 2000.0, ..spring(1).parameters().clone() };
+        let spring = Spring::new(parameters).unwrap().with_masses_per_winding(per_winding).unwrap();
+        let excitation = Excitation::new(0.045, EndInput::Held, EndInput::Held, excitation::Start::Rest).unwrap();
+        let motion = Motion::new(&spring, &excitation).unwrap();
+        let knots: Vec<f64> = (0..=2400).map(|knot| f64::from(knot) * 5e-6).collect();
+        let chord = |ends: &[f64]| vec![lift(ends[0]), (lift(ends[1]) - lift(ends[0])) / (ends[1] - ends[0])];
+        let path = Path::new(knots.clone(), knots.windows(2).map(chord).collect()).unwrap();
+        let times: Vec<f64> = (0..=1200).map(|sample| f64::from(sample) * 1e-5).collect();
+        let contact = Contact::default().at_pitch(4e-3).unwrap().with_ends(true).with_follower(0.3).unwrap();
+        let course = Touching::driven(&motion, &contact, path, &times).unwrap();
+        let flies = times.iter().zip(&course.end1).map(|(time, end1)| end1 - lift(*time)).fold(0.0, f64::max);
+        // 100 m/s² less what the spring does, over 6 ms: 1.9 mm.
+        assert!(flies > 1.5e-3, "{per_winding}: {flies} m");
+    }
+}
+
+#[test]
+fn a_follower_that_begins_faster_or_slower_than_its_cam_is_not_held_to_it() {
+    let chain = || Chain::of(&spring(2), FarEnd::Position, PITCH, true).unwrap().on_follower(0.3).unwrap();
+    let lumps = chain().lumps();
+    let held = || Drive::Input(EndInput::Held, 0.0);
+    let contact = Contact::default().at_pitch(PITCH).unwrap();
+    let times: Vec<f64> = (0..=200).map(|sample| f64::from(sample) * 1e-5).collect();
+    let run = |speed: f64| {
+        let mut speeds = vec![0.0; lumps];
+        speeds[0] = speed;
+        let start = Start { time: 0.0, places: vec![0.0; lumps], speeds };
+        follow(&chain(), &contact, &Damping::None, [held(), held()], &start, &times).unwrap()
+    };
+    let (up, down) = (run(1.0), run(-1.0));
+    assert!(up.end1[100] > 0.8e-3 && up.cam_force[1..100].iter().all(|force| *force == 0.0), "{}", up.end1[100]);
+    assert!(down.end1.iter().all(|place| *place > -1e-12), "{:?}", down.end1.first());
+    for course in [up, down] {
+        assert!(course.balance.open().abs() < 1e-10 * (course.balance.lost + course.balance.gained.abs() + 1e-3));
     }
 }
