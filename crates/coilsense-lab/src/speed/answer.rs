@@ -213,6 +213,11 @@ fn finer(map: &SpeedMap) -> Option<String> {
             true => off.push(format!("the largest surge is {then} N, not {now} N, at {at}")),
             false => settled = Some(format!("the largest surge is {then} N")),
         }
+        if let [Some(stress), Some(now)] = [run.stress, worst.stress].map(|stress| stress.map(|stress| stress.largest))
+            && (stress - now).abs() > ENOUGH * now
+        {
+            off.push(format!("the largest stress there is {:.0} MPa, not {:.0} MPa", 1e-6 * stress, 1e-6 * now));
+        }
     }
     let of = [
         (SpeedPoint::is_aloft as fn(&SpeedPoint) -> bool, "the follower does not float"),
@@ -255,12 +260,22 @@ fn seats(map: &SpeedMap) -> String {
     let Some(worst) = map.points.iter().min_by(|a, b| least(a).total_cmp(&least(b))) else { return String::new() };
     let at = format!("{} ({})", rpm(worst.speed), label(map, worst));
     let lifts = |point: &SpeedPoint| point.lifts.is_some_and(|lifts| lifts > 0.0);
+    let blow = |point: &SpeedPoint| point.blow.unwrap_or(0.0);
+    let hardest = map.points.iter().max_by(|a, b| blow(a).total_cmp(&blow(b))).filter(|point| blow(point) > 0.0);
+    let blows = hardest.map_or_else(String::new, |point| {
+        format!(
+            " Blows on a seat, up to {} mN s at {} ({}), are in none of these forces: a stiff load cell shows them as peaks, and more masses share them out.",
+            digits(1e3 * blow(point)),
+            rpm(point.speed),
+            label(map, point)
+        )
+    });
     match lowest(map, lifts) {
-        Some(first) => format!("An end leaves its seat {} ({}).", spans(map, first, lifts), label(map, first)),
+        Some(first) => format!("An end leaves its seat {} ({}).{blows}", spans(map, first, lifts), label(map, first)),
         None if least(worst) < 0.0 => {
             format!("A seat would have to pull with {} N at {at}: lift_off is off.", digits(-least(worst)))
         }
-        None => format!("Seats are pressed with {} N at least, at {at}.", digits(least(worst))),
+        None => format!("Seats are pressed with {} N at least, at {at}.{blows}", digits(least(worst))),
     }
 }
 
@@ -317,8 +332,15 @@ fn rebound(map: &SpeedMap) -> String {
 fn unsettled(map: &SpeedMap) -> Option<String> {
     let wild: Vec<&SpeedPoint> = map.points.iter().filter(|point| point.unsettled > SETTLED).collect();
     let most = wild.iter().max_by(|a, b| a.unsettled.total_cmp(&b.unsettled))?;
+    let is_clear = |point: &&&SpeedPoint| !point.meets() && !point.is_aloft() && point.lifts.unwrap_or(0.0) == 0.0;
+    let clear = match wild.iter().filter(is_clear).count() {
+        0 => String::new(),
+        clear => format!(
+            " In {clear} of them nothing meets, floats or leaves its seat in these turns; in later ones it may: so little damping takes longer than is run."
+        ),
+    };
     Some(format!(
-        "{} of {} runs do not repeat from turn to turn (most at {}, by {:.0} % of F_nom): extremes there are those of four turns only.",
+        "{} of {} runs do not repeat from turn to turn (most at {}, by {:.0} % of F_nom): extremes there are those of four turns only.{clear}",
         wild.len(),
         map.points.len(),
         rpm(most.speed),

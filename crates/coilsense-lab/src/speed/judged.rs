@@ -46,7 +46,8 @@ pub struct SpeedPoint {
     pub floating: Option<Floating>,
     /// Shear stress where the wire is worst off; `None` where nothing could be followed.
     pub stress: Option<Stress>,
-    /// By how much the extremes of the last two turns differ from those of the two before, as a share of F_nom: what repeats has settled.
+    /// By how much the extremes of the last two turns differ from those of the two before, as a share of F_nom: what repeats has settled. Of a run from rest in
+    /// which nothing has met at least what is left of its way to what repeats, e^(−ζ ω_1 t) of the surge.
     pub unsettled: f64,
     /// Turns that were run.
     pub turns: usize,

@@ -109,7 +109,13 @@ pub(super) fn of(asked: &Asked<'_>, speed: f64, way: usize) -> Result<SpeedPoint
     }
     let wait = if ratio > 0.0 { (DECAYS / (ratio * first)).min(LONGEST) } else { LONGEST };
     let (course, seen) = run(&motion, 0.0, ((wait * turning).ceil() as usize).max(FEWEST))?;
-    Ok(judged(spec, way, speed, &course, &seen))
+    let mut point = judged(spec, way, speed, &course, &seen);
+    if is_clear(&course) {
+        // What repeats would have met, or none knows what repeats: of the way there this much is left.
+        let left = (-ratio * first * seen.from).exp() * point.surge / spec.spring.spring.nominal_force();
+        point.unsettled = point.unsettled.max(left);
+    }
+    Ok(point)
 }
 
 /// What is the same at every speed.
