@@ -325,6 +325,26 @@ fn forces_that_are_as_fast_within_one_per_cent_are_named_together_and_the_first_
 }
 
 #[test]
+fn what_of_a_spec_is_in_no_limit_is_said() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("spec.toml");
+    let with = |text: &str| {
+        std::fs::write(&file, text).unwrap();
+        done(&["placement", path(&file)])
+    };
+    let text =
+        done(&["init", "--from", "pressed"]).replace("# [control]", "[control]").replace("\n# drive = ", "\ndrive = ");
+    // 4 × 1 % of the wire, 3 × 1 % of the coil, 0.5 % of the windings and 2 % of G: 5.41 % together.
+    let said = with(&text);
+    assert!(said.contains("Of the spec not in it: the rate's tolerance of 5.41 %, "), "{said}");
+    assert!(said.contains("lag, noise and sampling of its sensors"), "{said}");
+    let (head, rest) = text.split_once("[[sensor]]").unwrap();
+    let bare: Vec<&str> = head.lines().filter(|line| !line.contains("_tolerance")).collect();
+    let said = with(&format!("{}\n{}", bare.join("\n"), &rest[rest.find("[goal]").unwrap()..]));
+    assert!(!said.contains("Of the spec not in it"), "{said}");
+}
+
+#[test]
 fn a_crossover_that_is_wanted_is_left_to_a_force_that_reaches_it() {
     // With the band of dampings F_i is calm to the highest crossover of all four, yet in samples stable to 0.7 Hz only.
     let result =

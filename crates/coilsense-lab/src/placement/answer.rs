@@ -52,10 +52,26 @@ pub fn answer(placement: &Placement) -> Vec<String> {
         lines.push(line);
     }
     lines.extend(told::lines(placement));
+    lines.extend(left_out(placement));
     if placement.undamped_left_out {
         lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
     }
     lines
+}
+
+/// What of the spec is in no figure here.
+fn left_out(placement: &Placement) -> Option<String> {
+    let share = placement.spec.spring.stiffness_tolerance();
+    let rate = (share > 0.0).then(|| {
+        format!(
+            "the rate's tolerance of {} %, by half of which every resonance may be off, and limits that hang on one by more",
+            digits(100.0 * share)
+        )
+    });
+    let sensors = (!placement.spec.sensors.is_empty())
+        .then(|| "lag, noise and sampling of its sensors, which come on top of delay and sample_time".to_owned());
+    let all: Vec<String> = [rate, sensors].into_iter().flatten().collect();
+    (!all.is_empty()).then(|| format!("Of the spec not in it: {}.", all.join("; ")))
 }
 
 /// Which forces could be fed back just as well.

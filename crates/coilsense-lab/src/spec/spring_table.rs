@@ -173,7 +173,11 @@ impl Described {
         let opens = end_type.is_extension() || initial_tension == 0.0;
         section.check("initial_tension", opens, initial_tension, "zero for a compression spring")?;
         let spring = Spring::new(SpringParameters { rest_length: shifted, ..values }).map_err(refuse)?;
-        let geometry = Geometry::of_spring(&closed, end_type, material);
+        let total_windings = section.optional_number("total_windings")?;
+        let geometry = Geometry::of_spring(&closed, end_type, material).and_then(|geometry| match total_windings {
+            Some(_) => Geometry::new(GeometryParameters { total_windings, ..*geometry.parameters() }),
+            None => Ok(geometry),
+        });
         Ok((spring, geometry.map_err(|error| section.refuse_science(&error, &RADII))?))
     }
 }

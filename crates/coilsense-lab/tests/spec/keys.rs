@@ -155,13 +155,16 @@ fn the_reference_of_all_keys_is_up_to_date() {
 
 #[test]
 fn every_template_can_be_used() {
-    for from in [None, Some("S_T"), Some("S_A")] {
+    for from in [None, Some("pressed"), Some("S_T"), Some("S_A")] {
         let spec = read(&template(from).unwrap()).unwrap();
         assert_eq!((spec.conditions.len(), spec.sensors.len(), spec.mount.cases.len()), (5, 4, 4), "{from:?}");
-        assert_eq!(spec.spring.by_geometry, from.is_none());
+        assert_eq!(spec.spring.by_geometry, from.is_none_or(|from| from == "pressed"));
         assert!(spec.goal.error.is_some());
     }
-    assert_eq!(template(Some("S_X")).unwrap_err().to_string(), "S_X: no spring of that name; there are S_T, S_A");
+    assert_eq!(
+        template(Some("S_X")).unwrap_err().to_string(),
+        "S_X: no spring of that name; there are S_T, S_A, pressed"
+    );
 }
 
 /// Values of a key in a catalogue, in order.

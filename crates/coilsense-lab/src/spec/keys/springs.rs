@@ -84,9 +84,9 @@ pub(super) const SPRING: Table = Table {
             "total_windings",
             "54",
             "with those that end 1 and end 2 rest on",
-            "`windings` and what `end_type` adds: 2 if closed, 1 if open and ground",
+            "`windings` and what `end_type` adds: 2 if closed, 1 if open and ground; of a spring by values `windings` alone",
         )
-        .of(GEOMETRY),
+        .of(UNIFORM),
         optional(
             "end_type",
             "\"closed-ground\"",
