@@ -31,82 +31,91 @@ fn exact_with(per_winding: usize, seats: bool) -> Course {
     Touching::followed(&motion, &contact, &times).unwrap()
 }
 
-/// Where the follower is at the same times, and what impulse end 2 has given by then \[m, N s\].
-fn stepped(per_winding: usize, step: f64) -> Vec<[f64; 2]> {
-    let spring = spring(per_winding);
-    let (windings, lumps) = (spring.whole_windings(), spring.chain_masses());
-    let (mass, stiffness) = (spring.mass() / lumps as f64, spring.stiffness() * lumps as f64);
-    // Points: cam, follower, lumps, end 2.
-    let last = lumps + 2;
-    let inverse = |point: usize| match point {
-        0 => 0.0,
-        1 => 1.0 / FOLLOWER,
-        point if point == last => 0.0,
-        _ => 1.0 / mass,
-    };
-    let segment = |lump: usize| if lump == 0 || lump == lumps { 2.0 * stiffness } else { stiffness };
-    let slack = LENGTHS[0] / windings as f64 - PITCH;
-    let turn = |lumps_between: f64| slack * lumps_between / per_winding as f64;
-    let mut pairs = vec![(0, 1, 0.0)];
-    for lump in 1..=lumps {
-        if lump <= per_winding {
-            pairs.push((1, lump + 1, turn(lump as f64 - 0.5)));
-        }
-        if lump + per_winding <= lumps {
-            pairs.push((lump + 1, lump + 1 + per_winding, slack));
-        } else {
-            pairs.push((lump + 1, last, turn(lumps as f64 - lump as f64 + 0.5)));
-        }
-    }
-    let pressed = LENGTHS[1] - LENGTHS[0];
-    let cam = |time: f64| AMPLITUDE * (ANGULAR * time).sin();
-    let mut x = vec![0.0; last + 1];
-    x[last] = pressed;
-    (0..lumps).for_each(|lump| x[lump + 2] = pressed * (lump as f64 + 0.5) / lumps as f64);
-    let mut v = vec![0.0; last + 1];
-    // Massless: every point as fast as its share of the end.
-    v[1] = AMPLITUDE * ANGULAR;
-    (0..lumps).for_each(|lump| v[lump + 2] = v[1] * (1.0 - (lump as f64 + 0.5) / lumps as f64));
-    let every = (UNTIL / SAMPLES as f64 / step).round() as usize;
-    let (mut given, mut told) = (0.0, Vec::new());
-    for count in 0..=SAMPLES * every {
-        let time = count as f64 * step;
-        if count % every == 0 {
-            told.push([x[1], given]);
-        }
-        v[0] = (cam(time + step) - cam(time)) / step;
-        for lump in 0..=lumps {
-            let pull = segment(lump) * (x[lump + 2] - x[lump + 1]) * step;
-            v[lump + 1] += pull * inverse(lump + 1);
-            v[lump + 2] -= pull * inverse(lump + 2);
-            if lump == lumps {
-                given += pull;
+/// Points cam, follower, lumps, end 2; pairs with the gap of the unloaded spring.
+struct Stepped {
+    inverse: Vec<f64>,
+    stiffnesses: Vec<f64>,
+    pairs: Vec<(usize, usize, f64)>,
+    x: Vec<f64>,
+    v: Vec<f64>,
+    /// What end 2 has been given \[N s\].
+    given: f64,
+}
+
+impl Stepped {
+    /// In the massless state: every point as far, and as fast, as its share of the ends.
+    fn new(per_winding: usize) -> Self {
+        let spring = spring(per_winding);
+        let (windings, lumps) = (spring.whole_windings(), spring.chain_masses());
+        let last = lumps + 2;
+        let mut inverse = vec![lumps as f64 / spring.mass(); last + 1];
+        (inverse[0], inverse[1], inverse[last]) = (0.0, 1.0 / FOLLOWER, 0.0);
+        let mut stiffnesses = vec![spring.stiffness() * lumps as f64; lumps + 1];
+        (stiffnesses[0], stiffnesses[lumps]) = (2.0 * stiffnesses[0], 2.0 * stiffnesses[lumps]);
+        let slack = LENGTHS[0] / windings as f64 - PITCH;
+        let turn = |lumps_between: f64| slack * lumps_between / per_winding as f64;
+        let mut pairs = vec![(0, 1, 0.0)];
+        for lump in 1..=lumps {
+            if lump <= per_winding {
+                pairs.push((1, lump + 1, turn(lump as f64 - 0.5)));
+            }
+            if lump + per_winding <= lumps {
+                pairs.push((lump + 1, lump + 1 + per_winding, slack));
+            } else {
+                pairs.push((lump + 1, last, turn(lumps as f64 - lump as f64 + 0.5)));
             }
         }
-        let near: Vec<_> = pairs
-            .iter()
-            .filter(|(first, second, gap)| {
-                let gap = x[*second] - x[*first] + gap;
-                gap + 20.0 * step * (v[*second] - v[*first]).min(0.0) < 2e-6
-            })
-            .collect();
+        let pressed = LENGTHS[1] - LENGTHS[0];
+        let (mut x, mut v) = (vec![0.0; last + 1], vec![0.0; last + 1]);
+        (x[last], v[1]) = (pressed, AMPLITUDE * ANGULAR);
+        for lump in 0..lumps {
+            let share = (lump as f64 + 0.5) / lumps as f64;
+            (x[lump + 2], v[lump + 2]) = (pressed * share, v[1] * (1.0 - share));
+        }
+        Self { inverse, stiffnesses, pairs, x, v, given: 0.0 }
+    }
+
+    fn step(&mut self, time: f64, step: f64) {
+        let Self { inverse, stiffnesses, pairs, x, v, given } = self;
+        let cam = |time: f64| AMPLITUDE * (ANGULAR * time).sin();
+        let last = x.len() - 1;
+        v[0] = (cam(time + step) - cam(time)) / step;
+        for (lump, stiffness) in stiffnesses.iter().enumerate() {
+            let pull = stiffness * (x[lump + 2] - x[lump + 1]) * step;
+            v[lump + 1] += pull * inverse[lump + 1];
+            v[lump + 2] -= pull * inverse[lump + 2];
+            *given += if lump + 2 == last { pull } else { 0.0 };
+        }
+        let is_near = |(first, second, gap): &&(usize, usize, f64)| {
+            x[*second] - x[*first] + gap + 20.0 * step * (v[*second] - v[*first]).min(0.0) < 2e-6
+        };
+        let near: Vec<_> = pairs.iter().filter(is_near).collect();
         let mut impulses = vec![0.0; near.len()];
         for _ in 0..if near.is_empty() { 0 } else { 300 } {
             for (impulse, &&(first, second, gap)) in impulses.iter_mut().zip(&near) {
                 // What lets the pair at most touch at the end of the step.
                 let speed = v[second] - v[first] + (x[second] - x[first] + gap).max(0.0) / step;
-                let more = (*impulse - speed / (inverse(first) + inverse(second))).max(0.0) - *impulse;
+                let more = (*impulse - speed / (inverse[first] + inverse[second])).max(0.0) - *impulse;
                 *impulse += more;
-                v[first] -= more * inverse(first);
-                v[second] += more * inverse(second);
+                v[first] -= more * inverse[first];
+                v[second] += more * inverse[second];
             }
         }
-        for (impulse, (_, second, _)) in impulses.iter().zip(&near) {
-            if *second == last {
-                given -= impulse;
-            }
+        let of_end2 = impulses.iter().zip(&near).filter(|(_, (_, second, _))| *second == last);
+        *given -= of_end2.map(|(impulse, _)| impulse).sum::<f64>();
+        x.iter_mut().zip(v).for_each(|(x, v)| *x += step * *v);
+    }
+}
+
+/// Where the follower is at the same times, and what impulse end 2 has given by then \[m, N s\].
+fn stepped(per_winding: usize, step: f64) -> Vec<[f64; 2]> {
+    let every = (UNTIL / SAMPLES as f64 / step).round() as usize;
+    let (mut chain, mut told) = (Stepped::new(per_winding), Vec::new());
+    for count in 0..=SAMPLES * every {
+        if count % every == 0 {
+            told.push([chain.x[1], chain.given]);
         }
-        x.iter_mut().zip(&v).for_each(|(x, v)| *x += step * v);
+        chain.step(count as f64 * step, step);
     }
     told
 }
