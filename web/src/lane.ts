@@ -14,7 +14,7 @@ interface Job {
 }
 
 const ENDS =
-  'The engine’s worker ends as soon as it begins: its file is missing or came cut short, or memory is short. Nothing that you set is lost.';
+  'The engine’s worker ends as it begins: its file is missing or cut short, or memory is short. Nothing that you set is lost.';
 
 export class Lane {
   private worker: Worker | null = null;

@@ -16,13 +16,13 @@ const LAWS: Record<string, { key: string; label: string; hint: string; usual: re
   hard: {
     key: 'restitution',
     label: 'Restitution e',
-    hint: 'how much of their closing speed is left, 0 to 1; nobody has measured it: left out, both 0 and 0.5 are computed',
+    hint: 'share of the closing speed that is left, 0 to 1; not measured by anybody: left out, 0 and 0.5 are computed',
     usual: [0, 0.5],
   },
   elastic: {
     key: 'damping_ratio',
     label: 'Contact damping ζ_c',
-    hint: 'left out, both 3 and 0.3 are computed, which lose what e = 0.02 and 0.45 do; the stiffness is Hertz’s',
+    hint: 'left out, 3 and 0.3 are computed, as lossy as e = 0.02 and 0.45; the stiffness is Hertz’s',
     usual: [3, 0.3],
   },
 };

@@ -8,14 +8,14 @@ export const TABS: readonly Tab[] = [
   {
     id: 'log',
     label: 'Log',
-    lead: 'Drop a recording of your own spring, and read off what rings in it, how strongly it is damped, and how far its forces can be trusted.',
+    lead: 'Drop a recording of your own spring: what rings, how strongly it is damped, how far its forces can be trusted.',
     load: () => import('./log'),
   },
   { id: 'mitigate', label: 'Mitigate', load: () => import('./mitigate') },
   {
     id: 'paper',
     label: 'Paper',
-    lead: 'Where it all comes from: the simulated tables and figures of a paper on two springs of walking robots, computed here beside the printed numbers.',
+    lead: 'Where it comes from: tables and figures of a paper on two springs of walking robots, computed beside the printed numbers.',
     load: () => import('./paper'),
   },
 ];
