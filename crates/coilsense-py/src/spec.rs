@@ -136,7 +136,7 @@ impl PySpec {
     /// Parameters
     /// ----------
     /// spring : {"S_T", "S_A", "pressed"}, optional
-    ///     A spring of the paper, or one by wire, coil and material that is pressed; without it, one that is pulled.
+    ///     A spring of the paper, or a compression spring by wire, coil and material; without it, an extension spring.
     ///
     /// Returns
     /// -------

@@ -336,12 +336,12 @@ fn what_of_a_spec_is_in_no_limit_is_said() {
         done(&["init", "--from", "pressed"]).replace("# [control]", "[control]").replace("\n# drive = ", "\ndrive = ");
     // 4 × 1 % of the wire, 3 × 1 % of the coil, 0.5 % of the windings and 2 % of G: 5.41 % together.
     let said = with(&text);
-    assert!(said.contains("Of the spec not in it: the rate's tolerance of 5.41 %, "), "{said}");
-    assert!(said.contains("lag, noise and sampling of its sensors"), "{said}");
+    assert!(said.contains("Not included from the spec: the rate's tolerance of ±5.41 %, "), "{said}");
+    assert!(said.contains("lag, noise and sampling of the sensors"), "{said}");
     let (head, rest) = text.split_once("[[sensor]]").unwrap();
     let bare: Vec<&str> = head.lines().filter(|line| !line.contains("_tolerance")).collect();
     let said = with(&format!("{}\n{}", bare.join("\n"), &rest[rest.find("[goal]").unwrap()..]));
-    assert!(!said.contains("Of the spec not in it"), "{said}");
+    assert!(!said.contains("Not included from the spec"), "{said}");
 }
 
 #[test]

@@ -64,14 +64,14 @@ fn left_out(placement: &Placement) -> Option<String> {
     let share = placement.spec.spring.stiffness_tolerance();
     let rate = (share > 0.0).then(|| {
         format!(
-            "the rate's tolerance of {} %, by half of which every resonance may be off, and limits that hang on one by more",
+            "the rate's tolerance of ±{} %, which moves every resonance by half as much, and a limit set by one possibly by more",
             digits(100.0 * share)
         )
     });
     let sensors = (!placement.spec.sensors.is_empty())
-        .then(|| "lag, noise and sampling of its sensors, which come on top of delay and sample_time".to_owned());
+        .then(|| "lag, noise and sampling of the sensors, which add to delay and sample_time".to_owned());
     let all: Vec<String> = [rate, sensors].into_iter().flatten().collect();
-    (!all.is_empty()).then(|| format!("Of the spec not in it: {}.", all.join("; ")))
+    (!all.is_empty()).then(|| format!("Not included from the spec: {}.", all.join("; ")))
 }
 
 /// Which forces could be fed back just as well.

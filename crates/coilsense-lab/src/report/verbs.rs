@@ -163,8 +163,8 @@ const FIGURES: Row =
 pub const FROM: Row = Row {
     name: "from",
     takes: Takes::Text("NAME"),
-    if_absent: IfAbsent::Found("from a spring by geometry that is pulled"),
-    meaning: "Start from a spring of the paper, S_T or S_A, or from one that is `pressed`",
+    if_absent: IfAbsent::Found("from an extension spring by geometry"),
+    meaning: "Start from a spring of the paper, S_T or S_A, or from a compression spring: pressed",
     ..Row::PLAIN
 };
 /// The catalogue.

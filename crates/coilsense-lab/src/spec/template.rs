@@ -4,19 +4,22 @@
 
 use super::SpecError;
 
-/// Springs of the paper, and one that is pressed.
-const SPRINGS: [(&str, &str); 3] = [
-    ("S_T", include_str!("../../data/springs/S_T.toml")),
-    ("S_A", include_str!("../../data/springs/S_A.toml")),
-    ("pressed", PRESSED),
-];
+/// Springs of the paper.
+const SPRINGS: [(&str, &str); 2] =
+    [("S_T", include_str!("../../data/springs/S_T.toml")), ("S_A", include_str!("../../data/springs/S_A.toml"))];
 
-/// A spring by geometry that is pressed, as a beginning of one's own.
-const PRESSED: &str = r#"# A spec of coilsense. Every key is described in book/src/guide/spec.md. Change what differs, delete what you do not need, then run
+/// How a spec of one's own begins.
+const HEAD: &str = r"# A spec of coilsense. Every key is described in book/src/guide/spec.md. Change what differs, delete what you do not need, then run
 #   coilsense spring FILE       the spring's data sheet
 #   coilsense analyze FILE --out DIR
 
-[spring]
+";
+
+/// The name of the compression spring.
+const PRESSED_NAME: &str = "pressed";
+
+/// A compression spring by geometry, as a beginning of one's own.
+const PRESSED: &str = r#"[spring]
 name = "my spring"
 rest_length = "60 mm"       # length without force
 min_length = "36 mm"        # range in use; solid at 24 mm
@@ -41,12 +44,8 @@ shear_modulus_tolerance = "2 %"
 # windings = "hard"
 "#;
 
-/// A spring by geometry, as a beginning of one's own.
-const OWN: &str = r#"# A spec of coilsense. Every key is described in book/src/guide/spec.md. Change what differs, delete what you do not need, then run
-#   coilsense spring FILE       the spring's data sheet
-#   coilsense analyze FILE --out DIR
-
-[spring]
+/// An extension spring by geometry, as a beginning of one's own.
+const OWN: &str = r#"[spring]
 name = "my spring"
 rest_length = "104 mm"      # length without force
 min_length = "196 mm"       # range in use
@@ -161,18 +160,20 @@ bandwidth = "20 Hz"         # up to where the force is wanted
 # delay = "1 ms"              # from a reading to the command that follows from it
 "#;
 
-/// A commented spec with a spring of the paper (`S_T`, `S_A`), or with one by geometry.
+/// A commented spec with a spring of the paper (`S_T`, `S_A`), or with one by geometry: a compression spring (`pressed`), else an extension spring.
 ///
 /// # Errors
 /// [`SpecError`] for a name that is not there.
 pub fn template(from: Option<&str>) -> Result<String, SpecError> {
-    let Some(from) = from else {
-        return Ok(format!("{OWN}{REST}"));
+    let own = match from {
+        None => OWN,
+        Some(PRESSED_NAME) => PRESSED,
+        Some(from) => {
+            let found = SPRINGS.iter().find(|(name, _)| *name == from);
+            let names = SPRINGS.map(|(name, _)| name).join(", ");
+            let unknown = || SpecError(format!("{from}: no spring of that name; there are {names}, {PRESSED_NAME}"));
+            return found.map(|(_, spring)| format!("{spring}{REST}")).ok_or_else(unknown);
+        }
     };
-    let found = SPRINGS.iter().find(|(name, _)| *name == from);
-    let names = SPRINGS.map(|(name, _)| name).join(", ");
-    match found {
-        Some((_, spring)) => Ok(format!("{spring}{REST}")),
-        None => Err(SpecError(format!("{from}: no spring of that name; there are {names}"))),
-    }
+    Ok(format!("{HEAD}{own}{REST}"))
 }

@@ -264,7 +264,7 @@ fn seats(map: &SpeedMap) -> String {
     let hardest = map.points.iter().max_by(|a, b| blow(a).total_cmp(&blow(b))).filter(|point| blow(point) > 0.0);
     let blows = hardest.map_or_else(String::new, |point| {
         format!(
-            " Blows on a seat, up to {} mN s at {} ({}), are in none of these forces: a stiff load cell shows them as peaks, and more masses share them out.",
+            " Blows on a seat, up to {} mN s at {} ({}), are not included in these forces: a stiff load cell shows them as peaks. More masses per winding make them smaller and more frequent.",
             digits(1e3 * blow(point)),
             rpm(point.speed),
             label(map, point)
@@ -336,7 +336,7 @@ fn unsettled(map: &SpeedMap) -> Option<String> {
     let clear = match wild.iter().filter(is_clear).count() {
         0 => String::new(),
         clear => format!(
-            " In {clear} of them nothing meets, floats or leaves its seat in these turns; in later ones it may: so little damping takes longer than is run."
+            " In {clear} of them nothing has met, floated or left its seat yet; it still may, since with so little damping the motion builds up for longer than is run."
         ),
     };
     Some(format!(

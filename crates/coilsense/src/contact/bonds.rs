@@ -42,64 +42,37 @@ struct Shared {
 
 impl Bonds {
     /// Of a set of pairs; `None` where a stack is solid between two ends that do not give way, which no run to a shared point is.
-    pub fn new(chain: &Chain, pushing: &[bool]) -> Option<Self> {
-        match chain.shared() {
-            None => Self::of_runs(chain, pushing),
-            Some(point) => Self::towards(chain, pushing, point),
-        }
-    }
-
-    fn of_runs(chain: &Chain, pushing: &[bool]) -> Option<Self> {
-        let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
-        let mut rows: Vec<(usize, f64, f64)> = Vec::new();
-        for (number, pair) in pairs.iter().enumerate().filter(|(number, _)| pushing[*number]) {
-            let whole = inverse[pair.first] + inverse[pair.second];
-            let before = rows.last().filter(|(before, ..)| before + 1 == number && meet(pairs, *before));
-            let (pivot, coupling) = match before {
-                Some((_, pivot, _)) => {
-                    (whole - inverse[pair.first] * inverse[pair.first] / pivot, -inverse[pair.first])
-                }
-                None => (whole, 0.0),
-            };
-            if pivot <= SOLID * whole {
-                return None;
-            }
-            rows.push((number, pivot, coupling));
-        }
-        Some(Self { rows, shared: None })
-    }
-
+    ///
     /// Runs are eliminated from end 2 on, so that each ends at the point that they share.
-    fn towards(chain: &Chain, pushing: &[bool], point: usize) -> Option<Self> {
+    pub fn new(chain: &Chain, pushing: &[bool]) -> Option<Self> {
         let (pairs, inverse) = (chain.pairs(), chain.inverse_masses());
-        let but_shared = |at: usize| if at == point { 0.0 } else { inverse[at] };
+        let is_shared = |at: usize| chain.shared() == Some(at);
+        let but_shared = |at: usize| if is_shared(at) { 0.0 } else { inverse[at] };
         let mut rows: Vec<(usize, f64, f64)> = Vec::new();
-        let mut shared = Shared { inverse: inverse[point], ..Shared::default() };
+        let mut shared = chain.shared().map(|point| Shared { inverse: inverse[point], ..Shared::default() });
         for (number, pair) in pairs.iter().enumerate().rev().filter(|(number, _)| pushing[*number]) {
             let whole = but_shared(pair.first) + but_shared(pair.second);
             let after = rows.last().filter(|(after, ..)| number + 1 == *after && meet(pairs, number));
-            let coupling = after.map_or(0.0, |_| -but_shared(pair.second));
-            let pivot = after.map_or(
-                whole,
-                |(_, pivot, _)| {
-                    if coupling == 0.0 { whole } else { whole - coupling * coupling / pivot }
-                },
-            );
-            let is_end = pair.first == point || pair.second == point;
+            // None with what lies on the other side of the shared point, or of an end.
+            let coupled =
+                after.map(|(_, pivot, _)| (-but_shared(pair.second), *pivot)).filter(|(coupling, _)| *coupling != 0.0);
+            let (coupling, pivot) =
+                coupled.map_or((0.0, whole), |(coupling, pivot)| (coupling, whole - coupling * coupling / pivot));
             let is_rigid = pivot <= SOLID * whole;
-            if is_rigid && !is_end {
-                return None;
-            }
-            if is_end {
-                shared.rigid.extend(is_rigid.then_some(shared.ends.len()));
-                shared.ends.push((rows.len(), if pair.first == point { -1.0 } else { 1.0 }));
+            match &mut shared {
+                Some(shared) if is_shared(pair.first) || is_shared(pair.second) => {
+                    shared.rigid.extend(is_rigid.then_some(shared.ends.len()));
+                    shared.ends.push((rows.len(), if is_shared(pair.first) { -1.0 } else { 1.0 }));
+                }
+                _ if is_rigid => return None,
+                _ => {}
             }
             rows.push((number, pivot, coupling));
         }
-        if shared.rigid.len() > 1 {
+        if let Some(shared) = shared.as_ref().filter(|shared| shared.rigid.len() > 1) {
             shared.rigid.iter().for_each(|end| rows[shared.ends[*end].0].1 = GIVES * shared.inverse);
         }
-        Some(Self { rows, shared: Some(shared) })
+        Some(Self { rows, shared })
     }
 
     /// By how much what holds opens all the same, per push \[1/kg\]: above zero where several are solid side by side.

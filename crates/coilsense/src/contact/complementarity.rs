@@ -31,36 +31,17 @@ pub(super) struct Pushes {
 
 /// Finds Λ ≥ 0 with W Λ + q ≥ 0 and Λ (W Λ + q) = 0 over the pairs that `may` push; q is how pairs open without.
 ///
-/// Where no point is in more than two pairs W is an M-matrix, so the set of those that push only grows: Chandrasekaran's method ends after at most as
-/// many rounds as there are pairs. Seats on a follower push one another apart, so that some may have to leave the set again. `None` where a stack is
-/// solid between two ends that do not give way, or no set is found.
+/// All that are on the wrong side change it at once. Where no point is in more than two pairs W is an M-matrix, so that the set of those that push only grows:
+/// Chandrasekaran's method, which ends after at most as many rounds as there are pairs. Seats on a follower push one another apart, so that some may have to
+/// leave the set again: there all change while they become fewer, else one alone (Júdice and Pires, *Computers and Operations Research* 21 (1994) 587-596;
+/// Murty's way, which ends for every matrix whose principal minors are positive). `None` where a stack is solid between two ends that do not give way, or no
+/// set is found.
 pub(super) fn pushes(chain: &Chain, may: &[bool], q: &[f64]) -> Option<Pushes> {
-    let largest = q.iter().zip(may).filter(|(_, may)| **may).fold(0.0_f64, |most, (q, _)| most.max(q.abs()));
-    let rounding = ROUNDING * largest;
-    if chain.shared().is_some() {
-        return exchanged(chain, may, q, rounding);
-    }
-    let mut found =
-        Pushes { amounts: vec![0.0; q.len()], pushing: vec![false; q.len()], opening: q.to_vec(), gives: 0.0 };
-    loop {
-        let mut grown = false;
-        for ((may, pushing), opening) in may.iter().zip(&mut found.pushing).zip(&found.opening) {
-            if *may && !*pushing && *opening < -rounding {
-                (*pushing, grown) = (true, true);
-            }
-        }
-        if !grown {
-            return Some(found);
-        }
-        found = Pushes::of(chain, found.pushing, q)?;
-    }
-}
-
-/// The same where pairs may leave the set: all that are on the wrong side change it at once as long as they become fewer, else one alone (Júdice and
-/// Pires, *Computers and Operations Research* 21 (1994) 587-596; Murty's way, which ends for every matrix whose principal minors are positive).
-fn exchanged(chain: &Chain, may: &[bool], q: &[f64], rounding: f64) -> Option<Pushes> {
+    let of_those = || q.iter().zip(may).filter(|(_, may)| **may).map(|(q, _)| q.abs());
+    let rounding = ROUNDING * of_those().fold(0.0, f64::max);
+    let spare = if chain.shared().is_some() { SPARE } else { usize::MAX };
     let mut pushing: Vec<bool> = may.iter().zip(q).map(|(may, q)| *may && *q < -rounding).collect();
-    let (mut fewest, mut left) = (usize::MAX, SPARE);
+    let (mut fewest, mut left) = (usize::MAX, spare);
     for _ in 0..MOST_ROUNDS * q.len() {
         let found = Pushes::of(chain, pushing.clone(), q)?;
         let largest = found.amounts.iter().fold(0.0_f64, |most, amount| most.max(amount.abs()));
@@ -70,7 +51,7 @@ fn exchanged(chain: &Chain, may: &[bool], q: &[f64], rounding: f64) -> Option<Pu
         };
         let wrong: Vec<usize> = (0..q.len()).filter(is_wrong).collect();
         let change: &[usize] = if wrong.len() < fewest {
-            (fewest, left) = (wrong.len(), SPARE);
+            (fewest, left) = (wrong.len(), spare);
             &wrong
         } else if left > 0 {
             left -= 1;
@@ -79,8 +60,7 @@ fn exchanged(chain: &Chain, may: &[bool], q: &[f64], rounding: f64) -> Option<Pu
             &wrong[wrong.len() - 1..]
         };
         if change.is_empty() {
-            let all: f64 = q.iter().zip(may).filter(|(_, may)| **may).map(|(q, _)| q.abs()).sum();
-            let is_solid = largest > MOST_PUSH * chain.masses().iter().sum::<f64>() * all;
+            let is_solid = largest > MOST_PUSH * chain.masses().iter().sum::<f64>() * of_those().sum::<f64>();
             return (!is_solid).then_some(found);
         }
         change.iter().for_each(|&number| pushing[number] = !pushing[number]);

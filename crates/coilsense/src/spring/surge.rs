@@ -24,8 +24,9 @@ impl Spring {
     ///
     /// From that of a chain of one mass per winding to that of the continuous bar, and beyond both by max(0.2 %, 25 %/N)
     ///
-    /// Source:   helical rods with prestress, two formulations: valve spring of 5.75 windings 388.7 Hz held (391.4 Hz with its shear made
-    ///           up for), 391.4 Hz free to turn, where the chain has 399.0 and the bar 403.6 Hz; car spring of 6.5 windings 50.7 Hz (52.3, 52.7); S_T −0.11 to +0.16 %.
+    /// Source:   helical rods with prestress, two formulations: valve spring of 5.75 windings 388.7 Hz held (391.4 Hz where its flat coil
+    ///           has the formula's k with shear), 391.4 Hz free to turn, where the chain has 399.0 and the bar 403.6 Hz; car spring of 6.5
+    ///           windings 50.7 Hz (52.3, 52.7); S_T −0.11 to +0.16 %.
     /// Valid:    round wire, N from some 5 windings on; for fewer the width is a guess.
     /// Accuracy: holds all the springs above.
     pub fn first_frequency_band(&self) -> (f64, f64) {

@@ -184,7 +184,8 @@ fn input(kind: usize, size: f64, frequency: f64) -> EndInput {
     }
 }
 
-fn spring_holds(case: Use) -> Result<(), TestCaseError> {
+/// Its motion, contact, and the pitch at which windings touch \[m\].
+fn used(case: &Use) -> (Motion, Contact, f64) {
     let rest_length = 0.01 * case.windings as f64;
     let spring = Spring::new(SpringParameters {
         rest_length,
@@ -227,8 +228,13 @@ fn spring_holds(case: Use) -> Result<(), TestCaseError> {
         Some(mass) => contact.with_follower(mass).unwrap(),
         None => contact,
     };
+    (motion, contact.with_most_events(50_000), pitch)
+}
+
+fn spring_holds(case: Use) -> Result<(), TestCaseError> {
+    let (motion, contact, pitch) = used(&case);
     let times: Vec<f64> = (0..=300).map(|sample| f64::from(sample) * 1e-4).collect();
-    let touching = match Touching::of(&motion, &contact.with_most_events(50_000), &times, true) {
+    let touching = match Touching::of(&motion, &contact, &times, true) {
         Ok(touching) => touching,
         // A recording may begin with an end inside a winding.
         Err(error) => {
