@@ -107,8 +107,11 @@ def test_python_control_finds_the_limits_of_placement() -> None:
             candidate = next(one for one in found if one["force"] == name)
             judged = next(one for one in candidate["dampings"] if one["damping"] == f"ζ = {ratio}")
             high = limit(force, (A, B, C, D), 5e-4)
-            off = high / judged["gain_limit"] - 1
-            print(f"{name}, ζ = {ratio}: {high:.6g} beside {judged['gain_limit']:.6g}, {100 * off:+.4f} %")
+            nominal = judged["nominal_gain_limit"]
+            off = high / nominal - 1
+            print(f"{name}, ζ = {ratio}: {high:.6g} beside {nominal:.6g}, {100 * off:+.4f} %")
+            # Over the tolerances, half a per cent of k and of frequency, it is less, and not by much.
+            assert 0.9 * nominal < judged["gain_limit"] <= nominal
             worst = max(worst, abs(off))
     # Asked: 0.5 %. The search ends at 1e-6.
     assert worst < 1e-5

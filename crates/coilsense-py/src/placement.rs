@@ -19,7 +19,8 @@ use crate::value::getters;
 
 /// Every force judged as the one that is fed back; made by `placement`. ``str()`` of it is what ``coilsense placement`` prints.
 ///
-/// Crossovers are those of the loop with a spring without mass; ``inf`` stands for what is without bound.
+/// Crossovers are those of the loop with a spring without mass; ``inf`` stands for what is without bound. Each figure is the worst over the
+/// springs that the spec's tolerances allow, with surge frequencies as the model leaves them open.
 ///
 /// Examples
 /// --------
@@ -109,8 +110,8 @@ impl PyPlacement {
         Ok(dict)
     }
 
-    /// Each force and each estimate run over time with the drive of the spec, a dict by name: damping (where it has the least to spare), stable
-    /// (by its response over frequency), ran_away_at [s], load and load_swing (F_o in the last tenth of a second's run and how far it moves,
+    /// Each force and each estimate run over time with the drive of the spec, a dict by name: damping (where it has the least to spare), stiffness_off and
+    /// surge_off (by which shares k and the first surge frequency of the spring are off on which that is), stable (by its response over frequency), ran_away_at [s], load and load_swing (F_o in the last tenth of a second's run and how far it moves,
     /// over a step of 1 % of F_nom), largest_command, limit_confirmed (stable at 0.98 and unstable at 1.02 times its predicted limit),
     /// coil_error (F_L read off the whole inductance, over the step), not_run (why), and the run itself: time [s], F_i, F_o and fed_back [N] less
     /// their means, command. None stands for what does not apply. Linear: no limits of command, no friction but viscous, no noise, no windings
@@ -153,6 +154,8 @@ fn margins<'py>(py: Python<'py>, judged: &Assessment, damping: &str) -> PyResult
 fn over_time<'py>(py: Python<'py>, run: &LoopRun) -> PyResult<Bound<'py, PyDict>> {
     let (dict, shown) = (PyDict::new(py), run.shown.as_ref().ok());
     dict.set_item("damping", &run.damping)?;
+    dict.set_item("stiffness_off", run.off[0])?;
+    dict.set_item("surge_off", run.off[1])?;
     dict.set_item("stable", run.stable)?;
     dict.set_item("ran_away_at", shown.and_then(|shown| shown.ran_away_at))?;
     dict.set_item("load", run.last.map(|[place, _]| place))?;

@@ -47,6 +47,7 @@ pub fn answer(placement: &Placement) -> Vec<String> {
         let reach = (robust, upto("stable", 0.0, estimate.stable_crossover));
         format!("{}, with k and m off by up to {:.0} %: {}, {}.", estimate.name, 100.0 * TOLERANCE, reach.0, reach.1)
     }));
+    lines.push(springs_line(placement));
     lines.push(set_line(placement, best));
     if let Some(line) = passivity_line(placement, best) {
         lines.push(line);
@@ -59,19 +60,60 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     lines
 }
 
+/// On which springs all this holds, and what the nominal one alone would allow.
+fn springs_line(placement: &Placement) -> String {
+    let allowed = &placement.allowed;
+    let within = |share: f64| format!("within ±{} %", digits(100.0 * share));
+    let frequencies = format!("surge frequencies {}", within(allowed.frequency));
+    let least = if placement.spec.spring.tolerances.is_silent_on_stiffness() {
+        format!(
+            "These are the least over springs with {frequencies}, as the model leaves them open. The spec gives no tolerance of the rate, so that \
+             its k counts as exact."
+        )
+    } else {
+        let rate =
+            if allowed.stiffness > 0.0 { format!("k {} and ", within(allowed.stiffness)) } else { String::new() };
+        format!(
+            "These are the least over springs with {rate}{frequencies}, by the spec's tolerances and as the model leaves them open."
+        )
+    };
+    format!("{least}{}", nominal(placement).unwrap_or_default())
+}
+
+/// What the nominal spring alone would allow, where that is something else.
+fn nominal(placement: &Placement) -> Option<String> {
+    let speed = |candidate: &Candidate| match candidate.calm_crossover {
+        0.0 => candidate.robust_crossover(),
+        calm => calm,
+    };
+    let alone = &placement.nominal[placement.nominal_best];
+    let (on_one, on_all) = (speed(alone), speed(&placement.candidates[placement.nominal_best]));
+    let is_other = placement.nominal_best != placement.best;
+    let differs = on_one.is_finite() && (on_all / on_one - 1.0).abs() > TIE;
+    let upto =
+        |hertz: f64| if hertz.is_finite() { format!("{} Hz", digits(hertz)) } else { "any crossover".to_owned() };
+    let (name, words) = (alone.channel.name(), place(alone.channel));
+    match (is_other, differs) {
+        (true, _) => {
+            let left = match (on_all, placement.candidates[placement.nominal_best].stable_crossover()) {
+                (0.0, 0.0) => "some of them it is stable at no gain".to_owned(),
+                (0.0, _) => "some of them its sensitivity is above 2 at every gain".to_owned(),
+                (hertz, _) => format!("all of them that is {}", upto(hertz)),
+            };
+            Some(format!(
+                " The nominal spring alone would have {name} ({words}) fed back, up to {}; on {left}.",
+                upto(on_one)
+            ))
+        }
+        (false, true) => Some(format!(" The nominal spring alone would allow {}.", upto(on_one))),
+        (false, false) => None,
+    }
+}
+
 /// What of the spec is in no figure here.
 fn left_out(placement: &Placement) -> Option<String> {
-    let share = placement.spec.spring.stiffness_tolerance();
-    let rate = (share > 0.0).then(|| {
-        format!(
-            "the rate's tolerance of ±{} %, which moves every resonance by half as much, and a limit set by one possibly by more",
-            digits(100.0 * share)
-        )
-    });
-    let sensors = (!placement.spec.sensors.is_empty())
-        .then(|| "lag, noise and sampling of the sensors, which add to delay and sample_time".to_owned());
-    let all: Vec<String> = [rate, sensors].into_iter().flatten().collect();
-    (!all.is_empty()).then(|| format!("Not included from the spec: {}.", all.join("; ")))
+    let sensors = "lag, noise and sampling of the sensors, which add to delay and sample_time";
+    (!placement.spec.sensors.is_empty()).then(|| format!("Not included from the spec: {sensors}."))
 }
 
 /// Which forces could be fed back just as well.

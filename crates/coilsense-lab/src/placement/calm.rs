@@ -1,12 +1,13 @@
-//! How fast a loop may be so that neither end rings: the closed loop's peaks of both end forces.
+//! How fast a loop may be so that neither end rings on any spring: the closed loop's peaks of both end forces.
 //!
 //! Next door: stability and sensitivity (`judged`), what is made of it (`super`).
 
 use std::f64::consts::TAU;
 
-use coilsense::control::ForceLoop;
-use coilsense::{Channel, Error};
+use coilsense::control::{ForceLoop, Response};
+use coilsense::{Channel, Error, Spring};
 
+use super::allowed::Varied;
 use super::loops::UnitLoops;
 use crate::spec::DampingCase;
 
@@ -39,16 +40,18 @@ pub struct Peak {
     pub over_static: f64,
 }
 
-/// Peaks of F_i and F_o at some angular frequencies \[rad/s\], the lowest of which counts as static: |T_fed · F/F_fed|.
-pub(super) fn peaks(force_loop: &ForceLoop, frequencies: &[f64]) -> Result<[Peak; 2], Error> {
+/// What a plant does per command at the frequencies at which its loops are watched \[rad/s\], the lowest first: the same at every gain.
+pub(super) type Watched = Vec<(f64, Response)>;
+
+/// Peaks of F_i and F_o where a loop is watched, the lowest frequency of which counts as static.
+pub(super) fn peaks(force_loop: &ForceLoop, watched: &Watched) -> Result<[Peak; 2], Error> {
     let none = |force| Peak { force, size: 0.0, at: 0.0, over_static: 0.0 };
     let mut peaks = [Channel::InputForce, Channel::OutputForce].map(none);
     let mut still = [0.0; 2];
-    for (index, &omega) in frequencies.iter().enumerate() {
-        let plant = force_loop.plant().at(omega)?;
-        let tracked = force_loop.tracking(omega)? / plant.of(force_loop.feedback())?;
+    for (index, (omega, plant)) in watched.iter().enumerate() {
+        let closed = force_loop.closed(*omega, plant)?;
         for (peak, still) in peaks.iter_mut().zip(&mut still) {
-            let size = (tracked * plant.of(peak.force)?).norm();
+            let size = closed.of(peak.force)?.norm();
             if index == 0 {
                 *still = if size < LEAST_STATIC { 1.0 } else { size };
             }
@@ -60,11 +63,17 @@ pub(super) fn peaks(force_loop: &ForceLoop, frequencies: &[f64]) -> Result<[Peak
     Ok(peaks)
 }
 
-/// Frequencies at which a loop is watched \[rad/s\]: those of its trace up to the fourth surge line. They are the same at every gain.
-pub(super) fn watched(force_loop: &ForceLoop) -> Result<Vec<f64>, Error> {
+/// Of each force the larger answer over its static one.
+pub(super) fn larger(a: [Peak; 2], b: [Peak; 2]) -> [Peak; 2] {
+    [0, 1].map(|end| if b[end].over_static > a[end].over_static { b[end] } else { a[end] })
+}
+
+/// A loop is watched at the frequencies of its trace up to the fourth surge line.
+pub(super) fn watched(force_loop: &ForceLoop) -> Result<Watched, Error> {
     let up_to = LINES * TAU * force_loop.plant().spring().surge_frequency();
     let trace = force_loop.trace()?;
-    Ok(trace.points().iter().map(|point| point.angular_frequency).take_while(|omega| *omega <= up_to).collect())
+    let frequencies = trace.points().iter().map(|point| point.angular_frequency).take_while(|omega| *omega <= up_to);
+    frequencies.map(|omega| Ok((omega, force_loop.plant().at(omega)?))).collect()
 }
 
 /// How fast the loop on a force may be.
@@ -75,10 +84,11 @@ pub(super) struct Calm {
     pub rings: Option<Peak>,
 }
 
-/// Lowers the gain of a loop within a range of crossovers \[Hz\], from the fastest on, until neither end rings.
-pub(super) fn calm(
+/// Lowers the gain of a loop within a range of crossovers \[Hz\], from the fastest on, until neither end rings on any of the springs.
+pub(super) fn calm<'a>(
     unit: &UnitLoops<'_>,
-    dampings: &[DampingCase],
+    dampings: &'a [DampingCase],
+    springs: &'a [Varied],
     channel: Channel,
     [slowest, most]: [f64; 2],
 ) -> Result<Calm, Error> {
@@ -86,21 +96,36 @@ pub(super) fn calm(
         return Ok(Calm { crossover: 0.0, rings: None });
     }
     let fastest = unit.gain_for(&dampings[0], most)?;
-    let frequencies = dampings.iter().map(|damping| watched(&unit.force_loop(damping, channel, fastest)?));
-    let frequencies = frequencies.collect::<Result<Vec<_>, _>>()?;
-    let loudest = |share: f64| {
-        let mut loudest: Option<Peak> = None;
-        for (damping, frequencies) in dampings.iter().zip(&frequencies) {
-            for peak in peaks(&unit.force_loop(damping, channel, share * fastest)?, frequencies)? {
-                loudest = loudest.filter(|other| other.over_static >= peak.over_static).or(Some(peak));
+    let cases = dampings.iter().flat_map(|damping| springs.iter().map(move |varied| (damping, &varied.spring)));
+    let watch = |(damping, spring): (&'a DampingCase, &'a Spring)| {
+        Ok((damping, spring, watched(&unit.on(spring, damping, channel, fastest)?)?))
+    };
+    let mut cases = cases.map(watch).collect::<Result<Vec<_>, Error>>()?;
+    let loudest = |share: f64, (damping, spring, watched): &(&'a DampingCase, &'a Spring, Watched)| {
+        let peaks = peaks(&unit.on(spring, damping, channel, share * fastest)?, watched)?;
+        Ok::<Peak, Error>(if peaks[1].over_static > peaks[0].over_static { peaks[1] } else { peaks[0] })
+    };
+    let mut rings: Option<Peak> = None;
+    for case in &cases {
+        let peak = loudest(1.0, case)?;
+        rings = rings.filter(|other| other.over_static >= peak.over_static).or(Some(peak));
+    }
+    let Some(rings) = rings.filter(|peak| peak.over_static > MOST_PEAK) else {
+        return Ok(Calm { crossover: most, rings: None });
+    };
+    let mut is_quiet = |share: f64| {
+        for place in 0..cases.len() {
+            if loudest(share, &cases[place])?.over_static > MOST_PEAK {
+                // What rings at one gain is the first to be asked at the next.
+                cases.swap(0, place);
+                return Ok(false);
             }
         }
-        Ok::<Option<Peak>, Error>(loudest.filter(|peak| peak.over_static > MOST_PEAK))
+        Ok::<bool, Error>(true)
     };
     let least = if slowest > 0.0 { unit.gain_for(&dampings[0], slowest)? / fastest } else { LEAST };
-    let Some(rings) = loudest(1.0)? else { return Ok(Calm { crossover: most, rings: None }) };
     let (mut low, mut high) = (STEP, 1.0);
-    while loudest(low)?.is_some() {
+    while !is_quiet(low)? {
         (low, high) = (STEP * low, low);
         if low < least {
             return Ok(Calm { crossover: 0.0, rings: Some(rings) });
@@ -108,7 +133,7 @@ pub(super) fn calm(
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if loudest(middle)?.is_some() { high = middle } else { low = middle }
+        if is_quiet(middle)? { low = middle } else { high = middle }
     }
     // A loop that is never above 1 has no crossover.
     let crossover = unit.force_loop(&dampings[0], channel, low * fastest)?.massless_crossover(1.0)?;

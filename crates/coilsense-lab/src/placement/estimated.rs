@@ -4,15 +4,16 @@
 
 use std::f64::consts::TAU;
 
-use coilsense::control::{Environment, Estimator, ForceLoop, Plant, SampledLoop};
+use coilsense::control::{Environment, Estimator, SampledLoop};
 use coilsense::mitigation::{KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, surge_notches};
-use coilsense::{Channel, Error};
+use coilsense::{Channel, Error, Spring};
 use coilsense_rt::Cascade;
 
+use super::allowed::Allowed;
 use super::loops::UnitLoops;
 use crate::spec::DampingCase;
 
-/// A loop on an estimate, judged over all dampings and over k and m, each ±10 % alone, together and opposed.
+/// A loop on an estimate, judged over all dampings, on all springs that are allowed, and over k and m, each ±10 % alone, together and opposed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimated {
     /// What is fed back.
@@ -36,7 +37,12 @@ const RINGING: f64 = 8.3;
 const DRIFT: f64 = 2.1;
 
 /// Notches and Kalman filter in the loop; none without samples, where end 2 moves, or where three modes lie above half the rate.
-pub(super) fn all(unit: &UnitLoops<'_>, dampings: &[DampingCase], gain: f64) -> Result<Vec<Estimated>, Error> {
+pub(super) fn all(
+    unit: &UnitLoops<'_>,
+    dampings: &[DampingCase],
+    gain: f64,
+    allowed: &Allowed,
+) -> Result<Vec<Estimated>, Error> {
     let (Some(step), Environment::Held) = (unit.control.sample_time, unit.control.environment) else {
         return Ok(Vec::new());
     };
@@ -51,45 +57,50 @@ pub(super) fn all(unit: &UnitLoops<'_>, dampings: &[DampingCase], gain: f64) -> 
         ("F_o estimated by a Kalman filter of three modes", kalman.map(|filter| Estimator::Kalman(Box::new(filter)))),
     ];
     let there = each.into_iter().filter_map(|(name, estimator)| Some((name, estimator?)));
-    there.map(|(name, estimator)| judged(unit, dampings, gain, step, name, &estimator)).collect()
+    let corners = ToleranceBox::new(TOLERANCE, TOLERANCE)?.corners();
+    let corners = corners.into_iter().map(|corner| ToleranceBox::changed(spring, corner));
+    let mut springs = corners.collect::<Result<Vec<Spring>, Error>>()?;
+    springs.extend(allowed.each.iter().map(|varied| varied.spring.clone()));
+    let judge = Judge { unit, dampings, springs, gain, step };
+    there.map(|(name, estimator)| judge.of(name, &estimator)).collect()
 }
 
-fn judged(
-    unit: &UnitLoops<'_>,
-    dampings: &[DampingCase],
+/// What is the same of every estimator.
+struct Judge<'a> {
+    unit: &'a UnitLoops<'a>,
+    dampings: &'a [DampingCase],
+    springs: Vec<Spring>,
     gain: f64,
     step: f64,
-    name: &'static str,
-    estimator: &Estimator,
-) -> Result<Estimated, Error> {
-    let (mut stable, mut robust, mut from) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
-    for damping in dampings {
-        let nominal = unit.force_loop(damping, Channel::InputForce, gain)?;
-        for corner in ToleranceBox::new(TOLERANCE, TOLERANCE)?.corners() {
-            let spring = ToleranceBox::changed(nominal.plant().spring(), corner)?;
-            let plant = nominal.plant();
-            let plant = Plant::new(&spring, plant.damping().clone(), *plant.drive(), *plant.environment())?;
-            let changed = ForceLoop::new(plant, *nominal.controller(), Channel::InputForce, unit.control.delay)?;
-            let margins = SampledLoop::new(&changed, step)?.behind(estimator.clone())?.margins()?;
-            stable = stable.min(margins.gain_limit);
-            robust = robust.min(margins.robust_gain);
-            from = from.max(margins.robust_from);
+}
+
+impl Judge<'_> {
+    fn of(&self, name: &'static str, estimator: &Estimator) -> Result<Estimated, Error> {
+        let (mut stable, mut robust, mut from) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
+        for damping in self.dampings {
+            for spring in &self.springs {
+                let changed = self.unit.on(spring, damping, Channel::InputForce, self.gain)?;
+                let margins = SampledLoop::new(&changed, self.step)?.behind(estimator.clone())?.margins()?;
+                stable = stable.min(margins.gain_limit);
+                robust = robust.min(margins.robust_gain);
+                from = from.max(margins.robust_from);
+            }
         }
+        let nominal = self.unit.force_loop(&self.dampings[0], Channel::InputForce, self.gain)?;
+        let crossover = |factor: f64| match factor {
+            0.0 => Ok(0.0),
+            factor if factor.is_infinite() => Ok(f64::INFINITY),
+            factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
+        };
+        if from >= robust {
+            (from, robust) = (0.0, 0.0);
+        }
+        Ok(Estimated {
+            name,
+            stable_crossover: crossover(stable)?,
+            robust_crossover: crossover(robust)?,
+            robust_from: crossover(from)?,
+            estimator: estimator.clone(),
+        })
     }
-    let nominal = unit.force_loop(&dampings[0], Channel::InputForce, gain)?;
-    let crossover = |factor: f64| match factor {
-        0.0 => Ok(0.0),
-        factor if factor.is_infinite() => Ok(f64::INFINITY),
-        factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
-    };
-    if from >= robust {
-        (from, robust) = (0.0, 0.0);
-    }
-    Ok(Estimated {
-        name,
-        stable_crossover: crossover(stable)?,
-        robust_crossover: crossover(robust)?,
-        robust_from: crossover(from)?,
-        estimator: estimator.clone(),
-    })
 }

@@ -1,4 +1,4 @@
-//! One force fed back at one damping: its limits, and the loop as it is set.
+//! One force fed back at one damping, on all springs that are allowed: its limits, and the loop as it is set.
 //!
 //! Next door: all of them together (`super`).
 
@@ -7,11 +7,12 @@ use std::f64::consts::TAU;
 use coilsense::control::{ForceLoop, Margins, Passivity};
 use coilsense::{Channel, Error};
 
+use super::allowed::Varied;
 use super::calm::{self, Peak};
 use super::loops::UnitLoops;
 use crate::spec::DampingCase;
 
-/// One force fed back at one damping.
+/// One force fed back at one damping: the least of what holds on the springs on which it was judged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assessment {
     /// The proportional gain up to which the loop is stable (command unit per N); infinite without a limit.
@@ -24,31 +25,45 @@ pub struct Assessment {
     pub robust_from: f64,
     /// Where the loop oscillates at its limit \[Hz\]; zero without one.
     pub oscillates_at: f64,
-    /// The loop as it is set.
+    /// Which of the springs has that limit.
+    pub weakest: usize,
+    /// The loop as it is set, each margin the least.
     pub margins: Margins,
-    /// Largest answers of F_i and F_o as it is set; `None` where it is unstable.
+    /// Largest answers of F_i and F_o as it is set; `None` where it is unstable on a spring.
     pub peaks: Option<[Peak; 2]>,
-    /// The rendered impedance as it is set; `None` for F_L.
+    /// The rendered impedance as it is set, bands of all springs together; `None` for F_L.
     pub passivity: Option<Passivity>,
 }
 
 impl Assessment {
     /// Its limits, from a loop with the proportional gain `shape`.
-    pub(super) fn of(unit: &UnitLoops<'_>, damping: &DampingCase, channel: Channel, shape: f64) -> Result<Self, Error> {
-        let force_loop = unit.force_loop(damping, channel, shape)?;
-        let margins = margins(unit, &force_loop)?;
+    pub(super) fn of(
+        unit: &UnitLoops<'_>,
+        damping: &DampingCase,
+        channel: Channel,
+        shape: f64,
+        springs: &[Varied],
+    ) -> Result<Self, Error> {
+        let each = springs.iter().map(|varied| margins(unit, &unit.on(&varied.spring, damping, channel, shape)?));
+        let each = each.collect::<Result<Vec<_>, Error>>()?;
+        let weakest = weakest(each.iter().map(|margins| margins.gain_limit));
+        let nominal = unit.force_loop(damping, channel, shape)?;
         let crossover = |factor: f64| match factor {
             0.0 => Ok(0.0),
             factor if factor.is_infinite() => Ok(f64::INFINITY),
-            factor => Ok(force_loop.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
+            factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
         };
+        let all = each.iter().copied().reduce(least).unwrap_or(each[weakest]);
+        let (from, robust) =
+            if all.robust_from < all.robust_gain { (all.robust_from, all.robust_gain) } else { (0.0, 0.0) };
         Ok(Self {
-            limit: shape * margins.gain_limit,
-            stable_crossover: crossover(margins.gain_limit)?,
-            robust_crossover: crossover(margins.robust_gain)?,
-            robust_from: crossover(margins.robust_from)?,
-            oscillates_at: margins.critical_frequency / TAU,
-            margins,
+            limit: shape * all.gain_limit,
+            stable_crossover: crossover(all.gain_limit)?,
+            robust_crossover: crossover(robust)?,
+            robust_from: crossover(from)?,
+            oscillates_at: all.critical_frequency / TAU,
+            weakest,
+            margins: all,
             peaks: None,
             passivity: None,
         })
@@ -61,14 +76,24 @@ impl Assessment {
         damping: &DampingCase,
         channel: Channel,
         gain: f64,
+        springs: &[Varied],
     ) -> Result<(), Error> {
-        let force_loop = unit.force_loop(damping, channel, gain)?;
-        self.margins = margins(unit, &force_loop)?;
-        self.peaks = match self.margins.stable {
-            true => Some(calm::peaks(&force_loop, &calm::watched(&force_loop)?)?),
-            false => None,
-        };
-        self.passivity = unit.passivity(&force_loop)?;
+        let loops = springs.iter().map(|varied| unit.on(&varied.spring, damping, channel, gain));
+        let loops = loops.collect::<Result<Vec<_>, Error>>()?;
+        let each = loops.iter().map(|force_loop| margins(unit, force_loop)).collect::<Result<Vec<_>, Error>>()?;
+        self.margins = each.into_iter().reduce(least).unwrap_or(self.margins);
+        self.peaks = None;
+        if self.margins.stable {
+            for force_loop in &loops {
+                let peaks = calm::peaks(force_loop, &calm::watched(force_loop)?)?;
+                self.peaks = Some(self.peaks.map_or(peaks, |others| calm::larger(others, peaks)));
+            }
+        }
+        self.passivity = None;
+        for force_loop in &loops {
+            let Some(passivity) = unit.passivity(force_loop)? else { break };
+            self.passivity = Some(self.passivity.take().map_or(passivity.clone(), |others| both(&others, &passivity)));
+        }
         Ok(())
     }
 }
@@ -78,4 +103,40 @@ fn margins(unit: &UnitLoops<'_>, force_loop: &ForceLoop) -> Result<Margins, Erro
         Some(sampled) => sampled.margins(),
         None => force_loop.margins(),
     }
+}
+
+/// Where the least stands; the first of equals.
+pub(super) fn weakest(limits: impl Iterator<Item = f64>) -> usize {
+    limits.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index)
+}
+
+/// What is left of two.
+fn least(a: Margins, b: Margins) -> Margins {
+    let tighter = if b.gain_limit < a.gain_limit { b } else { a };
+    let later = if b.phase < a.phase { b } else { a };
+    Margins {
+        stable: a.stable && b.stable,
+        gain_limit: tighter.gain_limit,
+        critical_frequency: tighter.critical_frequency,
+        crossover: later.crossover,
+        phase: later.phase,
+        delay: a.delay.min(b.delay),
+        modulus: a.modulus.min(b.modulus),
+        robust_gain: a.robust_gain.min(b.robust_gain),
+        robust_from: a.robust_from.max(b.robust_from),
+    }
+}
+
+/// Where either is not passive.
+fn both(a: &Passivity, b: &Passivity) -> Passivity {
+    let mut bands: Vec<[f64; 2]> = a.active.iter().chain(&b.active).copied().collect();
+    bands.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let mut active: Vec<[f64; 2]> = Vec::new();
+    for band in bands {
+        match active.last_mut().filter(|last| band[0] <= last[1]) {
+            Some(last) => last[1] = last[1].max(band[1]),
+            None => active.push(band),
+        }
+    }
+    Passivity { active, least: a.least.min(b.least), up_to: a.up_to }
 }

@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 
 use coilsense::control::{Controller, ForceLoop, Gains, Passivity, Plant, SampledLoop};
-use coilsense::{Channel, Error};
+use coilsense::{Channel, Error, Spring};
 
 use crate::spec::{ControlSpec, DampingCase, Spec};
 
@@ -27,8 +27,13 @@ impl UnitLoops<'_> {
         by_samples.min(10.0 * self.surge())
     }
 
+    /// The loop on the spec's own spring.
     pub fn force_loop(&self, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
-        let spring = &self.spec.spring.spring;
+        self.on(&self.spec.spring.spring, damping, channel, gain)
+    }
+
+    /// The same loop on another spring than the one that it is designed for.
+    pub fn on(&self, spring: &Spring, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
         let plant = Plant::new(spring, damping.mount.damping().clone(), self.control.drive, self.control.environment)?;
         let shape = self.control.shape;
         let controller = Controller::new(Gains {
@@ -37,7 +42,8 @@ impl UnitLoops<'_> {
             derivative: gain * shape.derivative,
             ..shape
         })?;
-        ForceLoop::new(plant, controller, channel, self.control.delay)
+        let force_loop = ForceLoop::new(plant, controller, channel, self.control.delay)?;
+        force_loop.designed_for(self.spec.spring.spring.stiffness())
     }
 
     pub fn sampled(&self, force_loop: &ForceLoop) -> Result<Option<SampledLoop>, Error> {
@@ -69,6 +75,6 @@ impl UnitLoops<'_> {
         // A command held for one sample time is late by half of it.
         let late = self.control.delay + 0.5 * self.control.sample_time.unwrap_or(0.0);
         let late = ForceLoop::new(force_loop.plant().clone(), *force_loop.controller(), force_loop.feedback(), late)?;
-        Passivity::of(&late, self.control.passive_up_to).map(Some)
+        Passivity::of(&late.designed_for(self.spec.spring.spring.stiffness())?, self.control.passive_up_to).map(Some)
     }
 }

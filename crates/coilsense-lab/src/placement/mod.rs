@@ -2,6 +2,7 @@
 //!
 //! Next door: the loop itself (`coilsense::control`), the table `[control]` (`spec::ControlSpec`), how it is told (`report`).
 
+mod allowed;
 mod answer;
 mod calm;
 mod estimated;
@@ -12,7 +13,9 @@ mod told;
 
 use coilsense::control::ForceLoop;
 use coilsense::{Channel, Error};
+use rayon::prelude::*;
 
+pub use allowed::{Allowed, Varied};
 pub use answer::answer;
 pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
@@ -39,7 +42,7 @@ pub enum PlacementError {
     },
 }
 
-/// A force that could be fed back, judged.
+/// A force that could be fed back, judged on some springs: the least of what holds on them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// The force.
@@ -64,8 +67,14 @@ pub struct Placement {
     pub dampings: Vec<DampingCase>,
     /// Whether the spec also asks for a spring without damping, which is left out.
     pub undamped_left_out: bool,
-    /// F_i, F_o, F_x, F_L.
+    /// The springs that the spec allows.
+    pub allowed: Allowed,
+    /// F_i, F_o, F_x, F_L, on all of them.
     pub candidates: Vec<Candidate>,
+    /// The same on the nominal spring alone.
+    pub nominal: Vec<Candidate>,
+    /// Which of those would be fed back if there were no other spring.
+    pub nominal_best: usize,
     /// The same behind estimators, where they can be had.
     pub estimates: Vec<Estimated>,
     /// The one with the fastest loop of a sensitivity of at most 2 at every damping in which neither end rings; where all ring, without that.
@@ -85,7 +94,7 @@ impl Placement {
     ///
     /// # Errors
     /// [`PlacementError`] where the spec has no `[control]`, no damping above zero, or the science refuses.
-    pub fn of(spec: Spec) -> Result<Self, PlacementError> {
+    pub fn of(mut spec: Spec) -> Result<Self, PlacementError> {
         spec.needs_chain("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
         spec.needs_no_contact("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
         let Some(control) = spec.control else {
@@ -99,21 +108,14 @@ impl Placement {
                 "[mount] damping_ratio = 0: must be above zero for a loop: without damping none on F_o is stable";
             return Err(PlacementError::Spec(format!("{}: {text}", spec.file)));
         }
+        spec.spring.look_up_surges(&spec.mount.ends);
         let file = spec.file.clone();
         let science = |source| PlacementError::Science { file: file.clone(), source };
         let unit = UnitLoops { spec: &spec, control: &control };
-        let shape = unit.gain_for(&dampings[0], control.crossover.unwrap_or(0.1 * unit.surge())).map_err(science)?;
-        let judge = |channel| {
-            let judged = dampings.iter().map(|damping| Assessment::of(&unit, damping, channel, shape));
-            let mut candidate =
-                Candidate { channel, judged: judged.collect::<Result<_, Error>>()?, calm_crossover: 0.0, rings: None };
-            let most = candidate.robust_crossover().min(unit.most());
-            let calm = calm::calm(&unit, &dampings, channel, [candidate.robust_from(), most])?;
-            candidate.calm_crossover = calm.crossover;
-            candidate.rings = calm.rings.map(|peak| (most, peak));
-            Ok(candidate)
-        };
-        let mut candidates = Channel::FORCES.map(judge).into_iter().collect::<Result<Vec<_>, _>>().map_err(science)?;
+        let allowed = Allowed::of(&spec.spring).map_err(science)?;
+        let judge = Judge { unit, dampings: &dampings, springs: &allowed.each };
+        let alone = Judge { springs: allowed.nominal(), ..judge };
+        let (mut candidates, mut nominal) = (judge.all().map_err(science)?, alone.all().map_err(science)?);
         let leading = leading(&candidates, control.crossover);
         let best = leading[0];
         let crossover = control.crossover.unwrap_or(match candidates[best].calm_crossover {
@@ -121,20 +123,21 @@ impl Placement {
             calm => calm,
         });
         let gain = unit.gain_for(&dampings[0], crossover).map_err(science)?;
-        for candidate in &mut candidates {
-            for (judged, damping) in candidate.judged.iter_mut().zip(&dampings) {
-                judged.set(&unit, damping, candidate.channel, gain).map_err(science)?;
-            }
-        }
-        let estimates = estimated::all(&unit, &dampings, gain).map_err(science)?;
-        let runs = over_time::runs(&unit, &dampings, &candidates, &estimates, gain).map_err(science)?;
+        judge.set(&mut candidates, gain).map_err(science)?;
+        alone.set(&mut nominal, gain).map_err(science)?;
+        let estimates = estimated::all(&unit, &dampings, gain, &allowed).map_err(science)?;
+        let runs = over_time::runs(&unit, &dampings, &candidates, &estimates, &allowed, gain).map_err(science)?;
         let undamped_left_out = dampings.len() < spec.mount.cases.len();
         let ties = leading[1..].to_vec();
+        let nominal_best = self::leading(&nominal, control.crossover)[0];
         Ok(Self {
             control,
             dampings,
             undamped_left_out,
+            nominal_best,
+            allowed,
             candidates,
+            nominal,
             estimates,
             best,
             ties,
@@ -155,12 +158,46 @@ impl Placement {
         self.dampings.len() / 2
     }
 
-    /// The loop of a force at the set gain.
+    /// The loop of a force at the set gain, on the nominal spring.
     ///
     /// # Errors
     /// Those of the science.
     pub fn force_loop(&self, damping: usize, channel: Channel) -> Result<ForceLoop, Error> {
         UnitLoops { spec: &self.spec, control: &self.control }.force_loop(&self.dampings[damping], channel, self.gain)
+    }
+}
+
+/// Judges all forces on some springs.
+#[derive(Clone, Copy)]
+struct Judge<'a> {
+    unit: UnitLoops<'a>,
+    dampings: &'a [DampingCase],
+    springs: &'a [Varied],
+}
+
+impl Judge<'_> {
+    fn all(&self) -> Result<Vec<Candidate>, Error> {
+        let Self { unit, dampings, springs } = self;
+        let shape = unit.gain_for(&dampings[0], unit.control.crossover.unwrap_or(0.1 * unit.surge()))?;
+        let judge = |channel| {
+            let judged = dampings.iter().map(|damping| Assessment::of(unit, damping, channel, shape, springs));
+            let mut candidate =
+                Candidate { channel, judged: judged.collect::<Result<_, Error>>()?, calm_crossover: 0.0, rings: None };
+            let most = candidate.robust_crossover().min(unit.most());
+            let calm = calm::calm(unit, dampings, springs, channel, [candidate.robust_from(), most])?;
+            candidate.calm_crossover = calm.crossover;
+            candidate.rings = calm.rings.map(|peak| (most, peak));
+            Ok(candidate)
+        };
+        Channel::FORCES.into_par_iter().map(judge).collect()
+    }
+
+    fn set(&self, candidates: &mut [Candidate], gain: f64) -> Result<(), Error> {
+        candidates.par_iter_mut().try_for_each(|candidate| {
+            let channel = candidate.channel;
+            let mut each = candidate.judged.iter_mut().zip(self.dampings);
+            each.try_for_each(|(judged, damping)| judged.set(&self.unit, damping, channel, gain, self.springs))
+        })
     }
 }
 

@@ -6,7 +6,9 @@ use coilsense::control::{ForceLoop, Margins, OverTime, Run, SampledLoop};
 use coilsense::{Channel, Error};
 
 use super::Candidate;
+use super::allowed::{Allowed, Varied};
 use super::estimated::Estimated;
+use super::judged::weakest;
 use super::loops::UnitLoops;
 use crate::spec::DampingCase;
 
@@ -26,13 +28,15 @@ const MOST_READ: usize = 2000;
 /// The part of a shown run by which it is told whether it has come to rest.
 const LAST: usize = 10;
 
-/// One loop over time, at the damping at which it has the least to spare.
+/// One loop over time, at the damping and on the spring at which it has the least to spare.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopRun {
     /// What is fed back: a force, or an estimate.
     pub fed_back: &'static str,
     /// The damping.
     pub damping: String,
+    /// By which shares the spring's k and its surge frequencies are off \[1\].
+    pub off: [f64; 2],
     /// Whether it is stable at the set gain, by its response over frequency.
     pub stable: bool,
     /// A step of the reference of 1 % of F_nom at the set gain; or why there is none.
@@ -89,6 +93,7 @@ impl Verdict {
 struct Ready<'a> {
     fed_back: &'static str,
     damping: &'a DampingCase,
+    varied: &'a Varied,
     /// At the set gain.
     margins: Margins,
     over_time: Result<OverTime, Error>,
@@ -100,6 +105,7 @@ pub(super) fn runs(
     dampings: &[DampingCase],
     candidates: &[Candidate],
     estimates: &[Estimated],
+    allowed: &Allowed,
     gain: f64,
 ) -> Result<Vec<LoopRun>, Error> {
     // What was found of a plant is taken over from loop to loop.
@@ -107,41 +113,45 @@ pub(super) fn runs(
     let mut told = Vec::new();
     for candidate in candidates {
         let weakest = weakest(candidate.judged.iter().map(|judged| judged.limit));
-        let force_loop = unit.force_loop(&dampings[weakest], candidate.channel, gain)?;
+        let (damping, judged) = (&dampings[weakest], &candidate.judged[weakest]);
+        let varied = &allowed.each[judged.weakest];
+        let force_loop = unit.on(&varied.spring, damping, candidate.channel, gain)?;
         let over_time = match unit.sampled(&force_loop)? {
             Some(sampled) => OverTime::sampled_beside(&sampled, found.as_ref()),
             None => OverTime::continuous_beside(&force_loop, found.as_ref()),
         };
         found = over_time.as_ref().ok().cloned().or(found);
-        let margins = candidate.judged[weakest].margins;
-        let fed_back = candidate.channel.name();
-        told.push(ready(unit, Ready { fed_back, damping: &dampings[weakest], margins, over_time })?);
+        let (fed_back, margins) = (candidate.channel.name(), judged.margins);
+        told.push(ready(unit, Ready { fed_back, damping, varied, margins, over_time })?);
     }
     for estimate in estimates {
         let behind = |force_loop: &ForceLoop| {
             let step = unit.control.sample_time.unwrap_or_default();
             SampledLoop::new(force_loop, step)?.behind(estimate.estimator.clone())
         };
-        let each = dampings.iter().map(|damping| behind(&unit.force_loop(damping, Channel::InputForce, gain)?));
+        let cases: Vec<(&DampingCase, &Varied)> =
+            dampings.iter().flat_map(|damping| allowed.each.iter().map(move |varied| (damping, varied))).collect();
+        let each = cases
+            .iter()
+            .map(|(damping, varied)| behind(&unit.on(&varied.spring, damping, Channel::InputForce, gain)?));
         let loops = each.collect::<Result<Vec<_>, Error>>()?;
         let margins = loops.iter().map(SampledLoop::margins).collect::<Result<Vec<_>, Error>>()?;
         let weakest = weakest(margins.iter().map(|margins| margins.gain_limit));
         let over_time = OverTime::sampled_beside(&loops[weakest], found.as_ref());
-        let (fed_back, margins) = (estimate.name, margins[weakest]);
-        told.push(ready(unit, Ready { fed_back, damping: &dampings[weakest], margins, over_time })?);
+        let (fed_back, margins, (damping, varied)) = (estimate.name, margins[weakest], cases[weakest]);
+        told.push(ready(unit, Ready { fed_back, damping, varied, margins, over_time })?);
     }
     Ok(told)
 }
 
-/// Where the least stands.
-fn weakest(limits: impl Iterator<Item = f64>) -> usize {
-    limits.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index)
-}
-
-fn ready(unit: &UnitLoops<'_>, Ready { fed_back, damping, margins, over_time }: Ready<'_>) -> Result<LoopRun, Error> {
+fn ready(
+    unit: &UnitLoops<'_>,
+    Ready { fed_back, damping, varied, margins, over_time }: Ready<'_>,
+) -> Result<LoopRun, Error> {
     let mut told = LoopRun {
         fed_back,
         damping: damping.label.clone(),
+        off: [varied.stiffness, varied.frequency],
         stable: margins.stable,
         shown: Ok(Run::default()),
         last: None,

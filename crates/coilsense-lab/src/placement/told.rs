@@ -8,6 +8,9 @@ use super::Placement;
 use super::over_time::{BESIDE, LoopRun, Verdict};
 use crate::quantity::digits;
 
+/// By less than this a spring is not said to be off \[1\].
+const LEAST_OFF: f64 = 5e-5;
+
 /// A drive in words.
 pub fn drive_words(drive: &Drive) -> String {
     let lag = |bandwidth: &Option<f64>, none: &str, some: &str| {
@@ -29,6 +32,17 @@ pub fn drive_words(drive: &Drive) -> String {
 }
 
 impl LoopRun {
+    /// At which damping and on which spring it is run.
+    pub fn case(&self) -> String {
+        let off = |name: &str, share: f64| {
+            let percent = digits(100.0 * share.abs());
+            let sign = if share < 0.0 { '−' } else { '+' };
+            if share.abs() < LEAST_OFF { String::new() } else { format!(", {name} {sign}{percent} %") }
+        };
+        let [stiffness, frequency] = self.off;
+        format!("{}{}{}", self.damping, off("k", stiffness), off("f1", frequency))
+    }
+
     /// Whether it is stable as it is set, in a word or two.
     pub fn state(&self) -> String {
         match &self.shown {
@@ -94,7 +108,7 @@ pub(super) fn lines(placement: &Placement) -> Vec<String> {
         Ok(_) => lines.push(format!(
             "A step of 1 % of F_nom over {}, {how}, with {drive}, {}: {}; the command reaches {} {}.",
             best.fed_back,
-            best.damping,
+            best.case(),
             best.outcome(),
             digits(best.largest_command),
             placement.control.drive.command_unit(),

@@ -100,6 +100,21 @@ impl Tolerances {
         self.mass.unwrap_or_else(|| self.by_geometry(1))
     }
 
+    /// How far each of them alone, at its limit, moves k and surge frequencies, to first order, as shares \[1\]: f ∝ √(k/m).
+    pub fn moves(&self) -> Vec<[f64; 2]> {
+        let given = [self.stiffness.map(|limit| [limit, 0.5 * limit]), self.mass.map(|limit| [0.0, -0.5 * limit])];
+        let [of_stiffness, of_mass] = exponents();
+        let shares = |number: usize| {
+            let by = |given: Option<f64>, exponent: f64| {
+                if given.is_some() { 0.0 } else { exponent * self.geometry[number] }
+            };
+            let (stiffness, mass) = (by(self.stiffness, of_stiffness[number]), by(self.mass, of_mass[number]));
+            [stiffness, 0.5 * (stiffness - mass)]
+        };
+        let by_geometry = (0..self.geometry.len()).map(shares);
+        given.into_iter().flatten().chain(by_geometry).filter(|moved| *moved != [0.0; 2]).collect()
+    }
+
     fn by_geometry(&self, of: usize) -> f64 {
         let each = exponents()[of].into_iter().zip(self.geometry);
         each.map(|(exponent, tolerance)| (exponent * tolerance).powi(2)).sum::<f64>().sqrt()

@@ -4,8 +4,6 @@
 
 use std::f64::consts::TAU;
 
-use num_complex::Complex64;
-
 use super::drive::Drive;
 use super::rational::{Rational, product, sum};
 use crate::error::{Error, above_zero, called, check, not_negative};
@@ -125,11 +123,6 @@ impl Controller {
                 denominator: product(&pid.denominator, &observer.rest),
             },
         }
-    }
-
-    /// C(jω) of negative feedback.
-    pub(super) fn feedback_at(&self, drive: &Drive, stiffness: f64, s: Complex64) -> Complex64 {
-        self.feedback(drive, stiffness).at(s)
     }
 
     fn observer(&self) -> Option<Observer> {

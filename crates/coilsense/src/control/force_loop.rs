@@ -7,9 +7,10 @@ use num_complex::Complex64;
 use super::controller::Controller;
 use super::drive::Drive;
 use super::margins::Margins;
-use super::plant::Plant;
+use super::plant::{Plant, Response};
+use super::rational::Rational;
 use super::trace::Trace;
-use crate::error::{Error, called, from_zero};
+use crate::error::{Error, above_zero, called, check, from_zero};
 use crate::signals::Channel;
 
 /// A force loop.
@@ -19,6 +20,8 @@ pub struct ForceLoop {
     pub(super) controller: Controller,
     pub(super) feedback: Channel,
     pub(super) delay: f64,
+    /// The spring's stiffness as whoever designed the loop knows it \[N/m\].
+    designed_for: f64,
 }
 
 impl ForceLoop {
@@ -33,7 +36,33 @@ impl ForceLoop {
             return Err(Error::MissingSignal(feedback.name()));
         }
         from_zero(called("delay", "loop delay"), delay, "s")?;
-        Ok(Self { plant, controller, feedback, delay })
+        let designed_for = plant.spring().stiffness();
+        Ok(Self { plant, controller, feedback, delay, designed_for })
+    }
+
+    /// The same loop where its designer takes the spring to be of another stiffness than it is \[N/m\].
+    ///
+    /// Deflection and inductance are read as forces by that stiffness, F_read = k_designed/k F, and an observer expects it; load cells do not
+    /// know it. What the loop tells of forces stays what they are.
+    ///
+    /// # Errors
+    /// [`Error::Value`] unless it is above zero.
+    pub fn designed_for(self, stiffness: f64) -> Result<Self, Error> {
+        above_zero(called("stiffness", "designed stiffness"), stiffness, "N/m")?;
+        Ok(Self { designed_for: stiffness, ..self })
+    }
+
+    /// What is read over what is \[1\].
+    fn reads(&self) -> f64 {
+        match self.feedback {
+            Channel::DeflectionForce | Channel::InductanceForce => self.designed_for / self.plant.spring().stiffness(),
+            _ => 1.0,
+        }
+    }
+
+    /// From the force that is fed back to the command, but for delay and the sign of negative feedback.
+    pub(super) fn from_force(&self) -> Rational {
+        self.controller.feedback(self.plant.drive(), self.designed_for).times(self.reads())
     }
 
     /// The plant.
@@ -78,10 +107,9 @@ impl ForceLoop {
         plant * self.control(s)
     }
 
-    /// C e^(−sT).
+    /// C e^(−sT), of a force that is read by another stiffness times that.
     pub(super) fn control(&self, s: Complex64) -> Complex64 {
-        let stiffness = self.plant.spring().stiffness();
-        self.controller.feedback_at(self.plant.drive(), stiffness, s) * (-s * self.delay).exp()
+        self.from_force().at(s) * (-s * self.delay).exp()
     }
 
     /// L(jω) as finely as it turns, from 1e-4 of the first surge frequency to past the chain's cut-off.
@@ -116,7 +144,7 @@ impl ForceLoop {
     /// # Errors
     /// As [`Self::trace`].
     pub fn margins(&self) -> Result<Margins, Error> {
-        Margins::of(&self.trace()?, |frequency| self.at(frequency))
+        Margins::of(&self.trace()?, None, |frequency| self.at(frequency))
     }
 
     /// Force over reference \[1\] of the closed loop, for the force that is fed back: (C + feed-forward) P / (1 + L).
@@ -124,10 +152,19 @@ impl ForceLoop {
     /// # Errors
     /// As [`Self::at`].
     pub fn tracking(&self, angular_frequency: f64) -> Result<Complex64, Error> {
-        let plant = self.plant.at(angular_frequency)?.of(self.feedback)?;
-        let s = Complex64::new(0.0, angular_frequency);
-        let forward = self.controller.forward().at(s);
-        Ok(forward * plant / (1.0 + self.carried(angular_frequency, plant)))
+        self.closed(angular_frequency, &self.plant.at(angular_frequency)?)?.of(self.feedback)
+    }
+
+    /// What the plant does per newton of the reference with the loop closed, from its `response` per command at that angular frequency \[rad/s\], which
+    /// [`Plant::at`] gives and which is the same at every gain.
+    ///
+    /// # Errors
+    /// [`Error::Value`] for a frequency that is not above zero.
+    pub fn closed(&self, angular_frequency: f64, response: &Response) -> Result<Response, Error> {
+        check(angular_frequency > 0.0, "angular_frequency", angular_frequency, "rad/s", "above zero and finite")?;
+        let forward = self.controller.forward().at(Complex64::new(0.0, angular_frequency));
+        let command = forward / (1.0 + self.carried(angular_frequency, response.of(self.feedback)?));
+        Ok(response.times(command))
     }
 
     /// Crossover of the loop with a spring without mass at a gain factor \[rad/s\]: what the loop would be if nothing rang; `None` where

@@ -4,7 +4,7 @@
 
 use num_complex::Complex64;
 
-use super::trace::Trace;
+use super::trace::{Point, Trace};
 use crate::error::Error;
 
 /// Margins of a loop, with all gains times a common factor as the thing to change.
@@ -38,9 +38,15 @@ const ROBUST: f64 = 0.5;
 const NEIGHBOURS: f64 = 1.5;
 
 impl Margins {
-    /// Reads a trace; `response` is asked again where it crosses the real axis.
-    pub(super) fn of(trace: &Trace, response: impl Fn(f64) -> Result<Complex64, Error>) -> Result<Self, Error> {
-        let crossings = trace.negative_crossings(response)?;
+    /// Reads a trace; `response` is asked again where it crosses the real axis. That of samples `ends` on that axis, at half their rate, and from
+    /// there goes back on its other side: a crossing that changes no sign.
+    pub(super) fn of(
+        trace: &Trace,
+        ends: Option<Point>,
+        response: impl Fn(f64) -> Result<Complex64, Error>,
+    ) -> Result<Self, Error> {
+        let mut crossings = trace.negative_crossings(response)?;
+        crossings.extend(ends.filter(|point| point.response.re < 0.0));
         // From a small gain on, a pole first reaches the axis where −L is largest.
         let first = crossings.iter().max_by(|a, b| (-a.response.re).total_cmp(&(-b.response.re)));
         let limit = first.map_or(f64::INFINITY, |point| -1.0 / point.response.re);

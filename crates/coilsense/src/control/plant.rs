@@ -44,6 +44,17 @@ pub struct Response {
 }
 
 impl Response {
+    /// So many times as much.
+    pub(super) fn times(&self, factor: Complex64) -> Self {
+        Self {
+            stroke: factor * self.stroke,
+            input: factor * self.input,
+            output: factor * self.output,
+            deflection: factor * self.deflection,
+            inductance: factor * self.inductance,
+        }
+    }
+
     /// The force of a channel.
     ///
     /// # Errors

@@ -23,6 +23,12 @@ impl Rational {
         evaluate(&self.numerator, s) / evaluate(&self.denominator, s)
     }
 
+    /// So many times as large.
+    pub fn times(mut self, factor: f64) -> Self {
+        self.numerator.iter_mut().for_each(|coefficient| *coefficient *= factor);
+        self
+    }
+
     /// By Tustin's rule s = (2/h)(z − 1)/(z + 1).
     pub fn tustin(&self, step: f64) -> Difference {
         let order = self.numerator.len().max(self.denominator.len()) - 1;

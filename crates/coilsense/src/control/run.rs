@@ -100,9 +100,10 @@ impl Record {
 }
 
 impl Run {
-    /// How the ringing at one frequency grows: its size in F_o in the last quarter of the run over that in the third \[1\].
+    /// How the ringing at one frequency grows: its size in what is fed back in the last quarter of the run over that in the third \[1\].
     ///
-    /// Size: |Σ F_o(t) w(t) e^(−jωt)| with Hann's window, so that what rings elsewhere, drifts or creeps does not count. Above 1 it grows.
+    /// Size: |Σ F_fed(t) w(t) e^(−jωt)| with Hann's window, so that what rings elsewhere, drifts or creeps does not count; nor does what rings outside of
+    /// the loop, as F_o does freely where deflection is fed back, at a place below half the rate to which it is folded. Above 1 it grows.
     /// Zero where it has died away to 1e-11 of the largest force, infinite for a run that ended early because it ran away; `None` where a quarter of the run holds fewer than eight periods, too few to
     /// tell, where windings touched, or where nothing rings.
     ///
@@ -119,12 +120,12 @@ impl Run {
             return None;
         }
         let [third, last] = [2, 3].map(|part| self.size(angular_frequency, part * quarter, quarter));
-        let peak = self.output.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+        let peak = self.fed_back.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
         if peak > 0.0 && third.max(last) <= DEAD * peak { Some(0.0) } else { (third > 0.0).then(|| last / third) }
     }
 
     fn size(&self, angular_frequency: f64, from: usize, count: usize) -> f64 {
-        let force = &self.output[from..from + count];
+        let force = &self.fed_back[from..from + count];
         let mean = force.iter().sum::<f64>() / count as f64;
         let each = force.iter().zip(&self.time[from..]).enumerate().map(|(index, (force, time))| {
             let window = 1.0 - (TAU * (index as f64 + 0.5) / count as f64).cos();

@@ -61,7 +61,7 @@ impl SampledLoop {
             "s",
             format!("a whole number of sample times of {step} s"),
         )?;
-        let control = continuous.controller.feedback(continuous.plant().drive(), spring.stiffness()).tustin(step);
+        let control = continuous.from_force().tustin(step);
         let forward = continuous.controller.forward().tustin(step);
         let modes = modes(continuous, step)?;
         Ok(Self {
@@ -104,8 +104,10 @@ impl SampledLoop {
     /// [`Error::Value`] for a frequency that is not above zero and at most π/h.
     pub fn at(&self, angular_frequency: f64) -> Result<Complex64, Error> {
         let nyquist = PI / self.step;
-        let holds = angular_frequency > 0.0 && angular_frequency <= nyquist;
-        check(holds, "angular_frequency", angular_frequency, "rad/s", format!("above zero and at most {nyquist}"))?;
+        // The text is made only where it is needed: this is asked at every frequency.
+        if !(angular_frequency > 0.0 && angular_frequency <= nyquist) {
+            check(false, "angular_frequency", angular_frequency, "rad/s", format!("above zero and at most {nyquist}"))?;
+        }
         let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
         let [force, stroke] = match &self.modes {
             Some(modes) => [self.by_modes(modes, delay), self.step * delay / (1.0 - delay)],
@@ -219,6 +221,7 @@ impl SampledLoop {
     /// # Errors
     /// As [`Self::trace`].
     pub fn margins(&self) -> Result<Margins, Error> {
-        Margins::of(&self.trace()?, |frequency| self.at(frequency))
+        let trace = self.trace()?;
+        Margins::of(&trace, trace.points().last().copied(), |frequency| self.at(frequency))
     }
 }

@@ -44,6 +44,10 @@ fn controllers_and_loops_name_what_is_wrong() {
     let looped = |channel, delay| ForceLoop::new(base.plant().clone(), *base.controller(), channel, delay);
     assert_eq!(looped(Channel::U1, 0.0).unwrap_err().to_string(), "signal u1 is missing");
     assert!(looped(Channel::InputForce, -1.0).unwrap_err().to_string().starts_with("loop delay must be"));
+    assert_eq!(
+        base.clone().designed_for(0.0).unwrap_err().to_string(),
+        "designed stiffness must be above zero and finite, got 0 N/m"
+    );
     assert!(base.at(0.0).unwrap_err().to_string().starts_with("angular frequency must be above zero"));
 }
 

@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
-use coilsense::control::{Controller, Drive, Environment, ForceLoop, Gains, Passivity, Plant, rendered_stiffness};
+use coilsense::control::{
+    Controller, Drive, Environment, ForceLoop, Gains, OverTime, Passivity, Plant, SampledLoop, rendered_stiffness,
+};
 use coilsense::{Channel, Damping, Spring};
 use num_complex::Complex64;
 
@@ -92,4 +94,57 @@ fn a_delay_makes_the_rendered_spring_active() {
     assert!(!passivity.active.is_empty());
     let quarter = 0.25 / delay;
     assert!((passivity.active[0][0] / quarter - 1.0).abs() < 0.25, "{:?}", passivity.active);
+}
+
+#[test]
+fn a_spring_of_another_stiffness_than_the_designer_knows_is_read_by_his() {
+    // The spring is 25 % stiffer than believed: deflection and inductance are read as 0.8 of the force, load cells as it is.
+    let [is, believed] = [1.25, 1.0].map(|factor| factor * s_t().stiffness());
+    let stiff = Spring::new(s_t_with(|parameters| parameters.stiffness = is)).unwrap();
+    let drive = Drive::Velocity { bandwidth: Some(40.0) };
+    for (feedback, read) in [
+        (Channel::InputForce, 1.0),
+        (Channel::OutputForce, 1.0),
+        (Channel::DeflectionForce, 0.8),
+        (Channel::InductanceForce, 0.8),
+    ] {
+        let plant = Plant::new(&stiff, Damping::Modal(0.02), drive, Environment::Held).unwrap();
+        let controller = Controller::new(gains()).unwrap();
+        let looped = ForceLoop::new(plant.clone(), controller, feedback, 1e-3).unwrap().designed_for(believed).unwrap();
+        for hertz in [0.3, 5.0, 27.0, 90.0] {
+            let s = Complex64::new(0.0, TAU * hertz);
+            let Gains { proportional, integral, derivative, derivative_bandwidth, observer_bandwidth, feed_forward } =
+                gains();
+            let pid = proportional + integral / s + derivative * s / (1.0 + s / (TAU * derivative_bandwidth.unwrap()));
+            let filter = (1.0 + s / (TAU * observer_bandwidth.unwrap())).powi(-2);
+            // An observer leaves the lag of a velocity source out: P_n = k/s.
+            let model = believed / s;
+            let response = plant.at(TAU * hertz).unwrap().of(feedback).unwrap();
+            let expected = (pid + filter / model) / (1.0 - filter) * (-1e-3 * s).exp() * read * response;
+            let found = looped.at(TAU * hertz).unwrap();
+            assert!((found / expected - 1.0).norm() < 1e-12, "{feedback:?} {hertz}: {found} for {expected}");
+            // What the force is, not what is read of it.
+            let tracking = (pid + feed_forward) / (1.0 - filter) * response / (1.0 + expected);
+            assert!((looped.tracking(TAU * hertz).unwrap() / tracking - 1.0).norm() < 1e-12);
+        }
+    }
+    // In samples and over time an integral brings what is read to the reference: the force is k/k_believed times it.
+    let integral = Controller::proportional(5.0 / believed).unwrap();
+    for (feedback, rest) in
+        [(Channel::InputForce, 1.0), (Channel::DeflectionForce, 1.25), (Channel::InductanceForce, 1.25)]
+    {
+        let plant = Plant::new(&stiff, Damping::Modal(0.02), drive, Environment::Held).unwrap();
+        let looped = ForceLoop::new(plant, integral, feedback, 1e-3).unwrap().designed_for(believed).unwrap();
+        let sampled = SampledLoop::new(&looped, 1e-3).unwrap();
+        for run in [OverTime::sampled(&sampled).unwrap(), OverTime::continuous(&looped).unwrap()] {
+            let steps = (8.0 / run.step()) as usize;
+            let last = *run.run(1.0, 1.0, steps).unwrap().output.last().unwrap();
+            assert!((last - rest).abs() < 1e-6, "{feedback:?}: {last} for {rest}");
+        }
+        // Its limit of stability is that of a loop on a spring that is known, times what is read.
+        let known = ForceLoop::new(looped.plant().clone(), integral, feedback, 1e-3).unwrap();
+        let limits =
+            [&looped, &known].map(|looped| SampledLoop::new(looped, 1e-3).unwrap().margins().unwrap().gain_limit);
+        assert_relative_eq!(limits[0], limits[1] * rest, max_relative = 1e-9);
+    }
 }

@@ -50,6 +50,61 @@ fn the_run_over_time_loses_stability_at_the_predicted_gain() {
 }
 
 #[test]
+fn a_loop_that_alternates_from_sample_to_sample_has_a_limit() {
+    let (step, tau) = (4e-4, std::f64::consts::TAU);
+    // z − 1 + K k h = 0: stable for K k h < 2, then with z = −1. Crossovers are 1/s here, so that K k = 1.
+    let sampled = SampledLoop::new(&integral_loop(0.01, Channel::DeflectionForce, 0.0), step).unwrap();
+    let margins = sampled.margins().unwrap();
+    assert!((margins.gain_limit * step / 2.0 - 1.0).abs() < 1e-12, "{}", margins.gain_limit);
+    assert!((margins.critical_frequency * step / std::f64::consts::PI - 1.0).abs() < 1e-12);
+    assert!(margins.stable);
+    // A command acts at the next sample at the earliest, so that a pole leaves for infinity as the gain grows: a limit is always there.
+    let motor = Drive::Force { mass: 2.0, friction: 30.0, bandwidth: Some(300.0) };
+    for drive in [Drive::IDEAL_VELOCITY, Drive::Velocity { bandwidth: Some(40.0) }, motor] {
+        for feedback in Channel::FORCES {
+            let plant = Plant::new(&s_t(), Damping::Modal(0.01), drive, Environment::Held).unwrap();
+            let looped = ForceLoop::new(plant, Controller::proportional(1e-3).unwrap(), feedback, 0.0).unwrap();
+            let limit = SampledLoop::new(&looped, 1e-3).unwrap().margins().unwrap().gain_limit;
+            assert!(limit > 0.0 && limit.is_finite(), "{drive:?} {feedback:?}: {limit}");
+        }
+    }
+    // A load cell's modes are folded to any place below half the rate; whatever lies there, runs on both sides of the limit tell.
+    let (mut alternate, mut ring) = (0, 0);
+    for tenths in [36, 40, 44, 50, 56, 60, 64, 70, 80] {
+        let step = 1e-4 * f64::from(tenths);
+        for feedback in [Channel::InputForce, Channel::OutputForce] {
+            for ratio in [0.01, 0.05, 0.2] {
+                let sampled = SampledLoop::new(&integral_loop(ratio, feedback, 0.0), step).unwrap();
+                let margins = sampled.margins().unwrap();
+                let half = margins.critical_frequency * step > 0.999_999 * std::f64::consts::PI;
+                if half {
+                    alternate += 1
+                } else {
+                    ring += 1
+                }
+                assert!(
+                    margins.gain_limit > 0.0 && margins.gain_limit.is_finite(),
+                    "{feedback:?} {ratio} {step}: {margins:?}"
+                );
+                let grows = |share: f64| {
+                    let run = simulate(&sampled, share * margins.gain_limit, 1.0, 40_000).unwrap();
+                    let last =
+                        run.output.iter().rev().take(4000).fold(0.0_f64, |most, force| most.max((force - 1.0).abs()));
+                    run.output.len() < 40_000 || last > 1.0
+                };
+                let place = margins.critical_frequency / tau;
+                assert!(
+                    !grows(0.98) && grows(1.02),
+                    "{feedback:?} {ratio} {step}: {} at {place} Hz",
+                    margins.gain_limit
+                );
+            }
+        }
+    }
+    assert!(alternate > 5 && ring > 5, "{alternate} alternate, {ring} ring");
+}
+
+#[test]
 fn modes_and_sampling_copies_give_one_response() {
     for (feedback, tolerance) in
         [(Channel::OutputForce, 1e-3), (Channel::InductanceForce, 1e-3), (Channel::InputForce, 2e-2)]

@@ -1,4 +1,4 @@
-//! The figures of a placement: Bode, Nyquist, the step over time, rendered impedance.
+//! The figures of a placement: Bode, Nyquist and rendered impedance of the nominal spring, the step over time.
 //!
 //! Next door: how figures are drawn (`coilsense_figure`), the page that holds them (`html`).
 
@@ -88,7 +88,7 @@ pub(super) fn tracking(placement: &Placement) -> Result<Option<Figure>, Error> {
     let (surge, shown) = (placement.spec.spring.spring.surge_frequency(), placement.shown());
     let (from, to) = (placement.crossover.min(surge) / DECADES_BELOW, 5.0 * surge);
     let is_stable = |channel: Channel| {
-        let candidate = placement.candidates.iter().find(|candidate| candidate.channel == channel);
+        let candidate = placement.nominal.iter().find(|candidate| candidate.channel == channel);
         candidate.is_some_and(|candidate| candidate.judged[shown].margins.stable)
     };
     let of = |(channel, colour, dash): &(Channel, Colour, Dash)| {
@@ -276,7 +276,7 @@ mod tests {
         let placement = Placement::of(Spec::read(&file).unwrap()).unwrap();
         let figure = tracking(&placement).unwrap().unwrap();
         let stable: Vec<_> =
-            placement.candidates.iter().filter(|one| one.judged[placement.shown()].margins.stable).collect();
+            placement.nominal.iter().filter(|one| one.judged[placement.shown()].margins.stable).collect();
         assert!(stable.iter().all(|one| one.channel != Channel::OutputForce) && stable.len() > 1);
         assert_eq!(figure.panels[0].curves.len(), stable.len());
         for candidate in stable {

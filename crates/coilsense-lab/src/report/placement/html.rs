@@ -55,7 +55,7 @@ fn run_row(run: &LoopRun) -> Value {
     let percent = |value: f64| digits(100.0 * value);
     context! {
         fed_back => run.fed_back,
-        damping => &run.damping,
+        damping => run.case(),
         off => !run.stable,
         state => run.state(),
         place => run.last.filter(|_| run.stable).map_or_else(none, |[place, _]| percent(place)),

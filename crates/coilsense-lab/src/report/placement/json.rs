@@ -16,6 +16,12 @@ pub struct PlacementOutcome<'a> {
     answer: Vec<String>,
     /// The force to feed back.
     feed_back: &'static str,
+    /// The same if there were no other spring than the nominal one.
+    nominal_feed_back: &'static str,
+    /// How far k is off on the springs on which all is judged, either way.
+    stiffness_tolerance_percent: f64,
+    /// How far their surge frequencies are off, by the tolerances and as the model leaves them open.
+    surge_tolerance_percent: f64,
     /// Of the loop as it is set, with a spring without mass.
     crossover_hz: f64,
     /// How far an end force may exceed its static response.
@@ -54,6 +60,9 @@ struct EstimateRow {
 struct RunRow<'a> {
     fed_back: &'static str,
     damping: &'a str,
+    /// By how much k and the first surge frequency of the spring are off on which it has the least to spare.
+    stiffness_off_percent: f64,
+    surge_off_percent: f64,
     /// By its response over frequency.
     stable: bool,
     /// From sample to sample; of a continuous loop the step of its run.
@@ -74,7 +83,7 @@ struct RunRow<'a> {
     not_run: Option<&'a str>,
 }
 
-/// A force that could be fed back.
+/// A force that could be fed back: the worst over all springs, where it is not the nominal one's.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 struct CandidateRow<'a> {
@@ -86,6 +95,10 @@ struct CandidateRow<'a> {
     robust_from_hz: f64,
     /// At which neither end rings besides.
     calm_crossover_hz: f64,
+    /// The first on the nominal spring alone.
+    nominal_stable_crossover_hz: Option<f64>,
+    nominal_robust_crossover_hz: Option<f64>,
+    nominal_calm_crossover_hz: f64,
     stable_as_set: bool,
     dampings: Vec<DampingRow<'a>>,
 }
@@ -96,6 +109,8 @@ struct CandidateRow<'a> {
 struct DampingRow<'a> {
     damping: &'a str,
     gain_limit: Option<f64>,
+    /// Of the nominal spring alone.
+    nominal_gain_limit: Option<f64>,
     stable_crossover_hz: Option<f64>,
     robust_crossover_hz: Option<f64>,
     /// From which crossover on; zero where it is so in the slowest loop, too.
@@ -128,6 +143,9 @@ impl<'a> PlacementOutcome<'a> {
         Self {
             answer: answer(placement),
             feed_back: placement.candidates[placement.best].channel.name(),
+            nominal_feed_back: placement.nominal[placement.nominal_best].channel.name(),
+            stiffness_tolerance_percent: 100.0 * placement.allowed.stiffness,
+            surge_tolerance_percent: 100.0 * placement.allowed.frequency,
             crossover_hz: placement.crossover,
             most_peak: MOST_PEAK,
             proportional_gain: placement.gain,
@@ -139,7 +157,8 @@ impl<'a> PlacementOutcome<'a> {
             candidates: placement
                 .candidates
                 .iter()
-                .map(|candidate| CandidateRow::of(candidate, &placement.dampings))
+                .zip(&placement.nominal)
+                .map(|(candidate, nominal)| CandidateRow::of(candidate, nominal, &placement.dampings))
                 .collect(),
         }
     }
@@ -162,6 +181,8 @@ impl<'a> RunRow<'a> {
         Self {
             fed_back: run.fed_back,
             damping: &run.damping,
+            stiffness_off_percent: 100.0 * run.off[0],
+            surge_off_percent: 100.0 * run.off[1],
             stable: run.stable,
             step_s: shown.and_then(|shown| Some(shown.time.get(1)? - shown.time[0])),
             ran_away_at_s: shown.and_then(|shown| shown.ran_away_at),
@@ -176,27 +197,31 @@ impl<'a> RunRow<'a> {
 }
 
 impl<'a> CandidateRow<'a> {
-    fn of(candidate: &'a Candidate, dampings: &'a [DampingCase]) -> Self {
-        let judged = candidate.judged.iter().zip(dampings);
+    fn of(candidate: &'a Candidate, nominal: &Candidate, dampings: &'a [DampingCase]) -> Self {
+        let judged = candidate.judged.iter().zip(&nominal.judged).zip(dampings);
         Self {
             force: candidate.channel.name(),
             stable_crossover_hz: finite(candidate.stable_crossover()),
             robust_crossover_hz: finite(candidate.robust_crossover()),
             robust_from_hz: candidate.robust_from(),
             calm_crossover_hz: candidate.calm_crossover,
+            nominal_stable_crossover_hz: finite(nominal.stable_crossover()),
+            nominal_robust_crossover_hz: finite(nominal.robust_crossover()),
+            nominal_calm_crossover_hz: nominal.calm_crossover,
             stable_as_set: candidate.is_stable(),
-            dampings: judged.map(|(judged, damping)| DampingRow::of(judged, damping)).collect(),
+            dampings: judged.map(|((judged, nominal), damping)| DampingRow::of(judged, nominal, damping)).collect(),
         }
     }
 }
 
 impl<'a> DampingRow<'a> {
-    fn of(judged: &'a Assessment, damping: &'a DampingCase) -> Self {
+    fn of(judged: &'a Assessment, nominal: &Assessment, damping: &'a DampingCase) -> Self {
         let margins = &judged.margins;
         let [drive, load] = [0, 1].map(|end| judged.peaks.map(|peaks| peaks[end]));
         Self {
             damping: &damping.label,
             gain_limit: finite(judged.limit),
+            nominal_gain_limit: finite(nominal.limit),
             stable_crossover_hz: finite(judged.stable_crossover),
             robust_crossover_hz: finite(judged.robust_crossover),
             robust_from_hz: judged.robust_from,
