@@ -10,6 +10,7 @@ mod import;
 mod init_and_spring;
 mod interrupt;
 mod placement;
+mod placement_tolerances;
 mod rig;
 mod simulate;
 

@@ -77,7 +77,18 @@ fn springs_line(placement: &Placement) -> String {
             "These are the least over springs with {rate}{frequencies}, by the spec's tolerances and as the model leaves them open."
         )
     };
-    format!("{least}{}", nominal(placement).unwrap_or_default())
+    let fed = placement.candidates[placement.best].channel;
+    let is_read = matches!(fed, Channel::DeflectionForce | Channel::InductanceForce);
+    let read = if is_read && allowed.stiffness > 0.0 {
+        let name = fed.name();
+        format!(
+            " {name} is read by the nominal k, so that the force itself is {} of the reference.",
+            within(allowed.stiffness)
+        )
+    } else {
+        String::new()
+    };
+    format!("{least}{read}{}", nominal(placement).unwrap_or_default())
 }
 
 /// What the nominal spring alone would allow, where that is something else.

@@ -63,9 +63,12 @@ pub(super) fn peaks(force_loop: &ForceLoop, watched: &Watched) -> Result<[Peak; 
     Ok(peaks)
 }
 
-/// Of each force the larger answer over its static one.
+/// Of each force the larger answer, over its reference and over its static one.
 pub(super) fn larger(a: [Peak; 2], b: [Peak; 2]) -> [Peak; 2] {
-    [0, 1].map(|end| if b[end].over_static > a[end].over_static { b[end] } else { a[end] })
+    [0, 1].map(|end| {
+        let (a, b) = (a[end], b[end]);
+        Peak { over_static: a.over_static.max(b.over_static), ..if b.size > a.size { b } else { a } }
+    })
 }
 
 /// A loop is watched at the frequencies of its trace up to the fourth surge line.

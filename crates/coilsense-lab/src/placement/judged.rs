@@ -105,9 +105,14 @@ fn margins(unit: &UnitLoops<'_>, force_loop: &ForceLoop) -> Result<Margins, Erro
     }
 }
 
+/// Two limits this near each other are one: rounding does not choose the spring that is run.
+const SAME: f64 = 1e-9;
+
 /// Where the least stands; the first of equals.
-pub(super) fn weakest(limits: impl Iterator<Item = f64>) -> usize {
-    limits.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(index, _)| index)
+pub(super) fn weakest(limits: impl Iterator<Item = f64> + Clone) -> usize {
+    let least = limits.clone().fold(f64::INFINITY, f64::min);
+    let mut limits = limits;
+    limits.position(|limit| limit <= least * (1.0 + SAME)).unwrap_or(0)
 }
 
 /// What is left of two.

@@ -61,7 +61,7 @@ impl ForceLoop {
     }
 
     /// From the force that is fed back to the command, but for delay and the sign of negative feedback.
-    pub(super) fn from_force(&self) -> Rational {
+    pub(super) fn feedback_law(&self) -> Rational {
         self.controller.feedback(self.plant.drive(), self.designed_for).times(self.reads())
     }
 
@@ -109,7 +109,7 @@ impl ForceLoop {
 
     /// C e^(−sT), of a force that is read by another stiffness times that.
     pub(super) fn control(&self, s: Complex64) -> Complex64 {
-        self.from_force().at(s) * (-s * self.delay).exp()
+        self.feedback_law().at(s) * (-s * self.delay).exp()
     }
 
     /// L(jω) as finely as it turns, from 1e-4 of the first surge frequency to past the chain's cut-off.

@@ -152,7 +152,7 @@ impl OverTime {
         let stepped = Stepped::new(poles(&plant, other)?, step, Hold::First);
         Ok(Self {
             feedback: force_loop.feedback(),
-            control: force_loop.from_force().tustin(step),
+            control: force_loop.feedback_law().tustin(step),
             forward: controller.forward().tustin(step),
             late: late as usize,
             step,

@@ -61,7 +61,7 @@ impl SampledLoop {
             "s",
             format!("a whole number of sample times of {step} s"),
         )?;
-        let control = continuous.from_force().tustin(step);
+        let control = continuous.feedback_law().tustin(step);
         let forward = continuous.controller.forward().tustin(step);
         let modes = modes(continuous, step)?;
         Ok(Self {
