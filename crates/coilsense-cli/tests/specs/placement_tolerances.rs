@@ -22,7 +22,7 @@ fn of(text: &str) -> serde_json::Value {
 fn a_choice_that_turns_within_the_tolerances_is_not_made() {
     // Where a mode lies near half of the controller's rate, or its phase near where a sign turns.
     for (loop_, nominal) in
-        [("sample_time = \"0.9 ms\"\ndelay = \"0.9 ms\"\n", "F_o"), ("sample_time = \"1.1 ms\"\n", "F_i")]
+        [("sample_time = \"0.7 ms\"\ndelay = \"0.7 ms\"\n", "F_o"), ("sample_time = \"1.1 ms\"\n", "F_i")]
     {
         let result = of(&pressed(loop_));
         let number = |value: &serde_json::Value| value.as_f64().unwrap();
@@ -35,11 +35,11 @@ fn a_choice_that_turns_within_the_tolerances_is_not_made() {
         let turned = candidate(&result, nominal);
         let [all, alone] = ["calm_crossover_hz", "nominal_calm_crossover_hz"].map(|key| number(&turned[key]));
         assert!(alone > 1.7 * all && alone > 1.5, "{alone} Hz, on all {all} Hz");
-        assert!(number(&result["crossover_hz"]) > 1.1 * all, "{all}");
+        assert!(number(&result["crossover_hz"]) > 1.02 * all, "{all}");
         let answer = lines(&result);
         let told = format!("The nominal spring alone would have {nominal} (load cell at the ");
-        assert!(answer.contains(&told) && answer.contains(" Hz; on all of them that is 0."), "{answer}");
-        assert!(answer.contains("k within ±5.41 % and surge frequencies within ±2.5"), "{answer}");
+        assert!(answer.contains(&told) && answer.contains(" Hz; on all of them that is "), "{answer}");
+        assert!(answer.contains("k within ±5.41 % and the first surge frequency within ±2.5"), "{answer}");
         assert!(
             answer.contains(
                 " F_x is read by the nominal k, so that the force itself is within ±5.41 % of the reference."
@@ -82,7 +82,7 @@ fn what_is_in_no_limit_is_said() {
     let text = pressed("sample_time = \"0.5 ms\"\n");
     let answer = lines(&of(&text));
     assert!(answer.contains("Not included from the spec: lag, noise and sampling of the sensors"), "{answer}");
-    assert!(answer.contains("The nominal spring alone would allow 2.12 Hz"), "{answer}");
+    assert!(answer.contains("With the nominal spring alone it could be 2.12 Hz"), "{answer}");
     // Without sensors and without tolerances: what the model leaves open is all that is left, and said to be.
     let (head, rest) = text.split_once("[[sensor]]").unwrap();
     let bare: Vec<&str> = head.lines().filter(|line| !line.contains("_tolerance")).collect();
@@ -95,8 +95,45 @@ fn what_is_in_no_limit_is_said() {
     // A tolerance that is given as none is no silence.
     let sure = text.replace("wire_diameter_tolerance = \"1 %\"", "stiffness_tolerance = \"0 %\"");
     let answer = lines(&of(&sure));
-    assert!(answer.contains("These are the least over springs with surge frequencies within"), "{answer}");
+    assert!(
+        answer.contains("All figures are worst cases over springs with the first surge frequency within"),
+        "{answer}"
+    );
     assert!(answer.contains("by the spec's tolerances and") && !answer.contains("counts as exact"), "{answer}");
+}
+
+#[test]
+fn peaks_in_samples_are_those_of_the_loop_in_samples() {
+    // With the hold and its aliases a loop of a sensitivity of at most 2 answers at most 1 + 2 times its reference: F_o at 1.0 Hz of 3.4 was told to
+    // peak at 14, by the continuous loop, and F_x was fed back.
+    let result = of(&pressed("sample_time = \"1 ms\"\ndelay = \"1 ms\"\n"));
+    let load = candidate(&result, "F_o");
+    let [robust, calm] = ["robust_crossover_hz", "calm_crossover_hz"].map(|key| load[key].as_f64().unwrap());
+    assert!((calm / robust - 1.0).abs() < 1e-9 && result["feed_back"] == "F_o", "{calm} of {robust} Hz");
+    for candidate in result["candidates"].as_array().unwrap() {
+        for damping in candidate["dampings"].as_array().unwrap() {
+            let set = &damping["as_set"];
+            let own = match candidate["force"].as_str().unwrap() {
+                "F_i" => &set["drive_peak"],
+                "F_o" => &set["load_peak"],
+                _ => continue,
+            };
+            // Below half the rate; what is seen at an alias is less by the hold.
+            if let (Some(peak), Some(modulus)) = (own.as_f64(), set["modulus_margin"].as_f64()) {
+                assert!(peak <= 1.0 + 1.0 / modulus + 1e-6, "{peak} at a sensitivity of {}", 1.0 / modulus);
+            }
+        }
+    }
+    // Deflection's loop excites F_o at the first surge by the hold's own gain less: sin(x)/x, x = π f1 h.
+    let peak = |step: f64| {
+        let text = pressed(&format!("sample_time = \"{step} ms\"\ncrossover = \"1 Hz\"\n"));
+        let result = of(&text.replace("_tolerance = ", "_tolerance = \"0 %\" # "));
+        let set = candidate(&result, "F_x")["dampings"][0]["as_set"].clone();
+        [set["load_peak"].as_f64().unwrap(), set["load_peak_hz"].as_f64().unwrap()]
+    };
+    let ([fine, at], [coarse, _]) = (peak(0.05), peak(1.0));
+    let hold = |step: f64| (std::f64::consts::PI * at * step).sin() / (std::f64::consts::PI * at * step);
+    assert!((coarse / fine / (hold(1e-3) / hold(5e-5)) - 1.0).abs() < 0.01, "{coarse} {fine} at {at} Hz");
 }
 
 #[test]

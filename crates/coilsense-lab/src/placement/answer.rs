@@ -64,17 +64,17 @@ pub fn answer(placement: &Placement) -> Vec<String> {
 fn springs_line(placement: &Placement) -> String {
     let allowed = &placement.allowed;
     let within = |share: f64| format!("within ±{} %", digits(100.0 * share));
-    let frequencies = format!("surge frequencies {}", within(allowed.frequency));
+    let frequencies = format!("the first surge frequency {}, the others in proportion", within(allowed.frequency));
     let least = if placement.spec.spring.tolerances.is_silent_on_stiffness() {
         format!(
-            "These are the least over springs with {frequencies}, as the model leaves them open. The spec gives no tolerance of the rate, so that \
+            "All figures are worst cases over springs with {frequencies}, as the model leaves them open. The spec gives no tolerance of the rate, so that \
              its k counts as exact."
         )
     } else {
         let rate =
             if allowed.stiffness > 0.0 { format!("k {} and ", within(allowed.stiffness)) } else { String::new() };
         format!(
-            "These are the least over springs with {rate}{frequencies}, by the spec's tolerances and as the model leaves them open."
+            "All figures are worst cases over springs with {rate}{frequencies}, by the spec's tolerances and as the model leaves them open."
         )
     };
     let fed = placement.candidates[placement.best].channel;
@@ -116,7 +116,7 @@ fn nominal(placement: &Placement) -> Option<String> {
                 upto(on_one)
             ))
         }
-        (false, true) => Some(format!(" The nominal spring alone would allow {}.", upto(on_one))),
+        (false, true) => Some(format!(" With the nominal spring alone it could be {}.", upto(on_one))),
         (false, false) => None,
     }
 }

@@ -4,11 +4,12 @@
 
 use std::f64::consts::TAU;
 
-use coilsense::control::{ForceLoop, Response};
+use coilsense::control::Response;
 use coilsense::{Channel, Error, Spring};
+use num_complex::Complex64;
 
 use super::allowed::Varied;
-use super::loops::UnitLoops;
+use super::loops::{Closed, UnitLoops};
 use crate::spec::DampingCase;
 
 /// Most that an end force may exceed its static answer to the reference \[1\].
@@ -40,16 +41,25 @@ pub struct Peak {
     pub over_static: f64,
 }
 
-/// What a plant does per command at the frequencies at which its loops are watched \[rad/s\], the lowest first: the same at every gain.
-pub(super) type Watched = Vec<(f64, Response)>;
+/// What a plant does per command at an angular frequency at which its loops are watched: the same at every gain.
+pub(super) struct Watched {
+    /// \[rad/s\]
+    omega: f64,
+    plant: Response,
+    /// What is fed back per command, in samples.
+    read: Complex64,
+}
 
 /// Peaks of F_i and F_o where a loop is watched, the lowest frequency of which counts as static.
-pub(super) fn peaks(force_loop: &ForceLoop, watched: &Watched) -> Result<[Peak; 2], Error> {
+pub(super) fn peaks(looped: &Closed, watched: &[Watched]) -> Result<[Peak; 2], Error> {
     let none = |force| Peak { force, size: 0.0, at: 0.0, over_static: 0.0 };
     let mut peaks = [Channel::InputForce, Channel::OutputForce].map(none);
     let mut still = [0.0; 2];
-    for (index, (omega, plant)) in watched.iter().enumerate() {
-        let closed = force_loop.closed(*omega, plant)?;
+    for (index, Watched { omega, plant, read }) in watched.iter().enumerate() {
+        let closed = match looped {
+            Closed::Continuous(force_loop) => force_loop.closed(*omega, plant)?,
+            Closed::Sampled(sampled) => sampled.closed(*omega, plant, *read),
+        };
         for (peak, still) in peaks.iter_mut().zip(&mut still) {
             let size = closed.of(peak.force)?.norm();
             if index == 0 {
@@ -71,12 +81,31 @@ pub(super) fn larger(a: [Peak; 2], b: [Peak; 2]) -> [Peak; 2] {
     })
 }
 
-/// A loop is watched at the frequencies of its trace up to the fourth surge line.
-pub(super) fn watched(force_loop: &ForceLoop) -> Result<Watched, Error> {
-    let up_to = LINES * TAU * force_loop.plant().spring().surge_frequency();
-    let trace = force_loop.trace()?;
-    let frequencies = trace.points().iter().map(|point| point.angular_frequency).take_while(|omega| *omega <= up_to);
-    frequencies.map(|omega| Ok((omega, force_loop.plant().at(omega)?))).collect()
+/// A loop is watched at the frequencies of its trace up to the fourth surge line. A trace in samples ends at half the rate: beyond, where its hold
+/// still excites the coil, at all that are seen there.
+pub(super) fn watched(looped: &Closed) -> Result<Vec<Watched>, Error> {
+    let (force_loop, points) = match looped {
+        Closed::Continuous(force_loop) => (force_loop, force_loop.trace()?),
+        Closed::Sampled(sampled) => (sampled.continuous(), sampled.trace()?),
+    };
+    let (plant, points) = (force_loop.plant(), points.points());
+    let up_to = LINES * TAU * plant.spring().surge_frequency();
+    let at = |omega: f64, read: Complex64| Ok::<_, Error>(Watched { omega, plant: plant.at(omega)?, read });
+    let Closed::Sampled(sampled) = looped else {
+        let frequencies = points.iter().map(|point| point.angular_frequency).take_while(|omega| *omega <= up_to);
+        return frequencies.map(|omega| at(omega, Complex64::ZERO)).collect();
+    };
+    let rate = TAU / sampled.step();
+    let mut watched = Vec::new();
+    for point in points {
+        let (seen, read) = (point.angular_frequency, sampled.read(point.angular_frequency, point.response));
+        let each = (0..).map(|copy| rate * f64::from(copy)).take_while(|whole| *whole <= up_to + rate);
+        let both = each.flat_map(|whole| [(whole + seen, read), (whole - seen, read.conj())]);
+        let within = both.filter(|(omega, _)| *omega > 0.0 && *omega <= up_to);
+        watched.extend(within.map(|(omega, read)| at(omega, read)).collect::<Result<Vec<_>, Error>>()?);
+    }
+    watched.sort_by(|a, b| a.omega.total_cmp(&b.omega));
+    Ok(watched)
 }
 
 /// How fast the loop on a force may be.
@@ -101,11 +130,11 @@ pub(super) fn calm<'a>(
     let fastest = unit.gain_for(&dampings[0], most)?;
     let cases = dampings.iter().flat_map(|damping| springs.iter().map(move |varied| (damping, &varied.spring)));
     let watch = |(damping, spring): (&'a DampingCase, &'a Spring)| {
-        Ok((damping, spring, watched(&unit.on(spring, damping, channel, fastest)?)?))
+        Ok((damping, spring, watched(&unit.closed(unit.on(spring, damping, channel, fastest)?)?)?))
     };
     let mut cases = cases.map(watch).collect::<Result<Vec<_>, Error>>()?;
-    let loudest = |share: f64, (damping, spring, watched): &(&'a DampingCase, &'a Spring, Watched)| {
-        let peaks = peaks(&unit.on(spring, damping, channel, share * fastest)?, watched)?;
+    let loudest = |share: f64, (damping, spring, watched): &(&'a DampingCase, &'a Spring, Vec<Watched>)| {
+        let peaks = peaks(&unit.closed(unit.on(spring, damping, channel, share * fastest)?)?, watched)?;
         Ok::<Peak, Error>(if peaks[1].over_static > peaks[0].over_static { peaks[1] } else { peaks[0] })
     };
     let mut rings: Option<Peak> = None;

@@ -85,7 +85,8 @@ impl Assessment {
         self.peaks = None;
         if self.margins.stable {
             for force_loop in &loops {
-                let peaks = calm::peaks(force_loop, &calm::watched(force_loop)?)?;
+                let closed = unit.closed(force_loop.clone())?;
+                let peaks = calm::peaks(&closed, &calm::watched(&closed)?)?;
                 self.peaks = Some(self.peaks.map_or(peaks, |others| calm::larger(others, peaks)));
             }
         }

@@ -16,6 +16,12 @@ pub(super) struct UnitLoops<'a> {
     pub control: &'a ControlSpec,
 }
 
+/// A loop that is closed.
+pub(super) enum Closed {
+    Continuous(ForceLoop),
+    Sampled(Box<SampledLoop>),
+}
+
 impl UnitLoops<'_> {
     pub fn surge(&self) -> f64 {
         self.spec.spring.spring.surge_frequency()
@@ -48,6 +54,14 @@ impl UnitLoops<'_> {
 
     pub fn sampled(&self, force_loop: &ForceLoop) -> Result<Option<SampledLoop>, Error> {
         self.control.sample_time.map(|step| SampledLoop::new(force_loop, step)).transpose()
+    }
+
+    /// A loop as it is closed: in samples where the controller is.
+    pub fn closed(&self, force_loop: ForceLoop) -> Result<Closed, Error> {
+        Ok(match self.sampled(&force_loop)? {
+            Some(sampled) => Closed::Sampled(Box::new(sampled)),
+            None => Closed::Continuous(force_loop),
+        })
     }
 
     /// The proportional gain with which the loop of a spring without mass crosses 1 at so many hertz.

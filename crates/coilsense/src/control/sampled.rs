@@ -12,6 +12,7 @@ use super::estimator::Estimator;
 use super::force_loop::ForceLoop;
 use super::kicked::{Kicked, Mode, modes};
 use super::margins::Margins;
+use super::plant::Response;
 use super::rational::Difference;
 use super::trace::Trace;
 use crate::error::{Error, above_zero, called, check};
@@ -120,7 +121,44 @@ impl SampledLoop {
                 by_force * force + by_stroke * stroke
             }
         };
-        Ok(force * self.control.at(delay) * delay.powu(self.late as u32))
+        Ok(force * self.law(delay))
+    }
+
+    /// From what is fed back to the command.
+    fn law(&self, delay: Complex64) -> Complex64 {
+        self.control.at(delay) * delay.powu(self.late as u32)
+    }
+
+    /// What is fed back per command, sample by sample \[N per command\], from the loop's `response` at that angular frequency \[rad/s\]: the same at
+    /// every gain.
+    pub fn read(&self, angular_frequency: f64, response: Complex64) -> Complex64 {
+        response / self.law(Complex64::from_polar(1.0, -angular_frequency * self.step))
+    }
+
+    /// What the plant does at an angular frequency \[rad/s\] per newton of the sampled reference with the loop closed: from its own `response` per
+    /// command there, which [`Plant::at`](super::Plant::at) gives, and from what is [`read`](Self::read).
+    ///
+    /// F/r = P(jω) (1 − z⁻¹)/(jωh) z^(−late) C_r(z)/(1 + L(z)), z = e^(jωh): of the command's steps the part at ω. Above half the rate it is what a
+    /// reference that is seen at its alias excites there; the response of samples has a period of 2π/h and is conjugate about half of it.
+    ///
+    /// Source:   definition of the z-transform and of the hold; `[Franklin1998]`.
+    /// Valid:    as [`Self::at`].
+    /// Accuracy: summed over copies it is the run over time's own response to 1e-3, where the sum ends (test).
+    pub fn closed(&self, angular_frequency: f64, response: &Response, read: Complex64) -> Response {
+        let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
+        let held = (1.0 - delay) / Complex64::new(0.0, angular_frequency * self.step);
+        let reference = self.forward.at(delay) * delay.powu(self.late as u32);
+        response.times(held * reference / (1.0 + read * self.law(delay)))
+    }
+
+    /// The loop that is closed in samples.
+    pub fn continuous(&self) -> &ForceLoop {
+        &self.continuous
+    }
+
+    /// From sample to sample \[s\].
+    pub fn step(&self) -> f64 {
+        self.step
     }
 
     fn by_modes(&self, modes: &[Mode], delay: Complex64) -> Complex64 {

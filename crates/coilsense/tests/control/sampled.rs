@@ -2,6 +2,7 @@
 
 use coilsense::control::{Controller, Drive, Environment, ForceLoop, Gains, Plant, SampledLoop, simulate};
 use coilsense::{Channel, Damping};
+use num_complex::Complex64;
 
 use crate::integral_loop;
 use crate::paper_springs::s_t;
@@ -102,6 +103,48 @@ fn a_loop_that_alternates_from_sample_to_sample_has_a_limit() {
         }
     }
     assert!(alternate > 5 && ring > 5, "{alternate} alternate, {ring} ring");
+}
+
+#[test]
+fn the_closed_loop_in_samples_is_the_run_over_time_s_own_response() {
+    let tau = std::f64::consts::TAU;
+    let step = 2e-3;
+    for (feedback, drive) in [
+        (Channel::OutputForce, Drive::IDEAL_VELOCITY),
+        (Channel::InputForce, Drive::Velocity { bandwidth: Some(60.0) }),
+        (Channel::DeflectionForce, Drive::IDEAL_VELOCITY),
+    ] {
+        let plant = Plant::new(&s_t(), Damping::Modal(0.03), drive, Environment::Held).unwrap();
+        let controller = Controller::new(Gains { proportional: 6.0 / s_t().stiffness(), ..Gains::default() }).unwrap();
+        let looped = ForceLoop::new(plant.clone(), controller, feedback, step).unwrap();
+        let sampled = SampledLoop::new(&looped, step).unwrap();
+        assert!(sampled.margins().unwrap().stable, "{feedback:?}");
+        // The response to a kick of the reference: the difference of what a step gives, until it has died away.
+        let run = simulate(&sampled, 1.0, 1.0, 8000).unwrap();
+        let kicked = |series: &[f64], omega: f64| -> Complex64 {
+            let before = std::iter::once(&0.0).chain(series);
+            let each = series.iter().zip(before).enumerate();
+            each.map(|(index, (now, before))| Complex64::from_polar(now - before, -omega * step * index as f64)).sum()
+        };
+        for hertz in [1.0, 20.0, 54.0, 107.0, 170.0, 240.0] {
+            let omega = tau * hertz;
+            let read = sampled.read(omega, sampled.at(omega).unwrap());
+            // What is fed back, from sample to sample, and the end force as the sum of its copies.
+            let mut summed = Complex64::ZERO;
+            for copy in -600..=600 {
+                let at = omega + tau / step * f64::from(copy);
+                let response = plant.at(at.abs()).unwrap();
+                let read = if at < 0.0 { read.conj() } else { read };
+                let part = sampled.closed(at.abs(), &response, read).output;
+                summed += if at < 0.0 { part.conj() } else { part };
+            }
+            let found = kicked(&run.output, omega);
+            assert!(
+                (summed - found).norm() < 2e-3 * found.norm().max(1e-2),
+                "{feedback:?} {hertz}: {summed} for {found}"
+            );
+        }
+    }
 }
 
 #[test]

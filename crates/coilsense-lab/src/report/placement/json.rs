@@ -20,7 +20,7 @@ pub struct PlacementOutcome<'a> {
     nominal_feed_back: &'static str,
     /// How far k is off on the springs on which all is judged, either way.
     stiffness_tolerance_percent: f64,
-    /// How far their surge frequencies are off, by the tolerances and as the model leaves them open.
+    /// How far their first surge frequency is off, the others in proportion, by the tolerances and as the model leaves it open.
     surge_tolerance_percent: f64,
     /// Of the loop as it is set, with a spring without mass.
     crossover_hz: f64,

@@ -59,10 +59,10 @@ pub fn placement_text(placement: &Placement) -> String {
     let unit = placement.control.drive.command_unit();
     let _ = writeln!(
         text,
-        "Each figure is the worst over all springs of the answer. stable to, sens. 2, ends quiet: the largest crossover, that of the loop with a spring without mass, up to which the loop is stable, \
+        "Each figure is the worst case over all springs of the answer. stable to, sens. 2, ends quiet: the largest crossover, that of the loop with a spring without mass, up to which the loop is stable, \
          its sensitivity |1/(1 + L)| at most 2, and both ends' forces at every damping within {:.0} times their static response; of two numbers, from \
          the one to the other. rings at: where \
-         the loop oscillates at the limit of stability. phase: the phase margin; peak: largest force over its static response, both at the \
+         the loop oscillates at the limit of stability, in samples as it is seen there, folded to below half their rate. phase: the phase margin; peak: largest force over the reference, both at the \
          crossover as set, {} Hz (a proportional gain of {} {unit} per N).",
         MOST_PEAK,
         digits(placement.crossover),
