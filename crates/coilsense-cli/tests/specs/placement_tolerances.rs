@@ -41,9 +41,8 @@ fn a_choice_that_turns_within_the_tolerances_is_not_made() {
         assert!(answer.contains(&told) && answer.contains(" Hz; on all of them that is "), "{answer}");
         assert!(answer.contains("k within ±5.41 % and the first surge frequency within ±2.5"), "{answer}");
         assert!(
-            answer.contains(
-                " F_x is read by the nominal k, so that the force itself is within ±5.41 % of the reference."
-            )
+            answer
+                .contains(" F_x is read by the nominal k, so that the force itself is within ±5.41 % of what is read.")
         );
         // A limit that all springs share is run on the nominal one.
         assert_eq!(over_time(&result)["F_x"]["stiffness_off_percent"], 0.0);
@@ -151,5 +150,29 @@ fn a_run_confirms_the_limit_on_the_spring_that_has_it() {
     }
     // A load cell on a stiffer spring closes a faster loop; deflection is read by the nominal k, whatever the spring's is.
     assert!(off("F_i").iter().any(|share| share.abs() > 1.0), "{:?}", off("F_i"));
-    assert!(lines(&result).contains(" Hz") && lines(&result).contains("ζ = 0.001"));
+    // Samples that are too slow for the fastest of them are refused by its name.
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("slow.toml");
+    std::fs::write(&file, pressed("sample_time = \"1.39 ms\"\n")).unwrap();
+    let message = super::refused(&["placement", path(&file)]);
+    assert!(
+        message.contains("sample_time = 0.00139 s: must be below 1.3") && message.contains("is up to 36"),
+        "{message}"
+    );
+}
+
+#[test]
+fn an_observer_on_a_spring_of_another_k_is_judged_and_run_as_it_is() {
+    // Two poles of a slow law at z = 1: their polynomials cancelled, and Nyquist's count made of it "not stable at any gain".
+    let text = done(&["init", "--from", "S_T"]);
+    let tables = "stiffness_tolerance = \"10 %\"\nmass_tolerance = \"5 %\"\n";
+    let control = "[control]\ndrive = \"force\"\nmotor_mass = \"1 kg\"\nmotor_friction = \"10 N s/m\"\ncontroller = \"PID\"\n\
+                   observer_bandwidth = \"5 Hz\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\n";
+    let text = text.replace("# [control]\n", control).replace("[spring]\n", &format!("[spring]\n{tables}"));
+    let result = of(&text.replace("[mount]\n", "[mount]\ndamping_ratio = 0.005\n"));
+    for candidate in result["candidates"].as_array().unwrap() {
+        let [all, alone] =
+            ["stable_crossover_hz", "nominal_stable_crossover_hz"].map(|key| candidate[key].as_f64().unwrap());
+        assert!(all > 0.2 * alone && all <= alone * (1.0 + 1e-9), "{}: {all} of {alone} Hz", candidate["force"]);
+    }
 }

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use coilsense::mitigation::ToleranceBox;
 use coilsense::{Error, Spring};
 
+use super::PlacementError;
 use crate::spec::SpringSpec;
 
 /// A spring that is allowed.
@@ -39,11 +40,11 @@ const SAME: f64 = 1e-9;
 impl Allowed {
     /// Those whose independent tolerances, each over its limit, add up to 1 as their squares do: an ellipse of k and surge frequency.
     ///
-    /// (Δk/k, ln f/f_spec) = L (cos θ, sin θ), L Lᵀ = Σ v vᵀ over what each tolerance moves
+    /// Δk/k = a cos θ, f/f_spec = (1 + Δk/k)^e exp(b sin θ), with a, e and b such that to first order the ellipse is Σ v vᵀ over what each tolerance moves
     ///
     /// Source:   independent limits added up as their squares do, as [`crate::spec::Tolerances::of_stiffness`] has it. At given surge
     ///           frequencies every force of a velocity drive is in proportion to k, so that the rim has the least limit.
-    /// Valid:    tolerances of k below 100 %.
+    /// Valid:    tolerances of k below 100 %; beside those of k alone to first order, some 20 %.
     /// Accuracy: limits of stability 1 % above the least of many springs inside (test).
     ///
     /// # Errors
@@ -57,12 +58,14 @@ impl Allowed {
         let sum =
             |one: usize, other: usize| moves.iter().map(|shares: &[f64; 2]| shares[one] * shares[other]).sum::<f64>();
         let (stiffness, frequency) = (sum(0, 0).sqrt(), sum(1, 1).sqrt());
-        let together = if stiffness > 0.0 { sum(0, 1) / stiffness } else { 0.0 };
-        let alone = (frequency * frequency - together * together).max(0.0).sqrt();
+        // f ∝ k^e, and the rest of what moves f beside it.
+        let by_stiffness = if stiffness > 0.0 { sum(0, 1) / sum(0, 0) } else { 0.0 };
+        let alone = (frequency * frequency - (by_stiffness * stiffness).powi(2)).max(0.0).sqrt();
         let mut each = vec![Varied { spring: spec.spring.clone(), stiffness: 0.0, frequency: 0.0 }];
         for step in 0..AROUND {
             let (sine, cosine) = (TAU * f64::from(step) / f64::from(AROUND)).sin_cos();
-            let (k, f) = (stiffness * cosine, (together * cosine + alone * sine).exp() - 1.0);
+            let (k, f) =
+                (stiffness * cosine, (1.0 + stiffness * cosine).powf(by_stiffness) * (alone * sine).exp() - 1.0);
             if each.iter().any(|other| (other.stiffness - k).abs() + (other.frequency - f).abs() < SAME) {
                 continue;
             }
@@ -70,6 +73,22 @@ impl Allowed {
             each.push(Varied { spring: ToleranceBox::changed(&spec.spring, [k, mass])?, stiffness: k, frequency: f });
         }
         Ok(Self { each, stiffness, frequency })
+    }
+
+    /// Refuses samples that are too slow for the fastest of them.
+    ///
+    /// # Errors
+    /// [`PlacementError::Spec`].
+    pub(super) fn check_samples(&self, file: &str, sample_time: Option<f64>) -> Result<(), PlacementError> {
+        let fastest = self.each.iter().map(|varied| varied.spring.surge_frequency()).fold(0.0, f64::max);
+        match sample_time.filter(|step| step * fastest >= 0.5) {
+            None => Ok(()),
+            Some(step) => Err(PlacementError::Spec(format!(
+                "{file}: [control] sample_time = {step} s: must be below {:.4e} s, half a period of a first surge frequency that within the spec's \
+                 tolerances is up to {fastest:.2} Hz",
+                0.5 / fastest
+            ))),
+        }
     }
 
     /// The spec's own spring alone.

@@ -45,7 +45,13 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     lines.extend(placement.estimates.iter().map(|estimate| {
         let robust = shortly(estimate.robust_from, estimate.robust_crossover);
         let reach = (robust, upto("stable", 0.0, estimate.stable_crossover));
-        format!("{}, with k and m off by up to {:.0} %: {}, {}.", estimate.name, 100.0 * TOLERANCE, reach.0, reach.1)
+        format!(
+            "{}, on all springs and with k and m off by up to {:.0} %: {}, {}.",
+            estimate.name,
+            100.0 * TOLERANCE,
+            reach.0,
+            reach.1
+        )
     }));
     lines.push(springs_line(placement));
     lines.push(set_line(placement, best));
@@ -65,7 +71,8 @@ fn springs_line(placement: &Placement) -> String {
     let allowed = &placement.allowed;
     let within = |share: f64| format!("within ±{} %", digits(100.0 * share));
     let frequencies = format!("the first surge frequency {}, the others in proportion", within(allowed.frequency));
-    let least = if placement.spec.spring.tolerances.is_silent_on_stiffness() {
+    let tolerances = &placement.spec.spring.tolerances;
+    let least = if tolerances.is_silent_on_stiffness() && tolerances.moves().is_empty() {
         format!(
             "All figures are worst cases over springs with {frequencies}, as the model leaves them open. The spec gives no tolerance of the rate, so that \
              its k counts as exact."
@@ -82,7 +89,7 @@ fn springs_line(placement: &Placement) -> String {
     let read = if is_read && allowed.stiffness > 0.0 {
         let name = fed.name();
         format!(
-            " {name} is read by the nominal k, so that the force itself is {} of the reference.",
+            " {name} is read by the nominal k, so that the force itself is {} of what is read.",
             within(allowed.stiffness)
         )
     } else {
@@ -107,8 +114,8 @@ fn nominal(placement: &Placement) -> Option<String> {
     match (is_other, differs) {
         (true, _) => {
             let left = match (on_all, placement.candidates[placement.nominal_best].stable_crossover()) {
-                (0.0, 0.0) => "some of them it is stable at no gain".to_owned(),
-                (0.0, _) => "some of them its sensitivity is above 2 at every gain".to_owned(),
+                (0.0, 0.0) => "some of them it is unstable from the slowest loop on".to_owned(),
+                (0.0, _) => "all of them no gain has a sensitivity of at most 2".to_owned(),
                 (hertz, _) => format!("all of them that is {}", upto(hertz)),
             };
             Some(format!(

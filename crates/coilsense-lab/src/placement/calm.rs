@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use coilsense::control::Response;
+use coilsense::control::{Point, Response};
 use coilsense::{Channel, Error, Spring};
 use num_complex::Complex64;
 
@@ -50,16 +50,27 @@ pub(super) struct Watched {
     read: Complex64,
 }
 
+impl Watched {
+    fn closed(&self, looped: &Closed) -> Result<Response, Error> {
+        match looped {
+            Closed::Continuous(force_loop) => force_loop.closed(self.omega, &self.plant),
+            Closed::Sampled(sampled) => Ok(sampled.closed(self.omega, &self.plant, self.read)),
+        }
+    }
+}
+
+/// F_o over the reference there.
+pub(super) fn tracked(looped: &Closed, watched: &Watched) -> Result<Point, Error> {
+    Ok(Point { angular_frequency: watched.omega, response: watched.closed(looped)?.output })
+}
+
 /// Peaks of F_i and F_o where a loop is watched, the lowest frequency of which counts as static.
 pub(super) fn peaks(looped: &Closed, watched: &[Watched]) -> Result<[Peak; 2], Error> {
     let none = |force| Peak { force, size: 0.0, at: 0.0, over_static: 0.0 };
     let mut peaks = [Channel::InputForce, Channel::OutputForce].map(none);
     let mut still = [0.0; 2];
-    for (index, Watched { omega, plant, read }) in watched.iter().enumerate() {
-        let closed = match looped {
-            Closed::Continuous(force_loop) => force_loop.closed(*omega, plant)?,
-            Closed::Sampled(sampled) => sampled.closed(*omega, plant, *read),
-        };
+    for (index, watched) in watched.iter().enumerate() {
+        let (omega, closed) = (watched.omega, watched.closed(looped)?);
         for (peak, still) in peaks.iter_mut().zip(&mut still) {
             let size = closed.of(peak.force)?.norm();
             if index == 0 {
@@ -156,12 +167,12 @@ pub(super) fn calm<'a>(
         Ok::<bool, Error>(true)
     };
     let least = if slowest > 0.0 { unit.gain_for(&dampings[0], slowest)? / fastest } else { LEAST };
-    let (mut low, mut high) = (STEP, 1.0);
+    let (mut low, mut high) = (STEP.max(least), 1.0);
     while !is_quiet(low)? {
-        (low, high) = (STEP * low, low);
-        if low < least {
+        if low <= least {
             return Ok(Calm { crossover: 0.0, rings: Some(rings) });
         }
+        (low, high) = ((STEP * low).max(least), low);
     }
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);

@@ -25,7 +25,7 @@ pub struct Assessment {
     pub robust_from: f64,
     /// Where the loop oscillates at its limit \[Hz\]; zero without one.
     pub oscillates_at: f64,
-    /// Which of the springs has that limit.
+    /// Which of the springs has the least to spare.
     pub weakest: usize,
     /// The loop as it is set, each margin the least.
     pub margins: Margins,
@@ -81,6 +81,8 @@ impl Assessment {
         let loops = springs.iter().map(|varied| unit.on(&varied.spring, damping, channel, gain));
         let loops = loops.collect::<Result<Vec<_>, Error>>()?;
         let each = loops.iter().map(|force_loop| margins(unit, force_loop)).collect::<Result<Vec<_>, Error>>()?;
+        // An observer does not grow with the gain: another spring may now have the least to spare.
+        self.weakest = weakest(each.iter().map(|margins| margins.gain_limit));
         self.margins = each.into_iter().reduce(least).unwrap_or(self.margins);
         self.peaks = None;
         if self.margins.stable {

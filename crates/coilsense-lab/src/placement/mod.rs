@@ -11,7 +11,7 @@ mod loops;
 mod over_time;
 mod told;
 
-use coilsense::control::ForceLoop;
+use coilsense::control::{ForceLoop, Point};
 use coilsense::{Channel, Error};
 use rayon::prelude::*;
 
@@ -113,6 +113,7 @@ impl Placement {
         let science = |source| PlacementError::Science { file: file.clone(), source };
         let unit = UnitLoops { spec: &spec, control: &control };
         let allowed = Allowed::of(&spec.spring).map_err(science)?;
+        allowed.check_samples(&spec.file, control.sample_time)?;
         let judge = Judge { unit, dampings: &dampings, springs: &allowed.each };
         let alone = Judge { springs: allowed.nominal(), ..judge };
         let (mut candidates, mut nominal) = (judge.all().map_err(science)?, alone.all().map_err(science)?);
@@ -156,6 +157,16 @@ impl Placement {
     /// The damping whose curves are shown: the middle one.
     pub fn shown(&self) -> usize {
         self.dampings.len() / 2
+    }
+
+    /// F_o over its reference with the loop on a force closed as it is set, in samples where the controller is, on the nominal spring.
+    ///
+    /// # Errors
+    /// Those of the science.
+    pub fn tracking(&self, damping: usize, channel: Channel) -> Result<Vec<Point>, Error> {
+        let unit = UnitLoops { spec: &self.spec, control: &self.control };
+        let closed = unit.closed(self.force_loop(damping, channel)?)?;
+        calm::watched(&closed)?.iter().map(|watched| calm::tracked(&closed, watched)).collect()
     }
 
     /// The loop of a force at the set gain, on the nominal spring.

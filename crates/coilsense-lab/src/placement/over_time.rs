@@ -112,7 +112,7 @@ pub(super) fn runs(
     let mut found: Option<OverTime> = None;
     let mut told = Vec::new();
     for candidate in candidates {
-        let weakest = weakest(candidate.judged.iter().map(|judged| judged.limit));
+        let weakest = weakest(candidate.judged.iter().map(|judged| judged.margins.gain_limit));
         let (damping, judged) = (&dampings[weakest], &candidate.judged[weakest]);
         let varied = &allowed.each[judged.weakest];
         let force_loop = unit.on(&varied.spring, damping, candidate.channel, gain)?;

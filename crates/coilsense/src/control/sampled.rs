@@ -13,10 +13,13 @@ use super::force_loop::ForceLoop;
 use super::kicked::{Kicked, Mode, modes};
 use super::margins::Margins;
 use super::plant::Response;
-use super::rational::Difference;
+use super::rational::{Difference, Rational};
 use super::trace::Trace;
 use crate::error::{Error, above_zero, called, check};
 use crate::signals::Channel;
+
+/// Half an angle per sample up to which a law is taken by its own s \[rad\].
+const SLOW: f64 = 0.5;
 
 /// A loop in samples.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +30,8 @@ pub struct SampledLoop {
     /// From force to command, and from reference to command.
     pub(super) control: Difference,
     pub(super) forward: Difference,
+    /// The same two as they are continuous.
+    laws: [Rational; 2],
     modes: Option<Vec<Mode>>,
     pub(super) estimator: Option<Estimator>,
 }
@@ -62,8 +67,8 @@ impl SampledLoop {
             "s",
             format!("a whole number of sample times of {step} s"),
         )?;
-        let control = continuous.feedback_law().tustin(step);
-        let forward = continuous.controller.forward().tustin(step);
+        let laws = [continuous.feedback_law(), continuous.controller.forward()];
+        let [control, forward] = [0, 1].map(|law| laws[law].tustin(step));
         let modes = modes(continuous, step)?;
         Ok(Self {
             continuous: continuous.clone(),
@@ -71,6 +76,7 @@ impl SampledLoop {
             late: steps.round() as usize,
             control,
             forward,
+            laws,
             modes,
             estimator: None,
         })
@@ -121,18 +127,28 @@ impl SampledLoop {
                 by_force * force + by_stroke * stroke
             }
         };
-        Ok(force * self.law(delay))
+        Ok(force * self.law(angular_frequency))
     }
 
     /// From what is fed back to the command.
-    fn law(&self, delay: Complex64) -> Complex64 {
-        self.control.at(delay) * delay.powu(self.late as u32)
+    fn law(&self, angular_frequency: f64) -> Complex64 {
+        self.by_tustin(&self.laws[0], &self.control, angular_frequency)
+    }
+
+    /// A law of the controller in samples, with its delay: where ω is small beside the rate by Tustin's s itself, since the poles of a slow law lie at
+    /// z = 1 together, where its polynomials in z cancel.
+    fn by_tustin(&self, law: &Rational, difference: &Difference, angular_frequency: f64) -> Complex64 {
+        let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
+        let half = 0.5 * angular_frequency * self.step;
+        let response =
+            if half < SLOW { law.at(Complex64::new(0.0, 2.0 / self.step * half.tan())) } else { difference.at(delay) };
+        response * delay.powu(self.late as u32)
     }
 
     /// What is fed back per command, sample by sample \[N per command\], from the loop's `response` at that angular frequency \[rad/s\]: the same at
     /// every gain.
     pub fn read(&self, angular_frequency: f64, response: Complex64) -> Complex64 {
-        response / self.law(Complex64::from_polar(1.0, -angular_frequency * self.step))
+        response / self.law(angular_frequency)
     }
 
     /// What the plant does at an angular frequency \[rad/s\] per newton of the sampled reference with the loop closed: from its own `response` per
@@ -147,8 +163,8 @@ impl SampledLoop {
     pub fn closed(&self, angular_frequency: f64, response: &Response, read: Complex64) -> Response {
         let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
         let held = (1.0 - delay) / Complex64::new(0.0, angular_frequency * self.step);
-        let reference = self.forward.at(delay) * delay.powu(self.late as u32);
-        response.times(held * reference / (1.0 + read * self.law(delay)))
+        let reference = self.by_tustin(&self.laws[1], &self.forward, angular_frequency);
+        response.times(held * reference / (1.0 + read * self.law(angular_frequency)))
     }
 
     /// The loop that is closed in samples.

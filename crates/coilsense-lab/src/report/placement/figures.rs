@@ -92,17 +92,9 @@ pub(super) fn tracking(placement: &Placement) -> Result<Option<Figure>, Error> {
         candidate.is_some_and(|candidate| candidate.judged[shown].margins.stable)
     };
     let of = |(channel, colour, dash): &(Channel, Colour, Dash)| {
-        let looped = placement.force_loop(shown, *channel)?;
-        let points = looped.trace()?;
-        let frequencies = points.points().iter().map(|point| point.angular_frequency);
-        let frequencies: Vec<f64> = frequencies.filter(|omega| (from..=to).contains(&(omega / TAU))).collect();
-        let followed = |omega: &f64| {
-            let plant = looped.plant().at(*omega)?;
-            let response = looped.tracking(*omega)? / plant.of(*channel)? * plant.of(Channel::OutputForce)?;
-            Ok(Point { angular_frequency: *omega, response })
-        };
-        let points = frequencies.iter().map(followed).collect::<Result<Vec<Point>, Error>>()?;
-        let x: Vec<f64> = frequencies.iter().map(|omega| omega / TAU).collect();
+        let in_range = |point: &Point| (from..=to).contains(&(point.angular_frequency / TAU));
+        let points: Vec<Point> = placement.tracking(shown, *channel)?.into_iter().filter(in_range).collect();
+        let x: Vec<f64> = points.iter().map(|point| point.angular_frequency / TAU).collect();
         let curve = |label: &str, y| Curve { label: label.into(), x: x.clone(), y, stroke: stroke(*colour, *dash) };
         let size = points.iter().map(|point| point.response.norm()).collect();
         Ok([curve(channel.name(), size), curve(channel.name(), unwrapped(&points))])
