@@ -96,7 +96,7 @@ pub(super) fn larger(a: [Peak; 2], b: [Peak; 2]) -> [Peak; 2] {
 /// still excites the coil, at all that are seen there.
 pub(super) fn watched(looped: &Closed) -> Result<Vec<Watched>, Error> {
     let (force_loop, points) = match looped {
-        Closed::Continuous(force_loop) => (force_loop, force_loop.trace()?),
+        Closed::Continuous(force_loop) => (&**force_loop, force_loop.trace()?),
         Closed::Sampled(sampled) => (sampled.continuous(), sampled.trace()?),
     };
     let (plant, points) = (force_loop.plant(), points.points());

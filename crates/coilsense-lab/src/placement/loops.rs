@@ -18,7 +18,7 @@ pub(super) struct UnitLoops<'a> {
 
 /// A loop that is closed.
 pub(super) enum Closed {
-    Continuous(ForceLoop),
+    Continuous(Box<ForceLoop>),
     Sampled(Box<SampledLoop>),
 }
 
@@ -60,7 +60,7 @@ impl UnitLoops<'_> {
     pub fn closed(&self, force_loop: ForceLoop) -> Result<Closed, Error> {
         Ok(match self.sampled(&force_loop)? {
             Some(sampled) => Closed::Sampled(Box::new(sampled)),
-            None => Closed::Continuous(force_loop),
+            None => Closed::Continuous(Box::new(force_loop)),
         })
     }
 
