@@ -69,63 +69,56 @@ pub fn answer(placement: &Placement) -> Vec<String> {
 /// On which springs all this holds, and what the nominal one alone would allow.
 fn springs_line(placement: &Placement) -> String {
     let allowed = &placement.allowed;
-    let within = |share: f64| format!("within ±{} %", digits(100.0 * share));
-    let frequencies = format!("the first surge frequency {}, the others in proportion", within(allowed.frequency));
+    let within = |share: f64| format!("±{} %", digits(100.0 * share));
+    let shifted = format!("all surge frequencies shifted together by up to {}", within(allowed.frequency));
     let tolerances = &placement.spec.spring.tolerances;
-    let least = if tolerances.is_silent_on_stiffness() && tolerances.moves().is_empty() {
+    let worst = if tolerances.is_silent_on_stiffness() && tolerances.moves().is_empty() {
         format!(
-            "All figures are worst cases over springs with {frequencies}, as the model leaves them open. The spec gives no tolerance of the rate, so that \
-             its k counts as exact."
+            "All figures are worst cases over springs with {shifted}, the model's own uncertainty. The spec gives no tolerance of the rate, so k \
+             counts as exact."
         )
     } else {
-        let rate =
-            if allowed.stiffness > 0.0 { format!("k {} and ", within(allowed.stiffness)) } else { String::new() };
+        let rate = if allowed.stiffness > 0.0 {
+            format!("k within {} and ", within(allowed.stiffness))
+        } else {
+            String::new()
+        };
         format!(
-            "All figures are worst cases over springs with {rate}{frequencies}, by the spec's tolerances and as the model leaves them open."
+            "All figures are worst cases over springs with {rate}{shifted}: the spec's tolerances and the model's own uncertainty."
         )
     };
     let fed = placement.candidates[placement.best].channel;
     let is_read = matches!(fed, Channel::DeflectionForce | Channel::InductanceForce);
     let read = if is_read && allowed.stiffness > 0.0 {
-        let name = fed.name();
-        format!(
-            " {name} is read by the nominal k, so that the force itself is {} of what is read.",
-            within(allowed.stiffness)
-        )
+        let (name, off) = (fed.name(), within(allowed.stiffness));
+        format!(" {name} is computed with the nominal k, so the true force is within {off} of it.")
     } else {
         String::new()
     };
-    format!("{least}{read}{}", nominal(placement).unwrap_or_default())
+    format!("{worst}{read}{}", nominal(placement).unwrap_or_default())
 }
 
 /// What the nominal spring alone would allow, where that is something else.
 fn nominal(placement: &Placement) -> Option<String> {
-    let speed = |candidate: &Candidate| match candidate.calm_crossover {
-        0.0 => candidate.robust_crossover(),
-        calm => calm,
+    let (one, all) = (&placement.nominal[placement.nominal_best], &placement.candidates[placement.nominal_best]);
+    let (on_one, on_all) = match one.calm_crossover {
+        0.0 => (one.robust_crossover(), all.robust_crossover()),
+        calm => (calm, all.calm_crossover),
     };
-    let alone = &placement.nominal[placement.nominal_best];
-    let (on_one, on_all) = (speed(alone), speed(&placement.candidates[placement.nominal_best]));
-    let is_other = placement.nominal_best != placement.best;
-    let differs = on_one.is_finite() && (on_all / on_one - 1.0).abs() > TIE;
     let upto =
         |hertz: f64| if hertz.is_finite() { format!("{} Hz", digits(hertz)) } else { "any crossover".to_owned() };
-    let (name, words) = (alone.channel.name(), place(alone.channel));
-    match (is_other, differs) {
-        (true, _) => {
-            let left = match (on_all, placement.candidates[placement.nominal_best].stable_crossover()) {
-                (0.0, 0.0) => "some of them it is unstable from the slowest loop on".to_owned(),
-                (0.0, _) => "all of them no gain has a sensitivity of at most 2".to_owned(),
-                (hertz, _) => format!("all of them that is {}", upto(hertz)),
-            };
-            Some(format!(
-                " The nominal spring alone would have {name} ({words}) fed back, up to {}; on {left}.",
-                upto(on_one)
-            ))
-        }
-        (false, true) => Some(format!(" With the nominal spring alone it could be {}.", upto(on_one))),
-        (false, false) => None,
+    if placement.nominal_best == placement.best {
+        let differs = on_one.is_finite() && (on_all / on_one - 1.0).abs() > TIE;
+        return differs.then(|| format!(" For the nominal spring alone the crossover could be {}.", upto(on_one)));
     }
+    let left = match (on_all, all.robust_crossover(), all.stable_crossover()) {
+        (0.0, _, 0.0) => "some of the others are unstable even in the slowest loop".to_owned(),
+        (0.0, 0.0, _) => "no gain keeps the sensitivity at most 2 on all of them".to_owned(),
+        (0.0, ..) => "on some of the others an end rings at every crossover".to_owned(),
+        (hertz, ..) => format!("over all of them it reaches {}", upto(hertz)),
+    };
+    let (name, words) = (one.channel.name(), place(one.channel));
+    Some(format!(" For the nominal spring alone the choice would be {name} ({words}), up to {}; {left}.", upto(on_one)))
 }
 
 /// What of the spec is in no figure here.

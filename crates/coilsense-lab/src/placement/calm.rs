@@ -84,12 +84,9 @@ pub(super) fn peaks(looped: &Closed, watched: &[Watched]) -> Result<[Peak; 2], E
     Ok(peaks)
 }
 
-/// Of each force the larger answer, over its reference and over its static one.
+/// Of each force the larger answer over its static one.
 pub(super) fn larger(a: [Peak; 2], b: [Peak; 2]) -> [Peak; 2] {
-    [0, 1].map(|end| {
-        let (a, b) = (a[end], b[end]);
-        Peak { over_static: a.over_static.max(b.over_static), ..if b.size > a.size { b } else { a } }
-    })
+    [0, 1].map(|end| if b[end].over_static > a[end].over_static { b[end] } else { a[end] })
 }
 
 /// A loop is watched at the frequencies of its trace up to the fourth surge line. A trace in samples ends at half the rate: beyond, where its hold

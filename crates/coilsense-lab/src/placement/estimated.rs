@@ -2,8 +2,6 @@
 //!
 //! Next door: the forces themselves (`judged`), the estimators' settings (`coilsense::mitigation`).
 
-use std::f64::consts::TAU;
-
 use coilsense::control::{Environment, Estimator, SampledLoop};
 use coilsense::mitigation::{KalmanNoise, SampledSpring, ToleranceBox, modal_kalman, surge_notches};
 use coilsense::{Channel, Error, Spring};
@@ -87,11 +85,7 @@ impl Judge<'_> {
             }
         }
         let nominal = self.unit.force_loop(&self.dampings[0], Channel::InputForce, self.gain)?;
-        let crossover = |factor: f64| match factor {
-            0.0 => Ok(0.0),
-            factor if factor.is_infinite() => Ok(f64::INFINITY),
-            factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
-        };
+        let crossover = |factor: f64| UnitLoops::crossover(&nominal, factor);
         if from >= robust {
             (from, robust) = (0.0, 0.0);
         }

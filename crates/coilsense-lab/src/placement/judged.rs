@@ -48,11 +48,7 @@ impl Assessment {
         let each = each.collect::<Result<Vec<_>, Error>>()?;
         let weakest = weakest(each.iter().map(|margins| margins.gain_limit));
         let nominal = unit.force_loop(damping, channel, shape)?;
-        let crossover = |factor: f64| match factor {
-            0.0 => Ok(0.0),
-            factor if factor.is_infinite() => Ok(f64::INFINITY),
-            factor => Ok::<f64, Error>(nominal.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU)),
-        };
+        let crossover = |factor: f64| UnitLoops::crossover(&nominal, factor);
         let all = each.iter().copied().reduce(least).unwrap_or(each[weakest]);
         let (from, robust) =
             if all.robust_from < all.robust_gain { (all.robust_from, all.robust_gain) } else { (0.0, 0.0) };
@@ -112,9 +108,8 @@ fn margins(unit: &UnitLoops<'_>, force_loop: &ForceLoop) -> Result<Margins, Erro
 const SAME: f64 = 1e-9;
 
 /// Where the least stands; the first of equals.
-pub(super) fn weakest(limits: impl Iterator<Item = f64> + Clone) -> usize {
+pub(super) fn weakest(mut limits: impl Iterator<Item = f64> + Clone) -> usize {
     let least = limits.clone().fold(f64::INFINITY, f64::min);
-    let mut limits = limits;
     limits.position(|limit| limit <= least * (1.0 + SAME)).unwrap_or(0)
 }
 

@@ -56,6 +56,14 @@ impl UnitLoops<'_> {
         self.control.sample_time.map(|step| SampledLoop::new(force_loop, step)).transpose()
     }
 
+    /// The crossover of a loop with a spring without mass, its gains times a factor \[Hz\].
+    pub fn crossover(force_loop: &ForceLoop, factor: f64) -> Result<f64, Error> {
+        if factor == 0.0 || factor.is_infinite() {
+            return Ok(factor);
+        }
+        Ok(force_loop.massless_crossover(factor)?.map_or(f64::INFINITY, |omega| omega / TAU))
+    }
+
     /// A loop as it is closed: in samples where the controller is.
     pub fn closed(&self, force_loop: ForceLoop) -> Result<Closed, Error> {
         Ok(match self.sampled(&force_loop)? {

@@ -205,10 +205,10 @@ impl OverTime {
         Ok(record.run)
     }
 
-    /// Force at rest at the mean length \[N\]; none where end 2 is free.
+    /// Force at rest at the mean length \[N\], which a mass at end 2 is held against.
     fn mean(&self) -> f64 {
         let spring = self.plant.spring();
-        if *self.plant.environment() == Environment::Held { spring.static_force(spring.mid_length()) } else { 0.0 }
+        spring.static_force(spring.mid_length())
     }
 
     fn on_live(

@@ -159,7 +159,7 @@ impl SampledLoop {
     ///
     /// Source:   definition of the z-transform and of the hold; `[Franklin1998]`.
     /// Valid:    as [`Self::at`].
-    /// Accuracy: summed over copies it is the run over time's own response to 1e-3, where the sum ends (test).
+    /// Accuracy: summed over copies it is the run over time's own response to 2e-3, where the sum ends (test).
     pub fn closed(&self, angular_frequency: f64, response: &Response, read: Complex64) -> Response {
         let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
         let held = (1.0 - delay) / Complex64::new(0.0, angular_frequency * self.step);

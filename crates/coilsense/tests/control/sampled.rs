@@ -106,6 +106,26 @@ fn a_loop_that_alternates_from_sample_to_sample_has_a_limit() {
 }
 
 #[test]
+fn a_mass_at_end_2_rests_before_the_reference_comes() {
+    // By the mounted spring's motion and by poles, which damp other modes and so hardly at all here: a mean force was counted as response, 8000 % of the step.
+    for feedback in [Channel::InputForce, Channel::OutputForce, Channel::DeflectionForce] {
+        let run = |damping| {
+            let load = Environment::Impedance { mass: 0.02, damping, stiffness: 0.0 };
+            let plant = Plant::new(&s_t(), Damping::Modal(1e-4), Drive::IDEAL_VELOCITY, load).unwrap();
+            let controller = Controller::proportional(0.05 / s_t().stiffness()).unwrap();
+            let looped = ForceLoop::new(plant, controller, feedback, 5e-4).unwrap();
+            simulate(&SampledLoop::new(&looped, 5e-4).unwrap(), 1.0, 1.0, 2000).unwrap().output
+        };
+        let (mounted, poles) = (run(0.0), run(1e-9));
+        let peak = poles.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+        assert!(peak > 0.0 && peak < 1.0, "{feedback:?}: {peak}");
+        for (index, (one, other)) in mounted.iter().zip(&poles).enumerate() {
+            assert!((one - other).abs() < 0.05 * peak, "{feedback:?} {index}: {one} for {other}, peak {peak}");
+        }
+    }
+}
+
+#[test]
 fn the_closed_loop_in_samples_is_the_run_over_time_s_own_response() {
     let tau = std::f64::consts::TAU;
     let step = 2e-3;
