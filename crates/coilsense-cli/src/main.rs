@@ -14,21 +14,26 @@ mod files;
 mod identify;
 mod import;
 mod init;
+#[cfg(not(feature = "files"))]
+mod left_out;
 mod log;
 mod mitigate;
 mod options;
+#[cfg(feature = "files")]
 mod pareto;
 mod placement;
 mod progress;
 mod record;
 mod reproduce;
 mod rig;
+#[cfg(feature = "files")]
 mod sensitivity;
 mod shell;
 mod signals;
 mod simulate;
 mod speed;
 mod spring;
+#[cfg(feature = "files")]
 mod sweep;
 mod terminal;
 mod unmet;
@@ -58,9 +63,18 @@ const RUNS: [(&str, Run); VERBS.len()] = [
     ("export", export::run),
     ("placement", placement::run),
     ("speed", speed::run),
+    #[cfg(feature = "files")]
     ("sweep", sweep::run),
+    #[cfg(not(feature = "files"))]
+    ("sweep", left_out::rows),
+    #[cfg(feature = "files")]
     ("sensitivity", sensitivity::run),
+    #[cfg(not(feature = "files"))]
+    ("sensitivity", left_out::rows),
+    #[cfg(feature = "files")]
     ("pareto", pareto::run),
+    #[cfg(not(feature = "files"))]
+    ("pareto", left_out::rows),
     ("experiment", experiment::run),
     ("record", record::run),
     ("app", app::run),

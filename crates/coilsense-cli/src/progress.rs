@@ -24,6 +24,7 @@ impl Watch {
     }
 
     /// The same for designs, of which many a second are done: see [`Self::tell_rate`].
+    #[cfg(feature = "files")]
     pub fn begin_designs() -> anyhow::Result<Self> {
         Self::with_template("", "sweeping [{bar:40}] {pos}/{len}, {msg} left")
     }
@@ -46,6 +47,7 @@ impl Watch {
     }
 
     /// Shows how many designs are done, how many a second since `begun` (when `before` were), and the time left; whether to go on.
+    #[cfg(feature = "files")]
     pub fn tell_rate(&self, before: u64, done: u64, of: u64, begun: Instant) -> bool {
         let rate = (done - before) as f64 / begun.elapsed().as_secs_f64().max(1e-9);
         if rate > 0.0 && !self.bar.is_hidden() {

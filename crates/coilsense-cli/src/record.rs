@@ -60,6 +60,12 @@ fn begin(folder: &Path) -> anyhow::Result<()> {
     Ok(terminal::say(&format!("wrote {}; fill it in, then: coilsense record {}\n", path.display(), folder.display()))?)
 }
 
+#[cfg(feature = "files")]
 fn pack(record: &Record, json: &str, output: &mut Output, name: &str) -> anyhow::Result<()> {
     Ok(output.write(name, |file| record.pack(json, file))?)
+}
+
+#[cfg(not(feature = "files"))]
+fn pack(_: &Record, _: &str, _: &mut Output, _: &str) -> anyhow::Result<()> {
+    bail!("a record is packed as a ZIP archive, and {}", crate::left_out::WHOLE_BUILD)
 }

@@ -14,7 +14,7 @@ use crate::{built, cargo, root, side_by_side, target_folder};
 /// What an example with a cam is asked.
 pub const SPEED: [&str; 7] = ["speed", "--from", "1000rpm", "--to", "8000rpm", "--step", "1000rpm"];
 /// How README and book call the command from a checkout.
-const PREFIX: &str = "cargo run --release -- ";
+const PREFIXES: [&str; 2] = ["cargo quick ", "cargo run --release -- "];
 
 /// The release build of the command with all that a release has but the page: for what measures.
 pub fn with_every_format() -> anyhow::Result<PathBuf> {
@@ -104,6 +104,11 @@ pub fn readme() -> anyhow::Result<bool> {
     Ok(all && typed.into_inner() > 0)
 }
 
+/// What a line of a page asks of the command.
+fn after_prefix(line: &str) -> Option<&str> {
+    PREFIXES.iter().find_map(|prefix| line.strip_prefix(prefix))
+}
+
 /// Types the commands of a page and counts them; whether they succeed.
 fn type_page(executable: &Path, page: &Path, doctests: &str, typed: &AtomicUsize) -> anyhow::Result<bool> {
     let name = page.strip_prefix(root()).unwrap_or(page).display().to_string();
@@ -113,7 +118,7 @@ fn type_page(executable: &Path, page: &Path, doctests: &str, typed: &AtomicUsize
     }
     let place = tempfile::tempdir()?;
     copy_examples(&place.path().join("examples"))?;
-    for line in text.lines().filter_map(|line| line.strip_prefix(PREFIX)) {
+    for line in text.lines().filter_map(after_prefix) {
         // As a shell has it: quotes keep brackets from it.
         let words = line.split('#').next().unwrap_or_default().split_whitespace().map(|word| word.trim_matches('\''));
         let output = Command::new(executable).args(words).current_dir(place.path()).output()?;

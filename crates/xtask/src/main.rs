@@ -5,6 +5,7 @@ mod book;
 mod browser;
 mod built;
 mod commands;
+mod first;
 #[cfg(test)]
 mod floors;
 mod from_python;

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Context, bail};
 
-use crate::{book, browser, built, cargo, commands, fuzz, package, packed, page, robot, strict, viewer};
+use crate::{book, browser, built, cargo, commands, first, fuzz, package, packed, page, robot, strict, viewer};
 
 /// What the checks may do.
 #[derive(clap::Args)]
@@ -44,7 +44,7 @@ struct Part {
     run: fn(&Arguments) -> anyhow::Result<Outcome>,
 }
 
-const PARTS: [Part; 17] = [
+const PARTS: [Part; 18] = [
     Part { name: "fmt", run: format },
     Part { name: "clippy", run: clippy },
     Part { name: "tests", run: tests },
@@ -53,6 +53,7 @@ const PARTS: [Part; 17] = [
     Part { name: "docs", run: docs },
     Part { name: "fewer formats", run: fewer_formats },
     Part { name: "no_std", run: no_std },
+    Part { name: "first answer", run: first_answer },
     Part { name: "README", run: readme },
     Part { name: "examples", run: examples },
     Part { name: "book", run: book },
@@ -233,6 +234,11 @@ fn no_std(arguments: &Arguments) -> anyhow::Result<Outcome> {
         Some(missing) => Ok(Outcome::Missing(missing)),
         None => passed(robot::steps()?),
     }
+}
+
+/// What a newcomer builds first.
+fn first_answer(_: &Arguments) -> anyhow::Result<Outcome> {
+    passed(first::steps()?)
 }
 
 fn readme(_: &Arguments) -> anyhow::Result<Outcome> {

@@ -19,7 +19,7 @@ mod pareto;
 mod placement;
 mod prose;
 mod record;
-#[cfg(all(feature = "reference", feature = "parquet"))]
+#[cfg(feature = "reference")]
 mod reference;
 mod reproduction;
 #[cfg(feature = "reference")]
@@ -28,7 +28,7 @@ mod schemas;
 mod sensitivity;
 mod spectrogram;
 mod speed;
-#[cfg(all(feature = "reference", feature = "parquet"))]
+#[cfg(feature = "reference")]
 pub mod verbs;
 
 pub use analysis::{AnalysisOutcome, add_analysis, analysis_json, analysis_text, analysis_warnings};
@@ -47,7 +47,7 @@ pub use overview::{OverviewOutcome, add_overview, overview_json, overview_text};
 pub use pareto::{ParetoOutcome, add_pareto, pareto_json, pareto_text};
 pub use placement::{PlacementOutcome, add_placement, placement_json, placement_text};
 pub use record::{CheckRow, RecordOutcome, record_json, record_text};
-#[cfg(all(feature = "reference", feature = "parquet"))]
+#[cfg(feature = "reference")]
 pub use reference::options_markdown;
 pub use reproduction::{add_reproduction, reproduction_json, reproduction_text};
 #[cfg(feature = "reference")]

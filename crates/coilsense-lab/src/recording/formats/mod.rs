@@ -66,7 +66,7 @@ type Open = fn(Input, &Format) -> Result<Box<dyn Source>, RecordingError>;
 
 /// What it takes to read a file.
 enum Takes {
-    /// A build with this feature.
+    /// A build with this feature of the command, and of the library.
     Feature(&'static str),
     /// Something that only its owner can do; in it FILE is the file, and STEM what its name is without the ending.
     Advice(&'static str),
@@ -77,7 +77,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "Parquet",
         magic: &[b"PAR1"],
-        takes: Takes::Feature("parquet"),
+        takes: Takes::Feature("files, of the library parquet"),
         #[cfg(feature = "parquet")]
         open: Some(|input, _| Ok(Box::new(parquet::ParquetRows::open(input)?))),
         #[cfg(not(feature = "parquet"))]
@@ -86,7 +86,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "Arrow",
         magic: &[b"ARROW1", b"\xff\xff\xff\xff"],
-        takes: Takes::Feature("arrow"),
+        takes: Takes::Feature("formats, of the library arrow"),
         #[cfg(feature = "arrow")]
         open: Some(|input, _| Ok(Box::new(arrow::ArrowRows::open(input)?))),
         #[cfg(not(feature = "arrow"))]
@@ -105,7 +105,7 @@ const TABLE: &[Row] = &[
         name: "a workbook or ZIP archive",
         // What old Office wrote, and what has a password, begins as the second does.
         magic: &[b"PK\x03\x04", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"],
-        takes: Takes::Feature("sheets"),
+        takes: Takes::Feature("files, of the library sheets"),
         #[cfg(feature = "sheets")]
         open: Some(|input, format| Ok(Box::new(sheets::open(input, format)?))),
         #[cfg(not(feature = "sheets"))]
@@ -132,7 +132,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "a MATLAB file of version 7.3 (HDF5)",
         magic: &[b"MATLAB 7.3"],
-        takes: Takes::Feature("hdf5"),
+        takes: Takes::Feature("formats, of the library hdf5"),
         #[cfg(feature = "hdf5")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(hdf5::read_matlab(input)?)))),
         #[cfg(not(feature = "hdf5"))]
@@ -141,7 +141,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "a MATLAB file",
         magic: &[b"MATLAB 5.0"],
-        takes: Takes::Feature("matlab"),
+        takes: Takes::Feature("files, of the library matlab"),
         #[cfg(feature = "matlab")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(matlab::read(input)?)))),
         #[cfg(not(feature = "matlab"))]
@@ -150,7 +150,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "MDF 3",
         magic: &[b"MDF     3", b"MDF     2"],
-        takes: Takes::Feature("mdf"),
+        takes: Takes::Feature("formats, of the library mdf"),
         #[cfg(feature = "mdf")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(mdf3::read(input)?)))),
         #[cfg(not(feature = "mdf"))]
@@ -159,7 +159,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "MDF",
         magic: &[b"MDF     ", b"UnFinMF "],
-        takes: Takes::Feature("mdf"),
+        takes: Takes::Feature("formats, of the library mdf"),
         #[cfg(feature = "mdf")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(mdf::read(input)?)))),
         #[cfg(not(feature = "mdf"))]
@@ -168,7 +168,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "NI TDMS",
         magic: &[b"TDSm"],
-        takes: Takes::Feature("tdms"),
+        takes: Takes::Feature("files, of the library tdms"),
         #[cfg(feature = "tdms")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(tdms::read(input)?)))),
         #[cfg(not(feature = "tdms"))]
@@ -183,7 +183,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "HDF5",
         magic: &[b"\x89HDF\r\n\x1a\n"],
-        takes: Takes::Feature("hdf5"),
+        takes: Takes::Feature("formats, of the library hdf5"),
         #[cfg(feature = "hdf5")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(hdf5::read(input)?)))),
         #[cfg(not(feature = "hdf5"))]
@@ -192,7 +192,7 @@ const TABLE: &[Row] = &[
     Row {
         name: "MCAP",
         magic: &[b"\x89MCAP"],
-        takes: Takes::Feature("mcap"),
+        takes: Takes::Feature("files, of the library mcap"),
         #[cfg(feature = "mcap")]
         open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(mcap::read(input)?)))),
         #[cfg(not(feature = "mcap"))]
@@ -207,7 +207,7 @@ const TABLE: &[Row] = &[
 const MATLAB_4: Row = Row {
     name: "a MATLAB file of version 4",
     magic: &[],
-    takes: Takes::Feature("matlab"),
+    takes: Takes::Feature("files, of the library matlab"),
     open: Some(|input, _| Ok(Box::new(in_memory::TableRows::of(matlab::read_level4(input)?)))),
 };
 
@@ -232,10 +232,7 @@ impl Row {
     fn refusal(&self, file: &Path) -> String {
         match self.takes {
             Takes::Feature(feature) => {
-                format!(
-                    "is {}, left out of this build: build with --features formats, of the library {feature}",
-                    self.name
-                )
+                format!("is {}, left out of this build: build with --features {feature}", self.name)
             }
             Takes::Advice(advice) => advised(file, self.name, advice),
         }
