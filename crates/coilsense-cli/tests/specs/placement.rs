@@ -156,7 +156,7 @@ fn a_report_is_written_whole() {
     let (place, spec) = place(CONTINUOUS);
     let out = place.path().join("loop");
     let text = done(&["placement", path(&spec), "--out", path(&out), "--date", "2026-11-21"]);
-    assert!(text.starts_with("Feed back F_i (load cell at the drive's end): "), "{text}");
+    assert!(text.starts_with("Feed back F_i (load cell at the drive's end), up to a crossover of 51.8 Hz: "), "{text}");
     assert_eq!(names(&out), ["report.html", "results.json"]);
     let page = std::fs::read_to_string(out.join("report.html")).unwrap();
     assert!(page.contains("Feed back F_i") && !page.contains("src=\"http") && !page.contains("href=\"http"));
@@ -258,8 +258,8 @@ fn no_crossover_is_advised_at_which_either_end_rings() {
         }
     }
     let answer = result["answer"].to_string();
-    let calm = "up to there both ends stay within 3 times their static response; at a crossover of";
-    assert!(answer.contains(calm), "{answer}");
+    let calm = ", up to a crossover of 215 Hz: its sensitivity is at most 2 there, and both ends stay within 3 times their static response.";
+    assert!(answer.contains(calm) && answer.contains(" Hz F_o peaks at "), "{answer}");
     // Half as fast again it rings, which is said where a person wants it so.
     let answer = judge(&format!("{ideal}crossover = \"{} Hz\"\n", 1.5 * advised))["answer"].to_string();
     let loud = "above the limit of 3";

@@ -118,6 +118,9 @@ mod tests {
         let control = "[control]\ndrive = \"velocity\"\nsample_time = \"0.8 ms\"\ndelay = \"0.8 ms\"\n";
         let text = template(Some("pressed")).unwrap().replace("# [control]\n", control);
         let text = text.replace("# damping_ratio = 0.005", "damping_ratio = 0.005");
+        // Without sensors, so that each force is read at once.
+        let (head, rest) = text.split_once("[[sensor]]").unwrap();
+        let text = format!("{head}{}", &rest[rest.find("[goal]").unwrap()..]);
         let spec = Spec::parse("pressed", &text, &|_| unreachable!()).unwrap();
         let own = spec.spring.spring.clone();
         let placement = Placement::of(spec).unwrap();

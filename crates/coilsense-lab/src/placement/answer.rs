@@ -1,10 +1,10 @@
 //! The answer of a placement, in a few sentences.
 //!
-//! Next door: its numbers (`super`), the runs over time (`told`).
+//! Next door: its numbers (`super`), what comes first (`head`), the runs over time (`told`).
 
 use coilsense::Channel;
 
-use super::{Candidate, MOST_PEAK, Peak, Placement, TIE, TOLERANCE, told};
+use super::{Candidate, Placement, Reading, TIE, TOLERANCE, head, told};
 use crate::quantity::digits;
 
 /// What stands behind a force's name.
@@ -18,23 +18,15 @@ pub(crate) fn place(channel: Channel) -> &'static str {
     }
 }
 
-/// The answer first, then what the others do, and what the set loop is like.
+/// The answer first: what to feed back and how fast, what then holds, why; what the others do; what is left out.
 pub fn answer(placement: &Placement) -> Vec<String> {
     let best = &placement.candidates[placement.best];
-    let (name, words) = (best.channel.name(), place(best.channel));
-    let reach = match (best.robust_crossover(), best.stable_crossover()) {
-        (_, 0.0) => "yet it is not stable with these gains".to_owned(),
-        (0.0, stable) => {
-            format!("yet at every gain its sensitivity is above 2 at some damping; {}", upto("stability", 0.0, stable))
-        }
-        (robust, stable) => {
-            let robust = upto("a sensitivity of at most 2", best.robust_from(), robust);
-            format!("{robust}, {}", upto("stability", 0.0, stable))
-        }
-    };
-    let mut lines = vec![format!("Feed back {name} ({words}): {reach}.")];
+    let mut lines = vec![head::head(placement, best)];
+    lines.extend(head::limits(placement, best));
+    lines.extend(head::set(placement, best));
     lines.extend(tie_line(placement));
-    lines.extend(ringing_line(placement, best));
+    lines.push(springs_line(placement));
+    lines.extend(sensors_line(placement));
     lines.extend(
         placement
             .candidates
@@ -53,13 +45,10 @@ pub fn answer(placement: &Placement) -> Vec<String> {
             reach.1
         )
     }));
-    lines.push(springs_line(placement));
-    lines.push(set_line(placement, best));
     if let Some(line) = passivity_line(placement, best) {
         lines.push(line);
     }
     lines.extend(told::lines(placement));
-    lines.extend(left_out(placement));
     if placement.undamped_left_out {
         lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
     }
@@ -121,10 +110,33 @@ fn nominal(placement: &Placement) -> Option<String> {
     Some(format!(" For the nominal spring alone the choice would be {name} ({words}), up to {}; {left}.", upto(on_one)))
 }
 
-/// What of the spec is in no figure here.
-fn left_out(placement: &Placement) -> Option<String> {
-    let sensors = "lag, noise and sampling of the sensors, which add to delay and sample_time";
-    (!placement.spec.sensors.is_empty()).then(|| format!("Not included from the spec: {sensors}."))
+/// How late the forces are read.
+fn sensors_line(placement: &Placement) -> Option<String> {
+    if placement.spec.sensors.is_empty() {
+        return None;
+    }
+    let each = Channel::FORCES.into_iter().zip(&placement.readings);
+    let (read, at_once): (Vec<_>, Vec<_>) = each.partition(|(_, reading)| reading.sensor.is_some());
+    let told = |(channel, reading): &(Channel, &Reading)| {
+        let name = reading.sensor.as_deref().unwrap_or_default();
+        format!("{} {} ms ({name})", channel.name(), digits(1e3 * reading.lag))
+    };
+    let named: Vec<String> = read.iter().map(told).collect();
+    let ideal: Vec<&str> = at_once.iter().map(|(channel, _)| channel.name()).collect();
+    let ideal = match ideal.as_slice() {
+        [] => String::new(),
+        names => format!(" No sensor of the spec measures {}: taken without lag.", names.join(", ")),
+    };
+    let whole = if placement.control.sample_time.is_some() {
+        ", as the worse of the whole numbers of samples on either side"
+    } else {
+        ""
+    };
+    Some(format!(
+        "Each force comes as late as the quickest sensor of the spec tells it, beside the delay of [control]: {}{whole}.{ideal} Noise and errors of \
+         the sensors are not included.",
+        named.join(", ")
+    ))
 }
 
 /// Which forces could be fed back just as well.
@@ -137,33 +149,8 @@ fn tie_line(placement: &Placement) -> Option<String> {
     (!names.is_empty()).then(|| format!("As fast, within {:.0} %: {}.", 100.0 * TIE, names.join(", ")))
 }
 
-/// What rings at the fastest loop, and how much slower it must be.
-fn ringing_line(placement: &Placement, best: &Candidate) -> Option<String> {
-    let (fastest, rings) = best.rings?;
-    let (force, size, at) = (rings.force.name(), digits(rings.over_static), digits(rings.at));
-    let fastest = format!("a crossover of {} Hz", digits(fastest));
-    let limit = format!("{MOST_PEAK} times their static response");
-    // Where slow loops are the less damped ones, both ends may be quiet in one that is not robust.
-    let slower =
-        if best.robust_from() > 0.0 { "no slower loop with a sensitivity of at most 2" } else { "no slower loop" };
-    Some(match (best.calm_crossover, placement.control.crossover) {
-        (0.0, _) => format!(
-            "Yet at {fastest} {force} peaks at {size} times its static response at {at} Hz; {slower} keeps both ends within {limit}. \
-             A reference without content there does not excite that, what disturbs the loop does; more damping of the spring or the load lowers it."
-        ),
-        (calm, None) => format!(
-            "Take a crossover of {} Hz: up to there both ends stay within {limit}; at {fastest} {force} peaks at {size} times at {at} Hz.",
-            digits(calm)
-        ),
-        (calm, Some(_)) => format!(
-            "Both ends stay within {limit} up to a crossover of {} Hz; at {fastest} {force} peaks at {size} times at {at} Hz.",
-            digits(calm)
-        ),
-    })
-}
-
 /// What holds between two crossovers \[Hz\]: from the slowest loop on where the first is zero.
-fn upto(what: &str, from: f64, hertz: f64) -> String {
+pub(super) fn upto(what: &str, from: f64, hertz: f64) -> String {
     match (from, hertz) {
         (_, 0.0) => format!("at no gain {what}"),
         (0.0, hertz) if hertz.is_infinite() => format!("{what} at any gain"),
@@ -196,37 +183,8 @@ fn other_line(placement: &Placement, other: &Candidate) -> String {
     format!("{name} ({words}): {robust}, {}{place}.", upto("stable", 0.0, stable))
 }
 
-fn set_line(placement: &Placement, best: &Candidate) -> String {
-    let given = placement.control.crossover.is_some();
-    let crossover = digits(placement.crossover);
-    let how = if given { "As set" } else { "Set to that" };
-    if !best.is_stable() {
-        return format!("{how}, a crossover of {crossover} Hz: unstable even with {}.", best.channel.name());
-    }
-    let phase = best.judged.iter().map(|judged| judged.margins.phase).fold(f64::INFINITY, f64::min).to_degrees();
-    let peaks: Vec<Peak> = best.judged.iter().filter_map(|judged| judged.peaks).flatten().collect();
-    let largest = |peaks: &mut dyn Iterator<Item = &Peak>| peaks.max_by(|a, b| a.size.total_cmp(&b.size)).copied();
-    let peak = largest(&mut peaks.iter().filter(|peak| peak.force == Channel::OutputForce));
-    let (size, at) = peak.map_or((0.0, 0.0), |peak| (peak.size, peak.at));
-    let loud = peaks.iter().max_by(|a, b| a.over_static.total_cmp(&b.over_static));
-    let loud = loud.filter(|peak| given && peak.over_static > MOST_PEAK).map_or_else(String::new, |peak| {
-        format!(
-            "; {} peaks at {} times its static response at {} Hz, above the limit of {MOST_PEAK}",
-            peak.force.name(),
-            digits(peak.over_static),
-            digits(peak.at)
-        )
-    });
-    let phase = if phase.is_finite() { format!("a phase margin of {phase:.0}° and ") } else { String::new() };
-    format!(
-        "{how}, a crossover of {crossover} Hz: {phase}F_o following the reference with a peak of {} at {} Hz{loud}; unstable on {}.",
-        digits(size),
-        digits(at),
-        unstable(placement)
-    )
-}
-
-fn unstable(placement: &Placement) -> String {
+/// Which forces cannot be fed back as the loop is set.
+pub(super) fn unstable(placement: &Placement) -> String {
     let names: Vec<&str> =
         placement.candidates.iter().filter(|other| !other.is_stable()).map(|other| other.channel.name()).collect();
     if names.is_empty() { "none of the four".to_owned() } else { names.join(", ") }

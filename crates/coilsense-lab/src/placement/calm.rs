@@ -5,11 +5,11 @@
 use std::f64::consts::TAU;
 
 use coilsense::control::{Point, Response};
-use coilsense::{Channel, Error, Spring};
+use coilsense::{Channel, Error};
 use num_complex::Complex64;
 
 use super::allowed::Varied;
-use super::loops::{Closed, UnitLoops};
+use super::loops::{Closed, Under, UnitLoops};
 use crate::spec::DampingCase;
 
 /// Most that an end force may exceed its static answer to the reference \[1\].
@@ -136,13 +136,14 @@ pub(super) fn calm<'a>(
         return Ok(Calm { crossover: 0.0, rings: None });
     }
     let fastest = unit.gain_for(&dampings[0], most)?;
-    let cases = dampings.iter().flat_map(|damping| springs.iter().map(move |varied| (damping, &varied.spring)));
-    let watch = |(damping, spring): (&'a DampingCase, &'a Spring)| {
-        Ok((damping, spring, watched(&unit.closed(unit.on(spring, damping, channel, fastest)?)?)?))
+    let each = unit.under(springs, channel);
+    let cases = dampings.iter().flat_map(|damping| each.iter().map(move |under| (damping, *under)));
+    let watch = |(damping, under): (&'a DampingCase, Under<'a>)| {
+        Ok((damping, under, watched(&unit.closed(unit.on(under, damping, channel, fastest)?)?)?))
     };
     let mut cases = cases.map(watch).collect::<Result<Vec<_>, Error>>()?;
-    let loudest = |share: f64, (damping, spring, watched): &(&'a DampingCase, &'a Spring, Vec<Watched>)| {
-        let peaks = peaks(&unit.closed(unit.on(spring, damping, channel, share * fastest)?)?, watched)?;
+    let loudest = |share: f64, (damping, under, watched): &(&'a DampingCase, Under<'a>, Vec<Watched>)| {
+        let peaks = peaks(&unit.closed(unit.on(*under, damping, channel, share * fastest)?)?, watched)?;
         Ok::<Peak, Error>(if peaks[1].over_static > peaks[0].over_static { peaks[1] } else { peaks[0] })
     };
     let mut rings: Option<Peak> = None;

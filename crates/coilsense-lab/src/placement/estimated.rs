@@ -8,7 +8,7 @@ use coilsense::{Channel, Error, Spring};
 use coilsense_rt::Cascade;
 
 use super::allowed::Allowed;
-use super::loops::UnitLoops;
+use super::loops::{Under, UnitLoops};
 use crate::spec::DampingCase;
 
 /// A loop on an estimate, judged over all dampings, on all springs that are allowed, and over k and m, each ±10 % alone, together and opposed.
@@ -76,8 +76,13 @@ impl Judge<'_> {
     fn of(&self, name: &'static str, estimator: &Estimator) -> Result<Estimated, Error> {
         let (mut stable, mut robust, mut from) = (f64::INFINITY, f64::INFINITY, 0.0_f64);
         for damping in self.dampings {
-            for spring in &self.springs {
-                let changed = self.unit.on(spring, damping, Channel::InputForce, self.gain)?;
+            let cases = self
+                .springs
+                .iter()
+                .flat_map(|spring| self.unit.delays(Channel::InputForce).iter().map(move |&delay| (spring, delay)));
+            for (spring, delay) in cases {
+                let under = Under { place: 0, spring, delay };
+                let changed = self.unit.on(under, damping, Channel::InputForce, self.gain)?;
                 let margins = SampledLoop::new(&changed, self.step)?.behind(estimator.clone())?.margins()?;
                 stable = stable.min(margins.gain_limit);
                 robust = robust.min(margins.robust_gain);

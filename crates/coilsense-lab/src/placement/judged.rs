@@ -27,6 +27,8 @@ pub struct Assessment {
     pub oscillates_at: f64,
     /// Which of the springs has the least to spare.
     pub weakest: usize,
+    /// From force to command, where it has \[s\].
+    pub delay: f64,
     /// The loop as it is set, each margin the least.
     pub margins: Margins,
     /// Largest answers of F_i and F_o as it is set; `None` where it is unstable on a spring.
@@ -44,7 +46,8 @@ impl Assessment {
         shape: f64,
         springs: &[Varied],
     ) -> Result<Self, Error> {
-        let each = springs.iter().map(|varied| margins(unit, &unit.on(&varied.spring, damping, channel, shape)?));
+        let cases = unit.under(springs, channel);
+        let each = cases.iter().map(|under| margins(unit, &unit.on(*under, damping, channel, shape)?));
         let each = each.collect::<Result<Vec<_>, Error>>()?;
         let weakest = weakest(each.iter().map(|margins| margins.gain_limit));
         let nominal = unit.force_loop(damping, channel, shape)?;
@@ -58,7 +61,8 @@ impl Assessment {
             robust_crossover: crossover(robust)?,
             robust_from: crossover(from)?,
             oscillates_at: all.critical_frequency / TAU,
-            weakest,
+            weakest: cases[weakest].place,
+            delay: cases[weakest].delay,
             margins: all,
             peaks: None,
             passivity: None,
@@ -74,11 +78,13 @@ impl Assessment {
         gain: f64,
         springs: &[Varied],
     ) -> Result<(), Error> {
-        let loops = springs.iter().map(|varied| unit.on(&varied.spring, damping, channel, gain));
+        let cases = unit.under(springs, channel);
+        let loops = cases.iter().map(|under| unit.on(*under, damping, channel, gain));
         let loops = loops.collect::<Result<Vec<_>, Error>>()?;
         let each = loops.iter().map(|force_loop| margins(unit, force_loop)).collect::<Result<Vec<_>, Error>>()?;
         // An observer does not grow with the gain: another spring may now have the least to spare.
-        self.weakest = weakest(each.iter().map(|margins| margins.gain_limit));
+        let weakest = &cases[weakest(each.iter().map(|margins| margins.gain_limit))];
+        (self.weakest, self.delay) = (weakest.place, weakest.delay);
         self.margins = each.into_iter().reduce(least).unwrap_or(self.margins);
         self.peaks = None;
         if self.margins.stable {

@@ -7,6 +7,8 @@ use std::f64::consts::TAU;
 use coilsense::control::{Controller, ForceLoop, Gains, Passivity, Plant, SampledLoop};
 use coilsense::{Channel, Error, Spring};
 
+use super::allowed::Varied;
+use super::reading::Reading;
 use crate::spec::{ControlSpec, DampingCase, Spec};
 
 /// Makes loops of a spec.
@@ -14,6 +16,18 @@ use crate::spec::{ControlSpec, DampingCase, Spec};
 pub(super) struct UnitLoops<'a> {
     pub spec: &'a Spec,
     pub control: &'a ControlSpec,
+    /// As [`Channel::FORCES`].
+    pub readings: &'a [Reading],
+}
+
+/// Under what a loop is judged, beside its damping: a spring that is allowed, and how late a force may come to the command.
+#[derive(Clone, Copy)]
+pub(super) struct Under<'a> {
+    /// Which of the springs.
+    pub place: usize,
+    pub spring: &'a Spring,
+    /// \[s\]
+    pub delay: f64,
 }
 
 /// A loop that is closed.
@@ -33,13 +47,31 @@ impl UnitLoops<'_> {
         by_samples.min(10.0 * self.surge())
     }
 
-    /// The loop on the spec's own spring.
-    pub fn force_loop(&self, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
-        self.on(&self.spec.spring.spring, damping, channel, gain)
+    /// Every case of some springs in which a loop on a force is judged.
+    pub fn under<'s>(&self, springs: &'s [Varied], channel: Channel) -> Vec<Under<'s>> {
+        let delays = self.delays(channel);
+        let each = springs.iter().enumerate().flat_map(|(place, varied)| {
+            delays.iter().map(move |&delay| Under { place, spring: &varied.spring, delay })
+        });
+        each.collect()
     }
 
-    /// The same loop on another spring than the one that it is designed for.
-    pub fn on(&self, spring: &Spring, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
+    /// How late a force may come to the command \[s\].
+    pub fn delays(&self, channel: Channel) -> &[f64] {
+        let of = |(force, _): &(Channel, &Reading)| *force == channel;
+        let found = Channel::FORCES.into_iter().zip(self.readings).find(of);
+        found.map_or(std::slice::from_ref(&self.control.delay), |(_, reading)| &reading.delays)
+    }
+
+    /// The loop on the spec's own spring, as late as it may be.
+    pub fn force_loop(&self, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
+        let delay = self.delays(channel).iter().copied().fold(0.0, f64::max);
+        self.on(Under { place: 0, spring: &self.spec.spring.spring, delay }, damping, channel, gain)
+    }
+
+    /// The same loop in a case, on another spring than the one that it is designed for.
+    pub fn on(&self, under: Under<'_>, damping: &DampingCase, channel: Channel, gain: f64) -> Result<ForceLoop, Error> {
+        let spring = under.spring;
         let plant = Plant::new(spring, damping.mount.damping().clone(), self.control.drive, self.control.environment)?;
         let shape = self.control.shape;
         let controller = Controller::new(Gains {
@@ -48,7 +80,7 @@ impl UnitLoops<'_> {
             derivative: gain * shape.derivative,
             ..shape
         })?;
-        let force_loop = ForceLoop::new(plant, controller, channel, self.control.delay)?;
+        let force_loop = ForceLoop::new(plant, controller, channel, under.delay)?;
         force_loop.designed_for(self.spec.spring.spring.stiffness())
     }
 
@@ -95,7 +127,7 @@ impl UnitLoops<'_> {
             return Ok(None);
         }
         // A command held for one sample time is late by half of it.
-        let late = self.control.delay + 0.5 * self.control.sample_time.unwrap_or(0.0);
+        let late = force_loop.delay() + 0.5 * self.control.sample_time.unwrap_or(0.0);
         let late = ForceLoop::new(force_loop.plant().clone(), *force_loop.controller(), force_loop.feedback(), late)?;
         Passivity::of(&late.designed_for(self.spec.spring.spring.stiffness())?, self.control.passive_up_to).map(Some)
     }

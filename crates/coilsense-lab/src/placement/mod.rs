@@ -6,10 +6,14 @@ mod allowed;
 mod answer;
 mod calm;
 mod estimated;
+mod head;
 mod judged;
 mod loops;
 mod over_time;
+mod reading;
 mod told;
+
+use std::f64::consts::TAU;
 
 use coilsense::control::{ForceLoop, Point};
 use coilsense::{Channel, Error};
@@ -22,6 +26,7 @@ pub use estimated::{Estimated, TOLERANCE};
 pub use judged::Assessment;
 use loops::UnitLoops;
 pub use over_time::{BESIDE, LoopRun, Verdict};
+pub use reading::Reading;
 pub use told::drive_words;
 
 use crate::spec::{ControlSpec, DampingCase, Spec};
@@ -69,6 +74,8 @@ pub struct Placement {
     pub undamped_left_out: bool,
     /// The springs that the spec allows.
     pub allowed: Allowed,
+    /// How late each force is read, as [`Channel::FORCES`].
+    pub readings: Vec<Reading>,
     /// F_i, F_o, F_x, F_L, on all of them.
     pub candidates: Vec<Candidate>,
     /// The same on the nominal spring alone.
@@ -85,6 +92,9 @@ pub struct Placement {
     pub crossover: f64,
     /// The proportional gain that makes it so (command unit per N).
     pub gain: f64,
+    /// F_o over a slow reference \[1\], and up to where it stays above −3 dB of the reference \[Hz\], with the loop as set on the nominal spring, the
+    /// least of all dampings; `None` where that loop is unstable.
+    pub follows: Option<[f64; 2]>,
     /// Every loop over time, in samples or continuous as it is judged: each force, then each estimate.
     pub runs: Vec<LoopRun>,
 }
@@ -111,7 +121,8 @@ impl Placement {
         spec.spring.look_up_surges(&spec.mount.ends);
         let file = spec.file.clone();
         let science = |source| PlacementError::Science { file: file.clone(), source };
-        let unit = UnitLoops { spec: &spec, control: &control };
+        let readings = Reading::all(&spec, &control).map_err(science)?;
+        let unit = UnitLoops { spec: &spec, control: &control, readings: &readings };
         let allowed = Allowed::of(&spec.spring).map_err(science)?;
         allowed.check_samples(&spec.file, control.sample_time)?;
         let judge = Judge { unit, dampings: &dampings, springs: &allowed.each };
@@ -131,12 +142,13 @@ impl Placement {
         let undamped_left_out = dampings.len() < spec.mount.cases.len();
         let ties = leading[1..].to_vec();
         let nominal_best = self::leading(&nominal, control.crossover)[0];
-        Ok(Self {
+        let mut placement = Self {
             control,
             dampings,
             undamped_left_out,
             nominal_best,
             allowed,
+            readings,
             candidates,
             nominal,
             estimates,
@@ -145,8 +157,30 @@ impl Placement {
             crossover,
             gain,
             runs,
+            follows: None,
             spec,
-        })
+        };
+        placement.follows = placement.followed().map_err(science)?;
+        Ok(placement)
+    }
+
+    /// How late a force is read.
+    pub fn reading(&self, channel: Channel) -> &Reading {
+        let place = Channel::FORCES.iter().position(|force| *force == channel);
+        &self.readings[place.unwrap_or_default()]
+    }
+
+    fn followed(&self) -> Result<Option<[f64; 2]>, Error> {
+        if !self.nominal[self.best].is_stable() {
+            return Ok(None);
+        }
+        let mut least = [f64::INFINITY; 2];
+        for damping in 0..self.dampings.len() {
+            let points = self.tracking(damping, self.candidates[self.best].channel)?;
+            let slow = points.first().map_or(0.0, |point| point.response.norm());
+            least = [least[0].min(slow), least[1].min(followed_up_to(&points))];
+        }
+        Ok(Some(least))
     }
 
     /// The run of the force that is to be fed back.
@@ -164,7 +198,7 @@ impl Placement {
     /// # Errors
     /// Those of the science.
     pub fn tracking(&self, damping: usize, channel: Channel) -> Result<Vec<Point>, Error> {
-        let unit = UnitLoops { spec: &self.spec, control: &self.control };
+        let unit = self.unit();
         let closed = unit.closed(self.force_loop(damping, channel)?)?;
         calm::watched(&closed)?.iter().map(|watched| calm::tracked(&closed, watched)).collect()
     }
@@ -174,8 +208,24 @@ impl Placement {
     /// # Errors
     /// Those of the science.
     pub fn force_loop(&self, damping: usize, channel: Channel) -> Result<ForceLoop, Error> {
-        UnitLoops { spec: &self.spec, control: &self.control }.force_loop(&self.dampings[damping], channel, self.gain)
+        self.unit().force_loop(&self.dampings[damping], channel, self.gain)
     }
+
+    fn unit(&self) -> UnitLoops<'_> {
+        UnitLoops { spec: &self.spec, control: &self.control, readings: &self.readings }
+    }
+}
+
+/// Where a response falls below what follows a reference \[Hz\], on the straight line between two of its points; where it never does, its last.
+fn followed_up_to(points: &[Point]) -> f64 {
+    let size = |point: &Point| point.response.norm();
+    let lost = points.windows(2).find(|pair| size(&pair[0]) >= head::FOLLOWS && size(&pair[1]) < head::FOLLOWS);
+    let of = |[a, b]: [&Point; 2]| {
+        let share = (size(a) - head::FOLLOWS) / (size(a) - size(b));
+        a.angular_frequency + share * (b.angular_frequency - a.angular_frequency)
+    };
+    let never = || points.last().map_or(0.0, |point| point.angular_frequency);
+    lost.map_or_else(never, |pair| of([&pair[0], &pair[1]])) / TAU
 }
 
 /// Judges all forces on some springs.

@@ -9,7 +9,7 @@ use super::Candidate;
 use super::allowed::{Allowed, Varied};
 use super::estimated::Estimated;
 use super::judged::weakest;
-use super::loops::UnitLoops;
+use super::loops::{Under, UnitLoops};
 use crate::spec::DampingCase;
 
 /// How long a shown run lasts \[s\] and of how many samples it is at most.
@@ -115,7 +115,8 @@ pub(super) fn runs(
         let weakest = weakest(candidate.judged.iter().map(|judged| judged.margins.gain_limit));
         let (damping, judged) = (&dampings[weakest], &candidate.judged[weakest]);
         let varied = &allowed.each[judged.weakest];
-        let force_loop = unit.on(&varied.spring, damping, candidate.channel, gain)?;
+        let under = Under { place: judged.weakest, spring: &varied.spring, delay: judged.delay };
+        let force_loop = unit.on(under, damping, candidate.channel, gain)?;
         let over_time = match unit.sampled(&force_loop)? {
             Some(sampled) => OverTime::sampled_beside(&sampled, found.as_ref()),
             None => OverTime::continuous_beside(&force_loop, found.as_ref()),
@@ -129,16 +130,16 @@ pub(super) fn runs(
             let step = unit.control.sample_time.unwrap_or_default();
             SampledLoop::new(force_loop, step)?.behind(estimate.estimator.clone())
         };
-        let cases: Vec<(&DampingCase, &Varied)> =
-            dampings.iter().flat_map(|damping| allowed.each.iter().map(move |varied| (damping, varied))).collect();
-        let each = cases
-            .iter()
-            .map(|(damping, varied)| behind(&unit.on(&varied.spring, damping, Channel::InputForce, gain)?));
+        let under = unit.under(&allowed.each, Channel::InputForce);
+        let cases: Vec<(&DampingCase, Under<'_>)> =
+            dampings.iter().flat_map(|damping| under.iter().map(move |under| (damping, *under))).collect();
+        let each = cases.iter().map(|(damping, under)| behind(&unit.on(*under, damping, Channel::InputForce, gain)?));
         let loops = each.collect::<Result<Vec<_>, Error>>()?;
         let margins = loops.iter().map(SampledLoop::margins).collect::<Result<Vec<_>, Error>>()?;
         let weakest = weakest(margins.iter().map(|margins| margins.gain_limit));
         let over_time = OverTime::sampled_beside(&loops[weakest], found.as_ref());
-        let (fed_back, margins, (damping, varied)) = (estimate.name, margins[weakest], cases[weakest]);
+        let (fed_back, margins, (damping, under)) = (estimate.name, margins[weakest], cases[weakest]);
+        let varied = &allowed.each[under.place];
         told.push(ready(unit, Ready { fed_back, damping, varied, margins, over_time })?);
     }
     Ok(told)

@@ -80,6 +80,11 @@ impl ForceLoop {
         self.feedback
     }
 
+    /// From force to command \[s\].
+    pub fn delay(&self) -> f64 {
+        self.delay
+    }
+
     /// Loop response L(jω) \[1\]: C e^(−jωT) F/c, the sign of negative feedback left out.
     ///
     /// - `angular_frequency`: ω \[rad/s\], above zero

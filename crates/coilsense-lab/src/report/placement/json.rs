@@ -24,6 +24,10 @@ pub struct PlacementOutcome<'a> {
     surge_tolerance_percent: f64,
     /// Of the loop as it is set, with a spring without mass.
     crossover_hz: f64,
+    /// With the loop as set on the nominal spring: F_o over a slow reference, and up to where it stays above −3 dB of the reference, the least of all
+    /// dampings; null where that loop is unstable.
+    follows_slowly: Option<f64>,
+    follows_up_to_hz: Option<f64>,
     /// How far an end force may exceed its static response.
     most_peak: f64,
     /// In `command_unit` per newton.
@@ -88,6 +92,10 @@ struct RunRow<'a> {
 #[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
 struct CandidateRow<'a> {
     force: &'static str,
+    /// The quickest sensor of the spec that measures it; null where none does, and it is taken without lag.
+    sensor: Option<&'a str>,
+    /// How late that tells slow changes, beside the delay of `[control]`.
+    sensor_lag_s: f64,
     stable_crossover_hz: Option<f64>,
     /// With a sensitivity of at most 2.
     robust_crossover_hz: Option<f64>,
@@ -147,6 +155,8 @@ impl<'a> PlacementOutcome<'a> {
             stiffness_tolerance_percent: 100.0 * placement.allowed.stiffness,
             surge_tolerance_percent: 100.0 * placement.allowed.frequency,
             crossover_hz: placement.crossover,
+            follows_slowly: placement.follows.map(|[slow, _]| slow),
+            follows_up_to_hz: placement.follows.map(|[_, up_to]| up_to),
             most_peak: MOST_PEAK,
             proportional_gain: placement.gain,
             command_unit: placement.control.drive.command_unit(),
@@ -158,7 +168,7 @@ impl<'a> PlacementOutcome<'a> {
                 .candidates
                 .iter()
                 .zip(&placement.nominal)
-                .map(|(candidate, nominal)| CandidateRow::of(candidate, nominal, &placement.dampings))
+                .map(|(candidate, nominal)| CandidateRow::of(placement, candidate, nominal))
                 .collect(),
         }
     }
@@ -197,10 +207,13 @@ impl<'a> RunRow<'a> {
 }
 
 impl<'a> CandidateRow<'a> {
-    fn of(candidate: &'a Candidate, nominal: &Candidate, dampings: &'a [DampingCase]) -> Self {
-        let judged = candidate.judged.iter().zip(&nominal.judged).zip(dampings);
+    fn of(placement: &'a Placement, candidate: &'a Candidate, nominal: &Candidate) -> Self {
+        let judged = candidate.judged.iter().zip(&nominal.judged).zip(&placement.dampings);
+        let reading = placement.reading(candidate.channel);
         Self {
             force: candidate.channel.name(),
+            sensor: reading.sensor.as_deref(),
+            sensor_lag_s: reading.lag,
             stable_crossover_hz: finite(candidate.stable_crossover()),
             robust_crossover_hz: finite(candidate.robust_crossover()),
             robust_from_hz: candidate.robust_from(),
