@@ -18,22 +18,22 @@ pub(crate) fn place(channel: Channel) -> &'static str {
     }
 }
 
-/// The answer first: what to feed back and how fast, what then holds, why; what the others do; what is left out.
+/// The answer, a sentence or two each: [`answered`] in one.
 pub fn answer(placement: &Placement) -> Vec<String> {
+    answered(placement).concat()
+}
+
+/// What to feed back, how fast, what then holds and on what; then what the others do, the runs over time, and what is left out.
+pub(crate) fn answered(placement: &Placement) -> [Vec<String>; 2] {
     let best = &placement.candidates[placement.best];
-    let mut lines = vec![head::head(placement, best)];
-    lines.extend(head::limits(placement, best));
-    lines.extend(head::set(placement, best));
-    lines.extend(tie_line(placement));
-    lines.push(springs_line(placement));
-    lines.extend(sensors_line(placement));
-    lines.extend(
-        placement
-            .candidates
-            .iter()
-            .filter(|other| other.channel != best.channel)
-            .map(|other| other_line(placement, other)),
-    );
+    let mut first = vec![head::head(placement, best)];
+    first.extend(head::limits(placement, best));
+    first.extend(head::set(placement, best));
+    first.extend(tie_line(placement));
+    first.push(springs_line(placement));
+    first.extend(sensors_line(placement));
+    let others = placement.candidates.iter().filter(|other| other.channel != best.channel);
+    let mut lines: Vec<String> = others.map(|other| other_line(placement, other)).collect();
     lines.extend(placement.estimates.iter().map(|estimate| {
         let robust = shortly(estimate.robust_from, estimate.robust_crossover);
         let reach = (robust, upto("stable", 0.0, estimate.stable_crossover));
@@ -48,11 +48,14 @@ pub fn answer(placement: &Placement) -> Vec<String> {
     if let Some(line) = passivity_line(placement, best) {
         lines.push(line);
     }
-    lines.extend(told::lines(placement));
+    let (warnings, runs): (Vec<String>, Vec<String>) =
+        told::lines(placement).into_iter().partition(|line| line.starts_with(told::WARNING));
+    first.extend(warnings);
+    lines.extend(runs);
     if placement.undamped_left_out {
         lines.push("A spring without damping (ζ = 0) is left out: no loop on F_o is stable with it, and the others ring for ever.".to_owned());
     }
-    lines
+    [first, lines]
 }
 
 /// On which springs all this holds, and what the nominal one alone would allow.

@@ -21,6 +21,7 @@ use rayon::prelude::*;
 
 pub use allowed::{Allowed, Varied};
 pub use answer::answer;
+pub(crate) use answer::answered;
 pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
 pub use judged::Assessment;

@@ -8,6 +8,9 @@ use super::Placement;
 use super::over_time::{BESIDE, LoopRun, Verdict};
 use crate::quantity::digits;
 
+/// How a line begins that must be seen.
+pub(super) const WARNING: &str = "Warning";
+
 /// By less than this a spring is not said to be off \[1\].
 const LEAST_OFF: f64 = 5e-5;
 
@@ -95,7 +98,7 @@ pub(super) fn lines(placement: &Placement) -> Vec<String> {
     let broken = named(Verdict::Fails);
     if !broken.is_empty() {
         lines.push(format!(
-            "Warning: run over time, {how}, with {drive}, a loop does not turn unstable where predicted when fed back is: {broken}."
+            "{WARNING}: run over time, {how}, with {drive}, a loop does not turn unstable where predicted when fed back is: {broken}."
         ));
     }
     let short = named(Verdict::TooSlow);

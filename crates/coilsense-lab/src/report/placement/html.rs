@@ -6,7 +6,7 @@ use minijinja::{Value, context};
 
 use super::text::significant;
 use super::{bounded, figures, robust};
-use crate::placement::{BESIDE, LoopRun, Placement, answer, drive_words};
+use crate::placement::{BESIDE, LoopRun, Placement, answered, drive_words};
 use crate::quantity::digits;
 use crate::report::ReportError;
 use crate::report::page::{self, drawn};
@@ -14,6 +14,7 @@ use crate::report::page::{self, drawn};
 /// The page of a placement.
 pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportError> {
     let traces = figures::Traces::of(placement)?;
+    let [answer, rest] = answered(placement);
     let step = figures::step(placement).map(|figure| drawn("step", &figure)).transpose()?;
     let steps = figures::steps(placement).map(|figure| drawn("steps", &figure)).transpose()?;
     Ok(page::page(
@@ -23,7 +24,8 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
             spring => &placement.spec.spring.name,
             file => std::path::Path::new(&placement.spec.file).file_name().map(|name| name.to_string_lossy()),
             text => &placement.spec.text,
-            answer => answer(placement),
+            answer,
+            rest,
             rows => rows(placement),
             tolerance => format!("{:.0}", 100.0 * crate::placement::TOLERANCE),
             estimates => placement.estimates.iter().map(|estimate| context! {

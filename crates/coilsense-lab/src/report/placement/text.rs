@@ -7,7 +7,7 @@ use std::fmt::Write;
 use anstyle::Style;
 
 use super::{bounded, robust};
-use crate::placement::{Assessment, MOST_PEAK, Placement, answer};
+use crate::placement::{Assessment, MOST_PEAK, Placement, answered};
 use crate::quantity::digits;
 
 const BOLD: Style = Style::new().bold();
@@ -16,9 +16,11 @@ const BOLD: Style = Style::new().bold();
 pub fn placement_text(placement: &Placement) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
-    for (index, line) in answer(placement).into_iter().enumerate() {
+    let [first, rest] = answered(placement);
+    for (index, line) in first.into_iter().enumerate() {
         let _ = if index == 0 { writeln!(text, "{BOLD}{line}{BOLD:#}") } else { writeln!(text, "{line}") };
     }
+    let _ = writeln!(text, "\n{}", rest.join("\n"));
     let _ = writeln!(
         text,
         "\n{BOLD}{:5}  {:12}  {:>14}  {:>14}  {:>12}  {:>8}  {:>9}  {:>15}  {:>15}  {:>15}{BOLD:#}",

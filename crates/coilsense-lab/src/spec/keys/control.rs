@@ -42,7 +42,12 @@ pub(super) const CONTROL: Table = Table {
             "the crossover wanted, with a spring without mass",
             "the fastest with a sensitivity of at most 2 and no end force above 3 times its static response; where there is none, the fastest with that sensitivity",
         ),
-        optional("delay", "\"1 ms\"", "of controller and drive, from a force that is read to the command; what the sensors of the spec lag is added. With a sample time a whole number of them", "none"),
+        optional(
+            "delay",
+            "\"1 ms\"",
+            "of controller and drive, from a force that is read to the command; what the sensors of the spec lag is added. With a sample time a whole number of them",
+            "none",
+        ),
         optional("sample_time", "\"0.5 ms\"", "of a controller that holds its command in between", "continuous"),
         optional("load_mass", "\"1 kg\"", "mass on end 2", "as `[mount]` has it"),
         optional("load_damping", "\"5 N s/m\"", "damper from end 2 to the ground", "none"),
