@@ -88,7 +88,8 @@ fn best(analysis: &Analysis) -> String {
             1 => format!("{name_of_first} does not meet the goal of {wanted}"),
             _ => format!("No sensor meets the goal of {wanted}; nearest is {name_of_first}"),
         };
-        return format!("{none}: its standard uncertainty is {most}.");
+        let yet = if first.overload.is_some() { ", and it is overloaded" } else { "" };
+        return format!("{none}: its standard uncertainty is {most}{yet}.");
     };
     let all = match (meeting.len(), of) {
         (1, 1) => "It meets".to_owned(),
@@ -168,6 +169,9 @@ pub(crate) fn several(names: &[&str]) -> String {
 
 /// By how much and where a sensor misses the goal, and why.
 fn missed(analysis: &Analysis, verdict: &Verdict) -> String {
+    if let Some(most) = verdict.overload {
+        return format!("overloaded by {} N", digits(most));
+    }
     if verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
         return format!("reaches {} Hz only", digits(verdict.bandwidth));
     }

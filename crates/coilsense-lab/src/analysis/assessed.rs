@@ -12,6 +12,7 @@ use super::judge::{Counted, Judge, Over};
 use super::moments::Moments;
 use super::specimen::{MANY, Springs};
 use super::trial_run::needs_coil;
+use super::warnings::full_scale;
 use super::{AnalysisError, band, refused};
 use crate::spec::{SensorSpec, Spec, SpringInductance};
 use crate::study::{self, Coil, Helices, Meets, Method, Setup, Simulation};
@@ -43,33 +44,34 @@ pub(crate) fn assess(spec: &Spec, wanted: &[usize]) -> Result<Vec<(usize, Assess
     let judge = Judge { spec, coil: &coil, helices: &helices, cases: &[], springs: &springs };
     let sensors: Vec<(usize, &SensorSpec)> =
         wanted.iter().filter_map(|&index| Some((index, spec.sensors.get(index)?))).collect();
-    let mut largest = vec![(f64::NEG_INFINITY, f64::NEG_INFINITY); sensors.len()];
+    let mut largest = vec![[f64::NEG_INFINITY; 3]; sensors.len()];
     for condition in 0..spec.conditions.len() {
         for damping in 0..spec.mount.cases.len() {
             let seen = seen(&judge, &sensors, (condition, damping));
             let seen = seen.map_err(|reason| refused(spec, condition, damping, reason))?;
             for (largest, own) in largest.iter_mut().zip(seen) {
-                *largest = (largest.0.max(own.0), largest.1.max(own.1));
+                *largest = [0, 1, 2].map(|which| largest[which].max(own[which]));
             }
         }
     }
-    let of_all = |((index, sensor), (combined, raw)): ((usize, &SensorSpec), (f64, f64))| {
+    let of_all = |((index, sensor), [combined, raw, most]): ((usize, &SensorSpec), [f64; 3])| {
         let readout = Readout::new(sensor.readout.clone())?;
         let bandwidth = spec.goal.bandwidth;
         let reaches = bandwidth.is_none_or(|bandwidth| readout.bandwidth_3db() >= bandwidth);
-        let meets = spec.goal.error.map(|goal| reaches && combined <= goal);
+        let reads = reaches && most <= full_scale(spec, sensor);
+        let meets = spec.goal.error.map(|goal| reads && combined <= goal);
         let behind = if spec.goal.error.is_some_and(|goal| raw > goal) { band::lag(bandwidth) } else { 0.0 };
         Ok((index, Assessed { combined, meets, lag: readout.lag(bandwidth.unwrap_or(0.0)) + behind }))
     };
     sensors.into_iter().zip(largest).map(of_all).collect()
 }
 
-/// Combined standard uncertainties of sensors in one condition under one damping, and their errors at every frequency \[N\].
+/// Combined standard uncertainties of sensors in one condition under one damping, their errors at every frequency, and the most that they tell \[N\].
 fn seen(
     judge: &Judge<'_>,
     sensors: &[(usize, &SensorSpec)],
     (condition, damping): (usize, usize),
-) -> Result<Vec<(f64, f64)>, Error> {
+) -> Result<Vec<[f64; 3]>, Error> {
     let spec = judge.spec;
     let asked = &spec.conditions[condition];
     let times = sampled_window(asked.sample_rate, 0.0, asked.duration)?;
@@ -92,17 +94,19 @@ fn seen(
     let ready = |sensor: &&SensorSpec| {
         let instrument = judge.instrument(sensor, condition)?;
         let scene = scene_of(sensor);
-        let counted = judge.counted(scene, &instrument.forces(&instrument.steady_readings(scene.seen)?))?;
+        let forces = instrument.forces(&instrument.steady_readings(scene.seen)?);
+        let most = forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+        let counted = judge.counted(scene, &forces)?;
         let known = (judge.beside(sensor, &instrument, scene)?, Moments::of(&counted.errors));
-        Ok(((instrument, counted), known))
+        Ok(((instrument, counted, most), known))
     };
     let ready = each.iter().map(ready).collect::<Result<Vec<_>, Error>>()?;
     let (ready, known): (Vec<_>, Vec<_>) = ready.into_iter().unzip();
     let responses = judge.responses((condition, damping), &each, &known, &judge.springs.specimens)?;
-    let of = |(number, (instrument, counted)): (usize, (Instrument, Counted))| {
+    let of = |(number, (instrument, counted, most)): (usize, (Instrument, Counted, f64))| {
         let over = Over { responses: &responses, sensor: number };
         let assessment = judge.assessment(each[number], &instrument, scene_of(each[number]), counted, Some(over))?;
-        Ok((assessment.combined, assessment.raw))
+        Ok([assessment.combined, assessment.raw, most])
     };
     ready.into_iter().enumerate().map(of).collect()
 }

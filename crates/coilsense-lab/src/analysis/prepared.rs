@@ -92,7 +92,7 @@ impl Prepared {
             .map(|index| {
                 go_on(progress, cases.len())?;
                 let verdict = judge.verdict(index, &sensors[index], &told)?;
-                let fixes = if verdict.meets_always() == Some(false) {
+                let fixes = if verdict.meets_always() == Some(false) && verdict.overload.is_none() {
                     fix::of(&judge, &sensors[index], &verdict)?
                 } else {
                     Vec::new()

@@ -26,6 +26,8 @@ pub struct Verdict {
     pub filter: Option<GoalFilter>,
     /// Whether the sensor does not reach the wanted bandwidth.
     pub too_slow: bool,
+    /// What a load cell sees at most, where that is beyond its full scale \[N\]: it does not meet a goal that it cannot read.
+    pub overload: Option<f64>,
     /// Whether most of the oscillation in the worst case is what its own delay, averaging and filter make of the motion.
     pub by_readout: bool,
     /// Single changes with which it meets the goal, the quickest first.
@@ -96,6 +98,7 @@ impl Verdict {
 
     /// Whether it meets the goal under every damping; `None` without a goal.
     pub fn meets_always(&self) -> Option<bool> {
-        if self.meets.is_empty() { None } else { Some(!self.too_slow && self.meets.iter().all(|meets| *meets)) }
+        let reads = !self.too_slow && self.overload.is_none();
+        if self.meets.is_empty() { None } else { Some(reads && self.meets.iter().all(|meets| *meets)) }
     }
 }

@@ -96,6 +96,35 @@ fn a_load_cell_beyond_its_full_scale_is_told() {
 }
 
 #[test]
+fn a_load_cell_beyond_its_full_scale_is_not_chosen() {
+    let analysis = |ranges: [&str; 2]| {
+        let cell = |(name, range): (&str, &str)| {
+            format!("[[sensor]]\nkind = \"load-cell\"\nname = \"{name}\"\nrange = \"{range}\"\n")
+        };
+        let cells = ["near", "wide"].into_iter().zip(ranges).map(cell).collect::<String>();
+        undamped(S_T, &format!("{HEEL_STRIKE}{cells}[goal]\nerror = \"3 %\"\n"))
+    };
+    let first = |analysis: &Analysis| coilsense_lab::analysis::answer(analysis)[0].clone();
+    // Both are as uncertain, 1.45 % of F_nom: the first one of these is the first that is named.
+    let both = analysis(["100 N", "200 N"]);
+    assert!(first(&both).starts_with("Choose near. Both sensors meet the goal"), "{}", first(&both));
+    // What exceeds 96 N cannot be read by 90 N, however small the errors would be.
+    let over = analysis(["90 N", "200 N"]);
+    assert!(first(&over).starts_with("Choose wide. One of 2 sensors meets the goal"), "{}", first(&over));
+    let verdict = over.verdicts.iter().find(|verdict| over.sensors[verdict.sensor].name == "near").unwrap();
+    assert!(verdict.overload.is_some_and(|most| (96.0..100.0).contains(&most)) && verdict.fixes.is_empty());
+    assert_eq!(verdict.meets_always(), Some(false));
+    let answer = coilsense_lab::analysis::answer(&over).join("\n");
+    assert!(answer.contains("Missed by: near (overloaded by 9"), "{answer}");
+    let none = analysis(["90 N", "91 N"]);
+    assert!(
+        first(&none).starts_with("No sensor meets the goal") && first(&none).ends_with(", and it is overloaded."),
+        "{}",
+        first(&none)
+    );
+}
+
+#[test]
 fn a_drift_that_is_not_known_is_told_and_not_taken_for_none() {
     let bronze = S_T.replace("[spring]", "[spring]\nmaterial = \"CuBe2\"");
     let with = |spring: &str, sensor: &str| {

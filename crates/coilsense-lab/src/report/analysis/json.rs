@@ -94,8 +94,11 @@ struct VerdictRow<'a> {
     combined_percent: f64,
     worst_condition: &'a str,
     worst_damping: &'a str,
+    /// False also of a load cell that is overloaded.
     meets_goal: Option<bool>,
     meets_goal_by_damping: Vec<MeetsRow<'a>>,
+    /// What a load cell sees at most where that is beyond its full scale.
+    overload_n: Option<f64>,
     /// The sensor's own −3 dB point; null for one without limits.
     bandwidth_hz: Option<f64>,
     lag_s: f64,
@@ -239,6 +242,7 @@ impl<'a> VerdictRow<'a> {
             worst_damping: &spec.mount.cases[worst.damping].label,
             meets_goal: verdict.meets_always(),
             meets_goal_by_damping: dampings.map(|(case, &meets)| MeetsRow { damping: &case.label, meets }).collect(),
+            overload_n: verdict.overload,
             bandwidth_hz: Some(verdict.bandwidth).filter(|bandwidth| bandwidth.is_finite()),
             lag_s: verdict.lag,
             goal_filter: verdict.filter.as_ref().map(FilterPart::of),

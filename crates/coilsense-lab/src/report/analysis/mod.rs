@@ -20,6 +20,12 @@ use crate::analysis::Analysis;
 use crate::output::Output;
 use crate::series::{self, Format, Run};
 
+/// Where the series of every case are.
+#[cfg(feature = "parquet")]
+const SERIES: (&str, Format) = ("signals.parquet", Format::Parquet);
+#[cfg(not(feature = "parquet"))]
+const SERIES: (&str, Format) = ("signals.csv", Format::Csv);
+
 /// Adds all files of an analysis to `output`: `report.html`, `results.json`, and the series of every case as `signals.parquet`, or, in a
 /// build without Parquet, `signals.csv`.
 ///
@@ -27,10 +33,7 @@ use crate::series::{self, Format, Run};
 /// [`ReportError`] for the first part that fails.
 pub fn add_analysis(analysis: &Analysis, date: &str, output: &mut Output) -> Result<(), ReportError> {
     let runs: Vec<Run<'_>> = analysis.cases.iter().map(|case| case.series(&analysis.spec, &analysis.sensors)).collect();
-    #[cfg(feature = "parquet")]
-    let (name, format) = ("signals.parquet", Format::Parquet);
-    #[cfg(not(feature = "parquet"))]
-    let (name, format) = ("signals.csv", Format::Csv);
+    let (name, format) = SERIES;
     output.write(name, |file| series::write(&runs, format, file))?;
     output.add("report.html", html::page(analysis, date)?.as_bytes())?;
     output.add("results.json", json::analysis_json(analysis, date)?.as_bytes())?;
