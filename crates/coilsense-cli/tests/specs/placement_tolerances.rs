@@ -191,18 +191,16 @@ const METER: &str =
 #[test]
 fn a_slow_sensor_is_no_quick_one() {
     let number = |result: &serde_json::Value, force: &str, key: &str| candidate(result, force)[key].as_f64();
-    // An integrator behind a lag T oscillates at 1/4T whatever the spring, well below its surge: 50 ms of averaging and 50 ms of hold.
+    // An integrator behind a lag T oscillates at 1/4T whatever the spring, well below its surge: 50 ms of averaging, and a hold of up to 100 ms.
     let quick = with_sensors("", "");
     let slow = with_sensors("", METER);
     assert!(number(&quick, "F_L", "stable_crossover_hz").is_none_or(|limit| limit > 10.0));
     let limit = number(&slow, "F_L", "stable_crossover_hz").unwrap();
-    assert!((limit / (0.25 / 0.1) - 1.0).abs() < 0.01, "{limit}");
+    assert!((limit / (0.25 / 0.15) - 1.0).abs() < 0.01, "{limit}");
     // It was as fast as deflection within 1 %; now it is not named so, and the others are as they were, without a sensor, which is said.
     let answer = lines(&slow);
-    assert!(
-        !answer.contains("As fast") || !answer.split("As fast").nth(1).unwrap().lines().next().unwrap().contains("F_L"),
-        "{answer}"
-    );
+    assert!(answer.contains("below 3 f1 these have lost 3 dB: F_L by 3."), "{answer}");
+    assert!(candidate(&slow, "F_L")["sensor_coarse_hz"].as_f64().is_some_and(|hertz| hertz < 5.0));
     assert!(
         answer.contains("F_L 100 ms (meter)") && answer.contains("No sensor of the spec measures F_i, F_o, F_x"),
         "{answer}"
@@ -223,7 +221,7 @@ fn a_slow_sensor_is_no_quick_one() {
     let paper = METER.replace("100 ms", "445 ms").replace("10 Hz", "2.2471910112 Hz");
     for loop_ in ["", "sample_time = \"0.5 ms\"\n"] {
         let limit = number(&with_sensors(loop_, &paper), "F_L", "stable_crossover_hz").unwrap();
-        assert!((limit / (0.25 / 0.445) - 1.0).abs() < 0.01, "{limit}");
+        assert!((limit / (0.25 / 0.6675) - 1.0).abs() < 0.01, "{limit}");
     }
 }
 
@@ -244,6 +242,75 @@ fn a_lag_within_a_sample_is_judged_at_both_of_its_ends() {
     // More delay raises the limit of F_o here, so that half a sample may not be rounded up to it.
     assert!(at_controller > none);
     assert!((limit(&cell("0.2 ms"), "") / none - 1.0).abs() < 1e-12);
+    // That of F_x falls with each: there the later end counts.
+    let length = cell("0.2 ms").replace("load-cell", "deflection").replace("end = 2\n", "").replace("150 N", "68 mm");
+    let deflection = |sensors: &str, more: &str| {
+        let result = with_sensors(&format!("{loop_}{more}"), sensors);
+        candidate(&result, "F_x")["stable_crossover_hz"].as_f64().unwrap()
+    };
+    let (late, read) = (deflection("", "delay = \"0.5 ms\"\n"), deflection(&length, ""));
+    assert!(late < 0.6 * deflection("", "") && (read / late - 1.0).abs() < 1e-12, "{read} {late}");
+    // What holds a reading for T is not borne better than a controller that does: π/2T, with T in place of the mean age, is below 2/T.
+    let held = "[[sensor]]\nkind = \"deflection\"\nname = \"slow\"\nrange = \"68 mm\"\nsample_rate = \"125 Hz\"\n";
+    let stable = |result: &serde_json::Value| candidate(result, "F_x")["stable_crossover_hz"].as_f64().unwrap();
+    let by_sensor = stable(&with_sensors("", held));
+    let by_controller = stable(&with_sensors("sample_time = \"8 ms\"\n", ""));
+    assert!(by_sensor < by_controller && by_sensor > 0.7 * by_controller, "{by_sensor} {by_controller}");
+}
+
+/// The paper's spring with a loop at ζ = 0.02.
+fn damped(loop_: &str) -> String {
+    let text = include_str!("../../../coilsense-lab/data/springs/S_T.toml");
+    format!("{text}\n[mount]\ndamping_ratio = 0.02\n[control]\n{loop_}")
+}
+
+#[test]
+fn what_is_set_is_what_is_judged() {
+    // Where end 2 is elastic the gain does not grow with the crossover: a force whose loop is unstable as set was fed back.
+    let elastic = "drive = \"velocity\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\nload_mass = \"1 kg\"\nload_damping = \"5 N s/m\"\n\
+                   load_stiffness = \"500 N/m\"\ncrossover = \"3 Hz\"\n";
+    let result = of(&damped(elastic));
+    let fed = candidate(&result, result["feed_back"].as_str().unwrap());
+    assert_eq!(fed["stable_as_set"], true, "{}", lines(&result));
+    // Where none is stable as set, that is said, and which comes nearest; nothing is said of the impedance of an unstable loop.
+    let fast = "drive = \"velocity\"\nsample_time = \"0.5 ms\"\ndelay = \"0.5 ms\"\ncrossover = \"450 Hz\"\n";
+    let answer = lines(&of(&damped(fast)));
+    let none = "No force is stable at the crossover of 450 Hz; F_x (deflection) comes nearest: stability up to";
+    assert!(answer.starts_with(none), "{answer}");
+    assert!(!answer.contains("is passive") && !answer.contains("As fast"), "{answer}");
+    // A motor with PID is stable again at 20 Hz where slower loops are not; and what hardly controls the force says so first.
+    let motor =
+        |more: &str| of(&damped(&format!("drive = \"force\"\nmotor_mass = \"2 kg\"\ncontroller = \"PID\"\n{more}")));
+    let again = lines(&motor("crossover = \"20 Hz\"\n"));
+    assert!(again.contains("past a range in which it is not stable, and stable again"), "{again}");
+    let weak = lines(&motor(""));
+    let hardly = "Such gains hardly control the force: F_o is at 0.";
+    assert!(weak.lines().next().unwrap().contains(hardly), "{weak}");
+}
+
+#[test]
+fn a_loop_that_no_gain_makes_robust_is_answered_all_the_same() {
+    let sensors = "[[sensor]]\nkind = \"load-cell\"\nname = \"1\"\nend = 1\nrange = \"150 N\"\ndelay = \"20 ms\"\n\
+                   [[sensor]]\nkind = \"load-cell\"\nname = \"2\"\nend = 2\nrange = \"150 N\"\ndelay = \"20 ms\"\n\
+                   [[sensor]]\nkind = \"deflection\"\nname = \"3\"\nrange = \"68 mm\"\ndelay = \"6 ms\"\n\
+                   [[sensor]]\nkind = \"inductance\"\nname = \"4\"\naveraging = \"40 ms\"\n";
+    let loop_ = "drive = \"velocity\"\ncontroller = \"PI\"\nintegral_time = \"10 ms\"\n";
+    let answer = lines(&of(&format!("{}{sensors}", damped(loop_))));
+    let first = answer.lines().next().unwrap();
+    assert!(
+        first.contains("yet at every gain its sensitivity is above 2 at some damping: stability up to"),
+        "{answer}"
+    );
+    // Nor does an observer that carries the loop by itself leave a gain of nothing.
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("spec.toml");
+    let observed = damped("drive = \"velocity\"\nobserver_bandwidth = \"2 Hz\"\ncrossover = \"0.5 Hz\"\n");
+    std::fs::write(&file, observed).unwrap();
+    let said = super::refused(&["placement", path(&file)]);
+    assert!(
+        said.contains("at a crossover of 0.500 Hz the observer alone carries the loop, whatever the gain"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -257,18 +324,17 @@ fn how_far_a_reference_is_followed_is_the_loops_own() {
     let text = include_str!("../../../coilsense-lab/data/springs/S_T.toml");
     let drive = "drive = \"force\"\nmotor_mass = \"2 kg\"\nmotor_friction = \"200 N s/m\"\n";
     let motor = |more: &str| of(&format!("{text}\n[mount]\ndamping_ratio = 0.01\n[control]\n{drive}{more}"));
-    let weak = motor("controller = \"P\"\ncrossover = \"6 Hz\"\n");
+    let weak = motor("controller = \"P\"\ncrossover = \"0.8 Hz\"\n");
     let slow = weak["follows_slowly"].as_f64().unwrap();
-    assert!(slow > 0.1 && slow < 1.0, "{slow}");
-    if slow < 0.7071 {
-        assert!(lines(&weak).contains("of even a slow reference"), "{}", lines(&weak));
-    }
+    assert!(slow > 0.01 && slow < 0.7071, "{slow}");
+    let answer = lines(&weak);
+    assert!(answer.contains("of even a slow reference") && weak["follows_up_to_hz"].is_null(), "{answer}");
     // With one it comes to the reference, up to some hertz less than the crossover of motor and spring.
     let integral = motor("crossover = \"6 Hz\"\n");
     assert!((integral["follows_slowly"].as_f64().unwrap() - 1.0).abs() < 1e-3, "{integral}");
     let up_to = integral["follows_up_to_hz"].as_f64().unwrap();
     assert!(
-        up_to > 0.0 && lines(&integral).contains("F_o following the reference up to"),
+        up_to > 2.0 && up_to < 12.0 && lines(&integral).contains("F_o following the reference within 3 dB up to"),
         "{up_to} {}",
         lines(&integral)
     );

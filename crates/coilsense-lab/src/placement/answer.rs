@@ -4,7 +4,7 @@
 
 use coilsense::Channel;
 
-use super::{Candidate, Placement, Reading, TIE, TOLERANCE, head, told};
+use super::{CLEAR, Candidate, Placement, Reading, TIE, TOLERANCE, head, told};
 use crate::quantity::digits;
 
 /// What stands behind a force's name.
@@ -29,9 +29,10 @@ pub(crate) fn answered(placement: &Placement) -> [Vec<String>; 2] {
     let mut first = vec![head::head(placement, best)];
     first.extend(head::limits(placement, best));
     first.extend(head::set(placement, best));
-    first.extend(tie_line(placement));
+    first.extend(head::faster(placement, best));
+    first.extend(tie_line(placement).filter(|_| best.robust_crossover() > 0.0 && best.is_stable()));
     first.push(springs_line(placement));
-    first.extend(sensors_line(placement));
+    first.push(sensors_line(placement));
     let others = placement.candidates.iter().filter(|other| other.channel != best.channel);
     let mut lines: Vec<String> = others.map(|other| other_line(placement, other)).collect();
     lines.extend(placement.estimates.iter().map(|estimate| {
@@ -45,7 +46,7 @@ pub(crate) fn answered(placement: &Placement) -> [Vec<String>; 2] {
             reach.1
         )
     }));
-    if let Some(line) = passivity_line(placement, best) {
+    if let Some(line) = passivity_line(placement, best).filter(|_| best.is_stable()) {
         lines.push(line);
     }
     let (warnings, runs): (Vec<String>, Vec<String>) =
@@ -114,9 +115,9 @@ fn nominal(placement: &Placement) -> Option<String> {
 }
 
 /// How late the forces are read.
-fn sensors_line(placement: &Placement) -> Option<String> {
+fn sensors_line(placement: &Placement) -> String {
     if placement.spec.sensors.is_empty() {
-        return None;
+        return "The spec has no sensors: each force is taken to be read at once, without noise or error.".to_owned();
     }
     let each = Channel::FORCES.into_iter().zip(&placement.readings);
     let (read, at_once): (Vec<_>, Vec<_>) = each.partition(|(_, reading)| reading.sensor.is_some());
@@ -130,16 +131,25 @@ fn sensors_line(placement: &Placement) -> Option<String> {
         [] => String::new(),
         names => format!(" No sensor of the spec measures {}: taken without lag.", names.join(", ")),
     };
-    let whole = if placement.control.sample_time.is_some() {
-        ", as the worse of the whole numbers of samples on either side"
-    } else {
-        ""
+    let whole = if placement.control.sample_time.is_some() { ", in whole samples" } else { "" };
+    let coarse = Channel::FORCES.into_iter().zip(&placement.readings);
+    let coarse =
+        coarse.filter_map(|(channel, reading)| Some(format!("{} by {} Hz", channel.name(), digits(reading.coarse?))));
+    let coarse: Vec<String> = coarse.collect();
+    let coarse = match coarse.as_slice() {
+        [] => String::new(),
+        lost => format!(
+            " Of what lies below {CLEAR:.0} f1 these have lost 3 dB: {}. Their limits, by a delay alone, are rough, and such a force is chosen only \
+             where there is no other.",
+            lost.join(", ")
+        ),
     };
-    Some(format!(
-        "Each force comes as late as the quickest sensor of the spec tells it, beside the delay of [control]: {}{whole}.{ideal} Noise and errors of \
-         the sensors are not included.",
-        named.join(", ")
-    ))
+    format!(
+        "Each force comes as late as the quickest sensor of the spec tells it, beside the delay of [control]: {}; the worse of a fresh and an old \
+         reading counts{whole}.{ideal}{} What a filter takes off the size of a force is left out, as are noise and errors of the sensors.",
+        named.join(", "),
+        coarse
+    )
 }
 
 /// Which forces could be fed back just as well.

@@ -3,6 +3,7 @@
 //! Next door: stability and sensitivity (`judged`), what is made of it (`super`).
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use coilsense::control::{Point, Response};
 use coilsense::{Channel, Error};
@@ -137,12 +138,21 @@ pub(super) fn calm<'a>(
     }
     let fastest = unit.gain_for(&dampings[0], most)?;
     let each = unit.under(springs, channel);
-    let cases = dampings.iter().flat_map(|damping| each.iter().map(move |under| (damping, *under)));
-    let watch = |(damping, under): (&'a DampingCase, Under<'a>)| {
-        Ok((damping, under, watched(&unit.closed(unit.on(under, damping, channel, fastest)?)?)?))
-    };
-    let mut cases = cases.map(watch).collect::<Result<Vec<_>, Error>>()?;
-    let loudest = |share: f64, (damping, under, watched): &(&'a DampingCase, Under<'a>, Vec<Watched>)| {
+    let mut cases = Vec::new();
+    for damping in dampings {
+        let mut seen: Option<(usize, Arc<Vec<Watched>>)> = None;
+        // Of each spring the latest reading first, whose loop turns most: what is watched of the plant serves the others.
+        for under in each.iter().rev() {
+            let same = seen.as_ref().filter(|(place, _)| *place == under.place).map(|(_, watched)| Arc::clone(watched));
+            let watched = match same {
+                Some(watched) => watched,
+                None => Arc::new(watched(&unit.closed(unit.on(*under, damping, channel, fastest)?)?)?),
+            };
+            seen = Some((under.place, Arc::clone(&watched)));
+            cases.push((damping, *under, watched));
+        }
+    }
+    let loudest = |share: f64, (damping, under, watched): &(&'a DampingCase, Under<'a>, Arc<Vec<Watched>>)| {
         let peaks = peaks(&unit.closed(unit.on(*under, damping, channel, share * fastest)?)?, watched)?;
         Ok::<Peak, Error>(if peaks[1].over_static > peaks[0].over_static { peaks[1] } else { peaks[0] })
     };

@@ -2,8 +2,10 @@
 //!
 //! Next door: the rest of the answer (`answer`), its numbers (`super`).
 
+use coilsense::control::Environment;
+
 use super::answer::{place, unstable, upto};
-use super::{Candidate, MOST_PEAK, Peak, Placement};
+use super::{Candidate, MOST_PEAK, Peak, Placement, TIE};
 use crate::quantity::digits;
 
 /// What is recommended, or what a crossover that is given does.
@@ -13,8 +15,29 @@ pub(super) fn head(placement: &Placement, best: &Candidate) -> String {
     let without = if is_instant { "; the spec has no sensor of it" } else { "" };
     let name = format!("{} ({}{without})", channel.name(), place(channel));
     if best.stable_crossover() == 0.0 {
-        return format!("Feed back none of the forces with these gains: none is stable, not even {name}.");
+        return "Feed back none of the forces with these gains: none is stable at any.".to_owned();
     }
+    if !best.is_stable() {
+        let nearest = placement.candidates.iter().max_by(|a, b| a.stable_crossover().total_cmp(&b.stable_crossover()));
+        let nearest = nearest.unwrap_or(best);
+        return format!(
+            "No force is stable at the crossover of {} Hz; {} ({}) comes nearest: {}.",
+            digits(placement.crossover),
+            nearest.channel.name(),
+            place(nearest.channel),
+            upto("stability", 0.0, nearest.stable_crossover())
+        );
+    }
+    let weak = match (placement.follows, placement.control.environment) {
+        (Some([slow, _]), Environment::Held) if slow < FOLLOWS => {
+            format!(" Such gains hardly control the force: F_o is at {} of even a slow reference.", digits(slow))
+        }
+        _ => String::new(),
+    };
+    recommended(placement, best, &name) + &weak
+}
+
+fn recommended(placement: &Placement, best: &Candidate, name: &str) -> String {
     let within = format!("both ends stay within {MOST_PEAK} times their static response");
     if let Some(crossover) = placement.control.crossover {
         return format!(
@@ -45,9 +68,6 @@ pub(super) fn head(placement: &Placement, best: &Candidate) -> String {
 
 /// Whether the loop that is set is stable, robust and quiet.
 fn verdict(best: &Candidate, within: &str) -> String {
-    if !best.is_stable() {
-        return "it is unstable".to_owned();
-    }
     let modulus = best.judged.iter().map(|judged| judged.margins.modulus).fold(f64::INFINITY, f64::min);
     let (sensitivity, loud) = (1.0 / modulus, loudest(best).filter(|peak| peak.over_static > MOST_PEAK));
     let robust = if sensitivity > 2.0 * (1.0 + 1e-6) { ", above the limit of 2" } else { "" };
@@ -83,7 +103,13 @@ pub(super) fn limits(placement: &Placement, best: &Candidate) -> Option<String> 
         _ => String::new(),
     };
     let robust = upto("a sensitivity of at most 2", best.robust_from(), best.robust_crossover());
-    let limits = format!("Its limits: {quiet}{robust}, {}", upto("stability", 0.0, stable));
+    // A loop with three integrations is stable again where it is fast.
+    let again = if best.is_stable() && placement.crossover > stable * (1.0 + TIE) {
+        "; as set it is past a range in which it is not stable, and stable again"
+    } else {
+        ""
+    };
+    let limits = format!("Limits from the slowest loop on: {quiet}{robust}, {}{again}", upto("stability", 0.0, stable));
     let Some((fastest, rings)) = best.rings else { return Some(format!("{limits}.")) };
     let (force, size, at) = (rings.force.name(), digits(rings.over_static), digits(rings.at));
     let there = format!("at {} Hz {force} peaks at {size} times its static response at {at} Hz", digits(fastest));
@@ -107,25 +133,52 @@ pub(super) fn set(placement: &Placement, best: &Candidate) -> Option<String> {
     let phase = best.judged.iter().map(|judged| judged.margins.phase).fold(f64::INFINITY, f64::min).to_degrees();
     let phase = if phase.is_finite() { format!("a phase margin of {phase:.0}°, ") } else { String::new() };
     let loads = best.judged.iter().filter_map(|judged| judged.peaks).map(|[_, load]| load);
-    let peak = loads.max_by(|a, b| a.size.total_cmp(&b.size));
-    let (size, at) = peak.map_or((0.0, 0.0), |peak| (peak.size, peak.at));
+    let peak = loads.max_by(|a, b| a.size.total_cmp(&b.size)).filter(|peak| peak.size > LEAST_PEAK);
+    let peak = peak.map_or_else(
+        || "no peak of F_o above it".to_owned(),
+        |peak| format!("a peak of F_o of {} times it at {} Hz", digits(peak.size), digits(peak.at)),
+    );
     let follows = match placement.follows {
         None => String::new(),
         Some([slow, _]) if slow < FOLLOWS => format!("F_o at {} of even a slow reference, ", digits(slow)),
-        Some([_, up_to]) => format!("F_o following the reference up to {} Hz (−3 dB, nominal spring), ", digits(up_to)),
+        Some([_, up_to]) if up_to.is_infinite() => {
+            "F_o following the reference within 3 dB at all frequencies up to f4, ".to_owned()
+        }
+        Some([_, up_to]) => {
+            format!("F_o following the reference within 3 dB up to {} Hz (nominal spring), ", digits(up_to))
+        }
     };
     Some(format!(
-        "At {} Hz: {phase}{follows}a peak of F_o of {} times the reference at {} Hz; unstable on {}; all {}.",
+        "At {} Hz: {phase}{follows}{peak}; unstable on {}; all {}.",
         digits(placement.crossover),
-        digits(size),
-        digits(at),
         unstable(placement),
         damping(placement),
     ))
 }
 
+/// A force that would bear a faster loop than the one chosen, where the reference has no content at what rings.
+pub(super) fn faster(placement: &Placement, best: &Candidate) -> Option<String> {
+    let robust = best.robust_crossover();
+    let readable = |other: &&Candidate| placement.reading(other.channel).coarse.is_none();
+    let others = placement.candidates.iter().filter(readable).filter(|other| other.robust_crossover() > 2.0 * robust);
+    let other = others.max_by(|a, b| a.robust_crossover().total_cmp(&b.robust_crossover()))?;
+    let (_, rings) = other.rings?;
+    Some(format!(
+        "On {} ({}): {}, though {} then answers {} times at {} Hz: for references that are kept free of that, as behind a low-pass.",
+        other.channel.name(),
+        place(other.channel),
+        upto("a sensitivity of at most 2", other.robust_from(), other.robust_crossover()),
+        rings.force.name(),
+        digits(rings.over_static),
+        digits(rings.at)
+    ))
+}
+
+/// A force that rises by less over the reference has no peak \[1\].
+const LEAST_PEAK: f64 = 1.05;
+
 /// What F_o over the reference must reach to follow it: −3 dB.
-pub(super) const FOLLOWS: f64 = std::f64::consts::FRAC_1_SQRT_2;
+pub(crate) const FOLLOWS: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Over which damping all holds.
 fn damping(placement: &Placement) -> String {

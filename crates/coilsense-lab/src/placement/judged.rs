@@ -88,9 +88,15 @@ impl Assessment {
         self.margins = each.into_iter().reduce(least).unwrap_or(self.margins);
         self.peaks = None;
         if self.margins.stable {
-            for force_loop in &loops {
+            let mut seen = None;
+            for (under, force_loop) in cases.iter().zip(&loops).rev() {
                 let closed = unit.closed(force_loop.clone())?;
-                let peaks = calm::peaks(&closed, &calm::watched(&closed)?)?;
+                let watched = match seen.take() {
+                    Some((place, watched)) if place == under.place => watched,
+                    _ => calm::watched(&closed)?,
+                };
+                let peaks = calm::peaks(&closed, &watched)?;
+                seen = Some((under.place, watched));
                 self.peaks = Some(self.peaks.map_or(peaks, |others| calm::larger(others, peaks)));
             }
         }

@@ -11,6 +11,9 @@ use super::allowed::Varied;
 use super::reading::Reading;
 use crate::spec::{ControlSpec, DampingCase, Spec};
 
+/// The least gain that is looked at (command unit per N).
+const LEAST_GAIN: f64 = 1e-12;
+
 /// Makes loops of a spec.
 #[derive(Clone, Copy)]
 pub(super) struct UnitLoops<'a> {
@@ -114,12 +117,18 @@ impl UnitLoops<'_> {
             return Ok(1.0 / size(1.0)?);
         }
         // An observer adds to the loop whatever the gain: from where it alone is below 1, by bisection.
-        let (mut low, mut high) = (1e-12, 1e12);
+        let (mut low, mut high) = (LEAST_GAIN, 1.0 / LEAST_GAIN);
         for _ in 0..200 {
             let middle = f64::sqrt(low * high);
             if size(middle)? < 1.0 { low = middle } else { high = middle }
         }
         Ok(low)
+    }
+
+    /// Whether the observer alone carries a loop of a spring without mass above 1 there.
+    pub fn is_observers(&self, damping: &DampingCase, crossover: f64) -> Result<bool, Error> {
+        let alone = self.force_loop(damping, Channel::DeflectionForce, LEAST_GAIN)?;
+        Ok(self.control.shape.observer_bandwidth.is_some() && alone.massless(TAU * crossover)?.norm() >= 1.0)
     }
 
     pub fn passivity(&self, force_loop: &ForceLoop) -> Result<Option<Passivity>, Error> {

@@ -24,12 +24,14 @@ pub use answer::answer;
 pub(crate) use answer::answered;
 pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
+pub(crate) use head::FOLLOWS;
 pub use judged::Assessment;
 use loops::UnitLoops;
 pub use over_time::{BESIDE, LoopRun, Verdict};
-pub use reading::Reading;
+pub use reading::{CLEAR, Reading};
 pub use told::drive_words;
 
+use crate::quantity::digits;
 use crate::spec::{ControlSpec, DampingCase, Spec};
 
 /// What can go wrong on the way.
@@ -93,8 +95,8 @@ pub struct Placement {
     pub crossover: f64,
     /// The proportional gain that makes it so (command unit per N).
     pub gain: f64,
-    /// F_o over a slow reference \[1\], and up to where it stays above −3 dB of the reference \[Hz\], with the loop as set on the nominal spring, the
-    /// least of all dampings; `None` where that loop is unstable.
+    /// F_o over a slow reference \[1\], and up to where it stays within 3 dB of the reference \[Hz\], infinite where nothing up to the fourth surge line
+    /// ends that: with the loop as set on the nominal spring, the least of all dampings; `None` where that loop is unstable.
     pub follows: Option<[f64; 2]>,
     /// Every loop over time, in samples or continuous as it is judged: each force, then each estimate.
     pub runs: Vec<LoopRun>,
@@ -129,20 +131,30 @@ impl Placement {
         let judge = Judge { unit, dampings: &dampings, springs: &allowed.each };
         let alone = Judge { springs: allowed.nominal(), ..judge };
         let (mut candidates, mut nominal) = (judge.all().map_err(science)?, alone.all().map_err(science)?);
-        let leading = leading(&candidates, control.crossover);
-        let best = leading[0];
-        let crossover = control.crossover.unwrap_or(match candidates[best].calm_crossover {
-            0.0 => candidates[best].robust_crossover().min(unit.most()),
-            calm => calm,
-        });
+        let crossover = match control.crossover {
+            Some(crossover) => crossover,
+            None => advised(&candidates[leading(&candidates, &readings, false)[0]], unit.most()).ok_or_else(|| {
+                PlacementError::Spec(format!("{file}: [control]: no loop on any of the forces is stable at any gain"))
+            })?,
+        };
         let gain = unit.gain_for(&dampings[0], crossover).map_err(science)?;
+        if unit.is_observers(&dampings[0], crossover).map_err(science)? {
+            return Err(PlacementError::Spec(format!(
+                "{file}: [control]: at a crossover of {} Hz the observer alone carries the loop, whatever the gain: set a larger crossover or a smaller \
+                 observer_bandwidth",
+                digits(crossover)
+            )));
+        }
         judge.set(&mut candidates, gain).map_err(science)?;
         alone.set(&mut nominal, gain).map_err(science)?;
+        let is_given = control.crossover.is_some();
+        let leading_of = |candidates: &[Candidate]| leading(candidates, &readings, is_given);
+        let (leading, nominal_best) = (leading_of(&candidates), leading_of(&nominal)[0]);
+        let best = leading[0];
         let estimates = estimated::all(&unit, &dampings, gain, &allowed).map_err(science)?;
         let runs = over_time::runs(&unit, &dampings, &candidates, &estimates, &allowed, gain).map_err(science)?;
         let undamped_left_out = dampings.len() < spec.mount.cases.len();
         let ties = leading[1..].to_vec();
-        let nominal_best = self::leading(&nominal, control.crossover)[0];
         let mut placement = Self {
             control,
             dampings,
@@ -217,16 +229,15 @@ impl Placement {
     }
 }
 
-/// Where a response falls below what follows a reference \[Hz\], on the straight line between two of its points; where it never does, its last.
+/// Where a response leaves what follows a reference within 3 dB \[Hz\], on the straight line between two of its points; infinite where it never does.
 fn followed_up_to(points: &[Point]) -> f64 {
     let size = |point: &Point| point.response.norm();
-    let lost = points.windows(2).find(|pair| size(&pair[0]) >= head::FOLLOWS && size(&pair[1]) < head::FOLLOWS);
-    let of = |[a, b]: [&Point; 2]| {
-        let share = (size(a) - head::FOLLOWS) / (size(a) - size(b));
-        a.angular_frequency + share * (b.angular_frequency - a.angular_frequency)
-    };
-    let never = || points.last().map_or(0.0, |point| point.angular_frequency);
-    lost.map_or_else(never, |pair| of([&pair[0], &pair[1]])) / TAU
+    let follows = |point: &Point| (head::FOLLOWS..=1.0 / head::FOLLOWS).contains(&size(point));
+    let lost = points.windows(2).find(|pair| follows(&pair[0]) && !follows(&pair[1]));
+    let Some([a, b]) = lost else { return f64::INFINITY };
+    let bound = if size(b) < size(a) { head::FOLLOWS } else { 1.0 / head::FOLLOWS };
+    let share = (size(a) - bound) / (size(a) - size(b));
+    (a.angular_frequency + share * (b.angular_frequency - a.angular_frequency)) / TAU
 }
 
 /// Judges all forces on some springs.
@@ -285,34 +296,50 @@ impl Candidate {
         if from < up_to { [from, up_to] } else { [0.0; 2] }
     }
 
+    /// How good the loop is as it is set: stable, with a sensitivity of at most 2, and quiet besides.
+    fn as_set(&self) -> f64 {
+        let peaks = self.judged.iter().filter_map(|judged| judged.peaks).flatten();
+        let is_quiet = peaks.fold(0.0, |most: f64, peak| most.max(peak.over_static)) <= MOST_PEAK * (1.0 + SLACK);
+        let is_robust = self.judged.iter().all(|judged| judged.margins.modulus >= 0.5 * (1.0 - SLACK));
+        let each = [true, is_robust, is_robust && is_quiet].map(|holds| self.is_stable() && holds);
+        each.into_iter().map(|holds| f64::from(u8::from(holds))).sum()
+    }
+
     /// Whether it is stable as it is set, at every damping.
     pub fn is_stable(&self) -> bool {
         self.judged.iter().all(|judged| judged.margins.stable)
     }
 }
 
+/// A limit that was found by halving is met this nearly \[1\].
+const SLACK: f64 = 1e-3;
+
 /// Crossovers this near each other count as one \[1\]: no spring and no controller is known better.
 pub(super) const TIE: f64 = 0.01;
 
 /// The fastest in which neither end rings, of equals the fastest at all: each that is within [`TIE`] of them, F_L last, which needs a calibration and a
-/// meter that is quick enough. Where a crossover is `wanted` \[Hz\], one with which nothing rings there, else a sensible one, else a stable one.
-fn leading(candidates: &[Candidate], wanted: Option<f64>) -> Vec<usize> {
-    let reaches = |candidate: &Candidate| {
-        let from = candidate.robust_from();
-        let limits = [
-            (from, candidate.calm_crossover),
-            (from, candidate.robust_crossover()),
-            (0.0, candidate.stable_crossover()),
-        ];
-        let within = |(from, to): &(f64, f64)| wanted.is_some_and(|wanted| (*from..=*to).contains(&wanted));
-        limits.iter().filter(|limit| within(limit)).count() as f64
-    };
-    let measures: [&dyn Fn(&Candidate) -> f64; 3] =
-        [&reaches, &|candidate| candidate.calm_crossover, &Candidate::robust_crossover];
+/// meter that is quick enough. Where the crossover `is_given`, one with which nothing rings as set, else a sensible one, else a stable one. What a sensor
+/// shows too coarsely only where there is nothing else.
+fn leading(candidates: &[Candidate], readings: &[Reading], is_given: bool) -> Vec<usize> {
+    let clear = |index: usize| f64::from(u8::from(readings[index].coarse.is_none()));
+    let as_set = |index: usize| if is_given { candidates[index].as_set() } else { 0.0 };
+    let measures: [&dyn Fn(usize) -> f64; 5] = [
+        &|index| if candidates[index].stable_crossover() > 0.0 { clear(index) } else { 0.0 },
+        &as_set,
+        &|index| candidates[index].calm_crossover,
+        &|index| candidates[index].robust_crossover(),
+        &|index| if candidates[index].robust_crossover() > 0.0 { 0.0 } else { candidates[index].stable_crossover() },
+    ];
     let mut left: Vec<usize> = (0..candidates.len()).collect();
     for measure in measures {
-        let most = left.iter().map(|&index| measure(&candidates[index])).fold(0.0, f64::max);
-        left.retain(|&index| measure(&candidates[index]) >= (1.0 - TIE) * most);
+        let most = left.iter().map(|&index| measure(index)).fold(0.0, f64::max);
+        left.retain(|&index| measure(index) >= (1.0 - TIE) * most);
     }
     left
+}
+
+/// The crossover that is set where none is given \[Hz\]: quiet, else robust, else half of what is stable; `None` where nothing is.
+fn advised(best: &Candidate, most: f64) -> Option<f64> {
+    let each = [best.calm_crossover, best.robust_crossover().min(most), 0.5 * best.stable_crossover().min(most)];
+    each.into_iter().find(|crossover| *crossover > 0.0)
 }

@@ -14,9 +14,16 @@ pub struct Reading {
     pub sensor: Option<String>,
     /// How late that tells slow changes \[s\].
     pub lag: f64,
-    /// From force to command with it \[s\]: in samples the whole numbers of them on either side, for a loop may bear the longer better.
+    /// From force to command with it, the least and the most \[s\]: a loop may bear the longer better. A reading is fresh or as old as the next one;
+    /// in samples these are whole numbers.
     pub delays: Vec<f64>,
+    /// Where the sensor has lost 3 dB, if that is below [`CLEAR`] times the first surge frequency \[Hz\]: what a delay alone says of the surge is then
+    /// no statement, and the force is fed back only where there is no other.
+    pub coarse: Option<f64>,
 }
+
+/// Up to so many times the first surge frequency a sensor must show a force for its lag to stand for it.
+pub const CLEAR: f64 = 3.0;
 
 /// A lag so near a whole number of samples is one \[1\].
 const WHOLE: f64 = 1e-6;
@@ -31,23 +38,32 @@ impl Reading {
     }
 
     fn of(channel: Channel, spec: &Spec, control: &ControlSpec) -> Result<Self, Error> {
-        let mut quickest: Option<(&SensorSpec, f64)> = None;
+        let mut quickest: Option<(&SensorSpec, Readout, f64)> = None;
         for sensor in spec.sensors.iter().filter(|sensor| measures(&sensor.quantity) == channel) {
-            let lag = Readout::new(sensor.readout.clone())?.lag(0.0);
-            quickest = quickest.filter(|(_, least)| *least <= lag).or(Some((sensor, lag)));
+            let readout = Readout::new(sensor.readout.clone())?;
+            let lag = readout.lag(0.0);
+            if quickest.as_ref().is_none_or(|(.., least)| lag < *least) {
+                quickest = Some((sensor, readout, lag));
+            }
         }
-        let lag = quickest.map_or(0.0, |(_, lag)| lag);
-        let delays = match control.sample_time {
-            None => vec![control.delay + lag],
+        let Some((sensor, readout, lag)) = quickest else {
+            return Ok(Self { sensor: None, lag: 0.0, delays: vec![control.delay], coarse: None });
+        };
+        let period = sensor.readout.sample_rate.map_or(0.0, |rate| 1.0 / rate);
+        let (fresh, stale) = (lag - 0.5 * period, lag + 0.5 * period);
+        let (least, most) = match control.sample_time {
+            None => (fresh, stale),
             Some(step) => {
-                let (samples, late) = (lag / step, (control.delay / step).round());
-                let near = (samples - samples.round()).abs() <= WHOLE;
-                let both = if near { [samples.round(); 2] } else { [samples.floor(), samples.ceil()] };
-                let each = both.map(|whole| (late + whole) * step);
-                if near { vec![each[0]] } else { each.to_vec() }
+                // A sensor that is quicker than the controller is read when it has something new.
+                let most = if period > step { stale } else { lag };
+                ((fresh / step + WHOLE).floor() * step, (most / step - WHOLE).ceil() * step)
             }
         };
-        Ok(Self { sensor: quickest.map(|(sensor, _)| sensor.name.clone()), lag, delays })
+        let mut delays = vec![control.delay + least, control.delay + most];
+        delays.dedup_by(|one, other| (*one - *other).abs() <= WHOLE * lag);
+        let bandwidth = readout.bandwidth_3db();
+        let coarse = (bandwidth < CLEAR * spec.spring.spring.surge_frequency()).then_some(bandwidth);
+        Ok(Self { sensor: Some(sensor.name.clone()), lag, delays, coarse })
     }
 }
 

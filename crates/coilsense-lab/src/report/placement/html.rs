@@ -38,7 +38,6 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
             gain => significant(placement.gain),
             unit => placement.control.drive.command_unit(),
             sampled => placement.control.sample_time.map(|step| digits(1.0 / step)),
-            best => placement.candidates[placement.best].channel.name(),
             bode => drawn("bode", &figures::bode(placement, &traces))?,
             tracking => figures::tracking(placement)?.map(|figure| drawn("tracking", &figure)).transpose()?,
             nyquist => drawn("nyquist", &figures::nyquist(&traces))?,
@@ -76,7 +75,6 @@ fn rows(placement: &Placement) -> Vec<Value> {
             let when = |holds: bool, text: String| if holds { text } else { "–".to_owned() };
             context! {
                 first => index == 0,
-                span => candidate.judged.len(),
                 name,
                 damping => &damping.label,
                 stable_to => bounded(judged.stable_crossover, digits),

@@ -4,7 +4,7 @@
 
 use serde::Serialize;
 
-use crate::placement::{Assessment, Candidate, Estimated, LoopRun, MOST_PEAK, Placement, answer, drive_words};
+use crate::placement::{Assessment, Candidate, Estimated, FOLLOWS, LoopRun, MOST_PEAK, Placement, answer, drive_words};
 use crate::report::outcome::{Outcome, to_json};
 use crate::spec::DampingCase;
 
@@ -24,8 +24,8 @@ pub struct PlacementOutcome<'a> {
     surge_tolerance_percent: f64,
     /// Of the loop as it is set, with a spring without mass.
     crossover_hz: f64,
-    /// With the loop as set on the nominal spring: F_o over a slow reference, and up to where it stays above −3 dB of the reference, the least of all
-    /// dampings; null where that loop is unstable.
+    /// With the loop as set on the nominal spring: F_o over a slow reference, and up to where it stays within 3 dB of the reference, the least of all
+    /// dampings; null where that loop is unstable, the second also where it does not follow a slow reference or nothing up to the fourth surge line ends it.
     follows_slowly: Option<f64>,
     follows_up_to_hz: Option<f64>,
     /// How far an end force may exceed its static response.
@@ -96,6 +96,8 @@ struct CandidateRow<'a> {
     sensor: Option<&'a str>,
     /// How late that tells slow changes, beside the delay of `[control]`.
     sensor_lag_s: f64,
+    /// Where it has lost 3 dB, if that is below three times the first surge frequency, so that its limits are rough.
+    sensor_coarse_hz: Option<f64>,
     stable_crossover_hz: Option<f64>,
     /// With a sensitivity of at most 2.
     robust_crossover_hz: Option<f64>,
@@ -156,7 +158,7 @@ impl<'a> PlacementOutcome<'a> {
             surge_tolerance_percent: 100.0 * placement.allowed.frequency,
             crossover_hz: placement.crossover,
             follows_slowly: placement.follows.map(|[slow, _]| slow),
-            follows_up_to_hz: placement.follows.map(|[_, up_to]| up_to),
+            follows_up_to_hz: placement.follows.and_then(|[slow, up_to]| finite(up_to).filter(|_| slow >= FOLLOWS)),
             most_peak: MOST_PEAK,
             proportional_gain: placement.gain,
             command_unit: placement.control.drive.command_unit(),
@@ -214,6 +216,7 @@ impl<'a> CandidateRow<'a> {
             force: candidate.channel.name(),
             sensor: reading.sensor.as_deref(),
             sensor_lag_s: reading.lag,
+            sensor_coarse_hz: reading.coarse,
             stable_crossover_hz: finite(candidate.stable_crossover()),
             robust_crossover_hz: finite(candidate.robust_crossover()),
             robust_from_hz: candidate.robust_from(),
