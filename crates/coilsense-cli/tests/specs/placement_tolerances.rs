@@ -226,6 +226,22 @@ fn a_slow_sensor_is_no_quick_one() {
 }
 
 #[test]
+fn a_sensor_that_nobody_has_is_not_chosen() {
+    // F_L without a meter ties with deflection where the ends ring, and bears more sensitivity, since nothing delays it.
+    let encoders =
+        "[[sensor]]\nkind = \"two-encoder\"\nname = \"encoders\"\nrange = \"68 mm\"\nsample_rate = \"4 kHz\"\n";
+    let cell = "[[sensor]]\nkind = \"load-cell\"\nname = \"cell\"\nend = 2\nrange = \"150 N\"\nbandwidth = \"1 kHz\"\n";
+    let loop_ = "drive_bandwidth = \"60 Hz\"\nsample_time = \"1 ms\"\ndelay = \"1 ms\"\n";
+    let result = with_sensors(loop_, &format!("{encoders}{cell}"));
+    let fed = candidate(&result, result["feed_back"].as_str().unwrap());
+    assert!(fed["sensor"].is_string(), "{}", lines(&result));
+    assert!(!lines(&result).lines().next().unwrap().contains("no sensor of it"));
+    // And where the only sensor is too coarse, a force that is still to be measured is named as such.
+    let none = with_sensors(loop_, METER);
+    assert!(lines(&none).lines().next().unwrap().contains("the spec has no sensor of it"), "{}", lines(&none));
+}
+
+#[test]
 fn a_lag_within_a_sample_is_judged_at_both_of_its_ends() {
     let loop_ = "sample_time = \"0.5 ms\"\n";
     let cell = |delay: &str| {

@@ -89,6 +89,9 @@ fn loudest(best: &Candidate) -> Option<&Peak> {
     peaks.max_by(|a, b| a.over_static.total_cmp(&b.over_static))
 }
 
+/// What does not excite what rings, and what does.
+const UNLESS: &str = "A reference without content there does not excite that, what disturbs the loop does";
+
 /// Up to where what holds of the force, and what rings past that.
 pub(super) fn limits(placement: &Placement, best: &Candidate) -> Option<String> {
     let stable = best.stable_crossover();
@@ -118,10 +121,9 @@ pub(super) fn limits(placement: &Placement, best: &Candidate) -> Option<String> 
         if best.robust_from() > 0.0 { "no slower loop with a sensitivity of at most 2" } else { "no slower loop" };
     Some(match calm {
         0.0 => format!(
-            "{limits}; {there}, and {slower} keeps both ends within {MOST_PEAK} times. A reference without content there does not excite that, \
-             what disturbs the loop does; more damping of the spring or the load lowers it."
+            "{limits}; {there}, and {slower} keeps both ends within {MOST_PEAK} times. {UNLESS}; more damping of the spring or the load lowers it."
         ),
-        _ => format!("{limits}; {there}."),
+        _ => format!("{limits}; {there}. {UNLESS}."),
     })
 }
 

@@ -108,19 +108,7 @@ impl Placement {
     /// # Errors
     /// [`PlacementError`] where the spec has no `[control]`, no damping above zero, or the science refuses.
     pub fn of(mut spec: Spec) -> Result<Self, PlacementError> {
-        spec.needs_chain("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
-        spec.needs_no_contact("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
-        let Some(control) = spec.control else {
-            let text = "the table [control] is missing; it says how the spring is driven, at least: drive = \"velocity\", or drive = \"force\" and motor_mass";
-            return Err(PlacementError::Spec(format!("{}: {text}", spec.file)));
-        };
-        let is_damped = |case: &&DampingCase| case.ratio.is_none_or(|ratio| ratio > 0.0);
-        let dampings: Vec<DampingCase> = spec.mount.cases.iter().filter(is_damped).cloned().collect();
-        if dampings.is_empty() {
-            let text =
-                "[mount] damping_ratio = 0: must be above zero for a loop: without damping none on F_o is stable";
-            return Err(PlacementError::Spec(format!("{}: {text}", spec.file)));
-        }
+        let (control, dampings) = asked(&spec)?;
         spec.spring.look_up_surges(&spec.mount.ends);
         let file = spec.file.clone();
         let science = |source| PlacementError::Science { file: file.clone(), source };
@@ -229,6 +217,23 @@ impl Placement {
     }
 }
 
+/// The loop of a spec and its dampings.
+fn asked(spec: &Spec) -> Result<(ControlSpec, Vec<DampingCase>), PlacementError> {
+    spec.needs_chain("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
+    spec.needs_no_contact("placement").map_err(|refused| PlacementError::Spec(refused.to_string()))?;
+    let Some(control) = spec.control else {
+        let text = "the table [control] is missing; it says how the spring is driven, at least: drive = \"velocity\", or drive = \"force\" and motor_mass";
+        return Err(PlacementError::Spec(format!("{}: {text}", spec.file)));
+    };
+    let is_damped = |case: &&DampingCase| case.ratio.is_none_or(|ratio| ratio > 0.0);
+    let dampings: Vec<DampingCase> = spec.mount.cases.iter().filter(is_damped).cloned().collect();
+    if dampings.is_empty() {
+        let text = "[mount] damping_ratio = 0: must be above zero for a loop: without damping none on F_o is stable";
+        return Err(PlacementError::Spec(format!("{}: {text}", spec.file)));
+    }
+    Ok((control, dampings))
+}
+
 /// Where a response leaves what follows a reference within 3 dB \[Hz\], on the straight line between two of its points; infinite where it never does.
 fn followed_up_to(points: &[Point]) -> f64 {
     let size = |point: &Point| point.response.norm();
@@ -318,10 +323,15 @@ const SLACK: f64 = 1e-3;
 pub(super) const TIE: f64 = 0.01;
 
 /// The fastest in which neither end rings, of equals the fastest at all: each that is within [`TIE`] of them, F_L last, which needs a calibration and a
-/// meter that is quick enough. Where the crossover `is_given`, one with which nothing rings as set, else a sensible one, else a stable one. What a sensor
-/// shows too coarsely only where there is nothing else.
+/// meter that is quick enough. Where the crossover `is_given`, one with which nothing rings as set, else a sensible one, else a stable one. Forces that the
+/// spec's sensors measure come first, then, where it has sensors, those that none does, then those that one shows too coarsely.
 fn leading(candidates: &[Candidate], readings: &[Reading], is_given: bool) -> Vec<usize> {
-    let clear = |index: usize| f64::from(u8::from(readings[index].coarse.is_none()));
+    let has_sensors = readings.iter().any(|reading| reading.sensor.is_some());
+    let clear = |index: usize| match &readings[index] {
+        Reading { coarse: Some(_), .. } => 1.0,
+        Reading { sensor: None, .. } if has_sensors => 2.0,
+        _ => 3.0,
+    };
     let as_set = |index: usize| if is_given { candidates[index].as_set() } else { 0.0 };
     let measures: [&dyn Fn(usize) -> f64; 5] = [
         &|index| if candidates[index].stable_crossover() > 0.0 { clear(index) } else { 0.0 },

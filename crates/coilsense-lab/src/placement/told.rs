@@ -70,7 +70,7 @@ impl LoopRun {
         let seconds = digits(run.time.last().copied().unwrap_or_default());
         let [place, swing] = self.last.unwrap_or_default().map(|share| digits(100.0 * share));
         match self.stable {
-            true => format!("F_o is at {place} % of it after {seconds} s and moves by ±{swing} %"),
+            true => format!("F_o is at {place} % of it at the end of the run, {seconds} s, and moves by ±{swing} %"),
             false => format!("unstable, F_o moves by ±{swing} % of it after {seconds} s"),
         }
     }

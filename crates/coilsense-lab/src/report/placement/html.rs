@@ -6,7 +6,7 @@ use minijinja::{Value, context};
 
 use super::text::significant;
 use super::{bounded, figures, robust};
-use crate::placement::{BESIDE, LoopRun, Placement, answered, drive_words};
+use crate::placement::{BESIDE, LoopRun, MOST_PEAK, Placement, answered, drive_words};
 use crate::quantity::digits;
 use crate::report::ReportError;
 use crate::report::page::{self, drawn};
@@ -33,6 +33,7 @@ pub(super) fn page(placement: &Placement, date: &str) -> Result<String, ReportEr
                 stable_to => bounded(estimate.stable_crossover, digits),
                 robust_to => robust([estimate.robust_from, estimate.robust_crossover], digits),
             }).collect::<Vec<_>>(),
+            most_peak => MOST_PEAK,
             shown => &placement.dampings[placement.shown()].label,
             crossover => digits(placement.crossover),
             gain => significant(placement.gain),
@@ -84,6 +85,8 @@ fn rows(placement: &Placement) -> Vec<Value> {
                 phase => when(margins.stable && margins.phase.is_finite(), format!("{:.0}", margins.phase.to_degrees())),
                 delay => when(margins.stable && margins.delay.is_finite(), digits(1e3 * margins.delay)),
                 sensitivity => when(margins.stable, digits(1.0 / margins.modulus)),
+                quiet => when(candidate.calm_crossover > 0.0, digits(candidate.calm_crossover)),
+                drive_peak => judged.peaks.map_or_else(|| "–".to_owned(), |[drive, _]| format!("{} at {}", digits(drive.size), digits(drive.at))),
                 peak => judged.peaks.map_or_else(|| "–".to_owned(), |[_, load]| format!("{} at {}", digits(load.size), digits(load.at))),
                 passive => judged.passivity.as_ref().filter(|_| margins.stable).map(|passivity| {
                     passivity.active.first().map_or_else(|| format!("≥ {}", digits(passivity.up_to)), |band| digits(band[0]))
