@@ -11,12 +11,12 @@ use super::band;
 use super::budget::{Model, OSCILLATION, SensorBudget, doubt, with_bias};
 use super::case::{Case, Scene};
 use super::moments::Moments;
+use super::overload::overload;
 use super::response::Responses;
 use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
 use super::trial_run::Request;
 use super::verdict::{Assessment, GoalFilter, Verdict};
-use super::warnings;
 use crate::spec::{SensorSpec, Spec, SpringInductance};
 use crate::study::{Bent, Helices};
 
@@ -55,7 +55,7 @@ impl Judge<'_> {
             bandwidth,
             lag: readout.lag(wanted.unwrap_or(0.0)) + filter.map_or(0.0, |filter| filter.lag),
             filter,
-            overload: warnings::overload(self.spec, index, sensor, self.cases).map(|(_, most)| most),
+            overload: overload(self.spec, index, sensor, self.cases).map(|(_, most)| most),
             too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
             by_readout: self.by_readout(index, sensor, &self.cases[worst])?,
             fixes: Vec::new(),

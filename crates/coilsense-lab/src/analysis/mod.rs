@@ -28,6 +28,7 @@ mod judge;
 mod magnetisation;
 mod met;
 mod moments;
+mod overload;
 mod prepared;
 mod refinement;
 mod resonance;

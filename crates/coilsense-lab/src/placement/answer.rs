@@ -4,19 +4,9 @@
 
 use coilsense::Channel;
 
+use super::words::{place, upto};
 use super::{CLEAR, Candidate, Placement, Reading, TIE, TOLERANCE, head, told};
 use crate::quantity::digits;
-
-/// What stands behind a force's name.
-pub(crate) fn place(channel: Channel) -> &'static str {
-    match channel {
-        Channel::InputForce => "load cell at the drive's end",
-        Channel::OutputForce => "load cell at the far end",
-        Channel::DeflectionForce => "deflection",
-        Channel::InductanceForce | Channel::Inductance => "inductance",
-        other => other.name(),
-    }
-}
 
 /// The answer, a sentence or two each: [`answered`] in one.
 pub fn answer(placement: &Placement) -> Vec<String> {
@@ -162,17 +152,6 @@ fn tie_line(placement: &Placement) -> Option<String> {
     (!names.is_empty()).then(|| format!("As fast, within {:.0} %: {}.", 100.0 * TIE, names.join(", ")))
 }
 
-/// What holds between two crossovers \[Hz\]: from the slowest loop on where the first is zero.
-pub(super) fn upto(what: &str, from: f64, hertz: f64) -> String {
-    match (from, hertz) {
-        (_, 0.0) => format!("at no gain {what}"),
-        (0.0, hertz) if hertz.is_infinite() => format!("{what} at any gain"),
-        (0.0, hertz) => format!("{what} up to a crossover of {} Hz", digits(hertz)),
-        (from, hertz) if hertz.is_infinite() => format!("{what} from a crossover of {} Hz on", digits(from)),
-        (from, hertz) => format!("{what} from a crossover of {} Hz to {} Hz", digits(from), digits(hertz)),
-    }
-}
-
 /// At which crossovers the sensitivity is at most 2, of a force that is not the one to feed back.
 fn shortly(from: f64, to: f64) -> String {
     upto(if to == 0.0 { "a sensitivity of at most 2" } else { "sensitivity 2" }, from, to)
@@ -194,13 +173,6 @@ fn other_line(placement: &Placement, other: &Candidate) -> String {
     });
     let robust = shortly(other.robust_from(), other.robust_crossover());
     format!("{name} ({words}): {robust}, {}{place}.", upto("stable", 0.0, stable))
-}
-
-/// Which forces cannot be fed back as the loop is set.
-pub(super) fn unstable(placement: &Placement) -> String {
-    let names: Vec<&str> =
-        placement.candidates.iter().filter(|other| !other.is_stable()).map(|other| other.channel.name()).collect();
-    if names.is_empty() { "none of the four".to_owned() } else { names.join(", ") }
 }
 
 fn passivity_line(placement: &Placement, best: &Candidate) -> Option<String> {

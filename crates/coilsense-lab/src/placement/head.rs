@@ -4,7 +4,7 @@
 
 use coilsense::control::Environment;
 
-use super::answer::{place, unstable, upto};
+use super::words::{place, unstable, upto};
 use super::{Candidate, MOST_PEAK, Peak, Placement, TIE};
 use crate::quantity::digits;
 

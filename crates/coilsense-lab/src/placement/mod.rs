@@ -12,6 +12,7 @@ mod loops;
 mod over_time;
 mod reading;
 mod told;
+mod words;
 
 use std::f64::consts::TAU;
 
@@ -26,7 +27,7 @@ pub use calm::{MOST_PEAK, Peak};
 pub use estimated::{Estimated, TOLERANCE};
 pub(crate) use head::FOLLOWS;
 pub use judged::Assessment;
-use loops::UnitLoops;
+use loops::{Under, UnitLoops};
 pub use over_time::{BESIDE, LoopRun, Verdict};
 pub use reading::{CLEAR, Reading};
 pub use told::drive_words;
@@ -194,14 +195,26 @@ impl Placement {
         self.dampings.len() / 2
     }
 
-    /// F_o over its reference with the loop on a force closed as it is set, in samples where the controller is, on the nominal spring.
+    /// F_o over its reference with the loop on a force closed as it is set, in samples where the controller is, on the nominal spring, read as late as makes
+    /// it largest.
     ///
     /// # Errors
     /// Those of the science.
     pub fn tracking(&self, damping: usize, channel: Channel) -> Result<Vec<Point>, Error> {
-        let unit = self.unit();
-        let closed = unit.closed(self.force_loop(damping, channel)?)?;
-        calm::watched(&closed)?.iter().map(|watched| calm::tracked(&closed, watched)).collect()
+        let (unit, spring) = (self.unit(), &self.spec.spring.spring);
+        let mut loudest: Vec<Point> = Vec::new();
+        let largest = |points: &[Point]| points.iter().map(|point| point.response.norm()).fold(0.0, f64::max);
+        for &delay in unit.delays(channel) {
+            let under = Under { place: 0, spring, delay };
+            let closed = unit.closed(unit.on(under, &self.dampings[damping], channel, self.gain)?)?;
+            let watched = calm::watched(&closed)?;
+            let points = watched.iter().map(|watched| calm::tracked(&closed, watched));
+            let points = points.collect::<Result<Vec<_>, Error>>()?;
+            if largest(&points) > largest(&loudest) {
+                loudest = points;
+            }
+        }
+        Ok(loudest)
     }
 
     /// The loop of a force at the set gain, on the nominal spring.
