@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import control
 import numpy as np
@@ -68,45 +69,75 @@ def test_sampled_steps_are_the_motion(ankle: coilsense.Plant) -> None:
     assert np.abs(forces[:, :2] + ankle.mean_force - told[:, 1:]).max() < 1e-10 * np.abs(told[:, 1:]).max()
 
 
-def stable(gain: float, force: int, matrices: tuple[np.ndarray, ...], step: float) -> bool:
-    """Whether a velocity held for a step, by a force read a step before, settles."""
+def stable(gain: float, force: int, matrices: tuple[np.ndarray, ...], step: float, steps: int) -> bool:
+    """Whether a velocity held for a step, by a force read some steps before, settles."""
     plant = control.ss(*matrices, step)[force, 0]
     # The velocity v makes u1 fall by v each step, straight: what the matrices are exact for.
     integrator = control.ss([[1.0]], [[1.0]], [[-step]], [[0.0]], step)
-    late = control.ss([[0.0]], [[1.0]], [[1.0]], [[0.0]], step)
+    first, last = np.eye(steps)[:, :1], np.eye(steps)[-1:]
+    late = control.ss(np.eye(steps, k=-1), first, last, [[0.0]], step)
     poles = control.feedback(gain * late * plant * integrator, 1).poles()
     return bool(np.abs(poles).max() < 1.0)
 
 
-def limit(force: int, matrices: tuple[np.ndarray, ...], step: float) -> float:
+def limit(force: int, matrices: tuple[np.ndarray, ...], step: float, steps: int = 1) -> float:
     """The gain above which the loop no longer settles."""
     low, high = 1e-4, 1.2e-4
-    assert stable(low, force, matrices, step)
-    while stable(high, force, matrices, step):
+    assert stable(low, force, matrices, step, steps)
+    while stable(high, force, matrices, step, steps):
         low, high = high, 1.2 * high
     while high / low - 1 > 1e-6:
         middle = (low * high) ** 0.5
-        low, high = (middle, high) if stable(middle, force, matrices, step) else (low, middle)
+        low, high = (middle, high) if stable(middle, force, matrices, step, steps) else (low, middle)
     return high
+
+
+# Samples of 0.5 ms from a force to its reading, fresh and old, of the example's sensors: load cells of 0.225 ms (second order at 1 kHz) and up to 0.2 ms
+# of hold, encoders of 0.096 ms and up to 0.048 ms more, a meter that averages over 20 ms and holds for up to 20 ms.
+LATE = {"F_i": (0, 1), "F_o": (0, 1), "F_x": (0, 1), "F_L": (20, 60)}
+
+
+def matrices_of(ratio: float) -> tuple[np.ndarray, ...]:
+    """The ankle in samples of 0.5 ms, F_L brought to k times the stretch."""
+    A, B, C, D = coilsense.plant(EXAMPLE, damping_ratio=ratio, also="F_L").to_state_space(5e-4)
+    # placement's F_L is k times the stretch when all moves slowly; a meter's departs from it by its calibration's form.
+    slowly = C[4] @ np.linalg.solve(np.eye(len(A)) - A, B) + D[4]
+    form = slowly[1] / ankle_spring().stiffness
+    assert 0.9 < form < 1.1 and np.isclose(slowly[0], -slowly[1], rtol=1e-9)
+    C[4], D[4] = C[4] / form, D[4] / form
+    return A, B, C, D
+
+
+FORCES = {"F_i": 0, "F_o": 1, "F_x": 2, "F_L": 4}
+
+
+def judged_of(placement: coilsense.Placement, name: str, ratio: float) -> dict[str, Any]:
+    candidate = next(one for one in placement.to_dict()["candidates"] if one["force"] == name)
+    return next(one for one in candidate["dampings"] if one["damping"] == f"ζ = {ratio}")
+
+
+def test_python_control_settles_by_late_sensors_where_placement_says() -> None:
+    placement, ratio = coilsense.placement(EXAMPLE), 0.02
+    matrices = matrices_of(ratio)
+    for name, force in FORCES.items():
+        nominal = judged_of(placement, name, ratio)["nominal_gain_limit"]
+        for share, settles in ((0.1, True), (0.5, True), (1 - 1e-5, True), (1 + 1e-5, False)):
+            found = [stable(share * nominal, force, matrices, 5e-4, 1 + steps) for steps in LATE[name]]
+            assert all(found) == settles, (name, share, found)
 
 
 def test_python_control_finds_the_limits_of_placement() -> None:
     text = EXAMPLE.read_text()
     assert 'sample_time = "0.5 ms"' in text and 'delay = "0.5 ms"' in text and 'drive = "velocity"' in text
-    found = coilsense.placement(EXAMPLE).to_dict()["candidates"]
+    # Without sensors, so that each force is read at once.
+    head, rest = text.split("[[sensor]]", 1)
+    placement = coilsense.placement(coilsense.Spec.parse(head + rest[rest.index("[goal]") :]))
     worst = 0.0
     for ratio in (0.005, 0.02):
-        plant = coilsense.plant(EXAMPLE, damping_ratio=ratio, also="F_L")
-        A, B, C, D = plant.to_state_space(5e-4)
-        # placement's F_L is k times the stretch when all moves slowly; a meter's departs from it by its calibration's form.
-        slowly = C[4] @ np.linalg.solve(np.eye(len(A)) - A, B) + D[4]
-        form = slowly[1] / ankle_spring().stiffness
-        assert 0.9 < form < 1.1 and np.isclose(slowly[0], -slowly[1], rtol=1e-9)
-        C[4], D[4] = C[4] / form, D[4] / form
-        for name, force in {"F_i": 0, "F_o": 1, "F_x": 2, "F_L": 4}.items():
-            candidate = next(one for one in found if one["force"] == name)
-            judged = next(one for one in candidate["dampings"] if one["damping"] == f"ζ = {ratio}")
-            high = limit(force, (A, B, C, D), 5e-4)
+        matrices = matrices_of(ratio)
+        for name, force in FORCES.items():
+            judged = judged_of(placement, name, ratio)
+            high = limit(force, matrices, 5e-4)
             nominal = judged["nominal_gain_limit"]
             off = high / nominal - 1
             print(f"{name}, ζ = {ratio}: {high:.6g} beside {nominal:.6g}, {100 * off:+.4f} %")
