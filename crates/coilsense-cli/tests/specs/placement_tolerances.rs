@@ -342,7 +342,7 @@ fn how_far_a_reference_is_followed_is_the_loops_own() {
     let motor = |more: &str| of(&format!("{text}\n[mount]\ndamping_ratio = 0.01\n[control]\n{drive}{more}"));
     let weak = motor("controller = \"P\"\ncrossover = \"0.8 Hz\"\n");
     let slow = weak["follows_slowly"].as_f64().unwrap();
-    assert!(slow > 0.01 && slow < 0.7071, "{slow}");
+    assert!(slow > 0.01 && slow < 0.7, "{slow}");
     let answer = lines(&weak);
     assert!(answer.contains("of even a slow reference") && weak["follows_up_to_hz"].is_null(), "{answer}");
     // With one it comes to the reference, up to some hertz less than the crossover of motor and spring.

@@ -8,7 +8,7 @@ use super::words::{place, upto};
 use super::{CLEAR, Candidate, Placement, Reading, TIE, TOLERANCE, head, told};
 use crate::quantity::digits;
 
-/// The answer, a sentence or two each: [`answered`] in one.
+/// The answer, a sentence or two each.
 pub fn answer(placement: &Placement) -> Vec<String> {
     answered(placement).concat()
 }
