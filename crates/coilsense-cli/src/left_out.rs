@@ -10,6 +10,6 @@ pub const WHOLE_BUILD: &str =
     "this build leaves them out (`cargo quick`, or no default features); `cargo run --release --` has them";
 
 /// Refuses a command whose rows are Parquet.
-pub fn rows(_: &Given) -> anyhow::Result<()> {
+pub fn run(_: &Given) -> anyhow::Result<()> {
     bail!("a sweep's rows are Parquet files, and {WHOLE_BUILD}")
 }

@@ -44,6 +44,8 @@ use clap::error::ErrorKind;
 use clap::{ArgMatches, Command};
 use coilsense_lab::report::verbs::VERBS;
 use coilsense_lab::request::{Given, Verb};
+#[cfg(not(feature = "files"))]
+use left_out::{self as pareto, self as sensitivity, self as sweep};
 use unmet::Unmet;
 
 /// What runs a verb.
@@ -63,18 +65,9 @@ const RUNS: [(&str, Run); VERBS.len()] = [
     ("export", export::run),
     ("placement", placement::run),
     ("speed", speed::run),
-    #[cfg(feature = "files")]
     ("sweep", sweep::run),
-    #[cfg(not(feature = "files"))]
-    ("sweep", left_out::rows),
-    #[cfg(feature = "files")]
     ("sensitivity", sensitivity::run),
-    #[cfg(not(feature = "files"))]
-    ("sensitivity", left_out::rows),
-    #[cfg(feature = "files")]
     ("pareto", pareto::run),
-    #[cfg(not(feature = "files"))]
-    ("pareto", left_out::rows),
     ("experiment", experiment::run),
     ("record", record::run),
     ("app", app::run),

@@ -199,7 +199,7 @@ fn a_slow_sensor_is_no_quick_one() {
     assert!((limit / (0.25 / 0.15) - 1.0).abs() < 0.01, "{limit}");
     // It was as fast as deflection within 1 %; now it is not named so, and the others are as they were, without a sensor, which is said.
     let answer = lines(&slow);
-    assert!(answer.contains("below 3 f1 these have lost 3 dB: F_L by 3."), "{answer}");
+    assert!(answer.contains("These have lost 3 dB below 3 f1: F_L at 3."), "{answer}");
     assert!(candidate(&slow, "F_L")["sensor_coarse_hz"].as_f64().is_some_and(|hertz| hertz < 5.0));
     assert!(
         answer.contains("F_L 100 ms (meter)") && answer.contains("No sensor of the spec measures F_i, F_o, F_x"),

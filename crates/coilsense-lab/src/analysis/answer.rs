@@ -170,7 +170,7 @@ pub(crate) fn several(names: &[&str]) -> String {
 /// By how much and where a sensor misses the goal, and why.
 fn missed(analysis: &Analysis, verdict: &Verdict) -> String {
     if let Some(most) = verdict.overload {
-        return format!("overloaded by {} N", digits(most));
+        return format!("overloaded at {} N", digits(most));
     }
     if verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
         return format!("reaches {} Hz only", digits(verdict.bandwidth));

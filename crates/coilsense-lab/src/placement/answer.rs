@@ -124,13 +124,13 @@ fn sensors_line(placement: &Placement) -> String {
     let whole = if placement.control.sample_time.is_some() { ", in whole samples" } else { "" };
     let coarse = Channel::FORCES.into_iter().zip(&placement.readings);
     let coarse =
-        coarse.filter_map(|(channel, reading)| Some(format!("{} by {} Hz", channel.name(), digits(reading.coarse?))));
+        coarse.filter_map(|(channel, reading)| Some(format!("{} at {} Hz", channel.name(), digits(reading.coarse?))));
     let coarse: Vec<String> = coarse.collect();
     let coarse = match coarse.as_slice() {
         [] => String::new(),
         lost => format!(
-            " Of what lies below {CLEAR:.0} f1 these have lost 3 dB: {}. Their limits, by a delay alone, are rough, and such a force is chosen only \
-             where there is no other.",
+            " These have lost 3 dB below {CLEAR:.0} f1: {}. Their limits, by a delay alone, are rough, and such a force is chosen only where there is no \
+             other.",
             lost.join(", ")
         ),
     };

@@ -15,7 +15,7 @@ pub(super) fn head(placement: &Placement, best: &Candidate) -> String {
     let without = if is_instant { "; the spec has no sensor of it" } else { "" };
     let name = format!("{} ({}{without})", channel.name(), place(channel));
     if best.stable_crossover() == 0.0 {
-        return "Feed back none of the forces with these gains: none is stable at any.".to_owned();
+        return "No force can be fed back with this controller: no loop is stable at any gain.".to_owned();
     }
     if !best.is_stable() {
         let nearest = placement.candidates.iter().max_by(|a, b| a.stable_crossover().total_cmp(&b.stable_crossover()));
@@ -112,7 +112,8 @@ pub(super) fn limits(placement: &Placement, best: &Candidate) -> Option<String> 
     } else {
         ""
     };
-    let limits = format!("Limits from the slowest loop on: {quiet}{robust}, {}{again}", upto("stability", 0.0, stable));
+    let limits =
+        format!("Limits as the loop is made faster: {quiet}{robust}, {}{again}", upto("stability", 0.0, stable));
     let Some((fastest, rings)) = best.rings else { return Some(format!("{limits}.")) };
     let (force, size, at) = (rings.force.name(), digits(rings.over_static), digits(rings.at));
     let there = format!("at {} Hz {force} peaks at {size} times its static response at {at} Hz", digits(fastest));
@@ -166,7 +167,7 @@ pub(super) fn faster(placement: &Placement, best: &Candidate) -> Option<String> 
     let other = others.max_by(|a, b| a.robust_crossover().total_cmp(&b.robust_crossover()))?;
     let (_, rings) = other.rings?;
     Some(format!(
-        "On {} ({}): {}, though {} then answers {} times at {} Hz: for references that are kept free of that, as behind a low-pass.",
+        "On {} ({}): {}, though {} then peaks at {} times its static response at {} Hz: only for references without content there, as behind a low-pass.",
         other.channel.name(),
         place(other.channel),
         upto("a sensitivity of at most 2", other.robust_from(), other.robust_crossover()),

@@ -115,7 +115,7 @@ fn a_load_cell_beyond_its_full_scale_is_not_chosen() {
     assert!(verdict.overload.is_some_and(|most| (96.0..100.0).contains(&most)) && verdict.fixes.is_empty());
     assert_eq!(verdict.meets_always(), Some(false));
     let answer = coilsense_lab::analysis::answer(&over).join("\n");
-    assert!(answer.contains("Missed by: near (overloaded by 9"), "{answer}");
+    assert!(answer.contains("Missed by: near (overloaded at 9"), "{answer}");
     let none = analysis(["90 N", "91 N"]);
     assert!(
         first(&none).starts_with("No sensor meets the goal") && first(&none).ends_with(", and it is overloaded."),
