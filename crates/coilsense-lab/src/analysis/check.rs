@@ -3,7 +3,9 @@
 //! Next door: the answer in sentences (`answer`).
 
 use super::Analysis;
-use super::answer::{is_untold, name, wish};
+use super::doubts::is_untold;
+use super::words::{name, wish};
+use crate::quantity::plainly;
 
 /// What a script may rely on.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,6 +31,16 @@ impl Check {
         if is_untold(chosen) {
             return Self::Undecided(format!(
                 "how far {sensor} is off hangs on the first surge frequency, which the spec does not say well enough"
+            ));
+        }
+        if !chosen.has_limits {
+            return Self::Undecided(format!("the spec gives no limit of error of {sensor}, so it may miss the goal"));
+        }
+        if let Some(sooner) = chosen.sooner.filter(|sooner| sooner.error > goal) {
+            return Self::Undecided(format!(
+                "in {} {sensor} misses the goal before the window begins; let the window begin at {} s",
+                analysis.spec.conditions[analysis.cases[sooner.case].condition].name,
+                plainly(sooner.window.0)
             ));
         }
         // Beyond contact the windings of the model pass through one another.

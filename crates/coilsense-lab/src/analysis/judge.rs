@@ -12,6 +12,7 @@ use super::budget::{Model, OSCILLATION, SensorBudget, doubt, with_bias};
 use super::case::{Case, Scene};
 use super::moments::Moments;
 use super::overload::overload;
+use super::rank::has_limits;
 use super::response::Responses;
 use super::specimen::{Specimens, Springs};
 use super::spread::Spread;
@@ -58,6 +59,9 @@ impl Judge<'_> {
             overload: overload(self.spec, index, sensor, self.cases).map(|(_, most)| most),
             too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
             by_readout: self.by_readout(index, sensor, &self.cases[worst])?,
+            // Without sensors a spec is judged by perfect ones.
+            has_limits: self.spec.sensors.is_empty() || has_limits(sensor),
+            sooner: None,
             fixes: Vec::new(),
         })
     }

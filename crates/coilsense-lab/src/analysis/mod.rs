@@ -22,6 +22,7 @@ mod case;
 mod change;
 mod check;
 mod curve;
+mod doubts;
 mod fix;
 mod frames;
 mod judge;
@@ -30,10 +31,12 @@ mod met;
 mod moments;
 mod overload;
 mod prepared;
+mod rank;
 mod refinement;
 mod resonance;
 mod response;
 mod single;
+mod sooner;
 mod specimen;
 mod spread;
 mod tighter;
@@ -46,8 +49,8 @@ mod under_way;
 mod verdict;
 mod warnings;
 mod ways;
+mod words;
 
-pub(crate) use answer::several;
 pub use answer::{answer, changes_that_meet};
 pub(crate) use assessed::{Assessed, assess};
 pub use budget::SensorBudget;
@@ -59,8 +62,9 @@ pub use resonance::{driven, is_broad};
 pub use single::Single;
 pub use together::{Strand, Together};
 pub use under_way::{Concluded, Earlier, UnderWay};
-pub use verdict::{Assessment, GoalFilter, Verdict};
+pub use verdict::{Assessment, GoalFilter, Sooner, Verdict};
 pub use warnings::{Subject, Warning, of_simulated as warnings_of_simulated};
+pub(crate) use words::several;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -112,7 +116,7 @@ pub struct Analysis {
     pub sensors: Vec<SensorSpec>,
     /// Every condition under every damping, condition by condition.
     pub cases: Vec<Case>,
-    /// The sensors, best first.
+    /// The sensors, best first: those that meet the goal, of those the ones whose limits of error are told, of those the least uncertain.
     pub verdicts: Vec<Verdict>,
     /// What a reader must know before using the numbers.
     pub warnings: Vec<Warning>,
@@ -132,8 +136,8 @@ pub const USUAL_TOLERANCE: f64 = 0.05;
 /// What would be so if the stiffness had the usual tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IfUsual {
-    /// Number of the sensor that is best then.
-    pub best: usize,
+    /// The sensors' numbers, best first.
+    pub order: Vec<usize>,
     /// The largest combined standard uncertainty of each sensor, in the sensors' order \[N\].
     pub combined: Vec<f64>,
 }

@@ -8,12 +8,13 @@ use rayon::prelude::*;
 use super::case::{Case, Reading};
 use super::judge::Judge;
 use super::moments::Moments;
+use super::rank::Rank;
 use super::response::Responses;
 use super::specimen::{MANY, SOME, Specimens, Springs};
 use super::verdict::Verdict;
 use super::{
     Analysis, AnalysisError, IfUsual, Progress, USUAL_TOLERANCE, fix, helices, judged_sensors, prepare, resonance,
-    simulate_watched, warnings,
+    simulate_watched, sooner, warnings,
 };
 use crate::data_sheet::DataSheet;
 use crate::spec::{Model, SensorSpec, Spec, SpringInductance, Tolerances};
@@ -97,20 +98,22 @@ impl Prepared {
                 } else {
                     Vec::new()
                 };
-                Ok(Verdict { fixes, ..verdict })
+                let sooner = sooner::of(&judge, index, &sensors[index], &verdict)?;
+                Ok(Verdict { fixes, sooner, ..verdict })
             })
             .collect::<Result<_, AnalysisError>>()?;
-        verdicts.sort_by(|a, b| a.combined().total_cmp(&b.combined()));
+        verdicts.sort_by(|a, b| Rank::of(a).compared(&Rank::of(b)));
         let if_usual = match &self.usual {
             Some(springs) => {
                 let usual: Vec<Responses> = usual.into_iter().flatten().collect();
-                Some(if_usual(&Judge { springs, ..judge }, sensors, &usual)?)
+                Some(if_usual(&Judge { springs, ..judge }, sensors, &usual, &verdicts)?)
             }
             None => None,
         };
         let data_sheet = DataSheet::of(&self.spec)?;
         let mut warnings = resonance::of(&judge, sensors, &verdicts, &told)?;
         warnings.extend(resonance::without_limit(&self.masses, self.spec.spring.model));
+        warnings.extend(sooner::warnings(&self.spec, sensors, &cases, &verdicts));
         warnings.extend(warnings::of(&judge, sensors, &data_sheet)?);
         let Self { spec, sensors, masses, as_chain, .. } = self;
         Ok(Analysis { spec, sensors, cases, verdicts, warnings, data_sheet, masses, if_usual, as_chain })
@@ -147,14 +150,21 @@ fn responses(
 }
 
 /// The answer within the usual tolerance.
-fn if_usual(judge: &Judge<'_>, sensors: &[SensorSpec], responses: &[Responses]) -> Result<IfUsual, Error> {
+fn if_usual(
+    judge: &Judge<'_>,
+    sensors: &[SensorSpec],
+    responses: &[Responses],
+    verdicts: &[Verdict],
+) -> Result<IfUsual, Error> {
     let mut spec = judge.spec.clone();
     spec.spring.tolerances.stiffness = Some(USUAL_TOLERANCE);
     let judge = Judge { spec: &spec, ..*judge };
     let each = (0..sensors.len()).into_par_iter().map(|index| judge.combined(index, &sensors[index], responses));
     let combined: Vec<f64> = each.collect::<Result<_, Error>>()?;
-    let best = (0..combined.len()).min_by(|a, b| combined[*a].total_cmp(&combined[*b])).unwrap_or(0);
-    Ok(IfUsual { best, combined })
+    let rank = |verdict: &&Verdict| Rank::with(verdict, combined[verdict.sensor], spec.goal.error);
+    let mut order: Vec<&Verdict> = verdicts.iter().collect();
+    order.sort_by(|a, b| rank(a).compared(&rank(b)));
+    Ok(IfUsual { order: order.iter().map(|verdict| verdict.sensor).collect(), combined })
 }
 
 /// The same sensors by the coil's chain.

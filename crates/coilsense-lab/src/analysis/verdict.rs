@@ -28,6 +28,10 @@ pub struct Verdict {
     pub too_slow: bool,
     /// What a load cell sees at most, where that is beyond its full scale \[N\]: it does not meet a goal that it cannot read.
     pub overload: Option<f64>,
+    /// Whether a limit of error of it is told; without one its uncertainty is the least that it errs by.
+    pub has_limits: bool,
+    /// What comes before the judged part of a case, where that is louder.
+    pub sooner: Option<Sooner>,
     /// Whether most of the oscillation in the worst case is what its own delay, averaging and filter make of the motion.
     pub by_readout: bool,
     /// Single changes with which it meets the goal, the quickest first.
@@ -63,6 +67,17 @@ pub struct Assessment {
     /// Rms error of the worst specimen that was drawn \[N\].
     #[serde(rename = "worst_specimen_n")]
     pub worst: f64,
+}
+
+/// A sensor after a stop, a step, a ramp or a pulse, in a part that the window leaves out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sooner {
+    /// Number of the case.
+    pub case: usize,
+    /// From the event on, at most as long as the judged part \[s\].
+    pub window: (f64, f64),
+    /// Rms error there on the nominal spring, that of the instrument included \[N\].
+    pub error: f64,
 }
 
 /// What makes a goal with a bandwidth true: errors above it count for nothing only behind a low-pass there.

@@ -10,6 +10,7 @@ use coilsense::{Channel, End, Error};
 use super::case::Case;
 use super::judge::Judge;
 use super::overload::overload;
+use super::rank::has_limits;
 use super::{magnetisation, met};
 use crate::data_sheet::DataSheet;
 use crate::quantity::digits;
@@ -31,6 +32,8 @@ pub enum Subject {
     Resonance,
     /// Figures that have no limit for many masses.
     NoLimit,
+    /// A window that begins after what rings is louder.
+    Window,
     /// Windings touch, and pass through one another.
     Clash,
     /// Windings meet, or ends leave their seats, as the spec asks.
@@ -61,6 +64,7 @@ impl Subject {
         match self {
             Self::Resonance => "resonance",
             Self::NoLimit => "no_limit",
+            Self::Window => "window",
             Self::Clash => "clash",
             Self::Contact => "contact",
             Self::Length => "length",
@@ -247,21 +251,16 @@ fn lift(spec: &Spec, cases: &[&Case]) -> Result<Option<Warning>, Error> {
     Ok(Some(Warning { subject: Subject::Lift, text }))
 }
 
-/// A sensor of which nothing is told that could be wrong: its uncertainty is that of the oscillation.
+/// A sensor of which nothing is told that could be wrong for long: its uncertainty is that of the oscillation, and of noise and steps.
 fn faultless(sensor: &SensorSpec) -> Option<Warning> {
-    let readout = &sensor.readout;
-    let told = readout.noise
-        + readout.resolution.unwrap_or_default()
-        + sensor.accuracy_full_scale
-        + sensor.accuracy_reading
-        + sensor.calibration_uncertainty;
-    // Of a coil the calibration is doubted in any case.
-    (told == 0.0 && sensor.quantity.kind() != "inductance").then(|| Warning {
+    let steps = sensor.readout.noise + sensor.readout.resolution.unwrap_or_default();
+    let (what, counts) = match steps > 0.0 {
+        true => ("limit of error (accuracy_full_scale, accuracy_reading)", "oscillation, spring, noise and resolution"),
+        false => ("noise, resolution or limit of error", "oscillation and spring"),
+    };
+    (!has_limits(sensor)).then(|| Warning {
         subject: Subject::Instrument,
-        text: format!(
-            "{}: no noise, resolution or limit of error is given, so only oscillation and spring count.",
-            sensor.name
-        ),
+        text: format!("{}: no {what} is given, so only {counts} count.", sensor.name),
     })
 }
 

@@ -79,12 +79,12 @@ kind = "impact"             # both ends stop dead while the windings still move
 length = "mid"
 velocity = "0.25 m/s"
 duration = "1 s"
-window = ["0.75 s", "1 s"]  # the part that is judged
+window = ["0.75 s", "1 s"]  # the part that is judged; where damping has ended the ringing by then, from "0 s" on
 sample_rate = "10 kHz"
 
 [[condition]]
 name = "end stop max"
-kind = "end-stop"           # stopped at an end of the range, traversed in 1 s
+kind = "end-stop"           # stopped at an end of the range, traversed in 1 s; or give velocity
 at = "max"
 duration = "1 s"
 window = ["0.75 s", "1 s"]
@@ -93,7 +93,7 @@ window = ["0.75 s", "1 s"]
 name = "end stop min"
 kind = "end-stop"
 at = "min"
-profile = "uniform"         # as the paper's printed tables have it; its text says linear
+profile = "uniform"         # every winding as fast, as in the paper's tables; its text says linear: from 0 at end 1
 duration = "1 s"
 window = ["0.75 s", "1 s"]
 

@@ -11,6 +11,7 @@
 //! | windings that meet | two other programs, themselves without contact (`contact`) |
 //! | magnetic wire | its windings solved about another pitch (`magnetisation`) |
 //! | several springs | each alone, their sum (`springs`) |
+//! | what a late window leaves out | the same part asked for by a window; its first mode in closed form (`sooner`) |
 //! | warnings, data sheet | figures of the book (theory) on S_T and S_A (`warnings`, `data_sheet`) |
 //! | the whole run | itself on other threads, and when stopped (`runs`), case by case with what is known (`under_way`) |
 
@@ -27,6 +28,7 @@ mod readings;
 mod runs;
 mod sections;
 mod small;
+mod sooner;
 mod specimens;
 mod springs;
 mod under_way;

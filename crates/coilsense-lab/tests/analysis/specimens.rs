@@ -90,7 +90,7 @@ fn a_rate_without_a_tolerance_is_said_to_be_taken_as_exact_and_what_five_percent
     let silent = run(&spring(""));
     let usual = silent.if_usual.as_ref().expect("the spec is silent");
     assert_eq!(silent.sensors[silent.verdicts[0].sensor].name, "encoders");
-    assert_eq!(silent.sensors[usual.best].name, "load cell");
+    assert_eq!(silent.sensors[usual.order[0]].name, "load cell");
     let words = answer(&silent).join("\n");
     assert!(words.contains("rate is taken as exact") && words.contains("the order is another"), "{words}");
     // The same answer with the tolerance written down.

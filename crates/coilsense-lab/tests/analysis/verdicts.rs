@@ -1,6 +1,6 @@
 //! Ranking, the goal under each damping, and the words of the answer.
 
-use coilsense_lab::analysis::answer;
+use coilsense_lab::analysis::{Check, answer};
 use coilsense_lab::spec::template;
 
 use super::{HEEL_STRIKE, S_T, STILL, run, undamped, verdict};
@@ -36,7 +36,9 @@ fn without_a_damping_the_goal_is_judged_for_four_and_the_papers_is_marked() {
 }
 
 const CELL: &str = "[[sensor]]\nkind = \"load-cell\"\nname = \"cell\"\naccuracy_full_scale = \"1 %\"\n";
-const LASER: &str = "[[sensor]]\nkind = \"deflection\"\nname = \"laser\"\n";
+const LASER: &str = "[[sensor]]\nkind = \"deflection\"\nname = \"laser\"\naccuracy_full_scale = \"0.1 %\"\n";
+/// One of which no limit of error is told.
+const UNTOLD: &str = "[[sensor]]\nkind = \"deflection\"\nname = \"fine laser\"\nresolution = \"1 um\"\n";
 const SLOW: &str = "[[sensor]]\nkind = \"deflection\"\nname = \"slow\"\naveraging = \"100 ms\"\n";
 
 /// The answer's first lines for some sensors and a goal.
@@ -64,6 +66,40 @@ fn the_answer_reads_well_for_any_number_of_sensors() {
     for lines in [words(CELL, goal), words("", ""), words(&format!("{CELL}{SLOW}"), strict)] {
         assert!(lines.len() <= 8 && lines.iter().all(|line| !line.is_empty()), "{lines:?}");
     }
+}
+
+#[test]
+fn what_may_err_by_more_than_is_told_comes_after_what_cannot() {
+    let check = |sensors: &str, goal: &str| Check::of(&undamped(S_T, &format!("{STILL}{sensors}{goal}")));
+    let goal = "[goal]\nerror = \"1 %\"\n";
+    // The cell has 0.702 N, the laser 1e-3 N: of what nobody knows.
+    let lines = words(&format!("{UNTOLD}{CELL}"), goal);
+    assert!(lines[0].starts_with("Choose cell. Both sensors meet the goal"), "{lines:?}");
+    assert_eq!(
+        lines[1],
+        "The spec gives no limit of error of fine laser: such figures are the least that a sensor errs by, and come after those that have one."
+    );
+    assert_eq!(check(&format!("{UNTOLD}{CELL}"), goal), Check::Met("cell".to_owned()));
+    // Where it alone meets the goal it is chosen, in doubt; and where it misses by the least that it errs by, that is all there is to say.
+    let strict = "[goal]\nerror = \"0.3 %\"\n";
+    let lines = words(&format!("{CELL}{UNTOLD}"), strict);
+    assert!(lines[0].starts_with("Choose fine laser. One of 2 sensors meets the goal"), "{lines:?}");
+    assert!(lines[2].starts_with("The spec gives no limit of error of fine laser"), "{lines:?}");
+    assert!(
+        matches!(check(&format!("{CELL}{UNTOLD}"), strict), Check::Undecided(why) if why.contains("no limit of error of fine laser"))
+    );
+    let lines = words(&format!("{CELL}{UNTOLD}"), "[goal]\nerror = \"1e-5 %\"\n");
+    assert!(lines[0].contains("nearest is fine laser") && !lines.concat().contains("gives no limit"), "{lines:?}");
+    // Held against nothing, and alone.
+    assert!(words(&format!("{UNTOLD}{CELL}"), "")[0].starts_with("Least uncertain is cell, with"));
+    assert!(
+        words(UNTOLD, "")[1].ends_with("such figures are the least that a sensor errs by."),
+        "{:?}",
+        words(UNTOLD, "")
+    );
+    // Perfect sensors, of a spec that has none, are what they are called.
+    assert!(!words("", goal).concat().contains("gives no limit"));
+    assert_eq!(check("", goal), Check::Met("perfect load cell, end 1".to_owned()));
 }
 
 #[test]

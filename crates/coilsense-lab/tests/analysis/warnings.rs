@@ -188,14 +188,18 @@ fn a_sensor_that_nothing_is_told_of_is_not_taken_for_a_perfect_one_in_silence() 
         let analysis = undamped(S_T, &format!("{STILL}\n[[sensor]]\nname = \"mine\"\n{keys}\n"));
         let words = coilsense_lab::analysis::answer(&analysis).join(" ");
         assert!(!words.contains("do not fit together"), "{words}");
-        of(&analysis, Subject::Instrument)
-            .iter()
-            .filter(|text| text.contains("no noise, resolution or limit of error is given"))
-            .count()
+        let texts = of(&analysis, Subject::Instrument);
+        let of_all =
+            texts.iter().filter(|text| text.contains("no noise, resolution or limit of error is given")).count();
+        let of_limits = texts.iter().filter(|text| text.contains(": no limit of error (accuracy_full_scale,")).count();
+        assert_eq!(of_all + of_limits, texts.len());
+        // The answer says it, too: it is the least that such a sensor errs by.
+        assert_eq!(words.contains("no limit of error of mine"), !texts.is_empty(), "{words}");
+        (of_all, of_limits)
     };
-    assert_eq!(told("class = \"two magnetic rotary encoders\""), 1, "its values are of one's own drive");
-    assert_eq!(told("kind = \"load-cell\""), 1);
-    assert_eq!(told("kind = \"load-cell\"\nnoise = \"0.1 N\""), 0);
-    assert_eq!(told("kind = \"deflection\"\naccuracy_reading = \"0.1 %\""), 0);
-    assert_eq!(told("kind = \"inductance\""), 0, "its calibration is doubted in any case");
+    assert_eq!(told("class = \"two magnetic rotary encoders\""), (1, 0), "its values are of one's own drive");
+    assert_eq!(told("kind = \"load-cell\""), (1, 0));
+    assert_eq!(told("kind = \"load-cell\"\nnoise = \"0.1 N\""), (0, 1), "noise is gone in a mean");
+    assert_eq!(told("kind = \"deflection\"\naccuracy_reading = \"0.1 %\""), (0, 0));
+    assert_eq!(told("kind = \"inductance\""), (0, 0), "its calibration is doubted in any case");
 }

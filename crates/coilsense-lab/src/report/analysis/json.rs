@@ -5,7 +5,9 @@
 use serde::Serialize;
 
 use super::json_cases::CaseRow;
-use crate::analysis::{Analysis, Fix, GoalFilter, IfUsual, SensorBudget, USUAL_TOLERANCE, Verdict, Warning, answer};
+use crate::analysis::{
+    Analysis, Fix, GoalFilter, IfUsual, SensorBudget, Sooner, USUAL_TOLERANCE, Verdict, Warning, answer,
+};
 use crate::report::data_sheet::DataSheetOutcome;
 use crate::report::outcome::{Headed, Outcome, to_json};
 use crate::spec::Goal;
@@ -25,7 +27,7 @@ pub struct AnalysisOutcome<'a> {
     masses: MassesPart<'a>,
     /// The answer were the stiffness uncertain as it usually is; null where the spec says how uncertain it is.
     if_stiffness_tolerance_were_usual: Option<UsualPart<'a>>,
-    /// Every sensor judged, best first.
+    /// Every sensor judged, best first: those that meet the goal, of those the ones with a limit of error, of those the least uncertain.
     ranking: Vec<VerdictRow<'a>>,
     /// Each condition at each damping.
     cases: Vec<CaseRow<'a>>,
@@ -94,11 +96,15 @@ struct VerdictRow<'a> {
     combined_percent: f64,
     worst_condition: &'a str,
     worst_damping: &'a str,
+    /// Whether the spec gives a limit of error; without one `combined_n` is the least that the sensor errs by.
+    limit_of_error_given: bool,
     /// False also of a load cell that is overloaded.
     meets_goal: Option<bool>,
     meets_goal_by_damping: Vec<MeetsRow<'a>>,
     /// What a load cell sees at most where that is beyond its full scale.
     overload_n: Option<f64>,
+    /// What the window leaves out after a stop, a step, a ramp or a pulse, where that is louder than all that is judged.
+    before_window: Option<BeforePart<'a>>,
     /// The sensor's own −3 dB point; null for one without limits.
     bandwidth_hz: Option<f64>,
     lag_s: f64,
@@ -117,6 +123,18 @@ struct VerdictRow<'a> {
 struct MeetsRow<'a> {
     damping: &'a str,
     meets: bool,
+}
+
+/// A part that the window leaves out.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "reference", derive(schemars::JsonSchema))]
+struct BeforePart<'a> {
+    condition: &'a str,
+    damping: &'a str,
+    from_s: f64,
+    to_s: f64,
+    /// Rms error there on the nominal spring.
+    error_n: f64,
 }
 
 /// A low-pass filter.
@@ -221,7 +239,7 @@ impl<'a> UsualPart<'a> {
         let sensors = analysis.sensors.iter().zip(&usual.combined);
         Self {
             stiffness_tolerance: USUAL_TOLERANCE,
-            best: &analysis.sensors[usual.best].name,
+            best: usual.order.first().map_or("", |best| &analysis.sensors[*best].name),
             sensors: sensors.map(|(sensor, &combined_n)| UsualRow { sensor: &sensor.name, combined_n }).collect(),
         }
     }
@@ -240,9 +258,11 @@ impl<'a> VerdictRow<'a> {
             combined_percent: 100.0 * verdict.combined() / spec.spring.spring.nominal_force(),
             worst_condition: &spec.conditions[worst.condition].name,
             worst_damping: &spec.mount.cases[worst.damping].label,
+            limit_of_error_given: verdict.has_limits,
             meets_goal: verdict.meets_always(),
             meets_goal_by_damping: dampings.map(|(case, &meets)| MeetsRow { damping: &case.label, meets }).collect(),
             overload_n: verdict.overload,
+            before_window: verdict.sooner.as_ref().map(|sooner| BeforePart::of(analysis, sooner)),
             bandwidth_hz: Some(verdict.bandwidth).filter(|bandwidth| bandwidth.is_finite()),
             lag_s: verdict.lag,
             goal_filter: verdict.filter.as_ref().map(FilterPart::of),
@@ -251,6 +271,19 @@ impl<'a> VerdictRow<'a> {
             nominal_n: verdict.at_worst().nominal,
             fixes: &verdict.fixes,
             budget: BudgetPart::of(&verdict.budget),
+        }
+    }
+}
+
+impl<'a> BeforePart<'a> {
+    fn of(analysis: &'a Analysis, sooner: &Sooner) -> Self {
+        let case = &analysis.cases[sooner.case];
+        Self {
+            condition: &analysis.spec.conditions[case.condition].name,
+            damping: &analysis.spec.mount.cases[case.damping].label,
+            from_s: sooner.window.0,
+            to_s: sooner.window.1,
+            error_n: sooner.error,
         }
     }
 }

@@ -1,0 +1,102 @@
+//! What comes before the judged part: a window that begins after the ringing does not see how far a force is off right after a stop.
+//!
+//! Next door: the judged part itself (`judge`), how it is said (`answer`).
+
+use coilsense::{End, EndInput, Error, Excitation, Start};
+
+use super::band;
+use super::case::Scene;
+use super::judge::Judge;
+use super::verdict::{Assessment, Sooner, Verdict};
+use super::warnings::{Subject, Warning};
+use crate::quantity::{digits, plainly};
+use crate::spec::{SensorSpec, Spec};
+
+/// From so many times the largest uncertainty on, what is not judged is told: of ringing that lasts, two parts that are alike differ by less.
+const LOUDER: f64 = 1.25;
+
+/// Most sensors that a warning names.
+const MOST_NAMED: usize = 3;
+
+/// The loudest part that comes before the judged one, where it is louder than all that is judged, or misses a goal that is met there.
+///
+/// # Errors
+/// Those of the science.
+pub(super) fn of(
+    judge: &Judge<'_>,
+    index: usize,
+    sensor: &SensorSpec,
+    verdict: &Verdict,
+) -> Result<Option<Sooner>, Error> {
+    let mut loudest: Option<Sooner> = None;
+    for (number, case) in judge.cases.iter().enumerate() {
+        let Some(window) = before(judge.spec, case.condition) else { continue };
+        let part = band::judged(case.signals.time(), window);
+        let scene = Scene { judged: &part, ..case.scene(sensor, &judge.spec.goal) };
+        let instrument = judge.instrument(sensor, case.condition)?;
+        let counted = judge.counted(scene, &case.readings[index].steady)?;
+        let Assessment { nominal: error, .. } = judge.assessment(sensor, &instrument, scene, counted, None)?;
+        if loudest.is_none_or(|loudest| error > loudest.error) {
+            loudest = Some(Sooner { case: number, window, error });
+        }
+    }
+    let most = verdict.combined();
+    let turns = |error: f64| judge.spec.goal.error.is_some_and(|goal| most <= goal && goal < error);
+    Ok(loudest.filter(|loudest| loudest.error > LOUDER * most || turns(loudest.error)))
+}
+
+/// What is simulated of an event and not judged, at most as long as what is \[s\]; `None` where the judged part begins with the event, and of
+/// motion that goes on.
+fn before(spec: &Spec, condition: usize) -> Option<(f64, f64)> {
+    let asked = &spec.conditions[condition];
+    let (from, to) = asked.window;
+    let event = event(&asked.excitation)?;
+    // The last sample that is left out.
+    let until = from.min(event + to - from) - 1.0 / asked.sample_rate;
+    (until > event).then_some((event, until))
+}
+
+/// When the ends stop, or one of them is knocked \[s\]; `None` of sines and recordings, which are judged once they have settled.
+fn event(excitation: &Excitation) -> Option<f64> {
+    if matches!(excitation.start(), Start::Moving { .. }) {
+        return Some(0.0);
+    }
+    let of_end = |end| match excitation.input(end) {
+        EndInput::Step { at, .. } => Some(*at),
+        EndInput::Ramp { from, .. } | EndInput::HalfSine { from, .. } => Some(*from),
+        EndInput::Held | EndInput::Harmonics(_) | EndInput::Chirp { .. } | EndInput::Sampled(_) => None,
+    };
+    [End::One, End::Two].into_iter().filter_map(of_end).min_by(f64::total_cmp)
+}
+
+/// A warning for each case that is louder before its judged part, with the sensors of which that is so.
+pub(super) fn warnings(
+    spec: &Spec,
+    sensors: &[SensorSpec],
+    cases: &[super::Case],
+    verdicts: &[Verdict],
+) -> Vec<Warning> {
+    let warning = |(number, case): (usize, &super::Case)| {
+        let each = verdicts.iter().filter_map(|verdict| Some((verdict, verdict.sooner?)));
+        let each: Vec<_> = each.filter(|(_, sooner)| sooner.case == number).collect();
+        let (_, first) = each.first()?;
+        let asked = &spec.conditions[case.condition];
+        let named = each.iter().take(MOST_NAMED).map(|(verdict, sooner)| {
+            let (before, judged) = (digits(sooner.error), digits(verdict.assessments[number].combined));
+            format!("{} {before} N, not {judged} N", sensors[verdict.sensor].name)
+        });
+        let named: Vec<String> = named.collect();
+        let more = if each.len() > MOST_NAMED { "; …" } else { "" };
+        let (from, until) = (plainly(first.window.0), plainly(first.window.1));
+        let text = format!(
+            "{}, {}: only what comes from {} s on is judged. From {from} to {until} s the rms error is larger: {}{more}. To have that judged, \
+             let the window begin at {from} s.",
+            asked.name,
+            spec.mount.cases[case.damping].label,
+            plainly(asked.window.0),
+            named.join("; "),
+        );
+        Some(Warning { subject: Subject::Window, text })
+    };
+    cases.iter().enumerate().filter_map(warning).collect()
+}
