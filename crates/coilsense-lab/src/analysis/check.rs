@@ -28,7 +28,7 @@ impl Check {
             return Self::Missed(format!("no sensor meets the goal of {}", wish(analysis, goal)));
         };
         let sensor = name(analysis, chosen);
-        if is_untold(chosen) {
+        if is_untold(&analysis.spec, chosen) {
             return Self::Undecided(format!(
                 "how far {sensor} is off hangs on the first surge frequency, which the spec does not say well enough"
             ));

@@ -2,10 +2,11 @@
 //!
 //! Next door: the answer itself (`answer`).
 
-use super::verdict::Verdict;
+use super::verdict::{Verdict, matters};
 use super::words::{case_name, force, name, several};
 use super::{Analysis, Case, USUAL_TOLERANCE};
 use crate::quantity::{digits, plainly};
+use crate::spec::Spec;
 
 /// What the window leaves out, where the goal is not met there: `; not judged is heel strike, ζ = 0.02, before 0.75 s: 13.4 N (1.08 % of F_nom) rms from 0 to 0.25 s, which misses the goal (laser meets it there too)`
 pub(super) fn unjudged(analysis: &Analysis, verdict: &Verdict) -> String {
@@ -46,10 +47,10 @@ pub(super) fn without_limits(analysis: &Analysis) -> Option<String> {
 const UNTOLD: f64 = 2.0;
 
 /// Whether how far a sensor is off hangs on a frequency that the spec does not say well enough.
-pub(super) fn is_untold(verdict: &Verdict) -> bool {
+pub(super) fn is_untold(spec: &Spec, verdict: &Verdict) -> bool {
     let worst = verdict.at_worst();
     let by_surge = worst.over_specimens > 0.5 * worst.combined;
-    by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
+    matters(spec, worst.loudest) && by_surge && worst.loudest > UNTOLD * worst.oscillation.min(worst.over_specimens)
 }
 
 /// Where how far a sensor is off hangs on such a frequency, and what would tell it.
@@ -57,7 +58,7 @@ pub(super) fn untold(analysis: &Analysis) -> Option<String> {
     let each: Vec<String> = analysis
         .verdicts
         .iter()
-        .filter(|verdict| is_untold(verdict))
+        .filter(|verdict| is_untold(&analysis.spec, verdict))
         .map(|verdict| {
             let (worst, place) = (verdict.at_worst(), case_name(analysis, verdict.worst));
             let (nominal, most) = (digits(worst.nominal), digits(worst.worst));

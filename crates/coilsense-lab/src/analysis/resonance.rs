@@ -10,7 +10,7 @@ use coilsense::{End, Error};
 
 use super::judge::Judge;
 use super::response::Responses;
-use super::verdict::Verdict;
+use super::verdict::{self, Verdict};
 use super::warnings::{Subject, Warning};
 use crate::quantity::digits;
 use crate::spec::{Model, SensorSpec, Spec};
@@ -126,6 +126,7 @@ fn by_response(
             let assessment = &verdict.assessments[number];
             let grows = assessment.loudest / assessment.oscillation.max(f64::MIN_POSITIVE);
             let counts = assessment.over_specimens > 0.5 * assessment.combined;
+            let counts = counts && verdict::matters(judge.spec, assessment.loudest);
             if counts && grows > GROWS && loudest.is_none_or(|(most, ..)| grows > most) {
                 loudest = Some((grows, number, verdict.sensor));
             }

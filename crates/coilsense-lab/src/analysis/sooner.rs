@@ -7,7 +7,7 @@ use coilsense::{End, EndInput, Error, Excitation, Start};
 use super::band;
 use super::case::Scene;
 use super::judge::Judge;
-use super::verdict::{Assessment, Sooner, Verdict};
+use super::verdict::{Assessment, Sooner, Verdict, matters};
 use super::warnings::{Subject, Warning};
 use crate::quantity::{digits, plainly};
 use crate::spec::{SensorSpec, Spec};
@@ -42,7 +42,8 @@ pub(super) fn of(
     }
     let most = verdict.combined();
     let turns = |error: f64| judge.spec.goal.error.is_some_and(|goal| most <= goal && goal < error);
-    Ok(loudest.filter(|loudest| loudest.error > LOUDER * most || turns(loudest.error)))
+    let louder = |error: f64| error > LOUDER * most && matters(judge.spec, error);
+    Ok(loudest.filter(|loudest| louder(loudest.error) || turns(loudest.error)))
 }
 
 /// What is simulated of an event and not judged, at most as long as what is \[s\]; `None` where the judged part begins with the event, and of

@@ -4,6 +4,7 @@
 
 use super::budget::SensorBudget;
 use super::change::Fix;
+use crate::spec::Spec;
 
 /// What the analysis says of one sensor.
 #[derive(Debug, Clone)]
@@ -93,6 +94,15 @@ pub struct GoalFilter {
     pub raw: f64,
     /// Number of that case.
     pub case: usize,
+}
+
+/// Share of the goal, and of F_nom where there is none, below which an error decides nothing.
+const LEAST: (f64, f64) = (0.1, 1e-4);
+
+/// Whether an error \[N\] is large enough to be spoken of beside the goal.
+pub(super) fn matters(spec: &Spec, error: f64) -> bool {
+    let least = spec.goal.error.map_or(LEAST.1 * spec.spring.spring.nominal_force(), |goal| LEAST.0 * goal);
+    error > least
 }
 
 impl Verdict {

@@ -98,3 +98,20 @@ fn what_follows_a_step_counts_from_the_step_on() {
     let step = "kind = \"step\"\namplitude = \"1 %\"\nwindow = [\"0.2 s\", \"1 s\"]";
     assert!((told(&of(0.02, step), "cell").unwrap().window.1 - 0.1999).abs() < 1e-12);
 }
+
+#[test]
+fn what_is_left_of_a_ringing_that_is_over_is_not_said_to_hang_on_a_frequency() {
+    // 3e-12 N: from spring to spring it differs twofold, and decides nothing.
+    let tolerance = S_T.replacen("[spring]", "[spring]\nstiffness_tolerance = \"5 %\"", 1);
+    let of = |ratio: f64| {
+        let mount = format!("[mount]\ndamping_ratio = {ratio}\n[uncertainty]\ntrials = 1000\n");
+        let cell = "[[sensor]]\nkind = \"load-cell\"\nname = \"cell\"\n[goal]\nerror = \"0.5 %\"\n";
+        run(&format!("{tolerance}\n{mount}[[condition]]\n{STRIKE}window = [\"0.75 s\", \"1 s\"]\n{cell}"))
+    };
+    let quiet = of(0.1);
+    assert!(verdict(&quiet, "cell").at_worst().loudest < 1e-11);
+    assert!(quiet.warnings.iter().all(|warning| warning.subject != Subject::Resonance), "{:?}", quiet.warnings);
+    assert!(!answer(&quiet).concat().contains("cannot be told more closely"));
+    // What was left out is told all the same, 0.401 N of 0.608.
+    assert!(quiet.warnings.iter().any(|warning| warning.subject == Subject::Window), "{:?}", quiet.warnings);
+}
