@@ -69,8 +69,30 @@ fn best(analysis: &Analysis) -> String {
     let (best_name, most) = (name(analysis, best), at_most(best));
     let (behind, specimens) = (behind(analysis, best), specimens(best));
     format!(
-        "Choose {best_name}{behind}. {all} the goal of {wanted}. Standard uncertainty of {best_name}: {most}.{specimens}"
+        "Choose {best_name}{behind}. {all} the goal of {wanted}. Standard uncertainty of {best_name}: {most}{}.{specimens}",
+        ties(analysis, &meeting)
     )
+}
+
+/// Uncertainties that differ by no more than this share are alike: a limit of error alone is not known more closely.
+const ALIKE: f64 = 0.05;
+
+/// `; laser has about as much (0.439 N)`: what meets the goal as well as the first that does.
+fn ties(analysis: &Analysis, meeting: &[&Verdict]) -> String {
+    let Some((best, others)) = meeting.split_first() else { return String::new() };
+    let is_alike = |other: &&&Verdict| {
+        other.has_limits == best.has_limits
+            && other.sooner.is_none() == best.sooner.is_none()
+            && other.combined() <= (1.0 + ALIKE) * best.combined()
+    };
+    let alike: Vec<&&Verdict> = others.iter().filter(is_alike).collect();
+    let names: Vec<&str> = alike.iter().map(|other| name(analysis, other)).collect();
+    let (have, most) = match alike.as_slice() {
+        [] => return String::new(),
+        [one] => ("has", digits(one.combined())),
+        [.., last] => ("have", format!("up to {}", digits(last.combined()))),
+    };
+    format!("; {} {have} about as much ({most} N)", several(&names))
 }
 
 /// `, behind a low-pass of order 8 at 20 Hz (41 ms late; without it 11.1 N rms in resonance)`.

@@ -103,6 +103,30 @@ fn what_may_err_by_more_than_is_told_comes_after_what_cannot() {
 }
 
 #[test]
+fn sensors_that_are_as_certain_are_named_beside_the_first() {
+    let cell = |name: &str, share: f64| {
+        format!("[[sensor]]\nkind = \"load-cell\"\nname = \"{name}\"\naccuracy_full_scale = \"{share} %\"\n")
+    };
+    let first = |sensors: &str| words(sensors, "[goal]\nerror = \"1 %\"\n").remove(0);
+    let (one, near, far) = (cell("one", 1.0), cell("near", 1.04), cell("far", 1.07));
+    let all = first(&format!("{far}{near}{one}"));
+    assert!(
+        all.starts_with("Choose one. All 3 sensors meet") && all.contains("; near has about as much (0.730 N)."),
+        "{all}"
+    );
+    let also = first(&format!("{}{near}{one}", cell("nearer", 1.02)));
+    assert!(also.contains("; nearer and near have about as much (up to 0.730 N)."), "{also}");
+    assert!(!first(&format!("{far}{one}")).contains("as much"), "7 % apart");
+    assert!(!first(&one).contains("as much"));
+    // One of which no limit is told may err by more; one that misses the goal is no choice.
+    let least = UNTOLD.replace("1 um", "3 mm");
+    let both = format!("{}{least}", cell("one", 1.0));
+    assert!(!first(&both).contains("as much"), "{}", first(&both));
+    let edge = words(&format!("{one}{near}"), "[goal]\nerror = \"0.585 %\"\n").remove(0);
+    assert!(edge.contains("One of 2 sensors meets") && !edge.contains("as much"), "{edge}");
+}
+
+#[test]
 fn who_misses_is_told_why() {
     let strict = "[goal]\nerror = \"0.1 %\"\nbandwidth = \"20 Hz\"\n";
     let lines = words(&format!("{CELL}{SLOW}"), strict);
