@@ -9,14 +9,14 @@ use std::path::Path;
 use coilsense_lab::identification::request::SPEC_OUT;
 use coilsense_lab::input;
 use coilsense_lab::output::{Output, OutputError};
-use coilsense_lab::report::verbs::REPORT;
+use coilsense_lab::report::verbs::{CSV, REPORT};
 use coilsense_lab::request::{Given, OUT, OVERWRITE, Takes, Verb};
 
 /// Remembers all files that are named to be read, so that none is overwritten.
 pub fn remember(verb: &Verb, given: &Given) {
     input::remember();
     let read = verb.rows().filter(|row| matches!(row.takes, Takes::File(_)));
-    let read = read.filter(|row| ![OUT.name, SPEC_OUT.name, REPORT.name].contains(&row.name));
+    let read = read.filter(|row| ![OUT.name, SPEC_OUT.name, REPORT.name, CSV.name].contains(&row.name));
     read.filter_map(|row| given.file(row)).for_each(input::note);
 }
 

@@ -5,13 +5,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use anyhow::Context;
+use coilsense_lab::report::verbs::CSV;
 use coilsense_lab::report::{ReasonRow, RecomputedRow, SweepOutcome, to_json};
 use coilsense_lab::request::{Given, JSON, OUT, SPEC};
 use coilsense_lab::sweep::request::{CATALOGUE, CHUNK, COLUMNS, JOBS, OVER, ROWS, SAMPLING, SEED};
 use coilsense_lab::sweep::{Catalogue, Dataset, Plan, PlanParameters, Sampling, Tally, column_words};
 
 use crate::progress::Watch;
-use crate::terminal;
+use crate::{files, terminal};
 
 /// Ctrl-C came; the chunks that are there stay.
 #[derive(Debug)]
@@ -35,6 +36,10 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
     let watch = Watch::begin_designs()?;
     terminal::keeps("interrupted; whole chunks stay, the same command goes on from there");
+    // Refused before the work where it must not be written.
+    let csv = given.file(&CSV);
+    csv.map_or(Ok(()), |path| Dataset::check_outside(folder, path))?;
+    let table = csv.map(|path| files::one(given, path)).transpose()?;
     let dataset = Dataset::create_or_open(folder, &asked)?;
     // The folder's own, which may call the same spec otherwise: rows are those of an unbroken run.
     let plan = dataset.plan();
@@ -60,13 +65,17 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     }
     let seconds = begun.elapsed().as_secs_f64();
     watch.end();
+    if let Some((mut table, name)) = table {
+        table.write(&name, |file| dataset.write_csv(file))?;
+        table.commit()?;
+    }
     let tally = dataset.tally()?;
     let made = plan.rows() - before;
     let recomputed = damaged
         .into_iter()
         .map(|(chunk, why)| RecomputedRow { file: dataset.path(chunk), because: format!("it {why}") })
         .collect();
-    let told = Told { folder, plan, tally: &tally, recomputed, made, seconds };
+    let told = Told { folder, csv, plan, tally: &tally, recomputed, made, seconds };
     let text = if given.holds(&JSON) { to_json(told.outcome())? } else { told.text() };
     Ok(terminal::answer(given, &text)?)
 }
@@ -95,6 +104,8 @@ const SHOWN: usize = 3;
 /// What a run tells at its end.
 struct Told<'a> {
     folder: &'a Path,
+    /// All rows as one table, too.
+    csv: Option<&'a Path>,
     plan: &'a Plan,
     tally: &'a Tally,
     /// Chunks that were there and not as they had been written.
@@ -146,6 +157,9 @@ impl Told<'_> {
                 "{} in {seconds:.2} s, {rate:.0} a second{peak}{earlier}\n",
                 plural(*made, "design")
             ));
+        }
+        if let Some(csv) = self.csv {
+            text.push_str(&format!("all rows as one table: {}\n", csv.display()));
         }
         let quoted = format!("{:?}", self.folder.display().to_string());
         text + &format!("read it: pandas.read_parquet({quoted}), or DuckDB: SELECT * FROM '{folder}/*.parquet'\n")

@@ -12,6 +12,8 @@ use std::process::{Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use coilsense_lab::sweep::{Data, Dataset};
+
 /// A coil of few windings, watched for a few samples: thousands of rows a second, also in a test build.
 const SPEC: &str = include_str!("short-coil.toml");
 
@@ -252,4 +254,43 @@ fn a_thousand_million_chunks_are_refused_at_once() {
     let message = refusal(&command.output().expect("it starts"));
     assert!(message.contains("are 1000000000 files, at most 100000 are taken; give --chunk from 10000"), "{message}");
     assert!(begun.elapsed() < Duration::from_secs(10) && !place.path("out").exists(), "{:?}", begun.elapsed());
+}
+
+#[test]
+fn all_rows_are_one_table_for_a_spreadsheet_too() {
+    let place = Place::new();
+    let run = |csv: &[&str]| place.command("out", 250).args(csv).output().expect("runs");
+    // Not among the Parquet files, where readers would take it for rows; refused before there is a folder.
+    let message = refusal(&run(&["--csv", "out/rows.csv"]));
+    assert!(message.contains("lies in the sweep's folder") && !place.path("out").exists(), "{message}");
+    // Nor in the place of what is not coilsense's own.
+    fs::write(place.path("rows.csv"), "mine").expect("written");
+    let message = refusal(&run(&["--csv", "rows.csv"]));
+    assert!(message.contains("rows.csv") && !place.path("out").exists(), "{message}");
+    assert_eq!(fs::read_to_string(place.path("rows.csv")).expect("read"), "mine");
+    let output = run(&["--csv", "rows.csv", "--overwrite"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("all rows as one table: rows.csv"), "{}", text(&output.stdout));
+    // The same rows as the Parquet files, to the bit; what could not be judged has its reason and no numbers.
+    let dataset = Dataset::open(&place.path("out")).expect("a sweep");
+    let titles = dataset.plan().titles();
+    let words: Vec<&str> = titles.iter().map(String::as_str).collect();
+    let columns = dataset.read(&words).expect("read");
+    let mut reader = csv::Reader::from_path(place.path("rows.csv")).expect("a table");
+    assert_eq!(reader.headers().expect("titles").iter().collect::<Vec<_>>(), words);
+    let rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().expect("rows");
+    assert_eq!(rows.len(), 250);
+    let mut empty = 0;
+    for (place, column) in columns.iter().enumerate() {
+        let Data::Numbers(values) = column else { continue };
+        for (value, row) in values.iter().zip(&rows) {
+            empty += usize::from(row[place].is_empty());
+            assert!(value.is_nan() && row[place].is_empty() || row[place].parse() == Ok(*value), "{}", &row[place]);
+        }
+    }
+    assert!(empty > 0, "a mass below zero cannot be judged");
+    // A folder that is whole gives its table, too.
+    let again = run(&["--csv", "again.csv"]);
+    assert!(text(&again.stdout).contains("all of them were there before"), "{}", text(&again.stdout));
+    assert_eq!(fs::read(place.path("again.csv")).expect("read"), fs::read(place.path("rows.csv")).expect("read"));
 }

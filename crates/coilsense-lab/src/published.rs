@@ -8,8 +8,8 @@ use crate::condition::Condition;
 
 /// Tables II and III as the paper prints them; compiled in so that the command works from any folder.
 const FILES: [(Table, &str, &str); 2] = [
-    (Table::Two, "data/paper/table-2.csv", include_str!("../data/paper/table-2.csv")),
-    (Table::Three, "data/paper/table-3.csv", include_str!("../data/paper/table-3.csv")),
+    (Table::Two, "data/paper/table-2.csv", include_str!(concat!(env!("OUT_DIR"), "/table-2.csv"))),
+    (Table::Three, "data/paper/table-3.csv", include_str!(concat!(env!("OUT_DIR"), "/table-3.csv"))),
 ];
 
 /// A table of the paper.

@@ -12,7 +12,7 @@ use crate::request::{
 use crate::{calibration, identification, mitigation, plant, recording, speed, sweep};
 pub use folders::{BEGIN, FOLDER, RECORD_FOLDER};
 use folders::{EXPERIMENT, RECORD};
-pub use sweeps::{DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_ROW, WHERE};
+pub use sweeps::{CSV, DATASET, DRAWS_SEED, MAXIMIZE, MINIMIZE, OF, RESAMPLES, SPEC_ROW, WHERE};
 use sweeps::{PARETO, SENSITIVITY, SWEEP, VARIED};
 
 /// The verbs, in the order of the command's help.

@@ -50,6 +50,16 @@ pub enum ReproduceError {
 /// Most windings for which the tables are computed: the inductance of every sample is a sum over all pairs.
 const MOST_WINDINGS: f64 = 1000.0;
 
+#[cfg(feature = "reference")]
+const S_T: &str = include_str!("../../data/springs/S_T.toml");
+#[cfg(feature = "reference")]
+const S_A: &str = include_str!("../../data/springs/S_A.toml");
+// Without their comments.
+#[cfg(not(feature = "reference"))]
+const S_T: &str = include_str!(concat!(env!("OUT_DIR"), "/S_T.toml"));
+#[cfg(not(feature = "reference"))]
+const S_A: &str = include_str!(concat!(env!("OUT_DIR"), "/S_A.toml"));
+
 /// The paper's two springs, by the names its tables use.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PaperSprings {
@@ -65,8 +75,8 @@ impl PaperSprings {
     /// [`ReproduceError::Spec`] where the compiled-in files are damaged.
     pub fn built_in() -> Result<Self, ReproduceError> {
         let read = |file, text| SpringSpec::parse(file, text).map(|named| named.spring);
-        let s_t = read("data/springs/S_T.toml", include_str!("../../data/springs/S_T.toml"))?;
-        let s_a = read("data/springs/S_A.toml", include_str!("../../data/springs/S_A.toml"))?;
+        let s_t = read("data/springs/S_T.toml", S_T)?;
+        let s_a = read("data/springs/S_A.toml", S_A)?;
         Ok(Self { springs: [("S_T", s_t), ("S_A", s_a)], unused: Vec::new() })
     }
 

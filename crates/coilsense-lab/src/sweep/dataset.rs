@@ -197,15 +197,23 @@ impl Dataset {
     /// # Errors
     /// [`SweepError`] that names the first of them.
     pub(crate) fn check_apart(&self, files: &[PathBuf]) -> Result<(), SweepError> {
-        let Ok(folder) = fs::canonicalize(&self.folder) else { return Ok(()) };
-        match files.iter().find(|file| spoils(&folder, file)) {
-            None => Ok(()),
-            Some(file) => Err(SweepError::new(format!(
-                "{}: lies in the sweep's folder, where readers of Parquet take it for rows; write to another folder, or to {}",
-                file.display(),
-                self.folder.join("_asked").display()
-            ))),
+        files.iter().try_for_each(|file| Self::check_outside(&self.folder, file))
+    }
+
+    /// That a file, which need not be there yet, does not lie in the folder of a sweep, which need not be there either, nor in one below it: readers of
+    /// Parquet folders take every file in it for rows, but those below names that begin with `_` or `.`.
+    ///
+    /// # Errors
+    /// [`SweepError`] where it does.
+    pub fn check_outside(folder: &Path, file: &Path) -> Result<(), SweepError> {
+        if !spoils(folder, file) {
+            return Ok(());
         }
+        Err(SweepError::new(format!(
+            "{}: lies in the sweep's folder, where readers of Parquet take it for rows; write to another folder, or to {}",
+            file.display(),
+            folder.join("_asked").display()
+        )))
     }
 
     /// Shows some columns of each chunk that is there, one chunk in memory at a time.
@@ -257,13 +265,16 @@ impl Dataset {
 
 /// Whether a file, which need not be there yet, is in a folder under names that its readers see.
 fn spoils(folder: &Path, file: &Path) -> bool {
-    let Ok(file) = std::path::absolute(file) else { return false };
-    // Of the folders that the file is in, the last that is there says where that is.
-    let there = file.ancestors().skip(1).find_map(|above| Some((above, fs::canonicalize(above).ok()?)));
-    let Some((above, place)) = there else { return false };
-    let place = place.join(file.strip_prefix(above).unwrap_or(&file));
+    let (Some(folder), Some(file)) = (resolved(folder), resolved(file)) else { return false };
     let seen = |part: &std::ffi::OsStr| !part.to_string_lossy().starts_with(['_', '.']);
-    place.strip_prefix(folder).is_ok_and(|below| below.iter().all(seen))
+    file.strip_prefix(folder).is_ok_and(|below| below.iter().all(seen))
+}
+
+/// Where a path leads that need not be there yet: of the folders above it, the last that is there says so.
+fn resolved(path: &Path) -> Option<PathBuf> {
+    let path = std::path::absolute(path).ok()?;
+    let (above, place) = path.ancestors().find_map(|above| Some((above, fs::canonicalize(above).ok()?)))?;
+    Some(place.join(path.strip_prefix(above).unwrap_or(&path)))
 }
 
 /// A folder without a manifest holds no chunks, which would be of some other sweep.

@@ -37,6 +37,8 @@ mod sampling;
 mod seal;
 mod sobol;
 mod spread;
+#[cfg(feature = "parquet")]
+mod table;
 mod values;
 mod variable;
 
@@ -51,6 +53,8 @@ pub use dataset::{Dataset, Tally};
 pub(crate) use permutation::mixed;
 pub use plan::{Plan, PlanParameters};
 pub use sampling::Sampling;
+#[cfg(feature = "parquet")]
+pub(crate) use table::cell;
 
 use crate::message::Message;
 

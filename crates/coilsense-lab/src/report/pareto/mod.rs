@@ -2,7 +2,6 @@
 //!
 //! Next door: what is computed (`crate::pareto`), a row's spec (`crate::sweep::Plan::spec_of`).
 
-mod csv;
 mod figures;
 mod html;
 mod json;
@@ -25,7 +24,7 @@ pub fn add_pareto(study: &Study, dataset: &Dataset, date: &str, output: &mut Out
     let figure = figures::front(study).map(|figure| draw("front".to_owned(), String::new(), &figure)).transpose()?;
     output.add("report.html", html::page(study, dataset, date, figure.as_ref())?.as_bytes())?;
     output.add("results.json", pareto_json(study)?.as_bytes())?;
-    output.write("pareto.csv", |file| csv::write(&study.front, file))?;
+    output.write("pareto.csv", |file| study.front.write_csv(file))?;
     output.add("pareto.parquet", &study.front.to_parquet().map_err(|error| ReportError::Table(error.to_string()))?)?;
     for name in ["front.svg", "front.png"] {
         output.remove(name);

@@ -2,10 +2,9 @@
 //!
 //! Next door: the table in the terminal (`text`) and on the page (`html`).
 
-use super::csv::cell;
 use crate::pareto::Study;
 use crate::quantity::{Shown, without_unit};
-use crate::sweep::Data;
+use crate::sweep::{Data, cell};
 
 /// A column of the table: its title, its cells of the listed designs.
 pub(super) struct Listed {

@@ -2,15 +2,29 @@
 //!
 //! Next door: the other commands (the parent), what a sweep may be asked (`crate::sweep::request`).
 
-use crate::request::{DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE_OUT, Row, SPEC, Takes, out};
+use crate::request::{DATE_OF_OUT, Door, IfAbsent, JSON, OVERWRITE, OVERWRITE_OUT, Row, SPEC, Takes, out};
 
 pub(super) const VARIED: Row = Row { meaning: "The spec whose values are varied", ..SPEC };
-pub(super) const SWEEP: [Row; 2] = [
+/// The rows as one table.
+pub const CSV: Row = Row {
+    name: "csv",
+    takes: Takes::File("FILE"),
+    meaning: "Write all rows as one CSV file, too, for a spreadsheet; not into the sweep's folder, whose files are read as Parquet",
+    elsewhere: &[(Door::Python, "SweepDataset.to_pandas")],
+    ..Row::PLAIN
+};
+pub(super) const SWEEP: [Row; 4] = [
     Row { meaning: "Print the summary as JSON", ..JSON },
     out(
         "Folder for the manifest and one Parquet file a chunk; a folder of the same sweep is continued",
         IfAbsent::Refused,
     ),
+    CSV,
+    Row {
+        meaning: "Replace a file of --csv that coilsense did not write, or that has changed since",
+        requires: &["csv"],
+        ..OVERWRITE
+    },
 ];
 
 /// A sweep that was made.
