@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::Context;
 use coilsense::identify::Answer;
 use coilsense_lab::identification::request::{SPEC, SPEC_OUT, coil, settings};
-use coilsense_lab::identification::{Identified, spec_file};
+use coilsense_lab::identification::{Expected, Identified, spec_file};
 use coilsense_lab::output::Output;
 use coilsense_lab::report::{add_identification, identification_json, identification_text};
 use coilsense_lab::request::{CHECK, DATE, Given, JSON, OUT};
@@ -23,7 +23,7 @@ pub fn run(given: &Given) -> anyhow::Result<()> {
     let needed =
         "--spec-out needs --windings, --radius and --wire, or --spec: no log of forces and positions tells them";
     let coil = spec_out.map(|_| coil(given, spring).context(needed)).transpose()?;
-    let settings = settings(given, spring).map_err(options::wrong)?;
+    let settings = settings(given, spec.as_ref().map(Expected::of_spec)).map_err(options::wrong)?;
     let mut output = files::asked(given)?;
     // Refused before the work where it must not be written.
     let spec_output = spec_out.map(|path| files::one(given, path)).transpose()?;

@@ -271,7 +271,7 @@ pub fn identify(
     accuracy_force: Quantity,
     accuracy_position: Quantity,
 ) -> PyResult<PyIdentification> {
-    let known = spring.as_ref().map(SpringArgument::known).transpose()?.map(|known| known.spring);
+    let known = spring.as_ref().map(SpringArgument::expected).transpose()?;
     if known.is_some() && (mass.is_some() || windings.is_some()) {
         return Err(Error::new_err("spring says mass and windings, too; give one of them"));
     }
@@ -286,7 +286,7 @@ pub fn identify(
         (&ACCURACY_FORCE, accuracy_force.into()),
         (&ACCURACY_POSITION, accuracy_position.into()),
     ])?;
-    let settings = settings(&given, known.as_ref()).map_err(wrong)?;
+    let settings = settings(&given, known).map_err(wrong)?;
     let recording = recording(py, record)?;
     let identified = interruptible(py, move || Identified::of(recording, &settings))?.python()?;
     Ok(PyIdentification(Arc::new(identified)))

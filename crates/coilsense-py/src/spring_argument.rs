@@ -5,6 +5,7 @@
 use std::path::PathBuf;
 
 use coilsense::Spring;
+use coilsense_lab::identification::Expected;
 use coilsense_lab::spec::SpringSpec;
 use pyo3::prelude::*;
 
@@ -37,6 +38,15 @@ pub struct Known {
 }
 
 impl SpringArgument<'_> {
+    /// What it lets expect of a log.
+    pub fn expected(&self) -> PyResult<Expected> {
+        match self {
+            Self::Spec(spec) => Ok(Expected::of_spec(&spec.get().spec.spring)),
+            Self::Path(path) => Ok(Expected::of_spec(&SpringSpec::read(path).python()?)),
+            Self::Spring(_) | Self::Other(_) => Ok(Expected::of_spring(&self.known()?.spring)),
+        }
+    }
+
     /// The spring and its tolerances; a noun has none.
     pub fn known(&self) -> PyResult<Known> {
         match self {

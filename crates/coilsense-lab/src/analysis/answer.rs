@@ -136,7 +136,12 @@ fn failing(analysis: &Analysis) -> Option<String> {
 /// By how much and where a sensor misses the goal, and why.
 fn missed(analysis: &Analysis, verdict: &Verdict) -> String {
     if let Some(most) = verdict.overload {
-        return format!("overloaded at {} N", digits(most));
+        let overloaded = format!("overloaded at {} N", digits(most));
+        let goal = analysis.spec.goal.error.unwrap_or(f64::INFINITY);
+        if verdict.combined() <= goal {
+            return overloaded;
+        }
+        return format!("{overloaded}, and {} N off in {}", digits(verdict.combined()), place(analysis, verdict));
     }
     if verdict.too_slow && verdict.meets.iter().all(|meets| *meets) {
         return format!("reaches {} Hz only", digits(verdict.bandwidth));
@@ -214,10 +219,10 @@ fn warned(analysis: &Analysis) -> String {
         (Subject::Contact, "windings meet, ends leave their seats, or a follower its cam"),
         (Subject::Length, "a length leaves the range in use"),
         (Subject::Lift, "an end that only pushes would have to pull"),
-        (Subject::Doubt, "values of the spring do not fit together"),
+        (Subject::Doubt, "values of the spring do not fit together, or are no coil's"),
         (Subject::Instrument, "an instrument has no limit of error"),
         (Subject::Alias, "surge lines alias"),
-        (Subject::Range, "a load cell is overloaded"),
+        (Subject::Range, "a load cell is overloaded, or its range is not given"),
         (Subject::Magnetisation, "the wire may be more magnetic than what is computed"),
         (Subject::Temperature, "a drift with temperature is not known"),
         (Subject::Neighbour, "the coil rings in other modes too"),

@@ -12,7 +12,9 @@ use crate::spec::Spec;
 pub(super) fn unjudged(analysis: &Analysis, verdict: &Verdict) -> String {
     let goal = analysis.spec.goal.error;
     let is_met = |verdict: &Verdict| goal.is_some_and(|goal| verdict.sooner.is_none_or(|sooner| sooner.error <= goal));
-    let Some(sooner) = verdict.sooner.filter(|_| !is_met(verdict)) else { return String::new() };
+    let Some(sooner) = verdict.sooner.filter(|_| !is_met(verdict) && verdict.meets_always() != Some(false)) else {
+        return String::new();
+    };
     let condition = analysis.cases[sooner.case].condition;
     let mut meeting = analysis.verdicts.iter().filter(|other| other.meets_always() == Some(true) && is_met(other));
     let then = match (goal, meeting.next()) {

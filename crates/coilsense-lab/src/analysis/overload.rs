@@ -3,13 +3,19 @@
 //! Next door: the verdict that hangs on it (`judge`, `assessed`), the warning (`warnings`).
 
 use super::case::Case;
+use super::change::Fix;
+use super::verdict::Verdict;
+use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec};
 
-/// Up to what a load cell reads \[N\]; without bound for what estimates a force.
+/// Up to what a load cell reads \[N\]; without bound for what estimates a force, and where nobody chose a range.
 pub(super) fn full_scale(spec: &Spec, sensor: &SensorSpec) -> f64 {
-    // F_nom is the full scale where nobody chose one, and a spring held there rings about it: that one is meant with a margin.
-    let margin = if sensor.range == spec.spring.spring.nominal_force() { 1.25 } else { 1.0 };
-    if sensor.quantity.estimates() { f64::INFINITY } else { margin * sensor.range }
+    if sensor.quantity.estimates() || is_assumed(spec, sensor) { f64::INFINITY } else { sensor.range }
+}
+
+/// Whether F_nom stands for a range that nobody chose.
+fn is_assumed(spec: &Spec, sensor: &SensorSpec) -> bool {
+    sensor.range == spec.spring.spring.nominal_force()
 }
 
 /// The case in which a load cell sees most, and that \[N\]; `None` within its full scale.
@@ -19,7 +25,43 @@ pub(super) fn overload<'a>(
     sensor: &SensorSpec,
     cases: &'a [Case],
 ) -> Option<(&'a Case, f64)> {
-    let peak = |case: &Case| case.readings[index].native.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
-    let most = cases.iter().map(|case| (case, peak(case))).max_by(|a, b| a.1.total_cmp(&b.1));
-    most.filter(|(_, most)| *most > full_scale(spec, sensor))
+    most(index, cases).filter(|(_, most)| *most > full_scale(spec, sensor))
 }
+
+/// The same where nobody chose a range: from so many times F_nom on its errors are those of a smaller cell than is needed.
+pub(super) fn above_assumed<'a>(
+    spec: &Spec,
+    index: usize,
+    sensor: &SensorSpec,
+    cases: &'a [Case],
+) -> Option<(&'a Case, f64)> {
+    // Without sensors a spec is judged by perfect ones.
+    let asked = !sensor.quantity.estimates() && is_assumed(spec, sensor) && !spec.sensors.is_empty();
+    most(index, cases).filter(|(_, most)| asked && *most > MARGIN * sensor.range)
+}
+
+/// A spring that is held at F_nom rings about it.
+const MARGIN: f64 = 1.25;
+
+/// The case in which a sensor sees most, and that, in its native unit. What comes after windings have touched that pass through one another is no force
+/// of this spring, and does not count.
+fn most(index: usize, cases: &[Case]) -> Option<(&Case, f64)> {
+    let peak = |case: &Case| {
+        let contact = case.clash.first_contact.filter(|_| case.contacts.is_none());
+        let times = case.signals.time();
+        let count = contact.map_or(times.len(), |contact| times.partition_point(|time| *time < contact));
+        case.readings[index].native[..count].iter().fold(0.0_f64, |peak, value| peak.max(value.abs()))
+    };
+    cases.iter().map(|case| (case, peak(case))).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// What would let an overloaded load cell meet the goal that its uncertainty meets already.
+pub(super) fn wider(spec: &Spec, verdict: &Verdict) -> Option<Fix> {
+    let (most, goal, combined) = (verdict.overload?, spec.goal.error?, verdict.combined());
+    let meets = combined <= goal && !verdict.too_slow;
+    let change = format!("a range of {} N, with the same errors in N", digits(HEADROOM * most));
+    meets.then_some(Fix { change, combined, lag: verdict.lag })
+}
+
+/// So much above what a load cell sees its range is to be: what is printed is rounded.
+const HEADROOM: f64 = 1.01;

@@ -13,8 +13,8 @@ use super::response::Responses;
 use super::specimen::{MANY, SOME, Specimens, Springs};
 use super::verdict::Verdict;
 use super::{
-    Analysis, AnalysisError, IfUsual, Progress, USUAL_TOLERANCE, fix, helices, judged_sensors, prepare, resonance,
-    simulate_watched, sooner, warnings,
+    Analysis, AnalysisError, IfUsual, Progress, USUAL_TOLERANCE, fix, helices, judged_sensors, overload, prepare,
+    resonance, simulate_watched, sooner, warnings,
 };
 use crate::data_sheet::DataSheet;
 use crate::spec::{Model, SensorSpec, Spec, SpringInductance, Tolerances};
@@ -96,7 +96,7 @@ impl Prepared {
                 let fixes = if verdict.meets_always() == Some(false) && verdict.overload.is_none() {
                     fix::of(&judge, &sensors[index], &verdict)?
                 } else {
-                    Vec::new()
+                    overload::wider(&self.spec, &verdict).into_iter().collect()
                 };
                 let sooner = sooner::of(&judge, index, &sensors[index], &verdict)?;
                 Ok(Verdict { fixes, sooner, ..verdict })

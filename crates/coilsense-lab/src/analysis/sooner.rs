@@ -30,14 +30,15 @@ pub(super) fn of(
 ) -> Result<Option<Sooner>, Error> {
     let mut loudest: Option<Sooner> = None;
     for (number, case) in judge.cases.iter().enumerate() {
-        let Some(window) = before(judge.spec, case.condition) else { continue };
-        let part = band::judged(case.signals.time(), window);
-        let scene = Scene { judged: &part, ..case.scene(sensor, &judge.spec.goal) };
-        let instrument = judge.instrument(sensor, case.condition)?;
-        let counted = judge.counted(scene, &case.readings[index].steady)?;
-        let Assessment { nominal: error, .. } = judge.assessment(sensor, &instrument, scene, counted, None)?;
-        if loudest.is_none_or(|loudest| error > loudest.error) {
-            loudest = Some(Sooner { case: number, window, error });
+        for window in before(judge.spec, case.condition) {
+            let part = band::judged(case.signals.time(), window);
+            let scene = Scene { judged: &part, ..case.scene(sensor, &judge.spec.goal) };
+            let instrument = judge.instrument(sensor, case.condition)?;
+            let counted = judge.counted(scene, &case.readings[index].steady)?;
+            let Assessment { nominal: error, .. } = judge.assessment(sensor, &instrument, scene, counted, None)?;
+            if loudest.is_none_or(|loudest| error > loudest.error) {
+                loudest = Some(Sooner { case: number, window, error });
+            }
         }
     }
     let most = verdict.combined();
@@ -46,18 +47,27 @@ pub(super) fn of(
     Ok(loudest.filter(|loudest| louder(loudest.error) || turns(loudest.error)))
 }
 
-/// What is simulated of an event and not judged, at most as long as what is \[s\]; `None` where the judged part begins with the event, and of
-/// motion that goes on.
-fn before(spec: &Spec, condition: usize) -> Option<(f64, f64)> {
+/// Most parts that are looked at before a window.
+const MOST_PARTS: f64 = 40.0;
+
+/// Parts of what is simulated from an event on and not judged, each at most as long as what is \[s\]: half of each lies in the next. None where the
+/// judged part begins with the event, and of sines, which are judged once they have settled.
+fn before(spec: &Spec, condition: usize) -> Vec<(f64, f64)> {
     let asked = &spec.conditions[condition];
     let (from, to) = asked.window;
-    let event = event(&asked.excitation)?;
+    let Some(event) = event(&asked.excitation) else { return Vec::new() };
     // The last sample that is left out.
-    let until = from.min(event + to - from) - 1.0 / asked.sample_rate;
-    (until > event).then_some((event, until))
+    let (last, length) = (from - 1.0 / asked.sample_rate, to - from - 1.0 / asked.sample_rate);
+    if last <= event {
+        return Vec::new();
+    }
+    let step = (0.5 * length).max((last - event) / MOST_PARTS);
+    let count = ((last - event - length) / step).ceil().max(0.0) as usize;
+    let begins = (0..=count).map(|part| (event + part as f64 * step).min(last - length).max(event));
+    begins.map(|begin| (begin, (begin + length).min(last))).collect()
 }
 
-/// When the ends stop, or one of them is knocked \[s\]; `None` of sines and recordings, which are judged once they have settled.
+/// From when on there is something to judge \[s\]: the ends stop, or one of them is moved; `None` of sines, which go on for ever.
 fn event(excitation: &Excitation) -> Option<f64> {
     if matches!(excitation.start(), Start::Moving { .. }) {
         return Some(0.0);
@@ -65,7 +75,8 @@ fn event(excitation: &Excitation) -> Option<f64> {
     let of_end = |end| match excitation.input(end) {
         EndInput::Step { at, .. } => Some(*at),
         EndInput::Ramp { from, .. } | EndInput::HalfSine { from, .. } => Some(*from),
-        EndInput::Held | EndInput::Harmonics(_) | EndInput::Chirp { .. } | EndInput::Sampled(_) => None,
+        EndInput::Chirp { .. } | EndInput::Sampled(_) => Some(0.0),
+        EndInput::Held | EndInput::Harmonics(_) => None,
     };
     [End::One, End::Two].into_iter().filter_map(of_end).min_by(f64::total_cmp)
 }

@@ -70,7 +70,7 @@ pub struct Assessment {
     pub worst: f64,
 }
 
-/// A sensor after a stop, a step, a ramp or a pulse, in a part that the window leaves out.
+/// A sensor in a part that the window leaves out, after a stop, a step, a ramp or a pulse, in a sweep or a recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sooner {
     /// Number of the case.

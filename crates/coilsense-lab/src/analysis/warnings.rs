@@ -9,7 +9,7 @@ use coilsense::{Channel, End, Error};
 
 use super::case::Case;
 use super::judge::Judge;
-use super::overload::overload;
+use super::overload::{above_assumed, overload};
 use super::rank::has_limits;
 use super::{magnetisation, met};
 use crate::data_sheet::DataSheet;
@@ -93,6 +93,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
         of_motion(spec, &of_condition, sheet, &mut warnings)?;
         warnings.extend(magnetisation::uneven(spec, &of_condition).map(magnetised));
     }
+    warnings.extend(damping(spec));
     warnings.extend(sheet.doubts.iter().map(|text| Warning { subject: Subject::Doubt, text: text.clone() }));
     for (index, sensor) in sensors.iter().enumerate() {
         warnings.extend(faultless(sensor));
@@ -113,7 +114,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
 /// Those of the science.
 pub fn of_simulated(spec: &Spec, cases: &[Case]) -> Result<Vec<Warning>, Error> {
     let sheet = DataSheet::of(spec)?;
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<Warning> = damping(spec).collect();
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
         of_motion(spec, &of_condition, &sheet, &mut warnings)?;
@@ -129,6 +130,11 @@ fn of_motion(spec: &Spec, cases: &[&Case], sheet: &DataSheet, warnings: &mut Vec
     warnings.extend(length(spec, cases, sheet));
     warnings.extend(lift(spec, cases)?);
     Ok(())
+}
+
+/// Damping that no coil has.
+fn damping(spec: &Spec) -> impl Iterator<Item = Warning> {
+    spec.mount.doubt().map(|text| Warning { subject: Subject::Doubt, text }).into_iter()
 }
 
 /// Windings that touch, under the damping where they come nearest.
@@ -328,6 +334,15 @@ fn line_amplitude(frequencies: &[f64], amplitudes: &[f64], frequency: f64) -> f6
 
 /// A load cell that sees more than its full scale.
 fn range(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Option<Warning> {
+    if let Some((case, most)) = above_assumed(spec, index, sensor, cases) {
+        let (name, range) = (&spec.conditions[case.condition].name, digits(sensor.range));
+        let text = format!(
+            "{}: no range is given, so its errors are those of a cell of {range} N (F_nom), and it has to read up to {} N in {name}.",
+            sensor.name,
+            digits(most)
+        );
+        return Some(Warning { subject: Subject::Range, text });
+    }
     let (case, most) = overload(spec, index, sensor, cases)?;
     let text = format!(
         "{}: {:.1} N in {} is {:.0} % of its full scale of {:.1} N.",

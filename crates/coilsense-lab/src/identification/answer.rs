@@ -47,7 +47,7 @@ fn numbers(identified: &Identified) -> Option<String> {
         let name = if line.both_positions { "l0" } else { "position without force" };
         add(name, Some(&line.length_at_zero), 1e3, " mm");
     }
-    add("mass of the coil", found.mass.as_ref(), 1e3, " g");
+    add("mass that surges kτ²", found.mass.as_ref(), 1e3, " g");
     add("wave transit time τ", found.transit_time.as_ref(), 1e3, " ms");
     if let Some(mass) = found.end_mass {
         parts.push(format!("mass at end 2 {} kg", digits(mass)));

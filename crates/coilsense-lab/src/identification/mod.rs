@@ -3,11 +3,13 @@
 //! Next door: the science (`coilsense::identify`), where logs come from (`crate::recording`), its report (`crate::report`).
 
 mod answer;
+mod expected;
 pub mod request;
 mod spec_file;
 
 pub(crate) use answer::interval;
 pub use answer::{answer, component_name};
+pub use expected::Expected;
 pub use spec_file::{Coil, SpecFileError, spec_file};
 
 use coilsense::Signals;

@@ -5,7 +5,7 @@
 use coilsense::identify::Settings;
 use coilsense::{Channel, FarEnd, Spring};
 
-use super::Coil;
+use super::{Coil, Expected};
 use crate::quantity::Dimension;
 use crate::request::{self, Allowed, Door, Given, IfAbsent, KNOWN_SPRING, LENGTH, Row, Takes, Wrong};
 
@@ -121,17 +121,16 @@ pub const SPEC_OUT: Row = Row {
     ..Row::PLAIN
 };
 
-/// What a record is judged by, of what was given and a known spring.
+/// What a record is judged by, of what was given and what is expected of a known spring.
 ///
 /// # Errors
 /// [`Wrong`] for a mass at an end that carries none.
-pub fn settings(given: &Given, spring: Option<&Spring>) -> Result<Settings, Wrong> {
-    let predicted = spring.map(|spring| std::f64::consts::TAU * spring.chain_frequency());
+pub fn settings(given: &Given, expected: Option<Expected>) -> Result<Settings, Wrong> {
     let share = |row| given.number(row).unwrap_or_default();
     Ok(Settings {
-        windings: spring.map(|spring| spring.whole_windings() as f64).or(given.number(&WINDINGS)),
-        mass: given.number(&MASS).filter(|_| spring.is_none()),
-        predicted: predicted.map(|angular| angular / std::f64::consts::TAU),
+        windings: expected.map_or(given.number(&WINDINGS), |expected| expected.windings),
+        mass: given.number(&MASS).filter(|_| expected.is_none()),
+        predicted: expected.map(|expected| expected.first_frequency),
         prediction_tolerance: share(&PREDICTION_TOLERANCE),
         far_end: far_end(given)?,
         turned: given.text(&TURN).and_then(|name| TURNABLE.into_iter().find(|channel| channel.name() == name)),

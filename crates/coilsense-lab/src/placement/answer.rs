@@ -41,6 +41,7 @@ pub(crate) fn answered(placement: &Placement) -> [Vec<String>; 2] {
     }
     let (warnings, runs): (Vec<String>, Vec<String>) =
         told::lines(placement).into_iter().partition(|line| line.starts_with(told::WARNING));
+    first.extend(placement.spec.mount.doubt().map(|doubt| format!("{}: {doubt}", told::WARNING)));
     first.extend(warnings);
     lines.extend(runs);
     if placement.undamped_left_out {

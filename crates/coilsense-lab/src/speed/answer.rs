@@ -8,6 +8,9 @@ use crate::quantity::digits;
 /// Extremes that differ by more than this share of F_nom from turns to turns have not settled.
 pub(crate) const SETTLED: f64 = 0.02;
 
+/// Speeds that are farther apart than this share of theirs do not say what is between them: a resonance with ζ = 0.005 is a hundredth wide.
+const FAR: f64 = 0.03;
+
 /// Bands of speeds that a sentence names one by one.
 const MOST_BANDS: usize = 3;
 
@@ -17,6 +20,8 @@ pub fn answer(map: &SpeedMap) -> Vec<String> {
     let surge = [surge(map), finer(map).unwrap_or_default()].join(" ").trim_end().to_owned();
     let mut lines: Vec<String> = pressed_through(map).into_iter().collect();
     lines.extend([floats(map), meets(map), surge, seats(map), fatigue(map), rebound(map)]);
+    lines.extend(out_of_range(map));
+    lines.extend(map.spec.mount.doubt().map(|doubt| format!("Warning: {doubt}")));
     lines.extend(unsettled(map));
     lines.extend(given_up(map));
     lines.extend(refined(map));
@@ -69,6 +74,19 @@ fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool
     let before = bands.first().and_then(|(from, _)| from.checked_sub(1));
     let before = before.map_or_else(String::new, |before| format!(", and not up to {}", rpm(points[before].speed)));
     let shown: Vec<String> = shown.iter().map(words).collect();
+    // Of neighbours that lie far apart nobody knows what is between them.
+    let gap = |&(from, to): &(usize, usize)| {
+        let each = points[from..=to].windows(2).map(|pair| pair[1].speed - pair[0].speed);
+        each.zip(&points[from..=to])
+            .filter(|(gap, point)| *gap > FAR * point.speed)
+            .map(|(gap, _)| gap)
+            .fold(0.0, f64::max)
+    };
+    let widest = bands.iter().map(gap).fold(0.0, f64::max);
+    let before = match widest > 0.0 {
+        true => format!("{before}, run up to {} apart and not known between", rpm(widest)),
+        false => before,
+    };
     match more.last() {
         None => format!("{}{before}", shown.join(", ")),
         Some(end) => {
@@ -122,7 +140,7 @@ fn meets(map: &SpeedMap) -> String {
     let most = most.map_or_else(String::new, |point| {
         format!("; hardest at {}, at {} m/s ({})", rpm(point.speed), digits(point.fastest), label(map, point))
     });
-    let longest = map.points.iter().max_by(|a, b| a.closed.total_cmp(&b.closed));
+    let longest = map.points.iter().filter(|point| point.closed > 0.0).max_by(|a, b| a.closed.total_cmp(&b.closed));
     let longest = longest.map_or_else(String::new, |point| {
         format!("; longest at {}, for {} % of a turn", rpm(point.speed), digits(100.0 * point.closed))
     });
@@ -245,6 +263,22 @@ fn finer(map: &SpeedMap) -> Option<String> {
         (None, None) => None,
         (said, untried) => Some([said, untried].into_iter().flatten().collect::<Vec<_>>().join(" ")),
     }
+}
+
+/// Lengths that the cam takes the spring to and that are not in use, as the spec says.
+fn out_of_range(map: &SpeedMap) -> Option<String> {
+    let (min, max) = map.spec.spring.spring.operating_range();
+    let (shortest, longest) = (map.cam.length - map.cam.lift, map.cam.length);
+    // A micrometre is rounding of a length as it is written.
+    (shortest < min - 1e-6).then(|| {
+        format!(
+            "Warning: lengths from {:.2} to {:.2} mm leave the range in use, {:.2} to {:.2} mm.",
+            1e3 * shortest,
+            1e3 * longest,
+            1e3 * min,
+            1e3 * max
+        )
+    })
 }
 
 /// What of the spec is not asked here.

@@ -115,3 +115,31 @@ fn what_is_left_of_a_ringing_that_is_over_is_not_said_to_hang_on_a_frequency() {
     // What was left out is told all the same, 0.401 N of 0.608.
     assert!(quiet.warnings.iter().any(|warning| warning.subject == Subject::Window), "{:?}", quiet.warnings);
 }
+
+#[test]
+fn sweeps_and_recordings_are_looked_at_before_the_window_too() {
+    // From 5 to 90 Hz within a second, through f1 = 54 Hz at 0.58 s: what is judged comes after, or is that.
+    let sweep = |window: &str| {
+        let keys = "kind = \"sweep\"\nfrequency = [\"5 Hz\", \"90 Hz\"]\namplitude = \"1 %\"\n";
+        of(0.02, &format!("{keys}window = [{window}]"))
+    };
+    let late = told(&sweep("\"0.9 s\", \"1 s\""), "cell").unwrap();
+    assert!((0.5..0.7).contains(&late.window.0), "{late:?}");
+    assert!(told(&sweep("\"0.55 s\", \"0.75 s\""), "cell").is_none(), "the loudest part is judged");
+    // Half a sine of 10 ms at 0.3 s, as a file; the loudest part is found wherever it lies, to half a window.
+    let rows: String = (0..=1000)
+        .map(|n| f64::from(n) * 1e-3)
+        .map(|t| {
+            let u1 = if (0.3..0.31).contains(&t) { (std::f64::consts::PI * (t - 0.3) / 0.01).sin() } else { 0.0 };
+            format!("{t},{u1},0\n")
+        })
+        .collect();
+    let text = format!(
+        "{S_T}\n[mount]\ndamping_ratio = 0.02\n[uncertainty]\ntrials = 1000\n[[condition]]\nkind = \"recorded\"\nfile = \"bump.csv\"\n\
+         window = [\"0.8 s\", \"0.9 s\"]\n{SENSORS}"
+    );
+    let files = |_: &str| Ok(format!("time [s],u1 [mm],u2 [mm]\n{rows}"));
+    let spec = coilsense_lab::spec::Spec::parse("bump.toml", &text, &files).unwrap();
+    let late = told(&Analysis::run(spec, &|_, _| true).unwrap(), "cell").unwrap();
+    assert!((0.2..=0.3).contains(&late.window.0) && late.window.1 > 0.31, "{late:?}");
+}

@@ -112,7 +112,13 @@ fn a_load_cell_beyond_its_full_scale_is_not_chosen() {
     let over = analysis(["90 N", "200 N"]);
     assert!(first(&over).starts_with("Choose wide. One of 2 sensors meets the goal"), "{}", first(&over));
     let verdict = over.verdicts.iter().find(|verdict| over.sensors[verdict.sensor].name == "near").unwrap();
-    assert!(verdict.overload.is_some_and(|most| (96.0..100.0).contains(&most)) && verdict.fixes.is_empty());
+    assert!(verdict.overload.is_some_and(|most| (96.0..100.0).contains(&most)));
+    // One that reads it, and errs as little, meets the goal.
+    let [fix] = &verdict.fixes[..] else { panic!("{:?}", verdict.fixes) };
+    assert!(
+        fix.change == "a range of 101 N, with the same errors in N" && fix.combined == verdict.combined(),
+        "{fix:?}"
+    );
     assert_eq!(verdict.meets_always(), Some(false));
     let answer = coilsense_lab::analysis::answer(&over).join("\n");
     assert!(answer.contains("Missed by: near (overloaded at 9"), "{answer}");
@@ -122,6 +128,33 @@ fn a_load_cell_beyond_its_full_scale_is_not_chosen() {
         "{}",
         first(&none)
     );
+}
+
+#[test]
+fn what_no_spring_does_overloads_no_load_cell() {
+    // The compression spring of `init` at resonance, undamped: 648 N, where it is solid at 465 N and its windings have long touched.
+    let analysis = run(&template(Some("pressed")).unwrap());
+    let words = coilsense_lab::analysis::answer(&analysis);
+    assert!(words[0].starts_with("Choose load cell") && !words.concat().contains("overloaded at"), "{words:?}");
+    assert_eq!(of(&analysis, Subject::Clash).len(), 1, "that is told");
+    // Nobody chose a range; what it would have to be until windings touch is told.
+    let ranges = of(&analysis, Subject::Range);
+    assert!(
+        ranges.len() == 2 && ranges[0].contains("of a cell of 310 N (F_nom), and it has to read up to 45"),
+        "{ranges:?}"
+    );
+    // Perfect sensors have no range; a cell that reads little all the same is overloaded before anything touches.
+    let (head, rest) = template(Some("pressed"))
+        .map(|text| text.split_once("[[sensor]]").map(|(a, b)| (a.to_owned(), b.to_owned())).unwrap())
+        .unwrap();
+    let goal = rest.split_once("[goal]").unwrap().1;
+    let perfect = run(&format!("{head}[goal]{}", goal.replacen("bandwidth", "force = \"F_o\"\nbandwidth", 1)));
+    assert!(perfect.verdicts.iter().all(|verdict| verdict.overload.is_none()));
+    let small = run(&template(Some("pressed"))
+        .unwrap()
+        .replace("bandwidth = \"1 kHz\"", "range = \"200 N\"\nbandwidth = \"1 kHz\""));
+    let words = coilsense_lab::analysis::answer(&small).concat();
+    assert!(words.contains("overloaded at 4") && !words.contains("648"), "{words}");
 }
 
 #[test]

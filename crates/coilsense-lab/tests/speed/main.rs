@@ -126,12 +126,39 @@ fn a_cam_of_a_file_is_the_law_that_it_was_written_from() {
             );
         }
     }
+    // Units are those of the heading: a lift in metres was taken for one in millimetres, an angle in radians for one in degrees.
+    let of = |head: &str, angle: f64, lift: f64| {
+        let row = |degree: u32| {
+            let share = f64::from(degree) / 360.0;
+            format!("{},{}", angle * share, lift * law.lift_at(share))
+        };
+        let file = format!("{head}\n{}\n", (0..=360).map(row).collect::<Vec<_>>().join("\n"));
+        read_with(&text("0.01", "", "", "file = \"cam.csv\""), &file).unwrap().cam.unwrap()
+    };
+    for (head, angle, lift) in [
+        ("angle [deg],lift [m]", 360.0, 1.0),
+        ("angle [rad],lift [mm]", TAU, 1e3),
+        ("angle (deg),lift (um)", 360.0, 1e6),
+        ("angle,lift", 360.0, 1e3),
+    ] {
+        let cam = of(head, angle, lift);
+        assert!(
+            (cam.lift - 0.01).abs() < 1e-9 && cam.words == "lift of cam.csv, 10.0 mm",
+            "{head}: {} {}",
+            cam.lift,
+            cam.words
+        );
+        assert!((cam.lift_at(0.41) - law.lift_at(0.41)).abs() < 1e-7, "{head}");
+    }
     let bad = |file: &str| read_with(&text("0.01", "", "", "file = \"cam.csv\""), file).map(|_| ()).unwrap_err();
     for (file, part) in [
         ("0,0\n1,1\n", "must hold 8 to"),
         (&rows(0)[..200].join("\n") as &str, "must end where it begins"),
         (&format!("{}\n5,1\n", rows(0).join("\n")), "angles must rise"),
         (&format!("{}\n361,none\n", rows(0).join("\n")), "must be an angle in degrees"),
+        (&format!("angle [deg],lift [kg]\n{}\n", rows(0).join("\n")), "cam.csv:1: the unit \"kg\" must be one of"),
+        (&format!("angle [N],lift [mm]\n{}\n", rows(0).join("\n")), "the unit \"N\" must be one of"),
+        (&rows(0).join("\n").replace(',', ",-"), "lifts must be zero or above, got -10.0 mm"),
     ] {
         assert!(bad(file).contains(part) && bad(file).lines().count() == 1, "{}", bad(file));
     }
@@ -395,4 +422,35 @@ fn windings_stay_closed_for_longer_than_none_where_they_meet_and_seats_are_press
     assert!(
         map.points.iter().any(|point| point.closed > 1e-3) && map.points.iter().any(|point| point.lifts > Some(0.0))
     );
+}
+
+#[test]
+fn what_no_coil_or_spec_has_is_said_of_a_cam() {
+    // A lift that goes half a millimetre beyond the range in use; damping that was meant as half a per cent.
+    let spec = text("0.5", "", "restitution = 0.0", CAM);
+    let cam = read(&spec).unwrap().cam.unwrap();
+    let (shortest, least) =
+        (1e3 * (cam.length - cam.lift), spec.lines().find(|line| line.starts_with("min_length")).unwrap().to_owned());
+    let words = |above: f64| {
+        let given = spec.replace(&least, &format!("min_length = \"{} mm\"", shortest + above));
+        answer(&map(&given, 3000.0, 3000.0)).join("\n")
+    };
+    assert!(
+        words(0.5).contains("Warning: ζ = 0.5 damps the coil's own ringing more than a coil does"),
+        "{}",
+        words(0.5)
+    );
+    assert!(words(0.5).contains("mm leave the range in use"), "{}", words(0.5));
+    assert!(!words(0.0).contains("leave the range in use"), "{}", words(0.0));
+    let calm = answer(&map(&text("0.01", "", "restitution = 0.0", CAM), 3000.0, 3000.0)).join("\n");
+    assert!(!calm.contains("Warning:"), "{calm}");
+}
+
+#[test]
+fn between_speeds_that_lie_far_apart_nothing_is_said_to_hold() {
+    let far = map(&text("0.002", "", "restitution = 0.0", CAM), 8500.0, 10_500.0);
+    let words = answer(&far).join("\n");
+    assert!(far.points.iter().any(|point| point.meets()), "{words}");
+    assert!(words.contains("apart and not known between"), "{words}");
+    assert!(!words.contains("for 0 % of a turn") && !words.contains("for 0.00 % of a turn"), "{words}");
 }

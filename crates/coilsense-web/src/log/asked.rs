@@ -4,8 +4,8 @@
 
 use coilsense::Spring;
 use coilsense::identify::Settings;
-use coilsense_lab::identification::Coil;
 use coilsense_lab::identification::request::{OPTIONS, coil, settings};
+use coilsense_lab::identification::{Coil, Expected};
 use coilsense_lab::message::{Door, Message};
 use coilsense_lab::recording::request::{CLEANING, LAYOUT, SECOND, WINDOW};
 use coilsense_lab::recording::{Cleaning, Clock, Mapping};
@@ -93,8 +93,8 @@ impl Request {
         spec.transpose().map_err(|error| error.to_string())
     }
 
-    pub(super) fn settings(&self, spring: Option<&Spring>) -> Result<Settings, String> {
-        settings(&self.given(&OPTIONS)?, spring).map_err(|wrong| wrong.to_string())
+    pub(super) fn settings(&self, spec: Option<&SpringSpec>) -> Result<Settings, String> {
+        settings(&self.given(&OPTIONS)?, spec.map(Expected::of_spec)).map_err(|wrong| wrong.to_string())
     }
 
     /// What no log tells of the coil, from the page's spring or told by hand: none where a part of it is missing.

@@ -19,7 +19,7 @@ use crate::answer::Answer;
 pub fn identify(log: LogFile, second: Option<LogFile>, asked: &Request) -> Result<Answer, String> {
     let spec = asked.spring()?;
     let spring = spec.as_ref().map(|spec| &spec.spring);
-    let (settings, coil) = (asked.settings(spring)?, asked.coil(spring)?);
+    let (settings, coil) = (asked.settings(spec.as_ref())?, asked.coil(spring)?);
     let recording = recording(log, second, asked)?;
     let (mut series, group) = recorded::curves(recording.signals());
     let mut facts = json!({ "group": group, "clock": clock(&recording), "simulated": recording.simulated() });

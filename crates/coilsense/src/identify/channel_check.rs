@@ -47,6 +47,11 @@ pub(super) fn check(signals: &Signals, sampling: &Sampling) -> Vec<ChannelCheck>
     present.map(|(channel, values)| of(channel, values, signals, sampling)).collect()
 }
 
+/// The forces that are clipped, and where.
+pub(super) fn limits(checks: &[ChannelCheck]) -> Vec<(Channel, Clipping)> {
+    checks.iter().filter_map(|check| Some((check.channel, check.clipping?))).collect()
+}
+
 fn of(channel: Channel, recorded: &[f64], signals: &Signals, sampling: &Sampling) -> ChannelCheck {
     let last_digit = last_digit::of(recorded);
     let clock = UpdateClock::of(recorded, last_digit);

@@ -1,7 +1,8 @@
 //! Stiffness and length without force, from the parts of a record in which the spring moves slowly.
 //!
-//! Next door: what is left of the forces then (`ringing`).
+//! Next door: the same of a record by itself (`record_stiffness`), what is left of the forces then (`ringing`).
 
+use super::clipping::Clipping;
 use super::median::median;
 use super::sampling::Sampling;
 use super::settings::Settings;
@@ -69,47 +70,17 @@ fn force(signals: &Signals, left_out: &[Channel]) -> Option<Vec<f64>> {
 }
 
 impl Stiffness {
-    /// Of a record by itself, of a spring whose first surge frequency is known \[Hz\]; a text says why there is none.
-    ///
-    /// F = k (l − l0) by least squares over Hann means of 0.2 s, the lengths' own noise taken off their variance; k's interval holds k (ωτ)²/6 of
-    /// the coil's own mass, τ = 1/2f1, ω the blocks' √(−Σ l l̈/Σ l²).
-    ///
-    /// Source:   `[Bendat2010]` section 6.1.4 (H1); `[Rao2011]` for the static limit of a heavy spring.
-    /// Valid:    a slow motion of at least a twentieth of the length's power; both forces' mean where both are recorded.
-    /// Accuracy: intervals of `identify`'s tests.
-    ///
-    /// ```
-    /// use coilsense::identify::Stiffness;
-    /// use coilsense::{Channel, Signals};
-    ///
-    /// let time: Vec<f64> = (0..4000).map(|n| f64::from(n) / 200.0).collect();
-    /// let length: Vec<f64> = time.iter().map(|t| 0.14 + 1e-3 * (1.9 * t).sin()).collect();
-    /// let mut signals = Signals::new(time)?;
-    /// signals.insert(Channel::InputForce, length.iter().map(|l| 760.0 * (l - 0.104)).collect())?;
-    /// signals.insert(Channel::U2, length)?;
-    /// let found = Stiffness::of_record(&signals, 54.0)?;
-    /// assert!((found.stiffness.value - 760.0).abs() < 0.1);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Why there is none, in words.
-    pub fn of_record(signals: &Signals, first_frequency: f64) -> Result<Self, String> {
-        let sampling = Sampling::of(signals).map_err(|error| error.to_string())?;
-        let mut found = Self::of(signals, &[], &sampling, &Settings::default())?;
-        found.with_mass(first_frequency);
-        Ok(found)
-    }
-
     /// Least squares of F = k (l − l0) over block means, the lengths' own noise taken off their variance.
     ///
     /// k = Σ(l − l̄)(F − F̄)/(Σ(l − l̄)² − B u_l²); u² = s²/Σ(l − l̄)² · (1 + ρ)/(1 − ρ) + k²(a_F² + a_x²)/3
     ///
     /// ρ: correlation of neighbouring residuals; a_F, a_x: relative limits of error of force and position, rectangular. The mean of both
-    /// ends' forces is taken where both were recorded and neither is `left_out`: odd modes cancel in it. A text says why there is none.
+    /// ends' forces is taken where both were recorded and neither is `left_out`: odd modes cancel in it. Blocks in which a force is at one of its
+    /// `limits` are left out. A text says why there is none.
     pub(super) fn of(
         signals: &Signals,
         left_out: &[Channel],
+        limits: &[(Channel, Clipping)],
         sampling: &Sampling,
         settings: &Settings,
     ) -> Result<Self, String> {
@@ -118,8 +89,17 @@ impl Stiffness {
         let force =
             force(signals, left_out).ok_or("no force at an end was recorded (F_i, F_o), so there is no stiffness")?;
         let block = ((BLOCK * sampling.rate) as usize).min(length.len() / LEAST_BLOCKS).max(4);
-        let (lengths, forces) = (block_means(&length, block), block_means(&force, block));
+        let kept = unclipped(signals, limits, block);
+        let of_kept = |means: Vec<f64>| -> Vec<f64> {
+            means.into_iter().enumerate().filter(|(index, _)| kept(*index)).map(|(_, mean)| mean).collect()
+        };
+        let (lengths, forces) = (of_kept(block_means(&length, block)), of_kept(block_means(&force, block)));
         drop(force);
+        if !limits.is_empty() && lengths.len() < LEAST_BLOCKS {
+            return Err(
+                "the force is at a limit of its range in nearly all of the record, so there is no stiffness".to_owned()
+            );
+        }
         let count = lengths.len() as f64;
         let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
         let (l_mean, f_mean) = (mean(&lengths), mean(&forces));
@@ -166,7 +146,7 @@ impl Stiffness {
             + (lever * standard / k).powi(2)
             + (zero * settings.accuracy_position).powi(2) / 3.0;
         let scatter = (square / count).sqrt();
-        let angular_frequency = slowness(&length, block, sampling.rate, &lengths, l_mean) / spread;
+        let angular_frequency = slowness(&length, block, sampling.rate, &lengths, l_mean, &kept) / spread;
         Ok(Self {
             stiffness: Estimate::new(k, standard, factor),
             length_at_zero: Estimate::new(zero, zero_variance.sqrt(), factor),
@@ -187,7 +167,7 @@ impl Stiffness {
     }
 
     /// Its interval with what the coil's own mass adds to a stiffness at the frequency of the blocks: up to k (ωτ)²/6, τ = 1/2f1.
-    fn with_mass(&mut self, first_frequency: f64) {
+    pub(super) fn with_mass(&mut self, first_frequency: f64) {
         let more = self.stiffness.value * (0.5 * self.angular_frequency / first_frequency).powi(2) / 6.0;
         let wider = |estimate: &mut Estimate, more: f64| {
             let standard = estimate.standard.hypot(more);
@@ -219,6 +199,19 @@ impl Stiffness {
     }
 }
 
+/// Whether a block, by its number, has no force at one of its limits.
+fn unclipped(signals: &Signals, limits: &[(Channel, Clipping)], block: usize) -> impl Fn(usize) -> bool {
+    let mut clipped: Vec<bool> = Vec::new();
+    for (channel, clipping) in limits {
+        let Ok(values) = signals.channel(*channel) else { continue };
+        let each: Vec<bool> =
+            values.chunks_exact(block).map(|chunk| chunk.iter().any(|value| clipping.holds(*value))).collect();
+        clipped.resize(each.len().max(clipped.len()), false);
+        clipped.iter_mut().zip(each).for_each(|(all, own)| *all |= own);
+    }
+    move |index| !clipped.get(index).copied().unwrap_or(false)
+}
+
 /// Hann-weighted means of successive blocks.
 pub(super) fn block_means(values: &[f64], block: usize) -> Vec<f64> {
     let turn = std::f64::consts::TAU / block as f64;
@@ -228,12 +221,13 @@ pub(super) fn block_means(values: &[f64], block: usize) -> Vec<f64> {
 
 /// −Σ (l − l̄) l̈ over the blocks' Hann means \[m²/s²\], noise taken off: a Hann mean of l̈ is one of l weighed by the window's second derivative,
 /// so that no motion faster than the blocks is mistaken for a slower one.
-fn slowness(length: &[f64], block: usize, rate: f64, means: &[f64], mean: f64) -> f64 {
+fn slowness(length: &[f64], block: usize, rate: f64, means: &[f64], mean: f64, kept: &dyn Fn(usize) -> bool) -> f64 {
     let turn = std::f64::consts::TAU / block as f64;
     let square = (turn * rate).powi(2);
     let weights: Vec<f64> = (0..block).map(|n| square * (turn * (n as f64 + 0.5)).cos() / block as f64).collect();
     let curved = |chunk: &[f64]| -> f64 { chunk.iter().zip(&weights).map(|(l, w)| (l - mean) * w).sum() };
-    let product: f64 = length.chunks_exact(block).zip(means).map(|(chunk, l)| (l - mean) * curved(chunk)).sum();
+    let chunks = length.chunks_exact(block).enumerate().filter(|(index, _)| kept(*index));
+    let product: f64 = chunks.zip(means).map(|((_, chunk), l)| (l - mean) * curved(chunk)).sum();
     // The two means share their noise: Σ (1 − cos) cos = −n/2.
     let shared = 0.5 * square * noise_variance(length) / block as f64;
     -product - means.len() as f64 * shared

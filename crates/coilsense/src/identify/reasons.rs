@@ -6,6 +6,9 @@ use super::explain::Coil;
 use super::{Identification, ModeSeries};
 use crate::signals::Channel;
 
+/// So many modes of a spring are loud enough after a hit to be seen folded.
+const FOLDED: f64 = 4.0;
+
 /// What speaks for a coil.
 pub(super) fn series(found: &Identification, coil: &Coil) -> Vec<String> {
     let hits = found.hits.len();
@@ -25,10 +28,12 @@ pub(super) fn series(found: &Identification, coil: &Coil) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if let (Some(other), Some(said)) = (coil.other_windings, found.settings.windings) {
-        let wanted = if other.is_finite() { format!("about {other:.1}") } else { "a continuous coil".to_owned() };
-        evidence
-            .push(format!("the lines contradict the {said} windings that were said ({wanted} fits them): left out"));
+    // A coil of so many windings is continuous: that its lines are no chain's says nothing against it.
+    if let (Some(other), Some(said)) = (coil.other_windings.filter(|other| other.is_finite()), found.settings.windings)
+    {
+        evidence.push(format!(
+            "the lines contradict a chain of the {said} windings that were said (about {other:.1} fit them): left out"
+        ));
     }
     if let Some(second) = coil.second {
         evidence.push(format!("other lines are those of a second coil with f1 = {second:.2} Hz"));
@@ -63,6 +68,28 @@ pub(super) fn no_lead(decaying: usize, coil: &Coil, rival: &str) -> String {
     } else {
         format!("{decaying} lines ring: {rival} explain them as well as a coil with {name} does")
     }
+}
+
+/// A line where the spring was predicted, which the coil that explains most passes by.
+pub(super) fn passed_by(line: f64, predicted: f64, rate: f64, coil: &Coil) -> String {
+    let off = 100.0 * (line / predicted - 1.0);
+    let off = if off.abs() < 0.05 { "at".to_owned() } else { format!("{off:+.1} % from") };
+    let why = if FOLDED * predicted > 0.5 * rate {
+        format!("sampled at {rate:.0} Hz, higher modes are folded among the lines")
+    } else {
+        "a coil of few windings rings in torsional and lateral modes, too; `coilsense spring` has their frequencies"
+            .to_owned()
+    };
+    format!(
+        "a line at {line:.2} Hz, {off} the {predicted:.2} Hz predicted, decays as the spring's first mode would, but the series of modes that fits most \
+         lines has f1 = {:.2} Hz without it ({why})",
+        coil.first,
+    )
+}
+
+/// A coil whose first mode is not there, by modes that hold little of the ringing.
+pub(super) fn without_first(predicted: f64, coil: &Coil) -> String {
+    format!("{}, and no line is its first mode, predicted at {predicted:.2} Hz", unexplained(coil))
 }
 
 /// A coil that leaves most of the ringing open.

@@ -14,7 +14,7 @@ use super::record_lines::{RecordLines, seen};
 use super::ringing::{Part, Rings, Series, rings};
 use super::whitening::Surprise;
 use super::{Answer, Estimate, Hit, Identification, ModeSeries, Sampling, Settings, Stiffness, Trust, Verdict, Welch};
-use super::{beginning, half_power, hits, naming, ring_down, satellites, signs, verdict, weak_lines};
+use super::{beginning, half_power, hits, naming, prediction, ring_down, satellites, signs, verdict, weak_lines};
 use crate::error::Error;
 use crate::measures::alias_of;
 use crate::mount::FarEnd;
@@ -48,7 +48,7 @@ impl Identification {
         let recorded = Sampling::of(signals)?;
         let channels = channel_check::check(signals, &recorded);
         let left_out = channel_check::without_slow_motion(&channels);
-        let stiffness = Stiffness::of(signals, &left_out, &recorded, &settings);
+        let stiffness = Stiffness::of(signals, &left_out, &channel_check::limits(&channels), &recorded, &settings);
         let paced = channel_check::at_own_pace(signals, &channels);
         let signals = paced.as_ref().unwrap_or(signals);
         let sampling = Sampling::of(signals)?;
@@ -101,6 +101,10 @@ impl Identification {
             self.stiffness.and_then(|stiffness| stiffness.beside_mass(self.first_frequency.map(|first| first.value)));
         self.predict();
         self.unfold();
+        weighed.doubt = weighed.coil.as_ref().and_then(|coil| prediction::doubt(&self, coil));
+        if weighed.doubt.is_some() {
+            self.forget();
+        }
         self.derive();
         self.verdict = verdict::verdict(&self, &weighed);
         self.satellites(&mut weighed, series);
@@ -227,9 +231,24 @@ impl Identification {
         if let Some(line) = strongest {
             line.meaning = Meaning::Alias { mode: 1, frequency: predicted };
             line.reason = format!("where mode 1, predicted at {predicted:.2} Hz, folds to at {rate:.0} Hz");
-            (self.first_frequency, self.ratio, self.mode_series, self.fitted_windings) = (None, None, None, None);
-            (self.first_range, self.mass_range, self.ratio_mode) = (None, None, None);
+            self.forget_numbers();
         }
+    }
+
+    /// Takes back what a coil's series said of the lines and of the spring.
+    fn forget(&mut self) {
+        for line in
+            self.lines.iter_mut().filter(|line| matches!(line.meaning, Meaning::Mode(_) | Meaning::Alias { .. }))
+        {
+            line.meaning = Meaning::Unknown;
+            line.reason = "decays after hits; of which cause is open".to_owned();
+        }
+        self.forget_numbers();
+    }
+
+    fn forget_numbers(&mut self) {
+        (self.first_frequency, self.ratio, self.mode_series, self.fitted_windings) = (None, None, None, None);
+        (self.first_range, self.mass_range, self.ratio_mode, self.end_mass) = (None, None, None, None);
     }
 
     /// What follows from f1 and k.

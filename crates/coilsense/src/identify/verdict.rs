@@ -76,6 +76,9 @@ fn answer(found: &Identification, weighed: &Weighed) -> (Answer, Vec<String>) {
         let evidence = format!("a line at {:.2} Hz is {}: it may be the spring's", line.frequency.value, line.reason);
         return (Answer::Undecided, vec![evidence]);
     }
+    if let Some(doubt) = &weighed.doubt {
+        return (Answer::Undecided, vec![doubt.clone()]);
+    }
     let Some(coil) = weighed.coil.as_ref().filter(|_| found.first_frequency.is_some()) else {
         return without_series(found, decaying, 0);
     };

@@ -9,6 +9,7 @@ mod many;
 mod mounts;
 #[path = "../paper_springs/mod.rs"]
 mod paper_springs;
+mod predicted;
 mod records;
 mod satellites;
 mod silent;

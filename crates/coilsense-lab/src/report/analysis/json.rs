@@ -103,7 +103,7 @@ struct VerdictRow<'a> {
     meets_goal_by_damping: Vec<MeetsRow<'a>>,
     /// What a load cell sees at most where that is beyond its full scale.
     overload_n: Option<f64>,
-    /// What the window leaves out after a stop, a step, a ramp or a pulse, where that is louder than all that is judged.
+    /// What the window leaves out of a stop, step, ramp, pulse, sweep or recording, where that is louder than all that is judged.
     before_window: Option<BeforePart<'a>>,
     /// The sensor's own −3 dB point; null for one without limits.
     bandwidth_hz: Option<f64>,

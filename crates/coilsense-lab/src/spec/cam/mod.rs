@@ -2,13 +2,14 @@
 //!
 //! Next door: how it turns (`crate::speed`).
 
+mod file;
 mod harmonics;
 
 use std::f64::consts::{PI, TAU};
 
 use super::document::Document;
 use super::section::Section;
-use super::spline::{periodic_spline, shifted};
+use super::spline::shifted;
 use super::spring::SpringSpec;
 use super::{Files, SpecError};
 use crate::quantity::Dimension;
@@ -34,8 +35,6 @@ pub struct CamSpec {
 const KINDS: [(&str, &str); 2] = [("file", "a cam of a file"), ("harmonics", "a cam of harmonics")];
 /// Pieces by which sines are made of polynomials, for each flank: a span of π/32 leaves out 1e-16 of them.
 const PIECES: usize = 32;
-/// Most rows of a file.
-const MOST_ROWS: usize = 100_000;
 
 impl CamSpec {
     /// The table, where there is one.
@@ -53,7 +52,7 @@ impl CamSpec {
         section.only_of(kind, whose)?;
         let length = length(&section, spring)?;
         let (found, key) = match kind {
-            "file" => (of_file(&section, &section.text("file")?, files, length)?, "file"),
+            "file" => (file::of_file(&section, &section.text("file")?, files, length)?, "file"),
             "harmonics" => (harmonics::of_harmonics(&section, length)?, "harmonics"),
             _ => (by_law(&section, length)?, "lift"),
         };
@@ -179,71 +178,4 @@ fn sines(is_cycloid: bool, from: f64, open: f64, lift: f64) -> Vec<(f64, f64, Ve
         (from + index as f64 * span, span, powers.collect())
     };
     (0..2 * PIECES).map(piece).collect()
-}
-
-/// Lift over angle from a file: a smooth curve that comes back to where it began.
-fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) -> Result<CamSpec, SpecError> {
-    let refuse = |why: String| section.refuse("file", why);
-    let text = files(file).map_err(refuse)?;
-    let mut rows: Vec<(f64, f64)> = Vec::new();
-    for (number, line) in (1..).zip(text.lines()) {
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let mut cells = line.split([',', ';', '\t']).map(str::trim);
-        let pair = (
-            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
-            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
-        );
-        match pair {
-            (Some(angle), Some(lift)) => rows.push((angle / 360.0, 1e-3 * lift)),
-            // A heading.
-            _ if rows.is_empty() => {}
-            _ => return Err(refuse(format!("{file}:{number}: must be an angle in degrees and a lift in millimetres"))),
-        }
-    }
-    if !(8..=MOST_ROWS).contains(&rows.len()) {
-        return Err(refuse(format!("must hold 8 to {MOST_ROWS} rows of angle and lift, got {}", rows.len())));
-    }
-    if let Some(wrong) = rows.windows(2).find(|pair| pair[1].0 <= pair[0].0) {
-        return Err(refuse(format!("angles must rise, got {} after {} deg", 360.0 * wrong[1].0, 360.0 * wrong[0].0)));
-    }
-    let (first, last) = (rows[0], rows[rows.len() - 1]);
-    if first.0 < 0.0 || last.0 > 1.0 + 1e-9 || rows.iter().any(|row| !row.1.is_finite()) {
-        return Err(refuse("angles must be from 0 to 360 deg, and lifts finite".to_owned()));
-    }
-    let lift = rows.iter().map(|row| row.1).fold(f64::NEG_INFINITY, f64::max);
-    let least = rows.iter().map(|row| row.1).fold(f64::INFINITY, f64::min);
-    let apart = (first.1 - last.1).abs();
-    if apart > 1e-3 * (lift - least) {
-        return Err(refuse(format!(
-            "must end where it begins, got lifts of {} and {} mm",
-            1e3 * first.1,
-            1e3 * last.1
-        )));
-    }
-    let mut begins: Vec<f64> = rows.iter().map(|row| row.0).collect();
-    let mut lifts: Vec<f64> = rows.iter().map(|row| row.1).collect();
-    // The turn goes on where it began.
-    if last.0 > 1.0 - 1e-9 {
-        begins.pop();
-        lifts.pop();
-    }
-    let pieces = periodic_spline(&begins, &lifts);
-    // On the base circle already, else at its lowest row.
-    let lowest = (0..lifts.len()).min_by(|a, b| lifts[*a].total_cmp(&lifts[*b])).unwrap_or(0);
-    let is_low = begins[0] == 0.0 && lifts[0] - least <= 1e-9 * (lift - least);
-    let least_at = if is_low { 0.0 } else { begins[lowest] };
-    if begins[0] > 0.0 {
-        // What lies before the first row is the end of the last piece.
-        let count = begins.len();
-        let since = 1.0 - begins[count - 1];
-        let before = shifted(&pieces[count - 1], since);
-        begins.insert(0, 0.0);
-        let mut all = vec![before];
-        all.extend(pieces);
-        return Ok(CamSpec { begins, pieces: all, lift, length, least_at, words: format!("lift of {file}") });
-    }
-    Ok(CamSpec { begins, pieces, lift, length, least_at, words: format!("lift of {file}") })
 }

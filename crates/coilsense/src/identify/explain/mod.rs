@@ -55,6 +55,8 @@ pub(super) struct Weighed {
     pub(super) ranked: Vec<Weight>,
     /// The best cause that is no coil, in words.
     pub(super) rival: String,
+    /// Why nothing follows of the coil's f1, where that is so.
+    pub(super) doubt: Option<String>,
 }
 
 /// Evidence by which windings that were said are believed beside a simpler coil with others \[nats\].
@@ -85,6 +87,7 @@ pub(super) fn weigh(heard: &[Heard], known: &Known, top: f64) -> Weighed {
         coil: None,
         ranked: Vec::new(),
         rival: rival.map_or_else(|| "lines that have nothing in common".to_owned(), Explanation::name),
+        doubt: None,
     };
     let mut other_windings = None;
     let mut unsaid = None;

@@ -1,0 +1,104 @@
+//! A cam from a file: lift over angle, row by row.
+//!
+//! Next door: by a law (the parent), as harmonics (`harmonics`).
+
+use std::f64::consts::TAU;
+
+use super::CamSpec;
+use crate::quantity::{Dimension, digits};
+use crate::spec::section::Section;
+use crate::spec::spline::{periodic_spline, shifted};
+use crate::spec::{Files, SpecError};
+
+/// Most rows of a file.
+const MOST_ROWS: usize = 100_000;
+/// Share of the lift by which a base circle may lie below zero: rounding, and noise of a measured one.
+const BELOW: f64 = 0.02;
+
+/// What an instance of a title's unit is in SI, of an angle or a length; `usual` where the title has none.
+fn unit_of(title: Option<&str>, dimension: Dimension, usual: f64) -> Result<f64, String> {
+    let unit = title.and_then(|title| title.split_once(['[', '('])).map(|(_, rest)| rest);
+    let Some(unit) = unit.map(|unit| unit.trim_end_matches([']', ')', '"', ' ']).trim()) else { return Ok(usual) };
+    let known = dimension.parse(&format!("1 {unit}"));
+    known.ok_or_else(|| format!("the unit {unit:?} must be one of {}", dimension.symbols()))
+}
+
+/// Lift over angle from a file: a smooth curve that comes back to where it began.
+pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) -> Result<CamSpec, SpecError> {
+    let refuse = |why: String| section.refuse("file", why);
+    let text = files(file).map_err(refuse)?;
+    let mut rows: Vec<(f64, f64)> = Vec::new();
+    let (mut radian, mut metre) = (1f64.to_radians(), 1e-3);
+    for (number, line) in (1..).zip(text.lines()) {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let mut cells = line.split([',', ';', '\t']).map(str::trim);
+        let pair = (
+            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
+            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
+        );
+        match pair {
+            (Some(angle), Some(lift)) => rows.push((angle * radian / TAU, lift * metre)),
+            // A heading, which says the units.
+            _ if rows.is_empty() => {
+                let mut titles = line.split([',', ';', '\t']);
+                let wrong = |why: String| refuse(format!("{file}:{number}: {why}"));
+                radian = unit_of(titles.next(), Dimension::Angle, radian).map_err(wrong)?;
+                metre = unit_of(titles.next(), Dimension::Length, metre).map_err(wrong)?;
+            }
+            _ => return Err(refuse(format!("{file}:{number}: must be an angle in degrees and a lift in millimetres"))),
+        }
+    }
+    if !(8..=MOST_ROWS).contains(&rows.len()) {
+        return Err(refuse(format!("must hold 8 to {MOST_ROWS} rows of angle and lift, got {}", rows.len())));
+    }
+    if let Some(wrong) = rows.windows(2).find(|pair| pair[1].0 <= pair[0].0) {
+        return Err(refuse(format!("angles must rise, got {} after {} deg", 360.0 * wrong[1].0, 360.0 * wrong[0].0)));
+    }
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    if first.0 < 0.0 || last.0 > 1.0 + 1e-9 || rows.iter().any(|row| !row.1.is_finite()) {
+        return Err(refuse("angles must be from 0 to 360 deg, and lifts finite".to_owned()));
+    }
+    let lift = rows.iter().map(|row| row.1).fold(f64::NEG_INFINITY, f64::max);
+    let least = rows.iter().map(|row| row.1).fold(f64::INFINITY, f64::min);
+    if least < -BELOW * lift.abs().max(-least) {
+        return Err(refuse(format!(
+            "lifts must be zero or above, got {} mm: a lift presses the spring from its length on the base circle",
+            digits(1e3 * least)
+        )));
+    }
+    let apart = (first.1 - last.1).abs();
+    if apart > 1e-3 * (lift - least) {
+        return Err(refuse(format!(
+            "must end where it begins, got lifts of {} and {} mm",
+            1e3 * first.1,
+            1e3 * last.1
+        )));
+    }
+    let mut begins: Vec<f64> = rows.iter().map(|row| row.0).collect();
+    let mut lifts: Vec<f64> = rows.iter().map(|row| row.1).collect();
+    // The turn goes on where it began.
+    if last.0 > 1.0 - 1e-9 {
+        begins.pop();
+        lifts.pop();
+    }
+    let words = format!("lift of {file}, {} mm", digits(1e3 * (lift - least)));
+    let pieces = periodic_spline(&begins, &lifts);
+    // On the base circle already, else at its lowest row.
+    let lowest = (0..lifts.len()).min_by(|a, b| lifts[*a].total_cmp(&lifts[*b])).unwrap_or(0);
+    let is_low = begins[0] == 0.0 && lifts[0] - least <= 1e-9 * (lift - least);
+    let least_at = if is_low { 0.0 } else { begins[lowest] };
+    if begins[0] > 0.0 {
+        // What lies before the first row is the end of the last piece.
+        let count = begins.len();
+        let since = 1.0 - begins[count - 1];
+        let before = shifted(&pieces[count - 1], since);
+        begins.insert(0, 0.0);
+        let mut all = vec![before];
+        all.extend(pieces);
+        return Ok(CamSpec { begins, pieces: all, lift, length, least_at, words: words.clone() });
+    }
+    Ok(CamSpec { begins, pieces, lift, length, least_at, words })
+}
