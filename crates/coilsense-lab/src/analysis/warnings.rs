@@ -114,7 +114,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
 /// Those of the science.
 pub fn of_simulated(spec: &Spec, cases: &[Case]) -> Result<Vec<Warning>, Error> {
     let sheet = DataSheet::of(spec)?;
-    let mut warnings: Vec<Warning> = damping(spec).collect();
+    let mut warnings: Vec<Warning> = damping(spec).into_iter().collect();
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
         of_motion(spec, &of_condition, &sheet, &mut warnings)?;
@@ -132,9 +132,10 @@ fn of_motion(spec: &Spec, cases: &[&Case], sheet: &DataSheet, warnings: &mut Vec
     Ok(())
 }
 
-/// Damping that no coil has.
-fn damping(spec: &Spec) -> impl Iterator<Item = Warning> {
-    spec.mount.doubt().map(|text| Warning { subject: Subject::Doubt, text }).into_iter()
+/// Damping that no coil has. A page has it with its verdict, after its first load.
+fn damping(spec: &Spec) -> Option<Warning> {
+    let doubt = if cfg!(feature = "contact") { spec.mount.doubt() } else { None };
+    doubt.map(|text| Warning { subject: Subject::Doubt, text })
 }
 
 /// Windings that touch, under the damping where they come nearest.
