@@ -216,7 +216,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// mass : float or str, optional
 ///     Mass of the active coil [kg]: with the stiffness it predicts f1.
 /// windings : float, optional
-///     Active windings [1]; the steps between modes are then those of a chain of so many.
+///     Active windings [1]; modes are then held against a chain of so many masses, too, which a real coil is not.
 /// end2 : {"held", "free", "mass"}, optional
 ///     What end 2 is tied to; without it the record decides.
 /// end_mass : float or str, optional

@@ -176,8 +176,20 @@ fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
             MM,
             "mm",
         ),
-        Row::new("clash_speed_at_min_m_per_s", "end speed at which coils clash, shortest", speed(shortest), 1.0, "m/s"),
-        Row::new("clash_speed_at_max_m_per_s", "end speed at which coils clash, longest", speed(longest), 1.0, "m/s"),
+        Row::new(
+            "clash_speed_at_min_m_per_s",
+            "blow whose first front closes a gap, shortest",
+            speed(shortest),
+            1.0,
+            "m/s",
+        ),
+        Row::new(
+            "clash_speed_at_max_m_per_s",
+            "blow whose first front closes a gap, longest",
+            speed(longest),
+            1.0,
+            "m/s",
+        ),
     ]);
     rows
 }

@@ -44,7 +44,11 @@ fn numbers(identified: &Identified) -> Option<String> {
     let stiffness = found.stiffness.as_ref().ok();
     add("k", stiffness.map(|line| &line.stiffness), 1.0, " N/m");
     if let Some(line) = stiffness {
-        let name = if line.both_positions { "l0" } else { "position without force" };
+        let name = match (line.both_positions, line.length_at_zero.value > 0.0) {
+            (true, true) => "l0",
+            (true, false) => "u2 − u1 without force, no length until both count from one place,",
+            (false, _) => "position without force",
+        };
         add(name, Some(&line.length_at_zero), 1e3, " mm");
     }
     add("mass that surges kτ²", found.mass.as_ref(), 1e3, " g");

@@ -93,7 +93,7 @@ impl Proposal {
             }
             Some(index) => {
                 self.maybe_time = true;
-                self.hints.push(column(titles, index, Quantity::Time, "s"));
+                self.hints.push(column(titles, index, Quantity::Time, likely_unit(&titles[index], Quantity::Time)));
             }
             None => self.hints.push(Hint::Value("sample_rate", "1 kHz".to_owned())),
         }
@@ -108,7 +108,7 @@ impl Proposal {
             return;
         }
         let fits = own.is_some_and(|unit| unit::scale(quantity.dimension(), unit).is_some());
-        self.hints.push(column(titles, index, quantity, if fits { "" } else { usual_unit(quantity) }));
+        self.hints.push(column(titles, index, quantity, if fits { "" } else { likely_unit(&titles[index], quantity) }));
     }
 
     /// All that is asked for, in one line.
@@ -149,6 +149,13 @@ fn column(titles: &[Title], index: usize, quantity: Quantity, unit: &str) -> Hin
 /// A gain of one, to be replaced by the sensor's.
 fn of_one(quantity: Quantity, unit: &str) -> Hint {
     Hint::Named("gain", quantity.name(), format!("1 {}/{unit}", usual_unit(quantity)))
+}
+
+/// The unit that a title ends with, as in `t_ms`, else the usual one. An inch is none: `force_in` goes in.
+fn likely_unit(title: &Title, quantity: Quantity) -> &str {
+    let last = title.name.rsplit(['_', '.', ' ']).next().filter(|last| last.len() < title.name.len() && *last != "in");
+    let told = last.filter(|last| unit::scale(quantity.dimension(), last).is_some());
+    told.unwrap_or_else(|| usual_unit(quantity))
 }
 
 fn usual_unit(quantity: Quantity) -> &'static str {

@@ -17,7 +17,7 @@ const GOOD: &str = "time [s],F_o [N],L [uH]\n0,1,3.1\n0.1,2,3.2\n0.2,3,3.3\n";
 /// A text, the columns that are told, and what must be said of it.
 type Fault = (&'static str, &'static [&'static str], &'static str);
 
-const FAULTS: [Fault; 37] = [
+const FAULTS: [Fault; 38] = [
     // Empty and the like
     ("", &[], "run.csv: is empty"),
     ("\n\n", &[], "run.csv: has no rows: it is empty, or holds comments only"),
@@ -143,6 +143,11 @@ const FAULTS: [Fault; 37] = [
         "a,F_o [N]\n0,1\n1,2\n",
         &[],
         "run.csv: no column is recognised as the time; add these options, corrected where the guess is wrong: --column time=\"a [s]\"; if the log has no time column, --sample-rate says how often it was sampled",
+    ),
+    (
+        "t_ms,pos_um,force_in\n0,1,2\n1,2,3\n",
+        &[],
+        "run.csv: no column is recognised as the time; no column is recognised as a channel: it has column 1 \"t_ms\", column 2 \"pos_um\", column 3 \"force_in\"; add these options, corrected where the guess is wrong: --column time=\"t_ms [ms]\" --column u1=\"pos_um [um]\" --column F_o=\"force_in [N]\"; if the log has no time column, --sample-rate says how often it was sampled",
     ),
     (
         "time [s],force [N]\n0,1\n1,2\n",

@@ -28,7 +28,7 @@ pub(super) const CONDITION: Table = Table {
         needed("rise_time", "\"20 ms\"", "how long the ramp lasts").of(&["ramp"]),
         needed("width", "\"10 ms\"", "how long the pulse lasts").of(&["pulse"]),
         optional("start", "\"rest\"", "windings at t = 0: at `rest`, or as those of a `massless` spring under the same inputs", "`rest`").of(STARTED),
-        needed("file", "\"road.csv\"", "a CSV file beside the spec with the columns `time [s]` and `u1 [mm]`, `u2 [mm]` or `F_2 [N]`, each counted from its mean").of(&["recorded"]),
+        needed("file", "\"road.csv\"", "a CSV file beside the spec with the columns `time [s]` and `u1 [mm]`, `u2 [mm]` or `F_2 [N]`, each counted from where it is at `length`: a positive u1, as a negative u2, shortens the spring").of(&["recorded"]),
         optional("playback_speed", "\"120 %\"", "how fast the file's motion is played, of the speed at which it was recorded: a cam that turns, or a road that is driven, faster; \
                  `duration` and `window` stay those of the file's own time, so that the same turns are judged; forces of `F_2` stay what they are", "`\"100 %\"`").of(&["recorded"]),
         optional("duration", "\"1 s\"", "how long is simulated; of a recording in the file's own time", "`\"1 s\"`; the length of a recorded file"),
