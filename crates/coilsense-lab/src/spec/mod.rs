@@ -46,7 +46,7 @@ mod tolerance;
 mod value;
 
 pub use beside::{Beside, Side};
-pub use cam::CamSpec;
+pub use cam::{CamSpec, Rows as CamRows};
 pub use catalogue::{
     PermeabilityFound, Row, USUAL_MATERIAL, classes, material_rows, materials, named_materials, sensor_rows,
 };

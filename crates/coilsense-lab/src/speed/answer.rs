@@ -2,7 +2,7 @@
 //!
 //! Next door: the map (the parent), the report (`crate::report`).
 
-use super::{SpeedMap, SpeedPoint, Stress};
+use super::{SpeedMap, SpeedPoint, Stress, doubts};
 use crate::quantity::digits;
 
 /// Extremes that differ by more than this share of F_nom from turns to turns have not settled.
@@ -20,8 +20,7 @@ pub fn answer(map: &SpeedMap) -> Vec<String> {
     let surge = [surge(map), finer(map).unwrap_or_default()].join(" ").trim_end().to_owned();
     let mut lines: Vec<String> = pressed_through(map).into_iter().collect();
     lines.extend([floats(map), meets(map), surge, seats(map), fatigue(map), rebound(map)]);
-    lines.extend(out_of_range(map));
-    lines.extend(map.spec.mount.doubt().map(|doubt| format!("Warning: {doubt}")));
+    lines.extend(doubts::of(map).into_iter().map(|doubt| format!("Warning: {doubt}")));
     lines.extend(unsettled(map));
     lines.extend(given_up(map));
     lines.extend(refined(map));
@@ -263,22 +262,6 @@ fn finer(map: &SpeedMap) -> Option<String> {
         (None, None) => None,
         (said, untried) => Some([said, untried].into_iter().flatten().collect::<Vec<_>>().join(" ")),
     }
-}
-
-/// Lengths that the cam takes the spring to and that are not in use, as the spec says.
-fn out_of_range(map: &SpeedMap) -> Option<String> {
-    let (min, max) = map.spec.spring.spring.operating_range();
-    let (shortest, longest) = (map.cam.length - map.cam.lift, map.cam.length);
-    // A micrometre is rounding of a length as it is written.
-    (shortest < min - 1e-6).then(|| {
-        format!(
-            "Warning: lengths from {:.2} to {:.2} mm leave the range in use, {:.2} to {:.2} mm.",
-            1e3 * shortest,
-            1e3 * longest,
-            1e3 * min,
-            1e3 * max
-        )
-    })
 }
 
 /// What of the spec is not asked here.

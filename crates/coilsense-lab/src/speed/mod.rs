@@ -9,6 +9,7 @@
 
 mod answer;
 mod campbell;
+mod doubts;
 mod fatigue;
 mod finer;
 mod judged;

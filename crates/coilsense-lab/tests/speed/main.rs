@@ -454,3 +454,27 @@ fn between_speeds_that_lie_far_apart_nothing_is_said_to_hold() {
     assert!(words.contains("apart and not known between"), "{words}");
     assert!(!words.contains("for 0 % of a turn") && !words.contains("for 0.00 % of a turn"), "{words}");
 }
+
+#[test]
+fn a_cam_that_is_written_coarsely_is_told() {
+    let law = read(&text("0.01", "", "", CAM)).unwrap().cam.unwrap();
+    let words = |step: usize, digits: usize| {
+        let row = |degree: usize| format!("{degree},{:.digits$}", 1e3 * law.lift_at(degree as f64 / 360.0));
+        let file = (0..=360).step_by(step).map(row).collect::<Vec<_>>().join("\n");
+        let spec = read_with(&text("0.01", "", "restitution = 0.0", "file = \"cam.csv\""), &file).unwrap();
+        let range = Range { from: 50.0, to: 50.0, step: 10.0, ratio: 0.5 };
+        answer(&SpeedMap::of(spec, range, &|_, _| true).unwrap()).join("\n")
+    };
+    // A degree and a nanometre.
+    let fine = words(1, 6);
+    assert!(!fine.contains("Warning:"), "{fine}");
+    // A hundredth of a millimetre: 0.71 · 10 µm/(1 deg)² = 23 mm/rad², as much as the cam's own.
+    let rounded = words(1, 2);
+    assert!(rounded.contains("Warning: the cam's lifts are rounded to 0.0100 mm, which alone makes"), "{rounded}");
+    let percent: f64 = rounded.split("alone makes ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!((50.0..=100.0).contains(&percent), "{rounded}");
+    // 20 degrees: a bit more than a row for each period of harmonic 16.
+    let coarse = words(20, 6);
+    assert!(coarse.contains("rows lie up to 20.0 deg apart, 1.1"), "{coarse}");
+    assert!(coarse.contains("which has the first surge frequency at the highest speed"), "{coarse}");
+}

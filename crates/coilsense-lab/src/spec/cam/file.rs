@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use super::CamSpec;
+use super::{CamSpec, Rows};
 use crate::quantity::{Dimension, digits};
 use crate::spec::section::Section;
 use crate::spec::spline::{periodic_spline, shifted};
@@ -29,18 +29,19 @@ pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, leng
     let text = files(file).map_err(refuse)?;
     let mut rows: Vec<(f64, f64)> = Vec::new();
     let (mut radian, mut metre) = (1f64.to_radians(), 1e-3);
+    let mut decimals = Some(0);
     for (number, line) in (1..).zip(text.lines()) {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
             continue;
         }
         let mut cells = line.split([',', ';', '\t']).map(str::trim);
-        let pair = (
-            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
-            cells.next().and_then(|cell| cell.parse::<f64>().ok()),
-        );
-        match pair {
-            (Some(angle), Some(lift)) => rows.push((angle * radian / TAU, lift * metre)),
+        let (angle, lift) = (cells.next().unwrap_or_default(), cells.next().unwrap_or_default());
+        match (angle.parse::<f64>().ok(), lift.parse::<f64>().ok()) {
+            (Some(angle), Some(value)) => {
+                rows.push((angle * radian / TAU, value * metre));
+                decimals = decimals.zip(decimals_of(lift)).map(|(most, own)| most.max(own));
+            }
             // A heading, which says the units.
             _ if rows.is_empty() => {
                 let mut titles = line.split([',', ';', '\t']);
@@ -84,6 +85,7 @@ pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, leng
         begins.pop();
         lifts.pop();
     }
+    let fine = fine(&rows, decimals.map_or(0.0, |decimals| 10f64.powi(-decimals) * metre));
     let words = format!("lift of {file}, {} mm", digits(1e3 * (lift - least)));
     let pieces = periodic_spline(&begins, &lifts);
     // On the base circle already, else at its lowest row.
@@ -98,7 +100,31 @@ pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, leng
         begins.insert(0, 0.0);
         let mut all = vec![before];
         all.extend(pieces);
-        return Ok(CamSpec { begins, pieces: all, lift, length, least_at, words: words.clone() });
+        return Ok(CamSpec { begins, pieces: all, lift, length, least_at, words, rows: Some(fine) });
     }
-    Ok(CamSpec { begins, pieces, lift, length, least_at, words })
+    Ok(CamSpec { begins, pieces, lift, length, least_at, words, rows: Some(fine) })
+}
+
+/// Decimals that a number is written with, without zeros behind; `None` of one with an exponent.
+fn decimals_of(text: &str) -> Option<i32> {
+    if text.contains(['e', 'E']) {
+        return None;
+    }
+    Some(text.split_once('.').map_or(0, |(_, decimals)| decimals.trim_end_matches('0').len() as i32))
+}
+
+/// Share of the lift above which the cam lifts.
+const LIFTS: f64 = 0.01;
+
+fn fine(rows: &[(f64, f64)], digit: f64) -> Rows {
+    let least = rows.iter().map(|row| row.1).fold(f64::INFINITY, f64::min);
+    let most = rows.iter().map(|row| row.1).fold(f64::NEG_INFINITY, f64::max);
+    let lifts = |row: &(f64, f64)| row.1 - least > LIFTS * (most - least);
+    let steps = rows.windows(2).filter(|pair| pair.iter().any(lifts)).map(|pair| pair[1].0 - pair[0].0);
+    let bends = rows.windows(3).filter(|three| lifts(&three[1])).map(|three| {
+        let slope = |from: usize| (three[from + 1].1 - three[from].1) / (three[from + 1].0 - three[from].0);
+        2.0 * (slope(1) - slope(0)) / (three[2].0 - three[0].0)
+    });
+    let (sum, count) = bends.fold((0.0, 0), |(sum, count), bend| (sum + bend * bend, count + 1));
+    Rows { step: steps.fold(0.0, f64::max), digit, bend: (sum / f64::from(count.max(1))).sqrt() }
 }

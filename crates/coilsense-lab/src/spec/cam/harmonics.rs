@@ -72,7 +72,15 @@ pub(super) fn of_harmonics(section: &Section<'_>, length: f64) -> Result<CamSpec
         1 => format!("harmonic {highest} alone"),
         count => format!("{count} harmonics up to number {highest}"),
     };
-    Ok(CamSpec { begins, pieces, lift: lift(0, largest_at) - least, length, least_at: least_at.rem_euclid(1.0), words })
+    Ok(CamSpec {
+        begins,
+        pieces,
+        lift: lift(0, largest_at) - least,
+        length,
+        least_at: least_at.rem_euclid(1.0),
+        words,
+        rows: None,
+    })
 }
 
 fn waves(value: &DeValue<'_>) -> Option<Vec<Wave>> {

@@ -29,6 +29,19 @@ pub struct CamSpec {
     pub length: f64,
     /// In words.
     pub words: String,
+    /// How fine a file is.
+    pub rows: Option<Rows>,
+}
+
+/// How fine the rows of a file are in which the lift changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rows {
+    /// The largest step from row to row, as a share of a turn \[1\].
+    pub step: f64,
+    /// What the last digit of a lift is worth \[m\]; zero where it is not told.
+    pub digit: f64,
+    /// Rms of the lift's second derivative by the turn, from row to row \[m\].
+    pub bend: f64,
 }
 
 /// What describes a cam in place of a law: the key that says so, and what it is then.
@@ -146,7 +159,7 @@ fn by_law(section: &Section<'_>, length: f64) -> Result<CamSpec, SpecError> {
     begins.push(from + open);
     pieces.push(vec![0.0]);
     let words = format!("{law} law, {} mm over {} deg", 1e3 * lift, (angle.to_degrees() * 1e6).round() / 1e6);
-    Ok(CamSpec { begins, pieces, lift, length, least_at: 0.0, words })
+    Ok(CamSpec { begins, pieces, lift, length, least_at: 0.0, words, rows: None })
 }
 
 /// A cycloid or a harmonic law, piece by piece of its Taylor series.
