@@ -227,15 +227,23 @@ impl Planned {
         range.check()?;
         spec.needs_one_spring("speed").map_err(|refused| SpeedError::Spec(refused.to_string()))?;
         let lacks = |what: &str| SpeedError::Spec(format!("{}: {what}", spec.file));
-        let cam = spec
-            .cam
-            .clone()
-            .ok_or_else(|| lacks("no table [cam] says what moves end 1; give its law, lift and angle"))?;
-        if spec.mount.cases.iter().any(|way| way.contact.is_none()) {
-            return Err(lacks(
-                "speed takes a table [contact]: at some speed windings meet, and without it they would pass through one another",
-            ));
-        }
+        // All that is missing at once.
+        let meets = spec.mount.cases.iter().all(|way| way.contact.is_some());
+        let without_contact = "speed takes a table [contact] (windings = \"hard\"): at some speed windings meet, and without it they would pass through one \
+                               another";
+        let cam = match (spec.cam.clone(), meets) {
+            (Some(cam), true) => cam,
+            (Some(_), false) => return Err(lacks(without_contact)),
+            (None, meets) => {
+                let no_cam = "no table [cam] says what moves end 1; give its law, lift and angle";
+                let follower = "; follower_mass under [mount] asks whether a valve leaves its cam, too";
+                return Err(lacks(&if meets {
+                    no_cam.to_owned()
+                } else {
+                    format!("{no_cam}; {without_contact}{follower}")
+                }));
+            }
+        };
         if spec.mount.far_end() == coilsense::FarEnd::Force {
             return Err(lacks("speed takes an end 2 that is held or has a mass: no force on it is in the spec"));
         }

@@ -281,6 +281,10 @@ fn what_is_no_cam_or_no_range_is_refused_in_a_line() {
     let (without_cam, _) = good.split_once("[cam]").unwrap();
     assert!(of(without_cam, range).contains("no table [cam]"));
     assert!(of(&good.replace("[contact]\n", ""), range).contains("takes a table [contact]"));
+    // Both at once, in a line.
+    let neither = of(&without_cam.replace("[contact]\n", ""), range);
+    let parts = ["no table [cam]", "takes a table [contact] (windings = \"hard\")", "follower_mass under [mount]"];
+    assert!(parts.iter().all(|part| neither.contains(part)) && neither.lines().count() == 1, "{neither}");
     let stopped = SpeedMap::of(read(&good).unwrap(), range, &|done, _| done < 2).map(|_| ()).unwrap_err();
     assert!(stopped.to_string().contains("interrupted"));
 }
