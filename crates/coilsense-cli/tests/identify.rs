@@ -138,3 +138,29 @@ fn constant_logs_are_undecided_without_a_panic() {
         assert!(text(&output.stdout).starts_with("undecided: nothing rings"), "{}", text(&output.stdout));
     }
 }
+
+#[test]
+fn what_may_be_folded_is_not_told_as_the_springs_first_mode() {
+    // Modes 1 to 3 of 96.8 Hz sampled at 156 Hz show at 59.4, 37.5 and 21.7 Hz: it was "if it is the spring" 7.43 Hz, and 13.6 kg.
+    let rate = 156.25;
+    let mut log = "time [s],F_i [N]\n".to_owned();
+    for n in 0..3000_u32 {
+        let time = f64::from(n) / rate;
+        let since = time % 2.0;
+        let ring = |mode: f64| {
+            let angular = std::f64::consts::TAU * 96.825 * mode;
+            6.0 * (-0.005 * angular * since).exp() * (angular * since).sin()
+        };
+        let noise = 0.05 * (f64::from(n) * 12.9898).sin();
+        log += &format!("{time},{}\n", -100.0 + ring(1.0) + ring(2.0) + ring(3.0) + noise);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("coarse.csv"), log).unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_coilsense"));
+    let output = command.current_dir(folder.path()).args(["identify", "coarse.csv"]).output().unwrap();
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.lines().next().is_some_and(|line| line.contains("undecided")), "{said}");
+    let has_first = said.lines().any(|line| line.contains("mode 1:"));
+    assert_eq!(said.contains("If it is the spring: f1"), has_first, "{said}");
+    assert!(has_first || !said.contains("of its amplitude"), "{said}");
+}

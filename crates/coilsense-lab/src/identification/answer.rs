@@ -2,7 +2,7 @@
 //!
 //! Next door: all lines of the record (`crate::report`).
 
-use coilsense::identify::{Answer, Estimate, Part};
+use coilsense::identify::{Answer, Estimate, Identification, Part};
 
 use super::Identified;
 use crate::calibration::with_error;
@@ -14,7 +14,7 @@ pub fn answer(identified: &Identified) -> Vec<String> {
     let verdict = &found.verdict;
     let mut lines = vec![format!("{}: {}.", verdict.answer.name(), verdict.evidence.join("; "))];
     lines.extend(numbers(identified));
-    if let (Some(trust), Some(first)) = (found.trust, found.first_frequency) {
+    if let (Some(trust), Some(first), true) = (found.trust, found.first_frequency, is_told(found)) {
         let percent = digits(100.0 * trust.tolerance);
         let if_spring = if verdict.answer == Answer::Spring { "" } else { " if it is the spring" };
         lines.push(format!(
@@ -30,6 +30,12 @@ pub fn answer(identified: &Identified) -> Vec<String> {
     lines
 }
 
+/// Whether numbers of the series are worth telling: where it is open whether it is the spring's, its first mode at least has to be there, since what
+/// lies above may be modes that are folded, or other ones.
+fn is_told(found: &Identification) -> bool {
+    found.verdict.answer == Answer::Spring || found.lines.iter().any(|line| line.decays && line.mode() == Some(1))
+}
+
 /// f1, ζ, k, l0, m and τ, as far as they are known.
 fn numbers(identified: &Identified) -> Option<String> {
     let found = &identified.found;
@@ -37,10 +43,11 @@ fn numbers(identified: &Identified) -> Option<String> {
     let mut add = |name: &str, estimate: Option<&Estimate>, scale: f64, unit: &str| {
         parts.extend(estimate.map(|estimate| format!("{name} = {}{unit}", interval(estimate, scale))));
     };
-    add("f1", found.first_frequency.as_ref(), 1.0, " Hz");
+    let told = is_told(found);
+    add("f1", found.first_frequency.as_ref().filter(|_| told), 1.0, " Hz");
     let first = found.ratio_mode.is_none_or(|mode| mode == 1);
     let ratio = if first { "ζ".to_owned() } else { format!("ζ of mode {}", found.ratio_mode.unwrap_or_default()) };
-    add(&ratio, found.ratio.as_ref(), 1.0, "");
+    add(&ratio, found.ratio.as_ref().filter(|_| told), 1.0, "");
     let stiffness = found.stiffness.as_ref().ok();
     add("k", stiffness.map(|line| &line.stiffness), 1.0, " N/m");
     if let Some(line) = stiffness {
@@ -51,14 +58,14 @@ fn numbers(identified: &Identified) -> Option<String> {
         };
         add(name, Some(&line.length_at_zero), 1e3, " mm");
     }
-    add("mass that surges kτ²", found.mass.as_ref(), 1e3, " g");
-    add("wave transit time τ", found.transit_time.as_ref(), 1e3, " ms");
+    add("mass that surges kτ²", found.mass.as_ref().filter(|_| told), 1e3, " g");
+    add("wave transit time τ", found.transit_time.as_ref().filter(|_| told), 1e3, " ms");
     if let Some(mass) = found.end_mass {
         parts.push(format!("mass at end 2 {} kg", digits(mass)));
     }
-    let sure = found.verdict.answer == Answer::Spring || found.first_frequency.is_none();
+    let sure = found.verdict.answer == Answer::Spring || found.first_frequency.is_none() || !told;
     let head = if sure { "" } else { "If it is the spring: " };
-    if let Some((low, high)) = wide(found.first_frequency.as_ref(), found.first_range) {
+    if let Some((low, high)) = wide(found.first_frequency.as_ref().filter(|_| told), found.first_range) {
         parts[0] += &format!(" by noise alone, {low:.2} to {high:.2} Hz whatever the mount");
     }
     (!parts.is_empty()).then(|| format!("{head}{} (95 % intervals).", parts.join(", ")))
