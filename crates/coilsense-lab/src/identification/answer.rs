@@ -14,7 +14,7 @@ pub fn answer(identified: &Identified) -> Vec<String> {
     let verdict = &found.verdict;
     let mut lines = vec![format!("{}: {}.", verdict.answer.name(), verdict.evidence.join("; "))];
     lines.extend(numbers(identified));
-    if let (Some(trust), Some(first), true) = (found.trust, found.first_frequency, is_told(found)) {
+    if let (Some(trust), Some(first)) = (found.trust, first_frequency(found)) {
         let percent = digits(100.0 * trust.tolerance);
         let if_spring = if verdict.answer == Answer::Spring { "" } else { " if it is the spring" };
         lines.push(format!(
@@ -30,49 +30,48 @@ pub fn answer(identified: &Identified) -> Vec<String> {
     lines
 }
 
-/// Whether numbers of the series are worth telling: where it is open whether it is the spring's, its first mode at least has to be there, since what
-/// lies above may be modes that are folded, or other ones.
-fn is_told(found: &Identification) -> bool {
-    found.verdict.answer == Answer::Spring || found.lines.iter().any(|line| line.decays && line.mode() == Some(1))
+/// f1 where it is worth telling: where it is open whether it is the spring's, its line has to be there, since what lies above may be modes that are
+/// folded, or other ones.
+fn first_frequency(found: &Identification) -> Option<Estimate> {
+    found.first_frequency.filter(|_| found.verdict.answer == Answer::Spring || found.has_first_mode())
 }
 
 /// f1, ζ, k, l0, m and τ, as far as they are known.
 fn numbers(identified: &Identified) -> Option<String> {
     let found = &identified.found;
+    let first = first_frequency(found);
+    let of_series = |estimate: &Option<Estimate>| estimate.filter(|_| first.is_some());
     let mut parts = Vec::new();
-    let mut add = |name: &str, estimate: Option<&Estimate>, scale: f64, unit: &str| {
-        parts.extend(estimate.map(|estimate| format!("{name} = {}{unit}", interval(estimate, scale))));
+    let mut add = |name: &str, estimate: Option<Estimate>, scale: f64, unit: &str| {
+        parts.extend(estimate.map(|estimate| format!("{name} = {}{unit}", interval(&estimate, scale))));
     };
-    let told = is_told(found);
-    add("f1", found.first_frequency.as_ref().filter(|_| told), 1.0, " Hz");
-    let first = found.ratio_mode.is_none_or(|mode| mode == 1);
-    let ratio = if first { "ζ".to_owned() } else { format!("ζ of mode {}", found.ratio_mode.unwrap_or_default()) };
-    add(&ratio, found.ratio.as_ref().filter(|_| told), 1.0, "");
-    let stiffness = found.stiffness.as_ref().ok();
-    add("k", stiffness.map(|line| &line.stiffness), 1.0, " N/m");
-    if let Some(line) = stiffness {
+    add("f1", first, 1.0, " Hz");
+    let mode = found.ratio_mode.filter(|mode| *mode != 1);
+    add(&mode.map_or("ζ".to_owned(), |mode| format!("ζ of mode {mode}")), of_series(&found.ratio), 1.0, "");
+    if let Ok(line) = &found.stiffness {
+        add("k", Some(line.stiffness), 1.0, " N/m");
         let name = match (line.both_positions, line.length_at_zero.value > 0.0) {
             (true, true) => "l0",
-            (true, false) => "u2 − u1 without force, no length until both count from one place,",
+            (true, false) => "u2 − u1 at zero force (no length: their zeros differ, or a sign is turned)",
             (false, _) => "position without force",
         };
-        add(name, Some(&line.length_at_zero), 1e3, " mm");
+        add(name, Some(line.length_at_zero), 1e3, " mm");
     }
-    add("mass that surges kτ²", found.mass.as_ref().filter(|_| told), 1e3, " g");
-    add("wave transit time τ", found.transit_time.as_ref().filter(|_| told), 1e3, " ms");
+    add("effective mass kτ²", of_series(&found.mass), 1e3, " g");
+    add("wave transit time τ", of_series(&found.transit_time), 1e3, " ms");
     if let Some(mass) = found.end_mass {
         parts.push(format!("mass at end 2 {} kg", digits(mass)));
     }
-    let sure = found.verdict.answer == Answer::Spring || found.first_frequency.is_none() || !told;
+    let sure = found.verdict.answer == Answer::Spring || first.is_none();
     let head = if sure { "" } else { "If it is the spring: " };
-    if let Some((low, high)) = wide(found.first_frequency.as_ref().filter(|_| told), found.first_range) {
+    if let Some((low, high)) = wide(first, found.first_range) {
         parts[0] += &format!(" by noise alone, {low:.2} to {high:.2} Hz whatever the mount");
     }
     (!parts.is_empty()).then(|| format!("{head}{} (95 % intervals).", parts.join(", ")))
 }
 
 /// A range, where it says more than an estimate's interval.
-fn wide(estimate: Option<&Estimate>, range: Option<(f64, f64)>) -> Option<(f64, f64)> {
+fn wide(estimate: Option<Estimate>, range: Option<(f64, f64)>) -> Option<(f64, f64)> {
     let (estimate, (low, high)) = (estimate?, range?);
     (high - low > 4.0 * estimate.expanded && high - low > 3e-4 * estimate.value).then_some((low, high))
 }

@@ -1,29 +1,23 @@
 //! Whether a series of modes may be that of the spring that was predicted: not where it passes a line by that lies at its first mode's place, nor where
 //! it has no line there and holds little of what rings.
 //!
-//! Next door: what follows from that (`run`, `verdict`).
+//! Next door: what follows from that (`run`), the answer (`verdict`).
 
 use super::Identification;
 use super::explain::Coil;
 use super::line::Line;
 use super::reasons;
-
-/// Amplitude below which a line decides nothing, relative to the largest.
-const SMALL: f64 = 0.05;
-/// Share of the ringing's power that a series without its first mode holds, at least \[1\].
-const HELD: f64 = 0.6;
+use super::verdict::{EXPLAINED, SMALL};
 
 /// Why nothing follows of the series' f1; none where nothing was predicted, or the series has the line at its place.
 pub(super) fn doubt(found: &Identification, coil: &Coil) -> Option<String> {
     let (predicted, room) = (found.predicted?, found.settings.prediction_tolerance);
-    let decaying = || found.lines.iter().filter(|line| line.decays);
-    if decaying().any(|line| line.mode() == Some(1) && near(line, predicted, room)) {
-        return None;
-    }
     let agrees = (coil.first / predicted - 1.0).abs() <= room;
-    if agrees && coil.share >= HELD {
+    // The first mode of an end that moves lies elsewhere than f1, which is that between held ends.
+    if agrees && (found.has_first_mode() || coil.share >= EXPLAINED) {
         return None;
     }
+    let decaying = || found.lines.iter().filter(|line| line.decays);
     let largest = decaying().map(|line| line.amplitude).fold(0.0, f64::max);
     let passed = decaying().filter(|line| line.amplitude >= SMALL * largest && near(line, predicted, room));
     if let Some(line) = passed.max_by(|a, b| a.amplitude.total_cmp(&b.amplitude)) {

@@ -81,15 +81,15 @@ pub(super) fn passed_by(line: f64, predicted: f64, rate: f64, coil: &Coil) -> St
             .to_owned()
     };
     format!(
-        "a line at {line:.2} Hz, {off} the {predicted:.2} Hz predicted, decays as the spring's first mode would, but the series of modes that fits most \
-         lines has f1 = {:.2} Hz without it ({why})",
+        "a line at {line:.2} Hz, {off} the {predicted:.2} Hz predicted, decays as the spring's first mode would, but the mode series that fits most \
+         lines has f1 = {:.2} Hz and leaves it out ({why})",
         coil.first,
     )
 }
 
 /// A coil whose first mode is not there, by modes that hold little of the ringing.
 pub(super) fn without_first(predicted: f64, coil: &Coil) -> String {
-    format!("{}, and no line is its first mode, predicted at {predicted:.2} Hz", unexplained(coil))
+    format!("{}, and none of them is its first mode, predicted at {predicted:.2} Hz", unexplained(coil))
 }
 
 /// A coil that leaves most of the ringing open.

@@ -101,7 +101,8 @@ impl Identification {
             self.stiffness.and_then(|stiffness| stiffness.beside_mass(self.first_frequency.map(|first| first.value)));
         self.predict();
         self.unfold();
-        weighed.doubt = weighed.coil.as_ref().and_then(|coil| prediction::doubt(&self, coil));
+        let coil = weighed.coil.as_ref().filter(|_| self.first_frequency.is_some());
+        weighed.doubt = coil.and_then(|coil| prediction::doubt(&self, coil));
         if weighed.doubt.is_some() {
             self.forget();
         }
@@ -241,14 +242,20 @@ impl Identification {
             self.lines.iter_mut().filter(|line| matches!(line.meaning, Meaning::Mode(_) | Meaning::Alias { .. }))
         {
             line.meaning = Meaning::Unknown;
-            line.reason = "decays after hits; of which cause is open".to_owned();
+            line.reason = "decays after hits; its cause is open".to_owned();
         }
         self.forget_numbers();
     }
 
+    /// The same of the spring alone.
     fn forget_numbers(&mut self) {
         (self.first_frequency, self.ratio, self.mode_series, self.fitted_windings) = (None, None, None, None);
         (self.first_range, self.mass_range, self.ratio_mode, self.end_mass) = (None, None, None, None);
+    }
+
+    /// Whether a line is the first mode of the series that fits.
+    pub fn has_first_mode(&self) -> bool {
+        self.lines.iter().any(|line| line.decays && line.mode() == Some(1))
     }
 
     /// What follows from f1 and k.

@@ -42,13 +42,13 @@ pub struct Verdict {
 }
 
 /// Amplitude below which a line decides nothing, relative to the largest.
-const SMALL: f64 = 0.05;
+pub(super) const SMALL: f64 = 0.05;
 /// How much more the coil explains than any other cause, at least \[nats\]: the chance of its coming about otherwise is 1 in 1100.
 const LEAD: f64 = 7.0;
 /// How much of that the places of the lines alone have to say \[nats\].
 const PLACES: f64 = 4.0;
 /// Share of the ringing's power that the coil's modes hold, and of the loud lines that are its modes, at least \[1\].
-const EXPLAINED: f64 = 0.6;
+pub(super) const EXPLAINED: f64 = 0.6;
 const EXPLAINED_LOUD: f64 = 0.7;
 /// Steady lines between a coil's modes that make another coil of it, at least; which modes are looked at; how near they have to lie, in the
 /// finer coil's f1 \[1\].
