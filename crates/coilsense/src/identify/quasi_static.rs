@@ -84,41 +84,10 @@ impl Stiffness {
         sampling: &Sampling,
         settings: &Settings,
     ) -> Result<Self, String> {
-        let (length, both_positions) =
-            length(signals).ok_or("no position was recorded (u1, u2), so there is no stiffness")?;
-        let force =
-            force(signals, left_out).ok_or("no force at an end was recorded (F_i, F_o), so there is no stiffness")?;
-        let block = ((BLOCK * sampling.rate) as usize).min(length.len() / LEAST_BLOCKS).max(4);
-        let kept = unclipped(signals, limits, block);
-        let of_kept = |means: Vec<f64>| -> Vec<f64> {
-            means.into_iter().enumerate().filter(|(index, _)| kept(*index)).map(|(_, mean)| mean).collect()
-        };
-        let (lengths, forces) = (of_kept(block_means(&length, block)), of_kept(block_means(&force, block)));
-        drop(force);
-        if !limits.is_empty() && lengths.len() < LEAST_BLOCKS {
-            return Err(
-                "the force is at a limit of its range in nearly all of the record, so there is no stiffness".to_owned()
-            );
-        }
+        let Blocks { lengths, forces, both_positions, means: (l_mean, f_mean), range, spread, angular_frequency } =
+            Blocks::of(signals, left_out, limits, sampling)?;
         let count = lengths.len() as f64;
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
-        let (l_mean, f_mean) = (mean(&lengths), mean(&forces));
-        // Of a Hann mean over n samples the noise is √(3/2n) of one sample's.
-        let noise = 1.5 / block as f64 * noise_variance(&length);
-        let spread: f64 = lengths.iter().map(|l| (l - l_mean).powi(2)).sum::<f64>() - count * noise;
         let product: f64 = lengths.iter().zip(&forces).map(|(l, f)| (l - l_mean) * (f - f_mean)).sum();
-        let extremes = |(low, high): (f64, f64), l: &f64| (low.min(*l), high.max(*l));
-        let range = lengths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extremes);
-        let all = length.iter().sum::<f64>() / length.len() as f64;
-        let power = length.iter().map(|l| (l - all).powi(2)).sum::<f64>() / length.len() as f64;
-        let moved = format!("the length moves by {:.3} mm only, too little for a stiffness", 1e3 * (range.1 - range.0));
-        let still = range.1 - range.0 <= ROUNDING * range.0.abs().max(range.1.abs());
-        if still || lengths.len() < LEAST_BLOCKS || spread <= 3.0 * count * noise || spread <= 0.0 {
-            return Err(moved);
-        }
-        if spread / count < SLOW_SHARE * (power - noise_variance(&length)) {
-            return Err("the ends move too fast in most of the record; a stiffness needs a slow motion".to_owned());
-        }
         let k = product / spread;
         let residuals: Vec<f64> = lengths.iter().zip(&forces).map(|(l, f)| f - f_mean - k * (l - l_mean)).collect();
         let square: f64 = residuals.iter().map(|r| r * r).sum();
@@ -133,7 +102,7 @@ impl Stiffness {
             ));
         }
         if !(k > 0.0 && own < LARGEST_ERROR * k) {
-            return Err(format!("{moved}: {k:.4} ± {own:.4} N/m"));
+            return Err(format!("{}: {k:.4} ± {own:.4} N/m", moved(range)));
         }
         let accuracy = (settings.accuracy_force.powi(2) + settings.accuracy_position.powi(2)) / 3.0;
         let standard = (own * own + k * k * accuracy).sqrt();
@@ -146,7 +115,6 @@ impl Stiffness {
             + (lever * standard / k).powi(2)
             + (zero * settings.accuracy_position).powi(2) / 3.0;
         let scatter = (square / count).sqrt();
-        let angular_frequency = slowness(&length, block, sampling.rate, &lengths, l_mean, &kept) / spread;
         Ok(Self {
             stiffness: Estimate::new(k, standard, factor),
             length_at_zero: Estimate::new(zero, zero_variance.sqrt(), factor),
@@ -155,7 +123,7 @@ impl Stiffness {
             lengths,
             forces,
             scatter,
-            angular_frequency: angular_frequency.max(0.0).sqrt(),
+            angular_frequency,
         })
     }
 
@@ -197,6 +165,72 @@ impl Stiffness {
     pub fn value(&self) -> f64 {
         self.stiffness.value
     }
+}
+
+/// The slow part of a record: means of successive blocks in which no force is at a limit.
+struct Blocks {
+    lengths: Vec<f64>,
+    forces: Vec<f64>,
+    both_positions: bool,
+    /// Of lengths \[m\] and forces \[N\].
+    means: (f64, f64),
+    /// Shortest and longest \[m\].
+    range: (f64, f64),
+    /// Σ (l − l̄)² less what noise adds \[m²\].
+    spread: f64,
+    /// √(−Σ l l̈ / Σ l²) \[rad/s\].
+    angular_frequency: f64,
+}
+
+impl Blocks {
+    fn of(
+        signals: &Signals,
+        left_out: &[Channel],
+        limits: &[(Channel, Clipping)],
+        sampling: &Sampling,
+    ) -> Result<Self, String> {
+        let (length, both_positions) =
+            length(signals).ok_or("no position was recorded (u1, u2), so there is no stiffness")?;
+        let force =
+            force(signals, left_out).ok_or("no force at an end was recorded (F_i, F_o), so there is no stiffness")?;
+        let block = ((BLOCK * sampling.rate) as usize).min(length.len() / LEAST_BLOCKS).max(4);
+        let kept = unclipped(signals, limits, block);
+        let of_kept = |means: Vec<f64>| -> Vec<f64> {
+            means.into_iter().enumerate().filter(|(index, _)| kept(*index)).map(|(_, mean)| mean).collect()
+        };
+        let (lengths, forces) = (of_kept(block_means(&length, block)), of_kept(block_means(&force, block)));
+        drop(force);
+        if !limits.is_empty() && lengths.len() < LEAST_BLOCKS {
+            return Err(
+                "the force is at a limit of its range in nearly all of the record, so there is no stiffness".to_owned()
+            );
+        }
+        let count = lengths.len() as f64;
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
+        let (l_mean, f_mean) = (mean(&lengths), mean(&forces));
+        // Of a Hann mean over n samples the noise is √(3/2n) of one sample's.
+        let noise = 1.5 / block as f64 * noise_variance(&length);
+        let spread: f64 = lengths.iter().map(|l| (l - l_mean).powi(2)).sum::<f64>() - count * noise;
+        let extremes = |(low, high): (f64, f64), l: &f64| (low.min(*l), high.max(*l));
+        let range = lengths.iter().fold((f64::INFINITY, f64::NEG_INFINITY), extremes);
+        let all = length.iter().sum::<f64>() / length.len() as f64;
+        let power = length.iter().map(|l| (l - all).powi(2)).sum::<f64>() / length.len() as f64;
+        let still = range.1 - range.0 <= ROUNDING * range.0.abs().max(range.1.abs());
+        if still || lengths.len() < LEAST_BLOCKS || spread <= 3.0 * count * noise || spread <= 0.0 {
+            return Err(moved(range));
+        }
+        if spread / count < SLOW_SHARE * (power - noise_variance(&length)) {
+            return Err("the ends move too fast in most of the record; a stiffness needs a slow motion".to_owned());
+        }
+        let slow = slowness(&length, block, sampling.rate, &lengths, l_mean, &kept) / spread;
+        let angular_frequency = slow.max(0.0).sqrt();
+        Ok(Self { lengths, forces, both_positions, means: (l_mean, f_mean), range, spread, angular_frequency })
+    }
+}
+
+/// Why lengths between these \[m\] tell no stiffness.
+fn moved((shortest, longest): (f64, f64)) -> String {
+    format!("the length moves by {:.3} mm only, too little for a stiffness", 1e3 * (longest - shortest))
 }
 
 /// Whether a block, by its number, has no force at one of its limits.
