@@ -216,7 +216,7 @@ fn estimate(found: Option<Estimate>) -> Option<PyEstimate> {
 /// mass : float or str, optional
 ///     Mass of the active coil [kg]: with the stiffness it predicts f1.
 /// windings : float, optional
-///     Active windings [1]; modes are then held against a chain of so many masses, too, which a real coil is not.
+///     Active windings [1]; modes are then also held against those of a chain with one mass for each winding.
 /// end2 : {"held", "free", "mass"}, optional
 ///     What end 2 is tied to; without it the record decides.
 /// end_mass : float or str, optional

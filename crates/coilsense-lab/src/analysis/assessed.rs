@@ -58,7 +58,7 @@ pub(crate) fn assess(spec: &Spec, wanted: &[usize]) -> Result<Vec<(usize, Assess
         let readout = Readout::new(sensor.readout.clone())?;
         let bandwidth = spec.goal.bandwidth;
         let reaches = bandwidth.is_none_or(|bandwidth| readout.bandwidth_3db() >= bandwidth);
-        let reads = reaches && most <= full_scale(spec, sensor);
+        let reads = reaches && most <= full_scale(sensor);
         let meets = spec.goal.error.map(|goal| reads && combined <= goal);
         let behind = if spec.goal.error.is_some_and(|goal| raw > goal) { band::lag(bandwidth) } else { 0.0 };
         Ok((index, Assessed { combined, meets, lag: readout.lag(bandwidth.unwrap_or(0.0)) + behind }))

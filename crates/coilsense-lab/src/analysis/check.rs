@@ -34,11 +34,11 @@ impl Check {
             ));
         }
         if !chosen.has_limits {
-            return Self::Undecided(format!("the spec gives no limit of error of {sensor}, so it may miss the goal"));
+            return Self::Undecided(format!("the spec gives no limit of error for {sensor}, so it may miss the goal"));
         }
         if let Some(sooner) = chosen.sooner.filter(|sooner| sooner.error > goal) {
             return Self::Undecided(format!(
-                "in {} {sensor} misses the goal before the window begins; let the window begin at {} s",
+                "in {} {sensor} misses the goal before the window begins; begin the window at {} s",
                 analysis.spec.conditions[analysis.cases[sooner.case].condition].name,
                 plainly(sooner.window.0)
             ));

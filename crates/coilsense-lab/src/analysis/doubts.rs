@@ -8,14 +8,13 @@ use super::{Analysis, Case, USUAL_TOLERANCE};
 use crate::quantity::{digits, plainly};
 use crate::spec::Spec;
 
-/// What the window leaves out, where the goal is not met there: `; not judged is heel strike, ζ = 0.02, before 0.75 s: 13.4 N (1.08 % of F_nom) rms from 0 to 0.25 s, which misses the goal (laser meets it there too)`
+/// What the window leaves out, where the goal is not met there: `; before the window of heel strike, ζ = 0.02, from 0 to 0.25 s, it errs by 13.4 N (1.08 % of F_nom) rms, which misses the goal (laser meets it there too)`
 pub(super) fn unjudged(analysis: &Analysis, verdict: &Verdict) -> String {
     let goal = analysis.spec.goal.error;
     let is_met = |verdict: &Verdict| goal.is_some_and(|goal| verdict.sooner.is_none_or(|sooner| sooner.error <= goal));
     let Some(sooner) = verdict.sooner.filter(|_| !is_met(verdict) && verdict.meets_always() != Some(false)) else {
         return String::new();
     };
-    let condition = analysis.cases[sooner.case].condition;
     let mut meeting = analysis.verdicts.iter().filter(|other| other.meets_always() == Some(true) && is_met(other));
     let then = match (goal, meeting.next()) {
         (None, _) => String::new(),
@@ -23,12 +22,11 @@ pub(super) fn unjudged(analysis: &Analysis, verdict: &Verdict) -> String {
         (Some(_), None) => ", which misses the goal".to_owned(),
     };
     format!(
-        "; not judged is {} before {} s: {} rms from {} to {} s{then}",
+        "; before the window of {}, from {} to {} s, it errs by {} rms{then}",
         case_name(analysis, sooner.case),
-        plainly(analysis.spec.conditions[condition].window.0),
-        force(analysis, sooner.error),
         plainly(sooner.window.0),
         plainly(sooner.window.1),
+        force(analysis, sooner.error),
     )
 }
 
@@ -36,10 +34,10 @@ pub(super) fn unjudged(analysis: &Analysis, verdict: &Verdict) -> String {
 pub(super) fn without_limits(analysis: &Analysis) -> Option<String> {
     let counts = |verdict: &&Verdict| !verdict.has_limits && verdict.meets_always() != Some(false);
     let names: Vec<&str> = analysis.verdicts.iter().filter(counts).map(|verdict| name(analysis, verdict)).collect();
-    let last = if names.len() < analysis.verdicts.len() { ", and come after those that have one" } else { "" };
+    let last = if names.len() < analysis.verdicts.len() { "; sensors with one are preferred" } else { "" };
     (!names.is_empty()).then(|| {
         format!(
-            "The spec gives no limit of error of {}: such figures are the least that a sensor errs by{last}.",
+            "The spec gives no limit of error for {}: what is said of it is a lower bound of its uncertainty{last}.",
             several(&names)
         )
     })

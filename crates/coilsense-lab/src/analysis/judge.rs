@@ -56,7 +56,7 @@ impl Judge<'_> {
             bandwidth,
             lag: readout.lag(wanted.unwrap_or(0.0)) + filter.map_or(0.0, |filter| filter.lag),
             filter,
-            overload: overload(self.spec, index, sensor, self.cases).map(|(_, most)| most),
+            overload: overload(index, sensor, self.cases).map(|(_, most)| most),
             too_slow: wanted.is_some_and(|wanted| bandwidth < wanted),
             by_readout: self.by_readout(index, sensor, &self.cases[worst])?,
             // Without sensors a spec is judged by perfect ones.

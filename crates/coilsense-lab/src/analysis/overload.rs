@@ -9,35 +9,32 @@ use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec};
 
 /// Up to what a load cell reads \[N\]; without bound for what estimates a force, and where nobody chose a range.
-pub(super) fn full_scale(spec: &Spec, sensor: &SensorSpec) -> f64 {
-    if sensor.quantity.estimates() || is_assumed(spec, sensor) { f64::INFINITY } else { sensor.range }
-}
-
-/// Whether F_nom stands for a range that nobody chose.
-fn is_assumed(spec: &Spec, sensor: &SensorSpec) -> bool {
-    sensor.range == spec.spring.spring.nominal_force()
+pub(super) fn full_scale(sensor: &SensorSpec) -> f64 {
+    if sensor.quantity.estimates() || !sensor.range_is_given { f64::INFINITY } else { sensor.range }
 }
 
 /// The case in which a load cell sees most, and that \[N\]; `None` within its full scale.
-pub(super) fn overload<'a>(
-    spec: &Spec,
-    index: usize,
-    sensor: &SensorSpec,
-    cases: &'a [Case],
-) -> Option<(&'a Case, f64)> {
-    most(index, cases).filter(|(_, most)| *most > full_scale(spec, sensor))
+pub(super) fn overload<'a>(index: usize, sensor: &SensorSpec, cases: &'a [Case]) -> Option<(&'a Case, f64)> {
+    most(index, cases).filter(|(_, most)| *most > full_scale(sensor))
 }
 
-/// The same where nobody chose a range: from so many times F_nom on its errors are those of a smaller cell than is needed.
-pub(super) fn above_assumed<'a>(
-    spec: &Spec,
-    index: usize,
-    sensor: &SensorSpec,
-    cases: &'a [Case],
-) -> Option<(&'a Case, f64)> {
+/// What a reader must know of a range: that it is exceeded, or of one that nobody chose, that errors are those of a smaller cell than is needed.
+pub(super) fn warning(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Option<String> {
+    let (case, most) = most(index, cases)?;
+    let (name, condition, range) = (&sensor.name, &spec.conditions[case.condition].name, sensor.range);
+    if most > full_scale(sensor) {
+        let share = 100.0 * most / range;
+        return Some(format!("{name}: {most:.1} N in {condition} is {share:.0} % of its full scale of {range:.1} N."));
+    }
     // Without sensors a spec is judged by perfect ones.
-    let asked = !sensor.quantity.estimates() && is_assumed(spec, sensor) && !spec.sensors.is_empty();
-    most(index, cases).filter(|(_, most)| asked && *most > MARGIN * sensor.range)
+    let is_asked = !sensor.quantity.estimates() && !sensor.range_is_given && !spec.sensors.is_empty();
+    (is_asked && most > MARGIN * range).then(|| {
+        format!(
+            "{name}: no range is given, so its errors are those of a cell of {} N (F_nom), and it has to read up to {} N in {condition}.",
+            digits(range),
+            digits(most)
+        )
+    })
 }
 
 /// A spring that is held at F_nom rings about it.
@@ -59,7 +56,7 @@ fn most(index: usize, cases: &[Case]) -> Option<(&Case, f64)> {
 pub(super) fn wider(spec: &Spec, verdict: &Verdict) -> Option<Fix> {
     let (most, goal, combined) = (verdict.overload?, spec.goal.error?, verdict.combined());
     let meets = combined <= goal && !verdict.too_slow;
-    let change = format!("a range of {} N, with the same errors in N", digits(HEADROOM * most));
+    let change = format!("a range of {} N, if its errors in N stay the same", digits(HEADROOM * most));
     meets.then_some(Fix { change, combined, lag: verdict.lag })
 }
 

@@ -95,14 +95,14 @@ pub(super) fn warnings(
         let asked = &spec.conditions[case.condition];
         let named = each.iter().take(MOST_NAMED).map(|(verdict, sooner)| {
             let (before, judged) = (digits(sooner.error), digits(verdict.assessments[number].combined));
-            format!("{} {before} N, not {judged} N", sensors[verdict.sensor].name)
+            format!("{} {before} N instead of {judged} N", sensors[verdict.sensor].name)
         });
         let named: Vec<String> = named.collect();
         let more = if each.len() > MOST_NAMED { "; …" } else { "" };
         let (from, until) = (plainly(first.window.0), plainly(first.window.1));
         let text = format!(
-            "{}, {}: only what comes from {} s on is judged. From {from} to {until} s the rms error is larger: {}{more}. To have that judged, \
-             let the window begin at {from} s.",
+            "{}, {}: the window leaves out what comes before {} s. From {from} to {until} s the rms error is larger: {}{more}. To judge that part, \
+             begin the window at {from} s.",
             asked.name,
             spec.mount.cases[case.damping].label,
             plainly(asked.window.0),

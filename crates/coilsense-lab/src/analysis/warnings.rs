@@ -9,9 +9,8 @@ use coilsense::{Channel, End, Error};
 
 use super::case::Case;
 use super::judge::Judge;
-use super::overload::{above_assumed, overload};
 use super::rank::has_limits;
-use super::{magnetisation, met};
+use super::{magnetisation, met, overload};
 use crate::data_sheet::DataSheet;
 use crate::quantity::digits;
 use crate::spec::{SensorSpec, Spec, why_no_contact};
@@ -90,7 +89,7 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     let magnetised = |text| Warning { subject: Subject::Magnetisation, text };
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        of_motion(spec, &of_condition, sheet, &mut warnings)?;
+        of_motion(spec, &of_condition, &mut warnings)?;
         warnings.extend(magnetisation::uneven(spec, &of_condition).map(magnetised));
     }
     warnings.extend(damping(spec));
@@ -98,7 +97,8 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
     for (index, sensor) in sensors.iter().enumerate() {
         warnings.extend(faultless(sensor));
         warnings.extend(alias(judge, sensor)?);
-        warnings.extend(range(spec, index, sensor, cases));
+        let range = overload::warning(spec, index, sensor, cases);
+        warnings.extend(range.map(|text| Warning { subject: Subject::Range, text }));
         warnings.extend(magnetisation::frequency(&spec.spring, sensor).map(magnetised));
     }
     warnings.extend(magnetisation::untold(spec, sensors).map(magnetised));
@@ -113,26 +113,25 @@ pub(super) fn of(judge: &Judge<'_>, sensors: &[SensorSpec], sheet: &DataSheet) -
 /// # Errors
 /// Those of the science.
 pub fn of_simulated(spec: &Spec, cases: &[Case]) -> Result<Vec<Warning>, Error> {
-    let sheet = DataSheet::of(spec)?;
     let mut warnings: Vec<Warning> = damping(spec).into_iter().collect();
     for condition in 0..spec.conditions.len() {
         let of_condition: Vec<&Case> = cases.iter().filter(|case| case.condition == condition).collect();
-        of_motion(spec, &of_condition, &sheet, &mut warnings)?;
+        of_motion(spec, &of_condition, &mut warnings)?;
     }
     Ok(warnings)
 }
 
 /// The same of the cases of one condition.
-fn of_motion(spec: &Spec, cases: &[&Case], sheet: &DataSheet, warnings: &mut Vec<Warning>) -> Result<(), Error> {
+fn of_motion(spec: &Spec, cases: &[&Case], warnings: &mut Vec<Warning>) -> Result<(), Error> {
     warnings.extend(clash(spec, cases));
     let met = met::of(spec, cases);
     warnings.extend(met.map(|text| Warning { subject: Subject::Contact, text }));
-    warnings.extend(length(spec, cases, sheet));
+    warnings.extend(length(spec, cases));
     warnings.extend(lift(spec, cases)?);
     Ok(())
 }
 
-/// Damping that no coil has. A page has it with its verdict, after its first load.
+/// Unusual damping. A page has it with its verdict, after its first load.
 fn damping(spec: &Spec) -> Option<Warning> {
     let doubt = if cfg!(feature = "contact") { spec.mount.doubt() } else { None };
     doubt.map(|text| Warning { subject: Subject::Doubt, text })
@@ -170,32 +169,12 @@ fn clash(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
 }
 
 /// Lengths below the solid length, or out of the range in use.
-fn length(spec: &Spec, cases: &[&Case], sheet: &DataSheet) -> Option<Warning> {
+fn length(spec: &Spec, cases: &[&Case]) -> Option<Warning> {
     let shortest = cases.iter().map(|case| case.lengths.0).fold(f64::INFINITY, f64::min);
     let longest = cases.iter().map(|case| case.lengths.1).fold(f64::NEG_INFINITY, f64::max);
     let name = &spec.conditions[cases.first()?.condition].name;
-    let (min, max) = spec.spring.spring.operating_range();
-    let solid = sheet.solid_length;
-    // A micrometre is rounding of a length as it is written.
-    let slack = 1e-6;
-    let text = if shortest < solid - slack {
-        format!(
-            "{name}: the spring is {:.2} mm long at its shortest, below its solid length of {:.2} mm.",
-            1e3 * shortest,
-            1e3 * solid
-        )
-    } else if shortest < min - slack || longest > max + slack {
-        format!(
-            "{name}: lengths from {:.2} to {:.2} mm leave the range in use, {:.2}–{:.2} mm.",
-            1e3 * shortest,
-            1e3 * longest,
-            1e3 * min,
-            1e3 * max
-        )
-    } else {
-        return None;
-    };
-    Some(Warning { subject: Subject::Length, text })
+    let said = spec.spring.out_of_use(shortest, longest)?;
+    Some(Warning { subject: Subject::Length, text: format!("{name}: {said}") })
 }
 
 /// An end lifts off from this share of F_nom on; below it is rounding of a spring that hangs loose.
@@ -331,29 +310,6 @@ fn line_amplitude(frequencies: &[f64], amplitudes: &[f64], frequency: f64) -> f6
     // The mean is no line, however near it lies where the window is short.
     let around = next.saturating_sub(2).max(1).min(next)..(next + 2).min(frequencies.len());
     amplitudes[around].iter().fold(0.0, |most: f64, amplitude| most.max(*amplitude))
-}
-
-/// A load cell that sees more than its full scale.
-fn range(spec: &Spec, index: usize, sensor: &SensorSpec, cases: &[Case]) -> Option<Warning> {
-    if let Some((case, most)) = above_assumed(spec, index, sensor, cases) {
-        let (name, range) = (&spec.conditions[case.condition].name, digits(sensor.range));
-        let text = format!(
-            "{}: no range is given, so its errors are those of a cell of {range} N (F_nom), and it has to read up to {} N in {name}.",
-            sensor.name,
-            digits(most)
-        );
-        return Some(Warning { subject: Subject::Range, text });
-    }
-    let (case, most) = overload(spec, index, sensor, cases)?;
-    let text = format!(
-        "{}: {:.1} N in {} is {:.0} % of its full scale of {:.1} N.",
-        sensor.name,
-        most,
-        spec.conditions[case.condition].name,
-        100.0 * most / sensor.range,
-        sensor.range
-    );
-    Some(Warning { subject: Subject::Range, text })
 }
 
 /// Sensors that estimate a force by a length, of a spring whose drift with temperature nobody knows.

@@ -178,14 +178,14 @@ fn of_lengths(spec: &SpringSpec, solid_length: f64) -> Vec<Row> {
         ),
         Row::new(
             "clash_speed_at_min_m_per_s",
-            "blow whose first front closes a gap, shortest",
+            "impact speed at which windings touch, shortest",
             speed(shortest),
             1.0,
             "m/s",
         ),
         Row::new(
             "clash_speed_at_max_m_per_s",
-            "blow whose first front closes a gap, longest",
+            "impact speed at which windings touch, longest",
             speed(longest),
             1.0,
             "m/s",

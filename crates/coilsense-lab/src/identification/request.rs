@@ -49,7 +49,7 @@ pub const MASS: Row =
     Row { name: "mass", meaning: "Mass of the active coil: with the stiffness it predicts f1", ..A_MASS };
 /// N.
 pub const WINDINGS: Row = Row {
-    meaning: "Active windings, whole or not, for --spec-out; modes are then held against a chain of so many masses, too, which a real coil is not",
+    meaning: "Active windings, whole or not; needed by --spec-out. Modes are then also held against those of a chain with one mass for each winding",
     ..request::WINDINGS
 };
 /// Of the coil.

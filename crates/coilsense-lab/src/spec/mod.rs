@@ -18,6 +18,7 @@ mod ends;
 mod experiment;
 mod former;
 mod goal;
+mod heading;
 mod inductance;
 mod keys;
 mod material;

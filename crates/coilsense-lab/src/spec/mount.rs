@@ -136,19 +136,20 @@ impl MountSpec {
 }
 
 impl MountSpec {
-    /// Damping that no coil is known to have, in a sentence; `None` of less.
+    /// Damping that is unusual for a coil, in a sentence; `None` of less.
     pub fn doubt(&self) -> Option<String> {
         let most = self.cases.iter().filter_map(|case| case.ratio).fold(0.0, f64::max);
+        let usual = BAND[BAND.len() - 1];
         (most > LIKELY_RATIO).then(|| {
             format!(
-                "ζ = {most} damps the coil's own ringing more than a coil does (bare steel has some 0.0005 to 0.02, one with a friction damper up to 0.05): half a \
-                 per cent is 0.005, and the damper of an end mass is first_mode_damping_ratio."
+                "ζ = {most} is unusually high for a coil's own ringing; where none is given, up to {usual} is taken. Half a per cent is 0.005; a damper \
+                 beside the spring is first_mode_damping_ratio."
             )
         })
     }
 }
 
-/// The highest damping ratio that a coil is likely to have.
+/// The highest damping ratio that is not doubted; chosen, two and a half times that of [`BAND`], since no range is known by measurement.
 const LIKELY_RATIO: f64 = 0.05;
 /// The highest damping ratio taken: a coil that hardly moves.
 const HIGHEST_RATIO: f64 = 10.0;

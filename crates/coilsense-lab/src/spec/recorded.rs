@@ -5,6 +5,7 @@
 use coilsense::excitation::Sampled;
 use coilsense::{EndInput, FarEnd};
 
+use super::heading;
 use crate::quantity::Dimension;
 
 /// A recorded motion of one end or both, or of end 1 and the force at end 2.
@@ -134,8 +135,7 @@ fn of_row(error: &csv::Error) -> String {
 impl Column {
     /// A column `name [unit]`.
     fn of(index: usize, title: &str, dimension: Dimension) -> Result<Self, String> {
-        let unit = title.split_once('[').and_then(|(_, rest)| rest.split_once(']')).map(|(unit, _)| unit.trim());
-        let factor = unit.and_then(|unit| dimension.parse(&format!("1 {unit}")));
+        let factor = heading::scale(title, dimension).and_then(Result::ok);
         let wrong = || format!("column {}, {title:?}: its unit must be that of {}", index + 1, dimension.expectation());
         Ok(Self { index, factor: factor.ok_or_else(wrong)? })
     }

@@ -27,6 +27,8 @@ pub struct SensorSpec {
     pub readout: ReadoutParameters,
     /// Full scale, in the native unit.
     pub range: f64,
+    /// Whether the spec says its full scale, or what the spring does in use stands for it.
+    pub range_is_given: bool,
     /// Limits of error as a share of the range \[1\].
     pub accuracy_full_scale: f64,
     /// Limits of error as a share of the reading \[1\].
@@ -132,6 +134,7 @@ impl SensorSpec {
             quantity,
             readout: ReadoutParameters { order: 2, ..Default::default() },
             range,
+            range_is_given: false,
             accuracy_full_scale: 0.0,
             accuracy_reading: 0.0,
             calibration_uncertainty: 0.0,
@@ -184,6 +187,7 @@ impl SensorSpec {
                 .optional_quantity("temperature_coefficient", Dimension::PerKelvin)?
                 .unwrap_or(self.temperature_coefficient),
             frequency: section.above_zero("frequency", Dimension::Frequency)?.or(self.frequency),
+            range_is_given: section.has("range"),
             ..self
         };
         let coefficient = sensor.temperature_coefficient;

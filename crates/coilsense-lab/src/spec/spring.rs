@@ -217,6 +217,22 @@ impl SpringSpec {
         Err(SpecError(format!("{file}: [spring] model = \"helix\": {what} takes {takes}")))
     }
 
+    /// What is wrong with lengths between these \[m\]: below the solid length, or out of the range in use.
+    pub fn out_of_use(&self, shortest: f64, longest: f64) -> Option<String> {
+        let ((min, max), solid) = (self.spring.operating_range(), self.solid_length());
+        // A micrometre is rounding of a length as it is written.
+        let slack = 1e-6;
+        let [from, to, min_mm, max_mm] = [shortest, longest, min, max].map(|length| format!("{:.2}", 1e3 * length));
+        if shortest < solid - slack {
+            let solid = 1e3 * solid;
+            return Some(format!(
+                "the spring is {from} mm long at its shortest, below its solid length of {solid:.2} mm."
+            ));
+        }
+        let leaves = shortest < min - slack || longest > max + slack;
+        leaves.then(|| format!("lengths from {from} to {to} mm leave the range in use, {min_mm}–{max_mm} mm."))
+    }
+
     /// Looks up between which first surge frequencies the coil as a helix lies in use.
     pub fn look_up_surges(&mut self, ends: &EndsSpec) {
         self.first_frequencies = self.helix(ends).and_then(|coil| coil.first_surges()).ok();

@@ -79,7 +79,7 @@ kind = "impact"             # both ends stop dead while the windings still move
 length = "mid"
 velocity = "0.25 m/s"
 duration = "1 s"
-window = ["0.75 s", "1 s"]  # the part that is judged; where damping has ended the ringing by then, from "0 s" on
+window = ["0.75 s", "1 s"]  # the part that is judged; with damping take ["0 s", "0.25 s"], or the ringing is over
 sample_rate = "10 kHz"
 
 [[condition]]
@@ -93,7 +93,7 @@ window = ["0.75 s", "1 s"]
 name = "end stop min"
 kind = "end-stop"
 at = "min"
-profile = "uniform"         # every winding as fast, as in the paper's tables; its text says linear: from 0 at end 1
+profile = "uniform"         # all windings at one speed, as in the paper's tables; its text says "linear", from 0 at end 1
 duration = "1 s"
 window = ["0.75 s", "1 s"]
 

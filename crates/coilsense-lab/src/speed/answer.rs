@@ -73,7 +73,6 @@ fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool
     let before = bands.first().and_then(|(from, _)| from.checked_sub(1));
     let before = before.map_or_else(String::new, |before| format!(", and not up to {}", rpm(points[before].speed)));
     let shown: Vec<String> = shown.iter().map(words).collect();
-    // Of neighbours that lie far apart nobody knows what is between them.
     let gap = |&(from, to): &(usize, usize)| {
         let each = points[from..=to].windows(2).map(|pair| pair[1].speed - pair[0].speed);
         each.zip(&points[from..=to])
@@ -83,7 +82,7 @@ fn spans(map: &SpeedMap, first: &SpeedPoint, holds: impl Fn(&SpeedPoint) -> bool
     };
     let widest = bands.iter().map(gap).fold(0.0, f64::max);
     let before = match widest > 0.0 {
-        true => format!("{before}, run up to {} apart and not known between", rpm(widest)),
+        true => format!("{before}, at speeds up to {} apart, between which it is not known", rpm(widest)),
         false => before,
     };
     match more.last() {

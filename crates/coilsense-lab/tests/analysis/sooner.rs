@@ -39,35 +39,36 @@ fn a_stop_whose_ringing_has_faded_is_told_with_what_was_left_out() {
     let words = &answer(&late)[0];
     assert!(words.starts_with("Choose cell. Both sensors meet the goal of 0.608 N (0.5 % of F_nom)."), "{words}");
     assert!(
-        words.contains("not judged is impact before 0.75 s: 0.868 N (0.714 % of F_nom)")
-            && words.contains("rms from 0 to 0.25 s"),
+        words.contains("; before the window of impact, from 0 to 0.25 s, it errs by 0.868 N (0.714 % of F_nom) rms, which misses the goal"),
         "{words}"
     );
-    assert!(words.contains("to 0.25 s, which misses the goal (laser meets it there too). Of the springs"), "{words}");
+    assert!(words.contains("rms, which misses the goal (laser meets it there too). Of the springs"), "{words}");
     // Where the goal is met there as well, or none is set: a warning, and the figure of what was asked for.
     let easy = run(&format!(
         "{S_T}\n[mount]\ndamping_ratio = 0.02\n[[condition]]\n{STRIKE}window = [\"0.75 s\", \"1 s\"]\n{}",
         SENSORS.replace("0.5 %", "1 %")
     ));
     assert!(
-        !answer(&easy)[0].contains("not judged is") && answer(&easy).concat().contains("begins after louder ringing")
+        !answer(&easy)[0].contains("before the window")
+            && answer(&easy).concat().contains("a window begins after the loudest part")
     );
     let none = run(&format!(
         "{S_T}\n[mount]\ndamping_ratio = 0.02\n[[condition]]\n{STRIKE}window = [\"0.75 s\", \"1 s\"]\n{}",
         SENSORS.split("[goal]").next().unwrap()
     ));
     assert!(
-        answer(&none)[0].contains("not judged is impact before 0.75 s: 0.868 N")
+        answer(&none)[0].contains("; before the window of impact, from 0 to 0.25 s, it errs by 0.868 N")
             && !answer(&none)[0].contains("misses")
     );
     assert!(
-        matches!(Check::of(&late), Check::Undecided(why) if why == "in impact cell misses the goal before the window begins; let the window begin at 0 s")
+        matches!(Check::of(&late), Check::Undecided(why) if why == "in impact cell misses the goal before the window begins; begin the window at 0 s")
     );
     assert_eq!(Check::of(&easy), Check::Met("cell".to_owned()));
     let warned = |analysis: &Analysis| analysis.warnings.iter().filter(|w| w.subject == Subject::Window).count();
     let text = &late.warnings.iter().find(|warning| warning.subject == Subject::Window).unwrap().text;
     assert!(
-        text.contains("only what comes from 0.75 s on is judged") && text.contains("cell 0.868 N, not 0.0150 N"),
+        text.contains("the window leaves out what comes before 0.75 s")
+            && text.contains("cell 0.868 N instead of 0.0150 N"),
         "{text}"
     );
     assert_eq!((warned(&late), warned(&soon)), (1, 0));

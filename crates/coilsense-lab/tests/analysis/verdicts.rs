@@ -77,26 +77,22 @@ fn what_may_err_by_more_than_is_told_comes_after_what_cannot() {
     assert!(lines[0].starts_with("Choose cell. Both sensors meet the goal"), "{lines:?}");
     assert_eq!(
         lines[1],
-        "The spec gives no limit of error of fine laser: such figures are the least that a sensor errs by, and come after those that have one."
+        "The spec gives no limit of error for fine laser: what is said of it is a lower bound of its uncertainty; sensors with one are preferred."
     );
     assert_eq!(check(&format!("{UNTOLD}{CELL}"), goal), Check::Met("cell".to_owned()));
     // Where it alone meets the goal it is chosen, in doubt; and where it misses by the least that it errs by, that is all there is to say.
     let strict = "[goal]\nerror = \"0.3 %\"\n";
     let lines = words(&format!("{CELL}{UNTOLD}"), strict);
     assert!(lines[0].starts_with("Choose fine laser. One of 2 sensors meets the goal"), "{lines:?}");
-    assert!(lines[2].starts_with("The spec gives no limit of error of fine laser"), "{lines:?}");
+    assert!(lines[2].starts_with("The spec gives no limit of error for fine laser"), "{lines:?}");
     assert!(
-        matches!(check(&format!("{CELL}{UNTOLD}"), strict), Check::Undecided(why) if why.contains("no limit of error of fine laser"))
+        matches!(check(&format!("{CELL}{UNTOLD}"), strict), Check::Undecided(why) if why.contains("no limit of error for fine laser"))
     );
     let lines = words(&format!("{CELL}{UNTOLD}"), "[goal]\nerror = \"1e-5 %\"\n");
     assert!(lines[0].contains("nearest is fine laser") && !lines.concat().contains("gives no limit"), "{lines:?}");
     // Held against nothing, and alone.
     assert!(words(&format!("{UNTOLD}{CELL}"), "")[0].starts_with("Least uncertain is cell, with"));
-    assert!(
-        words(UNTOLD, "")[1].ends_with("such figures are the least that a sensor errs by."),
-        "{:?}",
-        words(UNTOLD, "")
-    );
+    assert!(words(UNTOLD, "")[1].ends_with("is a lower bound of its uncertainty."), "{:?}", words(UNTOLD, ""));
     // Perfect sensors, of a spec that has none, are what they are called.
     assert!(!words("", goal).concat().contains("gives no limit"));
     assert_eq!(check("", goal), Check::Met("perfect load cell, end 1".to_owned()));

@@ -93,6 +93,13 @@ fn a_load_cell_beyond_its_full_scale_is_told() {
     // 95.8 N, and an impact of 1.8 N about it that the chain's last windings overshoot.
     assert_eq!((ranges("range = \"90 N\""), ranges("range = \"96 N\""), ranges("range = \"100 N\"")), (1, 1, 0));
     assert_eq!(ranges(""), 0, "F_nom, which nobody chose, is no limit of an instrument");
+    // One that is chosen is one, where it is F_nom's own number, too.
+    let chosen = undamped(
+        S_T,
+        "[[condition]]\nkind = \"impact\"\nlength = \"max\"\nvelocity = \"0.25 m/s\"\n[[sensor]]\nkind = \"load-cell\"\nname = \"cell\"\nrange = \"121.6 N\"\n[goal]\nerror = \"9 %\"\n",
+    );
+    assert!((chosen.sensors[0].range - chosen.spec.spring.spring.nominal_force()).abs() < 1e-9);
+    assert!(chosen.verdicts[0].overload.is_some_and(|most| most > 121.6) && of(&chosen, Subject::Range).len() == 1);
 }
 
 #[test]
@@ -116,7 +123,7 @@ fn a_load_cell_beyond_its_full_scale_is_not_chosen() {
     // One that reads it, and errs as little, meets the goal.
     let [fix] = &verdict.fixes[..] else { panic!("{:?}", verdict.fixes) };
     assert!(
-        fix.change == "a range of 101 N, with the same errors in N" && fix.combined == verdict.combined(),
+        fix.change == "a range of 101 N, if its errors in N stay the same" && fix.combined == verdict.combined(),
         "{fix:?}"
     );
     assert_eq!(verdict.meets_always(), Some(false));
@@ -227,7 +234,7 @@ fn a_sensor_that_nothing_is_told_of_is_not_taken_for_a_perfect_one_in_silence() 
         let of_limits = texts.iter().filter(|text| text.contains(": no limit of error (accuracy_full_scale,")).count();
         assert_eq!(of_all + of_limits, texts.len());
         // The answer says it, too: it is the least that such a sensor errs by.
-        assert_eq!(words.contains("no limit of error of mine"), !texts.is_empty(), "{words}");
+        assert_eq!(words.contains("no limit of error for mine"), !texts.is_empty(), "{words}");
         (of_all, of_limits)
     };
     assert_eq!(told("class = \"two magnetic rotary encoders\""), (1, 0), "its values are of one's own drive");

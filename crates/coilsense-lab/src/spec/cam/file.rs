@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use super::{CamSpec, Rows};
 use crate::quantity::{Dimension, digits};
+use crate::spec::heading;
 use crate::spec::section::Section;
 use crate::spec::spline::{periodic_spline, shifted};
 use crate::spec::{Files, SpecError};
@@ -15,18 +16,8 @@ const MOST_ROWS: usize = 100_000;
 /// Share of the lift by which a base circle may lie below zero: rounding, and noise of a measured one.
 const BELOW: f64 = 0.02;
 
-/// What an instance of a title's unit is in SI, of an angle or a length; `usual` where the title has none.
-fn unit_of(title: Option<&str>, dimension: Dimension, usual: f64) -> Result<f64, String> {
-    let unit = title.and_then(|title| title.split_once(['[', '('])).map(|(_, rest)| rest);
-    let Some(unit) = unit.map(|unit| unit.trim_end_matches([']', ')', '"', ' ']).trim()) else { return Ok(usual) };
-    let known = dimension.parse(&format!("1 {unit}"));
-    known.ok_or_else(|| format!("the unit {unit:?} must be one of {}", dimension.symbols()))
-}
-
-/// Lift over angle from a file: a smooth curve that comes back to where it began.
-pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) -> Result<CamSpec, SpecError> {
-    let refuse = |why: String| section.refuse("file", why);
-    let text = files(file).map_err(refuse)?;
+/// Rows of a turn \[1\] and a lift \[m\], and what the last digit of a lift is worth \[m\], zero where it is not told.
+fn read(file: &str, text: &str) -> Result<(Vec<(f64, f64)>, f64), String> {
     let mut rows: Vec<(f64, f64)> = Vec::new();
     let (mut radian, mut metre) = (1f64.to_radians(), 1e-3);
     let mut decimals = Some(0);
@@ -42,19 +33,28 @@ pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, leng
                 rows.push((angle * radian / TAU, value * metre));
                 decimals = decimals.zip(decimals_of(lift)).map(|(most, own)| most.max(own));
             }
-            // A heading, which says the units.
+            // A heading, which says the units where they are others.
             _ if rows.is_empty() => {
-                let mut titles = line.split([',', ';', '\t']);
-                let wrong = |why: String| refuse(format!("{file}:{number}: {why}"));
-                radian = unit_of(titles.next(), Dimension::Angle, radian).map_err(wrong)?;
-                metre = unit_of(titles.next(), Dimension::Length, metre).map_err(wrong)?;
+                let of = |title, dimension, usual| {
+                    let scale = heading::scale(title, dimension).unwrap_or(Ok(usual));
+                    scale.map_err(|why| format!("{file}:{number}: {why}"))
+                };
+                (radian, metre) = (of(angle, Dimension::Angle, radian)?, of(lift, Dimension::Length, metre)?);
             }
-            _ => return Err(refuse(format!("{file}:{number}: must be an angle in degrees and a lift in millimetres"))),
+            _ => return Err(format!("{file}:{number}: must be an angle in degrees and a lift in millimetres")),
         }
     }
     if !(8..=MOST_ROWS).contains(&rows.len()) {
-        return Err(refuse(format!("must hold 8 to {MOST_ROWS} rows of angle and lift, got {}", rows.len())));
+        return Err(format!("must hold 8 to {MOST_ROWS} rows of angle and lift, got {}", rows.len()));
     }
+    Ok((rows, decimals.map_or(0.0, |decimals| 10f64.powi(-decimals) * metre)))
+}
+
+/// Lift over angle from a file: a smooth curve that comes back to where it began.
+pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, length: f64) -> Result<CamSpec, SpecError> {
+    let refuse = |why: String| section.refuse("file", why);
+    let text = files(file).map_err(refuse)?;
+    let (rows, digit) = read(file, &text).map_err(refuse)?;
     if let Some(wrong) = rows.windows(2).find(|pair| pair[1].0 <= pair[0].0) {
         return Err(refuse(format!("angles must rise, got {} after {} deg", 360.0 * wrong[1].0, 360.0 * wrong[0].0)));
     }
@@ -85,9 +85,9 @@ pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, leng
         begins.pop();
         lifts.pop();
     }
-    let fine = fine(&rows, decimals.map_or(0.0, |decimals| 10f64.powi(-decimals) * metre));
+    let fine = fine(&rows, digit);
     let words = format!("lift of {file}, {} mm", digits(1e3 * (lift - least)));
-    let pieces = periodic_spline(&begins, &lifts);
+    let mut pieces = periodic_spline(&begins, &lifts);
     // On the base circle already, else at its lowest row.
     let lowest = (0..lifts.len()).min_by(|a, b| lifts[*a].total_cmp(&lifts[*b])).unwrap_or(0);
     let is_low = begins[0] == 0.0 && lifts[0] - least <= 1e-9 * (lift - least);
@@ -95,12 +95,9 @@ pub(super) fn of_file(section: &Section<'_>, file: &str, files: &Files<'_>, leng
     if begins[0] > 0.0 {
         // What lies before the first row is the end of the last piece.
         let count = begins.len();
-        let since = 1.0 - begins[count - 1];
-        let before = shifted(&pieces[count - 1], since);
+        let before = shifted(&pieces[count - 1], 1.0 - begins[count - 1]);
         begins.insert(0, 0.0);
-        let mut all = vec![before];
-        all.extend(pieces);
-        return Ok(CamSpec { begins, pieces: all, lift, length, least_at, words, rows: Some(fine) });
+        pieces.insert(0, before);
     }
     Ok(CamSpec { begins, pieces, lift, length, least_at, words, rows: Some(fine) })
 }
