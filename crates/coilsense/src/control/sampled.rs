@@ -10,7 +10,7 @@ use super::drive::Drive;
 use super::environment::Environment;
 use super::estimator::Estimator;
 use super::force_loop::ForceLoop;
-use super::kicked::{Kicked, Mode, modes};
+use super::kicked::{Kicked, Modes};
 use super::margins::Margins;
 use super::plant::Response;
 use super::rational::{Difference, Rational};
@@ -32,7 +32,7 @@ pub struct SampledLoop {
     pub(super) forward: Difference,
     /// The same two as they are continuous.
     laws: [Rational; 2],
-    modes: Option<Vec<Mode>>,
+    modes: Option<Modes>,
     pub(super) estimator: Option<Estimator>,
 }
 
@@ -69,7 +69,7 @@ impl SampledLoop {
         )?;
         let laws = [continuous.feedback_law(), continuous.controller.forward()];
         let [control, forward] = [0, 1].map(|law| laws[law].tustin(step));
-        let modes = modes(continuous, step)?;
+        let modes = Modes::of(continuous, step)?;
         Ok(Self {
             continuous: continuous.clone(),
             step,
@@ -99,8 +99,9 @@ impl SampledLoop {
     /// Loop response at one angular frequency below π/h \[rad/s\].
     ///
     /// F(z)/c(z) = h z⁻¹/(1 − z⁻¹) k + (1 − z⁻¹) Σ_j (a mode kicked by each change of velocity), z = e^(jωh), for an ideal velocity source with
-    /// end 2 held or carrying a mass: no approximation. Otherwise (1/h) Σ_m P(j(ω + 2πm/h)) (1 − z⁻¹)/(j(ω + 2πm/h)) over 21 to 81 copies and, past
-    /// twice the chain's cut-off, the power of frequency with which the rest falls. A force that jumps with the command (dashpots at an end that
+    /// end 2 held or carrying a mass, and the like with a push e^(−bt) in place of each kick where the source has a lag 1/(1 + s/b): no
+    /// approximation. Otherwise (1/h) Σ_m P(j(ω + 2πm/h)) (1 − z⁻¹)/(j(ω + 2πm/h)) over 21 to 81 copies and, past twice the chain's cut-off, the
+    /// power of frequency with which the rest falls. A force that jumps with the command (dashpots at an end that
     /// an ideal velocity source moves) is measured before it does.
     ///
     /// Source:   definition of the z-transform; `[Oppenheim2010]` for the sum over copies.
@@ -117,7 +118,11 @@ impl SampledLoop {
         }
         let delay = Complex64::from_polar(1.0, -angular_frequency * self.step);
         let [force, stroke] = match &self.modes {
-            Some(modes) => [self.by_modes(modes, delay), self.step * delay / (1.0 - delay)],
+            Some(modes) => {
+                let plant = self.continuous.plant();
+                let held = *plant.environment() == Environment::Held;
+                modes.at(if held { plant.spring().stiffness() } else { 0.0 }, delay)
+            }
             None => self.by_copies(angular_frequency, delay)?,
         };
         let force = match &self.estimator {
@@ -175,14 +180,6 @@ impl SampledLoop {
     /// From sample to sample \[s\].
     pub fn step(&self) -> f64 {
         self.step
-    }
-
-    fn by_modes(&self, modes: &[Mode], delay: Complex64) -> Complex64 {
-        let held = *self.continuous.plant().environment() == Environment::Held;
-        let stiffness = if held { self.continuous.plant().spring().stiffness() } else { 0.0 };
-        let straight = stiffness * self.step * delay / (1.0 - delay);
-        let ringing: Complex64 = modes.iter().map(|mode| mode.at(delay)).sum();
-        straight + (1.0 - delay) * ringing
     }
 
     /// F and y over the command, in samples.
@@ -251,7 +248,7 @@ impl SampledLoop {
         let plant = self.continuous.plant();
         let follows =
             self.continuous.feedback() == Channel::DeflectionForce && *plant.environment() != Environment::Held;
-        self.modes.as_deref().filter(|_| follows).map(Kicked::new)
+        self.modes.as_ref().filter(|_| follows).and_then(Kicked::new)
     }
 
     /// The response as finely as it turns, up to π/h.
