@@ -91,12 +91,12 @@ fn the_exact_motion_rings_as_is_foretold() {
 fn a_spec_whose_end_1_moves_is_told_to_shape_the_command_and_no_other() {
     let text = include_str!("../../../examples/sea-ankle.toml");
     let spec = Spec::parse("spec", text, &|_| Err("no files".to_owned())).unwrap();
-    let tolerances = ToleranceBox::new(0.1, 0.1).unwrap();
     let asked = Request {
-        rate: 2500.0,
+        rate: Some(2500.0),
         noise: None,
         bandwidth: None,
-        tolerances,
+        stiffness_tolerance: Some(0.1),
+        mass_tolerance: Some(0.1),
         most_lag: 30_f64.to_radians(),
         seeds: 1,
         length_at_zero: None,

@@ -166,14 +166,15 @@ impl PyMitigation {
 ///     Judge on a record in place of the conditions: F_i, u1, u2 (none where end 2 is held) and, for estimators, F_o.
 /// stated : bool
 ///     Judge on the stated scenario in place of the conditions: an impact while end 1 moves, 2.5 kHz, 0.24 N of noise, 50 seeds.
-/// rate : float or str
-///     How often the controller samples [Hz]; a record has its own.
+/// rate : float or str, optional
+///     How often the controller samples [Hz]; a record has its own. Without it, 1/sample_time of the spec's [control], or 2.5 kHz.
 /// noise : float or str, optional
-///     White noise of F_i [N rms per sample]; without it, 0.2 % of the nominal force.
+///     White noise of F_i [N rms per sample]; without it, that of the spec's quietest load cell at end 1, or 0.2 % of the nominal force.
 /// bandwidth : float or str, optional
 ///     Up to which frequency the force moves by itself [Hz]; without it, the goal's bandwidth, or f1/20.
-/// stiffness_tolerance, mass_tolerance : float or str
-///     By how much k and m may be off, either way, as shares [1].
+/// stiffness_tolerance, mass_tolerance : float or str, optional
+///     By how much k and m may be off, either way, as shares [1]. Without them, the spec's own, that of m with what its model leaves open of f1, or
+///     10 %.
 /// most_lag : float or str
 ///     Most lag at the bandwidth that what is advised may have [rad]; without it, 30 degrees.
 /// seeds : int
@@ -207,10 +208,10 @@ impl PyMitigation {
 /// >>> advice.best_filter.lag < 0.53  # 30 degrees
 /// True
 #[pyfunction]
-#[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=Quantity::Number(0.1),
-                    mass_tolerance=Quantity::Number(0.1), most_lag=None, seeds=Count::Number(5), length_at_zero=None, calibration=None, end2=None),
-       text_signature = "(spec, record=None, *, stated=False, rate=None, noise=None, bandwidth=None, stiffness_tolerance=0.1, \
-                         mass_tolerance=0.1, most_lag=None, seeds=5, length_at_zero=None, calibration=None, end2=None)")]
+#[pyo3(signature = (spec, record=None, *, stated=false, rate=None, noise=None, bandwidth=None, stiffness_tolerance=None,
+                    mass_tolerance=None, most_lag=None, seeds=Count::Number(5), length_at_zero=None, calibration=None, end2=None),
+       text_signature = "(spec, record=None, *, stated=False, rate=None, noise=None, bandwidth=None, stiffness_tolerance=None, \
+                         mass_tolerance=None, most_lag=None, seeds=5, length_at_zero=None, calibration=None, end2=None)")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python, one per option of the command")]
 pub fn mitigate(
     py: Python<'_>,
@@ -220,8 +221,8 @@ pub fn mitigate(
     rate: Option<Quantity>,
     noise: Option<Quantity>,
     bandwidth: Option<Quantity>,
-    stiffness_tolerance: Quantity,
-    mass_tolerance: Quantity,
+    stiffness_tolerance: Option<Quantity>,
+    mass_tolerance: Option<Quantity>,
     most_lag: Option<Quantity>,
     seeds: Count,
     length_at_zero: Option<Quantity>,

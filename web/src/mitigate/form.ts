@@ -20,7 +20,7 @@ const BOTH = ['', 'log'];
 const OPTIONS: readonly Option[] = [
   { name: 'most-lag', label: 'Most lag', hint: 'At the bandwidth: what is advised is no later.', on: BOTH },
   { name: 'rate', label: 'Sampling rate', hint: 'How often the controller samples.', on: [''] },
-  { name: 'noise', label: 'Noise of F_i', hint: 'White, rms per sample; else 0.2 % of F_nom.', on: BOTH },
+  { name: 'noise', label: 'Noise of F_i', hint: 'White, rms per sample; else that of a load cell at end 1.', on: BOTH },
   {
     name: 'bandwidth',
     label: 'Bandwidth',

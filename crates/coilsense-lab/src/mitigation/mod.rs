@@ -11,6 +11,7 @@ mod candidates;
 mod ends;
 pub mod export;
 mod judge;
+mod origin;
 mod ranking;
 mod recorded;
 pub mod request;
@@ -24,6 +25,7 @@ mod study;
 
 pub use candidate::{Candidate, LeftOut, Origin, Truth};
 pub use judge::Judgement;
+pub use origin::{Source, Sources};
 pub use ranking::Ranking;
 pub use recorded::Recorded;
 pub use request::{OPTIONS, Refused, Request};

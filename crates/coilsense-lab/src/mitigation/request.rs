@@ -115,7 +115,7 @@ pub const RATE: Row = Row {
     name: "rate",
     takes: Takes::Quantity(Dimension::Frequency),
     allowed: Allowed::AboveZero,
-    if_absent: IfAbsent::Value("2.5 kHz"),
+    if_absent: IfAbsent::Found("1/sample_time of the spec's [control], or 2.5 kHz"),
     meaning: "Sampling rate of the controller",
     ..Row::PLAIN
 };
@@ -124,7 +124,7 @@ pub const NOISE: Row = Row {
     name: "noise",
     takes: Takes::Quantity(Dimension::Force),
     allowed: Allowed::AboveZero,
-    if_absent: IfAbsent::Found("0.2 % of the nominal force"),
+    if_absent: IfAbsent::Found("that of the spec's quietest load cell at end 1, or 0.2 % of the nominal force"),
     meaning: "White noise of the force at end 1, rms per sample",
     ..Row::PLAIN
 };
@@ -142,7 +142,7 @@ pub const STIFFNESS_TOLERANCE: Row = Row {
     name: "stiffness_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
-    if_absent: IfAbsent::Value("10 %"),
+    if_absent: IfAbsent::Found("the spec's own, or 10 %"),
     meaning: "Tolerance of the stiffness, to either side",
     ..Row::PLAIN
 };
@@ -151,7 +151,7 @@ pub const MASS_TOLERANCE: Row = Row {
     name: "mass_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
-    if_absent: IfAbsent::Value("10 %"),
+    if_absent: IfAbsent::Found("the spec's own with what its model leaves open of f1, or 10 %"),
     meaning: "Tolerance of the mass, to either side",
     ..Row::PLAIN
 };
@@ -177,14 +177,16 @@ pub const SEEDS: Row = Row {
 /// What is asked beside a spec.
 #[derive(Debug, Clone, Copy)]
 pub struct Request {
-    /// Sampling rate \[Hz\].
-    pub rate: f64,
-    /// Noise \[N rms\].
+    /// Sampling rate \[Hz\]; as the spec's `[control]` says without.
+    pub rate: Option<f64>,
+    /// Noise \[N rms\]; that of the spec's load cell at end 1 without.
     pub noise: Option<f64>,
     /// Bandwidth \[Hz\].
     pub bandwidth: Option<f64>,
-    /// Tolerances of k and m.
-    pub tolerances: ToleranceBox,
+    /// How far k may be off, as a share; the spec's own without.
+    pub stiffness_tolerance: Option<f64>,
+    /// How far m may be off, as a share; the spec's own without.
+    pub mass_tolerance: Option<f64>,
     /// Most lag at the bandwidth \[rad\].
     pub most_lag: f64,
     /// Series of noise.
@@ -202,15 +204,18 @@ impl Request {
     /// [`Wrong`] where the tolerances leave nothing between them.
     pub fn of(given: &Given) -> Result<Self, Wrong> {
         let number = |row: &Row| given.number(row).unwrap_or_default();
-        let tolerances = ToleranceBox::new(number(&STIFFNESS_TOLERANCE), number(&MASS_TOLERANCE));
-        let tolerances = tolerances.map_err(|_| {
-            STIFFNESS_TOLERANCE.wrong("must be above zero where the mass has no tolerance either: the box is empty")
-        })?;
+        let tolerances = [&STIFFNESS_TOLERANCE, &MASS_TOLERANCE].map(|row| given.number(row));
+        if let [Some(stiffness), Some(mass)] = tolerances {
+            ToleranceBox::new(stiffness, mass).map_err(|_| {
+                STIFFNESS_TOLERANCE.wrong("must be above zero where the mass has no tolerance either: the box is empty")
+            })?;
+        }
         Ok(Self {
-            rate: number(&RATE),
+            rate: given.number(&RATE),
             noise: given.number(&NOISE),
             bandwidth: given.number(&BANDWIDTH),
-            tolerances,
+            stiffness_tolerance: tolerances[0],
+            mass_tolerance: tolerances[1],
             most_lag: number(&MOST_LAG),
             seeds: given.count(&SEEDS).unwrap_or_default(),
             length_at_zero: given.number(&LENGTH_AT_ZERO),

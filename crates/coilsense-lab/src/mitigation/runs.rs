@@ -9,6 +9,7 @@ use coilsense::{Damping, Error, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_rt::Measured;
 
 use super::candidate::Truth;
+use super::origin::corner_label;
 use super::recorded::Recorded;
 use super::study::Study;
 
@@ -102,7 +103,7 @@ pub(super) fn over_the_box(study: &Study) -> Result<Vec<Run>, Error> {
     let mut runs = Vec::new();
     for corner in study.tolerances.corners() {
         let spring = ToleranceBox::changed(&study.spring, corner)?;
-        let label = format!("k {:+} %, m {:+} %", 100.0 * corner[0], 100.0 * corner[1]);
+        let label = corner_label(corner);
         for damping in &study.dampings {
             for condition in &study.conditions {
                 runs.push(run(study, condition, &spring, damping, &label)?);

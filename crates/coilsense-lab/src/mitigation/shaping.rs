@@ -9,6 +9,7 @@ use coilsense::modes::ChainModes;
 
 use super::candidate::LeftOut;
 use super::export::Settings;
+use super::origin::corner_label;
 use super::residual::{last, residual_vibration};
 use super::start::RING;
 use super::study::Study;
@@ -117,7 +118,7 @@ fn springs(study: &Study) -> Result<Vec<Ringing>, Error> {
         for (label, damping) in &study.dampings {
             let ratios = damping.ratios(modes.frequencies())?;
             let each = modes.frequencies().iter().copied().zip(ratios);
-            let label = format!("k {:+} %, m {:+} %, {label}", 100.0 * corner[0], 100.0 * corner[1]);
+            let label = format!("{}, {label}", corner_label(corner));
             let rings = |(omega, ratio): &(f64, f64)| *omega < highest && *ratio < 1.0;
             all.push(Ringing { label, modes: each.take(MODES).filter(rings).collect() });
         }

@@ -8,6 +8,7 @@ use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
 use coilsense::{Damping, Error, Excitation, FarEnd, Spring};
 
+use super::origin::{self, Source, Sources};
 use super::recorded::{Known, Recorded};
 use super::request::{BANDWIDTH, NOISE, RATE, Refused, Request, SEEDS};
 use crate::calibration::Applied;
@@ -40,6 +41,8 @@ pub struct Study {
     pub bandwidth: f64,
     /// Most lag at the bandwidth that a recommendation may have \[rad\].
     pub most_lag: f64,
+    /// Where its numbers are from.
+    pub sources: Sources,
     /// How many series of noise.
     pub seeds: u64,
     /// The first one's seed.
@@ -87,22 +90,25 @@ impl Study {
             noise: 0.24,
             bandwidth: 1.5,
             most_lag: 30_f64.to_radians(),
+            sources: Sources::ASKED,
             seeds: 50,
             seed: 1,
         })
     }
 
-    /// The conditions and dampings of a spec; noise is 0.2 % of F_nom and the bandwidth the goal's, or f1/20, unless asked otherwise.
+    /// The conditions and dampings of a spec. What is not asked is the spec's: the rate of its `[control]`, the noise of its load cell at end 1, its
+    /// tolerances, its goal's bandwidth; where it says nothing, 2.5 kHz, 0.2 % of F_nom, 10 % and f1/20.
     ///
     /// # Errors
-    /// [`StudyError::NoCondition`] for a spec without conditions, [`StudyError::Model`] for one of a helix.
+    /// [`StudyError::NoCondition`] for a spec without conditions, [`StudyError::Model`] for one of a helix, [`StudyError::Science`] for tolerances that no
+    /// spring has.
     pub fn of(spec: &Spec, asked: &Request) -> Result<Self, StudyError> {
         spec.needs_chain("mitigate")?;
         spec.needs_no_contact("mitigate")?;
         if spec.conditions.is_empty() {
             return Err(StudyError::NoCondition(spec.file.clone()));
         }
-        Ok(Self::without_log(spec, asked))
+        Self::without_log(spec, asked).map_err(|source| StudyError::Science { file: spec.file.clone(), source })
     }
 
     /// A log of F_i, u1, u2 and, for estimators, F_o, with the spec's spring, or with that of the log's stiffness where that is another; the
@@ -136,33 +142,38 @@ impl Study {
         log: &Recording,
         by_inductance: Option<&Applied>,
     ) -> Result<Self, RecordingError> {
-        let plain = Self::without_log(spec, asked);
+        let plain = Self::without_log(spec, asked)
+            .map_err(|error| RecordingError::of_words(format!("{}: {error}", spec.file)))?;
         let rate = log.sample_rate()?;
         let is_held = matches!(plain.far_end, FarEnd::Position);
         let known = Known { spring: &plain.spring, is_held, tolerance: plain.tolerances.stiffness() };
         let (recorded, spring) = Recorded::of(&known, asked, log, by_inductance)?;
-        Ok(Self { recorded: Some(recorded), spring, rate, seeds: 1, conditions: Vec::new(), ..plain })
+        let sources = Sources { rate: Source::Asked, ..plain.sources.clone() };
+        Ok(Self { recorded: Some(recorded), spring, rate, sources, seeds: 1, conditions: Vec::new(), ..plain })
     }
 
-    fn without_log(spec: &Spec, asked: &Request) -> Self {
+    fn without_log(spec: &Spec, asked: &Request) -> Result<Self, Error> {
         let spring = &spec.spring.spring;
         let conditions = spec.conditions.iter();
         let cases = spec.mount.cases.iter();
-        Self {
+        let ((rate, rate_by), (noise, noise_by)) = (origin::rate(spec, asked), origin::noise(spec, asked));
+        let (tolerances, [stiffness, mass]) = origin::tolerances(spec, asked)?;
+        Ok(Self {
             recorded: None,
             spring: spring.clone(),
             far_end: spec.mount.far_end(),
             conditions: conditions.map(|c| (c.name.clone(), c.excitation.clone(), c.duration)).collect(),
             dampings: cases.map(|case| (case.label.clone(), case.mount.damping().clone())).collect(),
             nominal_damping: spec.mount.cases.len() / 2,
-            tolerances: asked.tolerances,
-            rate: asked.rate,
-            noise: asked.noise.unwrap_or(0.002 * spring.nominal_force()),
+            tolerances,
+            rate,
+            noise,
             bandwidth: asked.bandwidth.or(spec.goal.bandwidth).unwrap_or(spring.surge_frequency() / 20.0),
             most_lag: asked.most_lag,
+            sources: Sources { rate: rate_by, noise: noise_by, stiffness, mass },
             seeds: asked.seeds,
             seed: spec.uncertainty.seed,
-        }
+        })
     }
 
     /// Whether what is asked for can be: the sampling rate, the bandwidth, the noise, the series; [`Self::run`] asks first.
@@ -171,7 +182,7 @@ impl Study {
     /// [`Refused`] for the first that cannot, with the option that it is about.
     pub fn check(&self) -> Result<(), Refused> {
         let of = |row: &'static Row| move |error| Refused::of(row, error);
-        SampledSpring::check_rate(&self.spring, self.rate).map_err(of(&RATE))?;
+        SampledSpring::check_rate(&self.spring, self.rate).map_err(|error| self.of_rate(error))?;
         SampledSpring::new(&self.spring, &self.dampings[self.nominal_damping].1, self.rate)?;
         if !(self.bandwidth > 0.0 && self.bandwidth < self.spring.surge_frequency()) {
             let allowed = "above zero and below the first surge frequency";
@@ -186,9 +197,23 @@ impl Study {
         let most = MOST_SAMPLES / self.longest();
         if self.rate > most {
             let allowed = format!("at most {most:.0} Hz, two million samples of the longest run");
-            return Err(of(&RATE)(unfit(&RATE, "sampling rate", self.rate, "Hz", allowed)));
+            return Err(self.of_rate(unfit(&RATE, "sampling rate", self.rate, "Hz", allowed)));
         }
         Ok(())
+    }
+
+    /// A rate that cannot be: the option's, or the spec's.
+    fn of_rate(&self, error: Error) -> Refused {
+        match (&self.sources.rate, error) {
+            (Source::Spec(_), Error::Value { value, unit, allowed, .. }) => Refused::from(Error::Value {
+                field: None,
+                quantity: "1/sample_time of [control]".into(),
+                value,
+                unit,
+                allowed,
+            }),
+            (_, error) => Refused::of(&RATE, error),
+        }
     }
 
     /// How long the longest run takes \[s\].

@@ -5,11 +5,10 @@
 mod inductance;
 mod log;
 
-use coilsense::mitigation::ToleranceBox;
 use coilsense::signals::sampled_window;
 use coilsense::{Damping, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_lab::mitigation::export::Precision;
-use coilsense_lab::mitigation::{Ranking, Request, Study, Truth};
+use coilsense_lab::mitigation::{Ranking, Request, Source, Sources, Study, Truth};
 use coilsense_lab::output::Output;
 use coilsense_lab::recording::{Cleaning, Mapping, Recording};
 use coilsense_lab::report::{add_mitigation, mitigation_json, mitigation_text};
@@ -96,17 +95,72 @@ duration = "0.5 s"
 "#;
 
 fn asked() -> Request {
-    let tolerances = ToleranceBox::new(0.05, 0.05).unwrap();
     Request {
-        rate: 2000.0,
+        rate: Some(2000.0),
         noise: None,
         bandwidth: None,
-        tolerances,
+        stiffness_tolerance: Some(0.05),
+        mass_tolerance: Some(0.05),
         most_lag: 30_f64.to_radians(),
         seeds: 1,
         length_at_zero: None,
         end2_held: None,
     }
+}
+
+#[test]
+fn what_is_not_asked_is_the_specs_and_what_that_does_not_say_is_called_assumed() {
+    let open = Request { rate: None, stiffness_tolerance: None, mass_tolerance: None, ..asked() };
+    let with = |tables: &str, springs: &str| {
+        let text = format!("{SPRING}{CONDITION}{tables}").replacen("[spring]\n", &format!("[spring]\n{springs}"), 1);
+        Spec::parse("test.toml", &text, &|name| Err(format!("{name} is not there"))).unwrap()
+    };
+    let study = |tables: &str, springs: &str, asked: &Request| Study::of(&with(tables, springs), asked).unwrap();
+    let silent = study("", "", &open);
+    let box_of = |study: &Study| [study.tolerances.stiffness(), study.tolerances.mass()];
+    assert_eq!((silent.rate, box_of(&silent)), (2500.0, [0.1, 0.1]));
+    let assumed = Source::Assumed;
+    let all = |source: Source| Sources {
+        rate: source.clone(),
+        noise: source.clone(),
+        stiffness: source.clone(),
+        mass: source,
+    };
+    assert_eq!(silent.sources, all(assumed.clone()));
+    // A load cell at the other end says nothing of F_i, nor does one without noise; of two at this end the quieter one counts.
+    let control = "[control]\ndrive = \"velocity\"\nsample_time = \"0.5 ms\"\n";
+    let cell = |name: &str, end: u8, noise: &str| {
+        format!("[[sensor]]\nkind = \"load-cell\"\nname = \"{name}\"\nend = {end}\nnoise = \"{noise}\"\n")
+    };
+    let cells = [cell("far", 2, "0.01 N"), cell("loud", 1, "0.7 N"), cell("near", 1, "0.5 N")].concat();
+    let own = "stiffness_tolerance = \"4 %\"\nmass_tolerance = \"3 %\"\n";
+    let told = study(&format!("{control}{cells}"), own, &open);
+    assert_eq!((told.rate, told.noise, told.tolerances.stiffness()), (2000.0, 0.5, 0.04));
+    assert_eq!(
+        (told.sources.rate.told(), told.sources.noise.told()),
+        (" ([control])".to_owned(), " (near)".to_owned())
+    );
+    // 3 % of m, and what the model of n winding masses leaves open of f1.
+    let (low, high) = told.spring.first_frequency_band();
+    let open_of_m = 2.0 * (high / told.spring.chain_frequency()).ln().max((told.spring.chain_frequency() / low).ln());
+    assert!((told.tolerances.mass() - 0.03_f64.hypot(open_of_m)).abs() < 1e-12 && told.tolerances.mass() > 0.03);
+    let quiet = study(&cell("still", 1, "0 N"), "", &open);
+    assert_eq!((quiet.noise, &quiet.sources.noise), (silent.noise, &assumed));
+    // A tolerance of k alone says nothing of m.
+    let of_k = study("", "stiffness_tolerance = \"0.5 %\"\n", &open);
+    assert_eq!((box_of(&of_k), &of_k.sources.mass), ([0.005, 0.1], &assumed));
+    // What is asked for wins.
+    let given = study(&format!("{control}{cells}"), own, &Request { noise: Some(0.3), rate: Some(4000.0), ..asked() });
+    assert_eq!((given.rate, given.noise, box_of(&given)), (4000.0, 0.3, [0.05, 0.05]));
+    assert_eq!(given.sources, Sources::ASKED);
+    // Samples that are too slow are the table's, not an option's.
+    let slow = study("[control]\ndrive = \"velocity\"\nsample_time = \"2 ms\"\n", "", &open);
+    assert!(slow.check().is_ok());
+    let slower = Study { rate: 50.0, ..slow }.check().unwrap_err();
+    assert!(slower.placed().starts_with("1/sample_time of [control] must be above twice"), "{}", slower.placed());
+    let answer = mitigation_text(&Study { seeds: 1, ..told }.run().unwrap());
+    assert!(answer.contains(" at 2000 Hz ([control]) with 0.500 N rms of noise (near), seeds: 1"), "{answer}");
+    assert!(answer.contains("k ±4 % (the spec), m ±"), "{answer}");
 }
 
 fn spec(condition: &str) -> Spec {
@@ -190,7 +244,7 @@ fn what_is_advised_is_not_later_than_is_allowed() {
 #[test]
 fn what_cannot_be_studied_is_told_by_name() {
     let told = |asked: Request| Study::of(&spec(CONDITION), &asked).unwrap().run().err().unwrap().to_string();
-    let slow = told(Request { rate: 100.0, ..asked() });
+    let slow = told(Request { rate: Some(100.0), ..asked() });
     assert_eq!(slow, "sampling rate must be above twice the first surge frequency of 54.065 Hz, got 100 Hz");
     let wide = told(Request { bandwidth: Some(60.0), ..asked() });
     assert!(wide.contains("bandwidth must be above zero and below the first surge frequency"), "{wide}");
@@ -202,7 +256,7 @@ fn what_cannot_be_studied_is_told_by_name() {
 
 #[test]
 fn a_rate_at_which_some_designs_cannot_be_leaves_those_out_and_says_why() {
-    let answer = Study::of(&spec(CONDITION), &Request { rate: 400.0, ..asked() }).unwrap().run().unwrap();
+    let answer = Study::of(&spec(CONDITION), &Request { rate: Some(400.0), ..asked() }).unwrap().run().unwrap();
     let reasons: Vec<String> = answer.left_out.iter().map(|it| format!("{}: {}", it.name, it.reason)).collect();
     assert!(
         reasons.iter().any(|line| line.starts_with("five notches") && line.contains("number of notches")),

@@ -40,6 +40,9 @@ pub fn usual(spec: &Spec, given: &Request) -> Result<Answer, String> {
         (IfAbsent::Value(text), _) => text.to_owned(),
         (_, "noise") => format!("{} N", plainly(plain.noise)),
         (_, "bandwidth") => format!("{} Hz", plainly(plain.bandwidth)),
+        (_, "rate") => format!("{} Hz", (1e6 * plain.rate).round() / 1e6),
+        (_, "stiffness_tolerance") => format!("{} %", plainly(100.0 * plain.tolerances.stiffness())),
+        (_, "mass_tolerance") => format!("{} %", plainly(100.0 * plain.tolerances.mass())),
         (IfAbsent::Found(words), _) => words.to_owned(),
         (IfAbsent::Nothing | IfAbsent::Refused | IfAbsent::RefusedWithout(_), _) => String::new(),
     };
@@ -71,8 +74,10 @@ mod tests {
     fn what_is_usual_is_the_command_s() {
         let found = found("{}");
         assert_eq!(found["wrong"], json!([]));
-        // 0.2 % of 121.6 N; f1/20 of 54.07 Hz.
-        assert_eq!((&found["usual"]["noise"], &found["usual"]["bandwidth"]), (&json!("0.243 N"), &json!("2.7 Hz")));
+        // 0.02 % of the load cell of 150 N at end 1, the rate of [control], f1/20 of 54.07 Hz; m has no tolerance in the spec.
+        let usual = |name: &str| found["usual"][name].as_str().unwrap().to_owned();
+        assert_eq!(["noise", "rate", "bandwidth"].map(usual), ["0.03 N", "2000 Hz", "2.7 Hz"]);
+        assert_eq!(["stiffness-tolerance", "mass-tolerance"].map(usual), ["0.5 %", "10 %"]);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 
 use super::shaping::shaping_text;
 use crate::mitigation::{Candidate, Judgement, Origin, Ranking, Truth};
+use crate::quantity::plainly;
 
 /// The table, what was left out, and the advice.
 pub fn mitigation_text(answer: &Ranking) -> String {
@@ -43,32 +44,39 @@ pub(super) fn notes(answer: &Ranking) -> &[String] {
 
 /// What candidates were judged on, and what the columns mean.
 pub(super) fn conditions(answer: &Ranking) -> String {
-    let study = &answer.study;
+    let (study, sources) = (&answer.study, &answer.study.sources);
     if let Some(recorded) = &study.recorded {
         return format!(
             "On {}, {} samples at {:.3} Hz, as recorded: no noise added and no box, so that worst is what it leaves there;\n\
-             designs for {:.3} N rms of noise, k ±{} %, m ±{} %; lag at {:.3} Hz; best: of those with a lag of at most {}°.",
+             designs for {:.3} N rms of noise{}, k ±{} %{}, m ±{} %{}; lag at {:.3} Hz; best: of those with a lag of at most {}°.",
             recorded.name,
             recorded.measured.len(),
             study.rate,
             study.noise,
-            100.0 * study.tolerances.stiffness(),
-            100.0 * study.tolerances.mass(),
+            sources.noise.told(),
+            plainly(100.0 * study.tolerances.stiffness()),
+            sources.stiffness.told(),
+            plainly(100.0 * study.tolerances.mass()),
+            sources.mass.told(),
             study.bandwidth,
             degrees(study.most_lag),
         );
     }
     format!(
-        "Conditions: {}, at {} Hz with {:.3} N rms of noise, seeds: {}; worst of {} runs: k ±{} %, m ±{} %, each alone and together, {}; lag at {:.3} Hz;\n\
+        "Conditions: {}, at {} Hz{} with {:.3} N rms of noise{}, seeds: {}; worst of {} runs: k ±{} %{}, m ±{} %{}, each alone and together, {}; lag at {:.3} Hz;\n\
          aligned: the reference shifted by the delay that fits best; settling: time after an impact until the error falls to a tenth; best: the smallest\n\
          worst case of those with a lag of at most {}°.",
         study.conditions.iter().map(|condition| condition.0.as_str()).collect::<Vec<_>>().join(", "),
-        study.rate,
+        (1e6 * study.rate).round() / 1e6,
+        sources.rate.told(),
         study.noise,
+        sources.noise.told(),
         study.seeds,
         answer.runs,
-        100.0 * study.tolerances.stiffness(),
-        100.0 * study.tolerances.mass(),
+        plainly(100.0 * study.tolerances.stiffness()),
+        sources.stiffness.told(),
+        plainly(100.0 * study.tolerances.mass()),
+        sources.mass.told(),
         study.dampings.iter().map(|damping| damping.0.as_str()).collect::<Vec<_>>().join(", "),
         study.bandwidth,
         degrees(study.most_lag),
