@@ -22,7 +22,14 @@ export interface Ranking {
   advice: string[];
   nominal_force_n: number;
   sampling_rate_hz: number;
+  /** Where a number is from; null where it was asked for. */
+  sampling_rate_from: string | null;
   noise_n: number;
+  noise_from: string | null;
+  stiffness_tolerance: number;
+  stiffness_tolerance_from: string | null;
+  mass_tolerance: number;
+  mass_tolerance_from: string | null;
   bandwidth_hz: number;
   most_lag_rad: number;
   log: string | null;
@@ -81,8 +88,13 @@ export function conditions({ ranking }: Judged): string {
   const [rate, noise, bandwidth] = [ranking.sampling_rate_hz, ranking.noise_n, ranking.bandwidth_hz].map((value) =>
     digits(value),
   );
+  const from = (words: string | null) => (words === null ? '' : ` (${words})`);
+  const off = (tolerance: number, words: string | null) => `±${digits(100 * tolerance)} %${from(words)}`;
+  const k = off(ranking.stiffness_tolerance, ranking.stiffness_tolerance_from);
+  const m = off(ranking.mass_tolerance, ranking.mass_tolerance_from);
+  const noisy = `${noise} N rms of noise${from(ranking.noise_from)}`;
   const series = ranking.seeds === 1 ? 'one series' : `${ranking.seeds} series`;
   return ranking.log === null
-    ? `Sampled at ${rate} Hz with ${noise} N rms of noise, ${series}; lag at ${bandwidth} Hz.`
-    : `On ${ranking.log} as recorded, ${rate} Hz: no noise added and no box, so that worst is what it leaves there; designs for ${noise} N rms of noise; lag at ${bandwidth} Hz.`;
+    ? `Sampled at ${rate} Hz${from(ranking.sampling_rate_from)} with ${noisy}, ${series}; k ${k}, m ${m}; lag at ${bandwidth} Hz.`
+    : `On ${ranking.log} as recorded, ${rate} Hz: no noise added and no box, so that worst is what it leaves there; designs for ${noisy}, k ${k}, m ${m}; lag at ${bandwidth} Hz.`;
 }

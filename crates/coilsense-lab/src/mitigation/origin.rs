@@ -22,13 +22,18 @@ pub enum Source {
 }
 
 impl Source {
+    /// Its words; `None` of what was asked for.
+    pub fn words(&self) -> Option<&str> {
+        match self {
+            Self::Asked => None,
+            Self::Spec(words) => Some(words),
+            Self::Assumed => Some("assumed"),
+        }
+    }
+
     /// What stands behind the number, in brackets; nothing of what was asked for.
     pub fn told(&self) -> String {
-        match self {
-            Self::Asked => String::new(),
-            Self::Spec(words) => format!(" ({words})"),
-            Self::Assumed => " (assumed)".to_owned(),
-        }
+        self.words().map(|words| format!(" ({words})")).unwrap_or_default()
     }
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::shaping::shaping_advice;
 use super::text::{advice, notes};
-use crate::mitigation::{Candidate, Judgement, LeftOut, Ranking, Shaped, Shaping};
+use crate::mitigation::{Candidate, Judgement, LeftOut, Ranking, Shaped, Shaping, Source};
 use crate::report::ReportError;
 use crate::report::outcome::{Outcome, to_json};
 
@@ -21,8 +21,12 @@ pub struct MitigationOutcome {
     nominal_force_n: f64,
     /// How often the controller samples.
     sampling_rate_hz: f64,
+    /// Where that is from: words of the spec, or "assumed"; null for what was asked for, and for a log's.
+    sampling_rate_from: Option<String>,
     /// White noise of F_i, rms per sample.
     noise_n: f64,
+    /// Where that is from, likewise.
+    noise_from: Option<String>,
     /// Up to which frequency the force moves by itself.
     bandwidth_hz: f64,
     /// Most lag at the bandwidth that what is advised may have.
@@ -43,8 +47,12 @@ pub struct MitigationOutcome {
     first_seed: u64,
     /// By how much k may be off, as a share.
     stiffness_tolerance: f64,
+    /// Where that is from, likewise.
+    stiffness_tolerance_from: Option<String>,
     /// By how much m may be off, as a share.
     mass_tolerance: f64,
+    /// Where that is from, likewise.
+    mass_tolerance_from: Option<String>,
     candidates: Vec<CandidateRow>,
     left_out: Vec<LeftOutRow>,
     /// What shaping the command would do; null where no condition moves u1.
@@ -122,12 +130,15 @@ impl MitigationOutcome {
     /// Of a study that was run.
     pub fn of(answer: &Ranking) -> Self {
         let study = &answer.study;
+        let from = |source: &Source| source.words().map(str::to_owned);
         let stiffness = study.recorded.as_ref().and_then(|recorded| recorded.stiffness);
         Self {
             advice: advice(answer).lines().map(str::to_owned).collect(),
             nominal_force_n: study.spring.nominal_force(),
             sampling_rate_hz: study.rate,
+            sampling_rate_from: from(&study.sources.rate),
             noise_n: study.noise,
+            noise_from: from(&study.sources.noise),
             bandwidth_hz: study.bandwidth,
             most_lag_rad: study.most_lag,
             log: study.recorded.as_ref().map(|recorded| recorded.name.clone()),
@@ -138,7 +149,9 @@ impl MitigationOutcome {
             seeds: study.seeds,
             first_seed: study.seed,
             stiffness_tolerance: study.tolerances.stiffness(),
+            stiffness_tolerance_from: from(&study.sources.stiffness),
             mass_tolerance: study.tolerances.mass(),
+            mass_tolerance_from: from(&study.sources.mass),
             candidates: answer.judged.iter().map(CandidateRow::of).collect(),
             left_out: answer.left_out.iter().map(LeftOutRow::of).collect(),
             command_shaping: answer.shaping.as_ref().map(ShapingPart::of),
