@@ -104,7 +104,8 @@ impl DataSheet {
             surge,
             static_curve: curve::over_lengths(spring),
             beyond_axial: match spring.model {
-                _ if spring.dead_ends.is_some() => vec![OF_SECTIONS.to_owned()],
+                // Sections are not read in a build without contact, which need not carry the words.
+                _ if cfg!(feature = "contact") && spring.dead_ends.is_some() => vec![OF_SECTIONS.to_owned()],
                 // All of its modes are in the answer.
                 Model::Helix => reach::buckled(&modes_at).into_iter().collect(),
                 Model::Coil | Model::Chain => reach::warnings(&modes_at, model, own.unwrap_or(f64::INFINITY), goal),

@@ -4,11 +4,14 @@
 
 use crate::quantity::Dimension;
 
-/// What 1 of a column is in SI, by the unit in its title's brackets, such as `u1 [mm]` or `u1 (mm)`; `None` without brackets, an error of a unit that is not of
-/// the dimension.
-pub(super) fn scale(title: &str, dimension: Dimension) -> Option<Result<f64, String>> {
+/// The unit in a title's brackets, such as `u1 [mm]` or `u1 (mm)`.
+pub(super) fn unit(title: &str) -> Option<&str> {
     let within = |open, close| title.split_once(open).and_then(|(_, rest)| rest.split_once(close));
-    let unit = within('[', ']').or_else(|| within('(', ')'))?.0.trim();
-    let known = dimension.parse(&format!("1 {unit}"));
-    Some(known.ok_or_else(|| format!("the unit {unit:?} must be one of {}", dimension.symbols())))
+    let (unit, _) = within('[', ']').or_else(|| within('(', ')'))?;
+    Some(unit.trim())
+}
+
+/// What 1 of a unit is in SI; `None` where it is not of the dimension.
+pub(super) fn scale(unit: &str, dimension: Dimension) -> Option<f64> {
+    dimension.parse(&format!("1 {unit}"))
 }

@@ -135,7 +135,7 @@ fn of_row(error: &csv::Error) -> String {
 impl Column {
     /// A column `name [unit]`.
     fn of(index: usize, title: &str, dimension: Dimension) -> Result<Self, String> {
-        let factor = heading::scale(title, dimension).and_then(Result::ok);
+        let factor = heading::unit(title).and_then(|unit| heading::scale(unit, dimension));
         let wrong = || format!("column {}, {title:?}: its unit must be that of {}", index + 1, dimension.expectation());
         Ok(Self { index, factor: factor.ok_or_else(wrong)? })
     }

@@ -35,9 +35,11 @@ fn read(file: &str, text: &str) -> Result<(Vec<(f64, f64)>, f64), String> {
             }
             // A heading, which says the units where they are others.
             _ if rows.is_empty() => {
-                let of = |title, dimension, usual| {
-                    let scale = heading::scale(title, dimension).unwrap_or(Ok(usual));
-                    scale.map_err(|why| format!("{file}:{number}: {why}"))
+                let of = |title, dimension: Dimension, usual| {
+                    let Some(unit) = heading::unit(title) else { return Ok(usual) };
+                    heading::scale(unit, dimension).ok_or_else(|| {
+                        format!("{file}:{number}: the unit {unit:?} must be one of {}", dimension.symbols())
+                    })
                 };
                 (radian, metre) = (of(angle, Dimension::Angle, radian)?, of(lift, Dimension::Length, metre)?);
             }
