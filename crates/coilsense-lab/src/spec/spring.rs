@@ -201,7 +201,8 @@ impl SpringSpec {
 
     /// As [`super::Spec::needs_chain`]; `file` is the spec's.
     pub(crate) fn needs_chain(&self, file: &str, what: &str) -> Result<(), SpecError> {
-        if self.dead_ends.is_some() {
+        // A build without contact reads no sections.
+        if cfg!(feature = "contact") && self.dead_ends.is_some() {
             let takes = "a uniform coil; one of sections is for spring, simulate, analyze, sweep and speed";
             return Err(SpecError(format!("{file}: [[spring.section]]: {what} takes {takes}")));
         }
@@ -222,15 +223,22 @@ impl SpringSpec {
         let ((min, max), solid) = (self.spring.operating_range(), self.solid_length());
         // A micrometre is rounding of a length as it is written.
         let slack = 1e-6;
-        let [from, to, min_mm, max_mm] = [shortest, longest, min, max].map(|length| format!("{:.2}", 1e3 * length));
         if shortest < solid - slack {
-            let solid = 1e3 * solid;
             return Some(format!(
-                "the spring is {from} mm long at its shortest, below its solid length of {solid:.2} mm."
+                "the spring is {:.2} mm long at its shortest, below its solid length of {:.2} mm.",
+                1e3 * shortest,
+                1e3 * solid
             ));
         }
-        let leaves = shortest < min - slack || longest > max + slack;
-        leaves.then(|| format!("lengths from {from} to {to} mm leave the range in use, {min_mm}–{max_mm} mm."))
+        (shortest < min - slack || longest > max + slack).then(|| {
+            format!(
+                "lengths from {:.2} to {:.2} mm leave the range in use, {:.2}–{:.2} mm.",
+                1e3 * shortest,
+                1e3 * longest,
+                1e3 * min,
+                1e3 * max
+            )
+        })
     }
 
     /// Looks up between which first surge frequencies the coil as a helix lies in use.
