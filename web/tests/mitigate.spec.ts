@@ -231,7 +231,7 @@ test('the signal and the pictures are taken along', async ({ page }) => {
 test('a log is judged with the numbers of the command, its columns by name or by hand', async ({ page }) => {
   told('simulate', example('sea-ankle'), '--out', 'motion.csv');
   const text = readFileSync(join(folder, 'motion-heel-strike-zeta-0.005.csv'), 'utf8');
-  // What a design takes for noise is what keeps its equations apart: with the eighth of it that the load cell has, two processors differ 64 times as much.
+  // What a design takes for noise is what keeps its equations apart: with the eighth of it that the load cell has, two processors differ 50 times as much.
   const noise = '0.24 N';
   await page.goto(address({ noise }));
   await page.getByLabel('Judge on').selectOption('log');

@@ -92,9 +92,7 @@ pub(super) fn noise(spec: &Spec, asked: &Request) -> Found {
 /// [`Error::Value`] for shares that no spring has.
 pub(super) fn tolerances(spec: &Spec, asked: &Request) -> Result<(ToleranceBox, [Source; 2]), Error> {
     let own = &spec.spring.tolerances;
-    let (low, high) = spec.spring.first_frequency_band();
-    let of_model = spec.spring.spring.chain_frequency();
-    let model = (low / of_model).ln().abs().max((high / of_model).ln().abs());
+    let model = spec.spring.open_frequency();
     let says = || Source::Spec("the spec".to_owned());
     let of_stiffness = (!own.is_silent_on_stiffness()).then(|| (own.of_stiffness(), says()));
     let of_mass = (own.mass.is_some() || own.geometry_is_given)

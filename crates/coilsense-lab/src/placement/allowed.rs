@@ -50,9 +50,7 @@ impl Allowed {
     /// # Errors
     /// [`Error::Value`] where a changed spring is none.
     pub fn of(spec: &SpringSpec) -> Result<Self, Error> {
-        let (low, high) = spec.first_frequency_band();
-        let of_model = spec.spring.chain_frequency();
-        let model = (low / of_model).ln().abs().max((high / of_model).ln().abs());
+        let model = spec.open_frequency();
         let mut moves = spec.tolerances.moves();
         moves.push([0.0, model]);
         let sum =

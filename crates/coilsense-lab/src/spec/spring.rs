@@ -183,6 +183,13 @@ impl SpringSpec {
         }
     }
 
+    /// How far the model leaves the first surge frequency open, either way, as a share \[1\].
+    pub fn open_frequency(&self) -> f64 {
+        let (low, high) = self.first_frequency_band();
+        let of_model = self.spring.chain_frequency();
+        (low / of_model).ln().abs().max((high / of_model).ln().abs())
+    }
+
     /// Takes over the first surge frequency of the coil as a helix, at mid range and with its ends held in these ways, where its model
     /// asks for that. Of a spring that is no helix nothing changes; the data sheet says so.
     pub(super) fn follow_helix(&mut self, ends: &EndsSpec) {
