@@ -50,7 +50,7 @@ test('without any choice the answer is the command’s, advice and all', async (
   await judge(page);
   expect(await difference(page, example('sea-ankle'))).toBeLessThan(SAME);
   await expect(page.locator(`${panel} .verdict`)).toContainText(
-    'Sampled at 2000 Hz ([control]) with 0.03 N rms of noise (load cell, motor side), 5 series; k ±0.5 % (the spec), m ±10 % (assumed)',
+    'Sampled at 2000 Hz ([control]) with 0.03 N rms of noise (load cell, motor side), 5 series; k ±0.5 % (from the spec), m ±10 % (assumed)',
   );
 });
 

@@ -173,7 +173,7 @@ impl PyMitigation {
 /// bandwidth : float or str, optional
 ///     Up to which frequency the force moves by itself [Hz]; without it, the goal's bandwidth, or f1/20.
 /// stiffness_tolerance, mass_tolerance : float or str, optional
-///     By how much k and m may be off, either way, as shares [1]. Without them, the spec's own, that of m with what its model leaves open of f1, or
+///     By how much k and m may be off, either way, as shares [1]. Without them, the spec's own, that of m with the model's uncertainty of f1, or
 ///     10 %.
 /// most_lag : float or str
 ///     Most lag at the bandwidth that what is advised may have [rad]; without it, 30 degrees.

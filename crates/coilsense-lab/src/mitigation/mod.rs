@@ -11,7 +11,7 @@ mod candidates;
 mod ends;
 pub mod export;
 mod judge;
-mod origin;
+
 mod ranking;
 mod recorded;
 pub mod request;
@@ -20,16 +20,18 @@ mod run;
 mod runs;
 mod shaping;
 mod shown;
+mod sources;
 mod start;
 mod study;
 
 pub use candidate::{Candidate, LeftOut, Origin, Truth};
 pub use judge::Judgement;
-pub use origin::{Source, Sources};
+
 pub use ranking::Ranking;
 pub use recorded::Recorded;
 pub use request::{OPTIONS, Refused, Request};
 pub use residual::residual_vibration;
 pub use shaping::{Shaped, Shaping};
 pub use shown::{Made, Shown};
+pub use sources::{Source, Sources};
 pub use study::{Study, StudyError};

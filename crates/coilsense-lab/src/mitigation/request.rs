@@ -151,7 +151,7 @@ pub const MASS_TOLERANCE: Row = Row {
     name: "mass_tolerance",
     takes: Takes::Quantity(Dimension::Share),
     allowed: Allowed::Below(0.0, 1.0),
-    if_absent: IfAbsent::Found("the spec's own with what its model leaves open of f1, or 10 %"),
+    if_absent: IfAbsent::Found("the spec's own with the model's uncertainty of f1, or 10 %"),
     meaning: "Tolerance of the mass, to either side",
     ..Row::PLAIN
 };

@@ -9,8 +9,8 @@ use coilsense::{Damping, Error, Excitation, FarEnd, Motion, Mount, Spring};
 use coilsense_rt::Measured;
 
 use super::candidate::Truth;
-use super::origin::corner_label;
 use super::recorded::Recorded;
+use super::sources::corner_label;
 use super::study::Study;
 
 /// One motion as a controller samples it, without noise.

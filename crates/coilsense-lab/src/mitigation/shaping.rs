@@ -9,8 +9,8 @@ use coilsense::modes::ChainModes;
 
 use super::candidate::LeftOut;
 use super::export::Settings;
-use super::origin::corner_label;
 use super::residual::{last, residual_vibration};
+use super::sources::corner_label;
 use super::start::RING;
 use super::study::Study;
 

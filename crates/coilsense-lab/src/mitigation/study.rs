@@ -8,9 +8,9 @@ use coilsense::excitation::{EndInput, Start, VelocityProfile};
 use coilsense::mitigation::{SampledSpring, ToleranceBox};
 use coilsense::{Damping, Error, Excitation, FarEnd, Spring};
 
-use super::origin::{self, Source, Sources};
 use super::recorded::{Known, Recorded};
 use super::request::{BANDWIDTH, NOISE, RATE, Refused, Request, SEEDS};
+use super::sources::{self, Source, Sources};
 use crate::calibration::Applied;
 use crate::recording::{Recording, RecordingError};
 use crate::request::Row;
@@ -156,8 +156,8 @@ impl Study {
         let spring = &spec.spring.spring;
         let conditions = spec.conditions.iter();
         let cases = spec.mount.cases.iter();
-        let ((rate, rate_by), (noise, noise_by)) = (origin::rate(spec, asked), origin::noise(spec, asked));
-        let (tolerances, [stiffness, mass]) = origin::tolerances(spec, asked)?;
+        let ((rate, rate_by), (noise, noise_by)) = (sources::rate(spec, asked), sources::noise(spec, asked));
+        let (tolerances, [stiffness, mass]) = sources::tolerances(spec, asked)?;
         Ok(Self {
             recorded: None,
             spring: spring.clone(),

@@ -161,13 +161,13 @@ fn what_is_not_asked_is_the_specs_and_what_that_does_not_say_is_called_assumed()
     let ranking = Study { seeds: 1, ..told }.run().unwrap();
     let json: serde_json::Value = serde_json::from_str(&mitigation_json(&ranking).unwrap()).unwrap();
     let from = ["sampling_rate", "noise", "stiffness_tolerance"].map(|name| json[format!("{name}_from")].clone());
-    assert_eq!(from, ["[control]", "near", "the spec"]);
+    assert_eq!(from, ["[control]", "near", "from the spec"]);
     let plain = Study { seeds: 1, ..given }.run().unwrap();
     let json: serde_json::Value = serde_json::from_str(&mitigation_json(&plain).unwrap()).unwrap();
     assert!(json["noise_from"].is_null() && json["mass_tolerance_from"].is_null(), "asked for");
     let answer = mitigation_text(&ranking);
     assert!(answer.contains(" at 2000 Hz ([control]) with 0.500 N rms of noise (near), seeds: 1"), "{answer}");
-    assert!(answer.contains("k ±4 % (the spec), m ±"), "{answer}");
+    assert!(answer.contains("k ±4 % (from the spec), m ±"), "{answer}");
 }
 
 fn spec(condition: &str) -> Spec {

@@ -93,13 +93,13 @@ pub(super) fn noise(spec: &Spec, asked: &Request) -> Found {
 pub(super) fn tolerances(spec: &Spec, asked: &Request) -> Result<(ToleranceBox, [Source; 2]), Error> {
     let own = &spec.spring.tolerances;
     let model = spec.spring.open_frequency();
-    let says = || Source::Spec("the spec".to_owned());
+    let says = || Source::Spec("from the spec".to_owned());
     let of_stiffness = (!own.is_silent_on_stiffness()).then(|| (own.of_stiffness(), says()));
     let of_mass = (own.mass.is_some() || own.geometry_is_given)
         .then(|| {
             (
                 own.of_mass().hypot(2.0 * model),
-                Source::Spec("the spec, and what its model leaves open of f1".to_owned()),
+                Source::Spec("from the spec, with the model's uncertainty of f1".to_owned()),
             )
         })
         .filter(|(share, _)| *share < 1.0);
