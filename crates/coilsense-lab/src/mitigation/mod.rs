@@ -11,7 +11,6 @@ mod candidates;
 mod ends;
 pub mod export;
 mod judge;
-
 mod ranking;
 mod recorded;
 pub mod request;
@@ -26,7 +25,6 @@ mod study;
 
 pub use candidate::{Candidate, LeftOut, Origin, Truth};
 pub use judge::Judgement;
-
 pub use ranking::Ranking;
 pub use recorded::Recorded;
 pub use request::{OPTIONS, Refused, Request};
