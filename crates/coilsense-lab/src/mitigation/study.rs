@@ -58,14 +58,9 @@ pub enum StudyError {
     /// The spec's model is none for this.
     #[error(transparent)]
     Model(#[from] SpecError),
-    /// The science refuses.
-    #[error("{file}: {source}")]
-    Science {
-        /// The spec's name.
-        file: String,
-        /// Why.
-        source: Error,
-    },
+    /// Its tolerances, with those that are asked for, are none.
+    #[error("{0}")]
+    Tolerances(String),
 }
 
 impl Study {
@@ -100,15 +95,15 @@ impl Study {
     /// tolerances, its goal's bandwidth; where it says nothing, 2.5 kHz, 0.2 % of F_nom, 10 % and f1/20.
     ///
     /// # Errors
-    /// [`StudyError::NoCondition`] for a spec without conditions, [`StudyError::Model`] for one of a helix, [`StudyError::Science`] for tolerances that no
-    /// spring has.
+    /// [`StudyError::NoCondition`] for a spec without conditions, [`StudyError::Model`] for one of a helix,
+    /// [`StudyError::Tolerances`] where spec and options leave none.
     pub fn of(spec: &Spec, asked: &Request) -> Result<Self, StudyError> {
         spec.needs_chain("mitigate")?;
         spec.needs_no_contact("mitigate")?;
         if spec.conditions.is_empty() {
             return Err(StudyError::NoCondition(spec.file.clone()));
         }
-        Self::without_log(spec, asked).map_err(|source| StudyError::Science { file: spec.file.clone(), source })
+        Self::without_log(spec, asked).map_err(StudyError::Tolerances)
     }
 
     /// A log of F_i, u1, u2 and, for estimators, F_o, with the spec's spring, or with that of the log's stiffness where that is another; the
@@ -142,8 +137,7 @@ impl Study {
         log: &Recording,
         by_inductance: Option<&Applied>,
     ) -> Result<Self, RecordingError> {
-        let plain = Self::without_log(spec, asked)
-            .map_err(|error| RecordingError::of_words(format!("{}: {error}", spec.file)))?;
+        let plain = Self::without_log(spec, asked).map_err(RecordingError::of_words)?;
         let rate = log.sample_rate()?;
         let is_held = matches!(plain.far_end, FarEnd::Position);
         let known = Known { spring: &plain.spring, is_held, tolerance: plain.tolerances.stiffness() };
@@ -152,12 +146,13 @@ impl Study {
         Ok(Self { recorded: Some(recorded), spring, rate, sources, seeds: 1, conditions: Vec::new(), ..plain })
     }
 
-    fn without_log(spec: &Spec, asked: &Request) -> Result<Self, Error> {
+    fn without_log(spec: &Spec, asked: &Request) -> Result<Self, String> {
         let spring = &spec.spring.spring;
         let conditions = spec.conditions.iter();
         let cases = spec.mount.cases.iter();
         let ((rate, rate_by), (noise, noise_by)) = (sources::rate(spec, asked), sources::noise(spec, asked));
-        let (tolerances, [stiffness, mass]) = sources::tolerances(spec, asked)?;
+        let (tolerances, [stiffness, mass]) =
+            sources::tolerances(spec, asked).map_err(|error| format!("{}: {error}", spec.file))?;
         Ok(Self {
             recorded: None,
             spring: spring.clone(),

@@ -149,6 +149,11 @@ fn what_is_not_asked_is_the_specs_and_what_that_does_not_say_is_called_assumed()
     // A tolerance of k alone says nothing of m.
     let of_k = study("", "stiffness_tolerance = \"0.5 %\"\n", &open);
     assert_eq!((box_of(&of_k), &of_k.sources.mass), ([0.005, 0.1], &assumed));
+    // A box that spec and option leave empty is refused, once, with both named.
+    let no_mass = Request { mass_tolerance: Some(0.0), ..open };
+    let empty = Study::of(&with("", "stiffness_tolerance = \"0 %\"\n"), &no_mass).unwrap_err();
+    let why = "test.toml: stiffness tolerance plus mass tolerance must be above zero: the box is empty, got 0";
+    assert!(empty.to_string() == why && std::error::Error::source(&empty).is_none(), "{empty}");
     // What is asked for wins.
     let given = study(&format!("{control}{cells}"), own, &Request { noise: Some(0.3), rate: Some(4000.0), ..asked() });
     assert_eq!((given.rate, given.noise, box_of(&given)), (4000.0, 0.3, [0.05, 0.05]));
